@@ -1,0 +1,46 @@
+# What a learner, a teacher or a contributor does with this course. `make` by itself lists the targets.
+# PYTHON=python3.12 chooses the interpreter; ARGS="…" is handed to JupyterLab or pytest.
+
+# Someone who works with ROS has sourced a setup.bash. Its Python packages and libraries must not mix with those in
+# .venv, which are of another build. PATH stays, so the genuine `ros2` is still found; it needs what is taken away here
+# under its old names, and whoever starts it puts that back.
+export PARAM_TUTORIAL_OUTER_PYTHONPATH := $(PYTHONPATH)
+export PARAM_TUTORIAL_OUTER_LD_LIBRARY_PATH := $(LD_LIBRARY_PATH)
+unexport PYTHONPATH PYTHONHOME LD_LIBRARY_PATH _ROS_WHEELS_BOOTSTRAP_COMPLETE
+
+VENV := .venv/bin/python
+LOCK := environment/requirements.lock
+
+help:  ## list these targets
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
+
+setup:  ## create or repair .venv from the lock file
+	@command -v python3 >/dev/null || { echo "There is no python3 here: install CPython 3.10 to 3.14 first." >&2; exit 1; }
+	@PYTHON="$(PYTHON)" python3 environment/setup_venv.py
+
+lab: setup  ## start JupyterLab on the course, after the set-up if needed
+	@$(VENV) environment/lab.py $(ARGS)
+
+# The learner's IPython start-up files would run in each notebook under test.
+test: export IPYTHONDIR := $(CURDIR)/.venv/jupyter/ipython
+test: setup lint  ## run the whole test suite, as CI does
+	@mkdir -p "$$IPYTHONDIR"
+	@$(VENV) -m pytest -n 2 --dist loadscope --nbval $(ARGS) tests notebooks
+
+bench: setup  ## run the benchmarks
+	@$(VENV) tests/bench.py $(ARGS)
+
+lint: setup  ## check code and notebooks without running them
+	@$(VENV) -m ruff check .
+	@$(VENV) tests/notebook_lint.py notebooks
+
+lock: setup  ## work out environment/requirements.lock anew
+	@test -x build/uv/bin/uv || $(VENV) -m pip install --quiet --target build/uv uv
+	@build/uv/bin/uv pip compile --quiet --universal --python-version 3.10 --extra test --extra setup --upgrade \
+	    --generate-hashes --no-annotate --custom-compile-command "make lock" --output-file $(LOCK) pyproject.toml
+
+clean:  ## remove everything that these targets made
+	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis environment/.setup.lock
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+.PHONY: help setup lab test bench lint lock clean

@@ -1,0 +1,44 @@
+"""Mastering ROS 2 Parameters with Python: the package of the course.
+
+``start()`` puts a ROS executor into the background of a notebook, ``ParameterClient`` talks to the parameters
+of any node, ``ParameterPanel`` shows them as controls. The layers, top to bottom; imports go downward only:
+
+    panels, robot_view, magics      ipywidgets and IPython
+    exercises                       checks of what a learner wrote
+    ros2, shell, terminals          the ros2 command; commands in processes of their own
+    client, parameter_files         parameter services and files
+    background, node_log, domain    one rclpy context, executor and thread for a process
+    values, errors                  no ROS, no Jupyter
+    nodes                           the lessons' nodes, on rclpy alone
+"""
+
+import importlib
+
+# Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
+_HOMES = {
+    'BackgroundExecutor': 'background',
+    'LinePlot': 'plots',
+    'ParameterClient': 'client',
+    'ParameterPanel': 'panels',
+    'LogView': 'panels',
+    'RobotView': 'robot_view',
+    'Shell': 'shell',
+    'Terminal': 'terminals',
+    'load_ipython_extension': 'magics',
+    'start': 'background',
+    'stop': 'background',
+    'wait_until': 'background',
+}
+__all__ = sorted(_HOMES)
+
+
+def __getattr__(name: str):
+    if name not in _HOMES:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    value = getattr(importlib.import_module(f'{__name__}.{_HOMES[name]}'), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_HOMES})

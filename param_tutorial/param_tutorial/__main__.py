@@ -1,0 +1,26 @@
+"""``python -m param_tutorial param list`` and so on: the embedded ``ros2`` as a process of its own."""
+
+import os
+import signal
+import sys
+
+
+def main() -> int:
+    """Run the command that the process's arguments say, in the domain that its environment says."""
+    # A terminal of its own joins the domain where everybody is, like the genuine command; a notebook's kernel,
+    # which chooses a domain for itself, passes it on to the processes that it starts.
+    if not os.environ.get('ROS_DOMAIN_ID'):
+        os.environ['ROS_DOMAIN_ID'] = '0'
+    try:
+        from param_tutorial import background, ros2
+
+        return ros2.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=background.start)
+    except KeyboardInterrupt:
+        return signal.SIGINT
+    except BrokenPipeError:  # e.g. `| head -1`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())

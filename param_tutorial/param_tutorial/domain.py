@@ -1,0 +1,83 @@
+"""A ROS domain for each process, so that two learners on one machine do not meet. No ROS, no Jupyter.
+
+DDS keeps domains apart by UDP port numbers. Nothing in ROS hands domains out: whoever uses the same number
+is in the same graph, and two nodes of one name in one graph both obey every ``param set``.
+"""
+
+import os
+import socket
+from pathlib import Path
+
+from param_tutorial.errors import ExecutorError
+
+# Above 101 the ports of a domain reach into Linux's ephemeral range, and 0 is what everybody else is in.
+DOMAIN_IDS = range(1, 102)
+
+_PROFILE = Path(__file__).with_name('fastdds.xml')
+# Domain, and the file descriptor that holds its claim. A socket object would complain at exit that it was left open.
+_claim: tuple[int, int] | None = None
+
+
+def choose() -> int:
+    """Return the ROS domain of this process and put it into its environment.
+
+    The domain that the user chose with ROS_DOMAIN_ID, on the network that the user chose; otherwise one
+    that no other process on this machine has claimed, limited to this host. Processes that this one starts
+    inherit both, so that ``ros2`` in a subprocess finds the same nodes. Asking again gives the same answer.
+
+    :raises ExecutorError: ROS_DOMAIN_ID is no domain, or all domains are taken.
+    """
+    global _claim
+    # Fast DDS 2.14 knows this name only; from 3.0 on it is FASTDDS_DEFAULT_PROFILES_FILE.
+    os.environ.setdefault('FASTRTPS_DEFAULT_PROFILES_FILE', str(_PROFILE))
+    if _claim is not None and os.environ.get('ROS_DOMAIN_ID') == str(_claim[0]):
+        return _claim[0]
+    chosen = os.environ.get('ROS_DOMAIN_ID')
+    if chosen:
+        if not (chosen.isascii() and chosen.isdigit() and int(chosen) <= 232):
+            raise ExecutorError(f'ROS_DOMAIN_ID is {chosen!r}: it must be a whole number from 0 to 232, or unset')
+        return int(chosen)
+    if _claim is None:
+        _claim = _claim_free_domain()
+    os.environ['ROS_DOMAIN_ID'] = str(_claim[0])
+    os.environ.setdefault('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
+    # Shared memory between processes is a little faster, but a kernel that is killed leaves its segments in
+    # /dev/shm, and one user cannot open another's.
+    os.environ.setdefault('FASTDDS_BUILTIN_TRANSPORTS', 'UDPv4')
+    return _claim[0]
+
+
+def _claim_free_domain() -> tuple[int, int]:
+    """Claim the first free domain for as long as this process lives.
+
+    The claim is a name in Linux's abstract socket namespace: it can be bound once on a machine, and is free
+    again the moment its process ends, however it ends. Nothing is left on the disk to clean up.
+    """
+    # Starting at different places spares most processes the walk over the domains that are taken.
+    start = os.getpid() % len(DOMAIN_IDS)
+    for domain_id in [*DOMAIN_IDS[start:], *DOMAIN_IDS[:start]]:
+        claim = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+        try:
+            claim.bind(f'\0param_tutorial/ros_domain/{domain_id}')
+        except OSError:
+            claim.close()
+            continue
+        if _in_use_by_others(domain_id):
+            claim.close()
+            continue
+        return domain_id, claim.detach()
+    raise ExecutorError('all ROS domains from 1 to 101 are in use on this machine: set ROS_DOMAIN_ID to choose '
+                        'one, or shut down kernels that are no longer needed')
+
+
+def _in_use_by_others(domain_id: int) -> bool:
+    """Does a ROS program that knows nothing of claims live in this domain?
+
+    The first participant of a domain listens on port 7400 + 250 * domain + 10 (RTPS specification, 9.6.1.1).
+    """
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.bind(('', 7400 + 250 * domain_id + 10))
+        except OSError:
+            return True
+    return False

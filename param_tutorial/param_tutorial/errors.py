@@ -1,0 +1,127 @@
+"""Every exception that the tools raise on purpose. No ROS, no Jupyter.
+
+    ParameterToolError
+    ├── ExecutorError               the background executor cannot do what was asked
+    ├── ShellError                  a shell is closed, or what was typed into it did not end in time
+    ├── WaitTimeoutError            a condition did not come true in time           (also TimeoutError)
+    ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
+    ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
+    └── NodeError                   about one node; carries ``.node``
+        ├── NodeNotFoundError       no node of that name answers                    (also LookupError)
+        ├── NoAnswerError           the node is there and did not answer in time    (also TimeoutError)
+        ├── NodeGoneError           the node went away in mid-call                  (also ConnectionError)
+        ├── CallbackError           the node's own callback raised instead of answering
+        ├── ParameterNotDeclaredError  the node has no parameter of that name       (also LookupError)
+        └── ParameterRefusedError   the node said no; carries ``.result``
+
+A refused value is not an exception by itself: it is a result with a reason (see ``client.SetResult``), and
+becomes a ParameterRefusedError on request.
+"""
+
+import difflib
+
+
+class ParameterToolError(Exception):
+    """Base of everything below: ``except ParameterToolError`` catches whatever these tools raise."""
+
+
+class ExecutorError(ParameterToolError):
+    """The background executor cannot do what was asked; the message says what to do."""
+
+
+class ShellError(ParameterToolError):
+    """A shell is closed, or what was typed into it ended it or did not end in time."""
+
+
+class WaitTimeoutError(ParameterToolError, TimeoutError):
+    """A condition did not come true before its deadline; the message says which."""
+
+
+class InvalidValueError(ParameterToolError, ValueError):
+    """This Python value cannot be stored in a ROS parameter."""
+
+
+class ParameterFileError(ParameterToolError, ValueError):
+    """A parameter file cannot be read, or a value cannot be written so that rcl reads it back."""
+
+
+class NodeError(ParameterToolError):
+    """Something about one node, whose fully qualified name is in ``.node``."""
+
+    def __init__(self, node: str, message: str):
+        super().__init__(message)
+        self.node = node
+
+
+class NodeNotFoundError(NodeError, LookupError):
+    """No node of that name offers parameter services."""
+
+    def __init__(self, node: str, existing: list[str]):
+        self.existing = existing
+        super().__init__(node, f'there is no node {node}{nearest(node, existing, "No node is running")}')
+
+
+class NoAnswerError(NodeError, TimeoutError):
+    """The node is there but did not answer in time: it is busy, stopped, or nobody spins it."""
+
+    def __init__(self, node: str, service: str, timeout_sec: float):
+        super().__init__(node, (
+            f'{node} did not answer {service} within {timeout_sec:g} s. It is there, but busy in a callback, '
+            f'stopped in a debugger, or not spun by any executor'))
+
+
+class NodeGoneError(NodeError, ConnectionError):
+    """The node was there when the call began and left before it answered."""
+
+    def __init__(self, node: str, service: str):
+        super().__init__(node, f'{node} went away before it answered {service}: whether it did what was '
+                               f'asked is not known')
+
+
+class CallbackError(NodeError):
+    """A callback of the node raised an exception, so the caller will never get an answer.
+
+    The original exception, with its traceback, is the ``__cause__``.
+    """
+
+    def __init__(self, node: str, service: str, cause: BaseException):
+        super().__init__(node, (
+            f'{node} raised {type(cause).__name__} while it served {service}: {cause}. In a node of its own '
+            f'this would have ended executor.spin(), and the caller would have waited for ever'))
+        self.__cause__ = cause
+
+
+class ParameterNotDeclaredError(NodeError, LookupError):
+    """The node has no parameter of that name."""
+
+    def __init__(self, node: str, name: str, existing: list[str]):
+        self.name = name
+        super().__init__(
+            node, f'{node} has no parameter {name!r}{nearest(name, existing, "It has no parameters at all")}')
+
+
+class ParameterRefusedError(NodeError):
+    """The node refused a value; ``.result`` holds the parameter, the value and the reason."""
+
+    def __init__(self, result):
+        super().__init__(result.node, str(result))
+        self.result = result
+
+
+def nearest(name: str, existing: list[str], none_at_all: str) -> str:
+    """End the sentence "there is no NAME" with the likeliest names that do exist.
+
+    :param name: The name that was asked for.
+    :param existing: The names that there are.
+    :param none_at_all: What to say when there are none, without a full stop.
+    """
+    if not existing:
+        return f'. {none_at_all}'
+    # difflib compares whole strings; a learner who forgets the namespace or types a part is helped too.
+    bare = name.strip('/')
+    near = difflib.get_close_matches(name, existing, n=3, cutoff=0.6)
+    near += [other for other in existing if bare and bare in other and other not in near]
+    if near:
+        return '. Did you mean ' + ' or '.join(near[:3]) + '?'
+    shown = ', '.join(existing[:8])
+    return f'. There is: {shown}' + (f' and {len(existing) - 8} more' if len(existing) > 8 else '')

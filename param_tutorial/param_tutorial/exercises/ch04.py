@@ -1,0 +1,96 @@
+"""Exercises of chapter 4: read a parameter at the right moment, and predict what is read."""
+
+from rclpy.parameter import Parameter
+
+from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from param_tutorial.exercises.trial import Trial, expect
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+
+CHAPTER = '04_retrieving'
+OBJECT = 'An object and its value'
+NOTICE = 'Change it: when does a node notice?'
+FALLBACK = 'Several at once, and a fallback'
+START = 'Which value does a node start with?'
+
+read = Exercise('4a', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
+    'The method needs the value that the parameter has when the method is called.',
+    '`self.get_parameter(name)` gives an object; the number in it is its `.value`.',
+    'Python’s `min(a, b)` is the smaller of two numbers, so the method is one line: `return min(wanted_rpm, ...)`.'))
+
+
+def limited(trial: Trial, wheel: object, wanted_rpm: int) -> object:
+    return trial.call(f'`limited({wanted_rpm})`', wheel.limited, wanted_rpm)
+
+
+@read.require('`limited(500)` is 100 at the start, and `limited(40)` is 40', see=OBJECT)
+def at_the_start(trial):
+    wheel = trial.start()
+    given = limited(trial, wheel, 500), limited(trial, wheel, 40)
+    expect(given == (100, 40), '100 and 40', f'they are `{given[0]!r}` and `{given[1]!r}`')
+
+
+@read.require('after somebody has set `max_speed_rpm` to 150, `limited(500)` is 150', see=NOTICE)
+def after_a_change(trial):
+    wheel = trial.start()
+    trial.client(wheel).set_parameter('max_speed_rpm', 150).raise_for_reason()
+    given = limited(trial, wheel, 500)
+    expect(given == 150, '150', f'it is `{given!r}`' + (
+        '. The node accepted 150 and still uses a copy that it made in its constructor' if given == 100 else ''))
+
+
+@read.require('started with `-p max_speed_rpm:=120`, the node gives 120 for `limited(500)`', see=START)
+def with_an_override(trial):
+    given = limited(trial, trial.start(ros_args=['-p', 'max_speed_rpm:=120']), 500)
+    expect(given == 120, '120, the effective value', f'it is `{given!r}`' + (
+        '. That is the default in the source, not what the parameter holds' if given == 100 else ''))
+
+
+predict = Exercise('4b', CHAPTER, DICTIONARY, hints=(
+    'Write the number, `True` or `False` that Python would show. A wrong guess costs nothing.',
+    'A parameter object is a photograph, and a fallback is stored nowhere.',
+    'An override takes the default’s place when the parameter is declared.'))
+
+
+def story(trial: Trial) -> dict[str, object]:
+    """Do what the exercise tells."""
+    robot = trial.start(SimpleParamNode)
+    photo = robot.get_parameter('max_speed_rpm')
+    trial.client(robot).set_parameter('max_speed_rpm', 150)
+    fallback = Parameter('battery_volts', value=12.0)
+    second = trial.start(SimpleParamNode, ros_args=['-r', '__node:=second', '-p', 'max_speed_rpm:=120'])
+    return {'robot': robot, 'photo': photo, 'fallback': fallback, 'second': second}
+
+
+@predict.require_prediction('photo.value', see=OBJECT, because={
+    150: 'That is what the robot holds now, and the photograph is older'})
+def photograph(trial):
+    return story(trial)['photo'].value
+
+
+@predict.require_prediction("robot.get_parameter('max_speed_rpm').value", see=OBJECT, because={
+    100: 'A new photograph shows the new value'})
+def present(trial):
+    return story(trial)['robot'].get_parameter('max_speed_rpm').value
+
+
+@predict.require_prediction("robot.get_parameter_or('battery_volts', fallback).value", see=FALLBACK, because={
+    12: 'The fallback holds a double', None: 'The parameter is not declared, so the fallback is used'})
+def fallen_back(trial):
+    scene = story(trial)
+    return scene['robot'].get_parameter_or('battery_volts', scene['fallback']).value
+
+
+@predict.require_prediction("robot.has_parameter('battery_volts')", see=FALLBACK, because={
+    True: 'The fallback is used on the spot and declares nothing'})
+def stored(trial):
+    return story(trial)['robot'].has_parameter('battery_volts')
+
+
+@predict.require_prediction("second.get_parameter('max_speed_rpm').value", see=START, because={
+    100: 'That is the default, and somebody has said otherwise',
+    150: 'That is what was set on the first robot: a parameter lives in one node'})
+def overridden(trial):
+    return story(trial)['second'].get_parameter('max_speed_rpm').value
+
+
+EXERCISES = (read, predict)

@@ -1,0 +1,154 @@
+"""What an exercise is: requirements, each a sentence and a function that tries it out, and how they are checked."""
+
+import inspect
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from rclpy.node import Node
+
+from param_tutorial import values
+from param_tutorial.errors import ExecutorError, NoAnswerError
+from param_tutorial.exercises.results import Finding, Hint, Result
+from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, cleared, expect, stage, told
+
+
+class Kind(NamedTuple):
+    """What a learner hands in."""
+
+    name: str
+    fits: Callable[[Any], bool]
+
+
+NODE_CLASS = Kind('a class derived from `Node`, by its name alone and without parentheses',
+                  lambda work: inspect.isclass(work) and issubclass(work, Node))
+FUNCTION = Kind('a function, by its name alone and without parentheses', inspect.isroutine)
+DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(work, dict))
+TEXT = Kind('a text, as in the cell above', lambda work: isinstance(work, str))
+
+
+class Requirement(NamedTuple):
+    """One thing that the work has to do."""
+
+    sentence: str
+    see: str
+    """The section of the chapter that shows it."""
+    examine: Callable[[Trial], None]
+    """Tries it out, and raises NotYet if it is not so."""
+
+
+class Exercise:
+    """One exercise of a chapter."""
+
+    def __init__(self, number: str, chapter: str, takes: Kind, hints: tuple[str, ...], *, node_name: str = ''):
+        """
+        :param number: Of the chapter, and a letter: '5.2b'.
+        :param chapter: The name of its notebook, without the ending.
+        :param hints: From a nudge to nearly the answer.
+        :param node_name: How the learner's node has to be called.
+        """
+        self.number = number
+        self.solutions = f'solutions/{chapter}.ipynb'
+        self.takes = takes
+        self.hints = hints
+        self.node_name = node_name
+        self.requirements: list[Requirement] = []
+
+    def require(self, sentence: str, *, see: str) -> Callable:
+        """Add the decorated function as a requirement.
+
+        :param sentence: What has to be so, for the learner to read.
+        :param see: The section of the chapter that shows it.
+        """
+        def add(examine: Callable[[Trial], None]) -> Callable[[Trial], None]:
+            self.requirements.append(Requirement(sentence, see, examine))
+            return examine
+        return add
+
+    def require_prediction(self, question: str, *, see: str, because: dict[Any, str]) -> Callable:
+        """Add a requirement for a dictionary: that it holds, for a question, what the decorated function finds out.
+
+        :param because: For wrong answers that one may well give, what to think of.
+        """
+        def add(find_out: Callable[[Trial], Any]) -> Callable[[Trial], Any]:
+            @self.require(f'`{question}`', see=see)
+            def examine(trial):
+                given = trial.work.get(question, ...)
+                expect(given is not ..., '', 'there is no prediction yet')
+                # The node's answer is not given away: to look at it is the next step, and the learner's.
+                words = next((f'. {text}' for wrong, text in because.items() if values.same(wrong, given)), '')
+                expect(values.same(find_out(trial), given), 'what the node says when the check asks it',
+                       f'it does not say `{given!r}`{words}')
+            return find_out
+        return add
+
+    def check(self, work: Any) -> Result:
+        """Try out a learner's work; see ``exercises.check``."""
+        if not self.takes.fits(work):
+            return self._result([self._nothing_to_try(work)])
+        findings: list[Finding] = []
+        names: set[str] = set()
+        try:
+            with stage() as ros:
+                for requirement in self.requirements:
+                    trial = Trial(ros, work)
+                    try:
+                        findings.append(_try_out(requirement, trial))
+                    except NoUse as error:
+                        findings.append(_finding(requirement, error))
+                        break
+                    names.update(trial.names)
+        except ExecutorError as error:  # no executor can be had, or a callback of the learner's keeps it for good
+            untried = [each.sentence for each in self.requirements[len(findings):]]
+            findings.append(Finding([*untried, 'the stage is clear afterwards'][0], False, happened=str(error)))
+        findings += [Finding(each.sentence, None) for each in self.requirements[len(findings):]]
+        wrong = sorted(names - {self.node_name}) if self.node_name else []
+        if wrong:
+            findings.insert(0, Finding(f'the node is called `{self.node_name}`', False, f'`{self.node_name}`',
+                                       f'it is called `{wrong[0]}`'))
+        return self._result(findings)
+
+    def _nothing_to_try(self, work: Any) -> Finding:
+        if isinstance(work, (type(None), bool, int, float, str)):
+            shown = f'`{work!r:.60}`'
+        else:
+            shown = f'the class `{work.__name__}`' if inspect.isclass(work) else f'a `{type(work).__name__}`'
+        return Finding('there is something to try out', False, self.takes.name, f'the check was given {shown}')
+
+    def _result(self, findings: list[Finding]) -> Result:
+        result = Result(self.number, findings, len(self.requirements),
+                        f'A worked solution, to compare: {self.solutions}')
+        if not result.done:
+            begun = any(finding.done for finding in findings)
+            result.text = f'For a hint: `exercises.hint({self.number!r})`' if begun else Hint(
+                self.number, 1, self.hints).text
+        return result
+
+
+def _try_out(requirement: Requirement, trial: Trial) -> Finding:
+    """Try out one requirement, with a stage that is then as before.
+
+    :raises NoUse: none of the others can be tried out either.
+    """
+    try:
+        with cleared(trial.ros):
+            requirement.examine(trial)
+    except NoUse:
+        raise
+    except NotYet as error:
+        return _finding(requirement, error)
+    except NoAnswerError as error:
+        raise NoUse('an answer', f'{error}. Does a callback wait, or loop for ever?') from None
+    except ExecutorError:
+        raise
+    except Exception as error:  # whatever a learner's object may do when it is looked at
+        return _finding(requirement, NotYet('', told(error)))
+    return Finding(requirement.sentence, True)
+
+
+def _finding(requirement: Requirement, error: NotYet) -> Finding:
+    return Finding(requirement.sentence, False, _without_corner(error.expected), _without_corner(error.happened),
+                   requirement.see)
+
+
+def _without_corner(text: str) -> str:
+    return text.replace(f'{CORNER}/', '/')

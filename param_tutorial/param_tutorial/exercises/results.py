@@ -1,0 +1,118 @@
+"""What a check answers: words first, for a terminal and a screen reader, and the same words as HTML."""
+
+import html
+import re
+import textwrap
+from dataclasses import dataclass
+
+_WIDTH = 110
+
+# JupyterLab's own colours, so that it is readable on light and dark; none of them says anything that no word says.
+_STYLE = """<style>
+.param-check { border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; padding: 8px 12px;
+  margin: 4px 0; max-width: 60em; }
+.param-check p { margin: 0; }
+.param-check ul.param-findings { list-style: none; margin: 8px 0; padding: 0; }
+.param-check li { margin: 6px 0; padding-left: 10px; border-left: 4px solid var(--jp-border-color1, #9e9e9e); }
+.param-check li.param-done { border-left-color: var(--jp-success-color1, #388e3c); }
+.param-check li.param-not-yet { border-left-color: var(--jp-warn-color1, #f57c00); }
+.param-check li dl { display: grid; grid-template-columns: max-content 1fr; gap: 2px 12px; margin: 4px 0; }
+.param-check li dl dt { color: var(--jp-ui-font-color2, #616161); font-weight: normal; white-space: nowrap; }
+.param-check li dl dt, .param-check li dl dd { float: none; width: auto; margin: 0; padding: 0; }
+.param-check li dl dd { overflow-wrap: anywhere; }
+</style>"""
+
+
+class Answer:
+    """A sentence or more; shown as it is."""
+
+    def __init__(self, text: str):
+        self.text = text
+
+    def __repr__(self) -> str:
+        return _wrapped(self.text)
+
+    def _repr_html_(self) -> str:
+        return f'{_STYLE}<div class="param-check"><p>{_markup(self.text)}</p></div>'
+
+
+class Hint(Answer):
+    """One of an exercise's hints."""
+
+    def __init__(self, number: str, position: int, hints: tuple[str, ...]):
+        """
+        :param number: Of the exercise.
+        :param position: Of the hint, from 1.
+        """
+        after = f'the next: `exercises.hint({number!r})`' if position < len(hints) else 'the last'
+        super().__init__(f'Hint {position} of {len(hints)} ({after}). {hints[position - 1]}')
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What became of one requirement."""
+
+    sentence: str
+    done: bool | None
+    """None if it could not be tried out."""
+    expected: str = ''
+    happened: str = ''
+    see: str = ''
+    """The section of the chapter to look at."""
+
+    @property
+    def word(self) -> str:
+        """'done', 'not yet' or 'not tried'."""
+        return {True: 'done', False: 'not yet', None: 'not tried'}[self.done]
+
+    @property
+    def details(self) -> dict[str, str]:
+        """What helps to go on; nothing if there is nothing to say."""
+        told = {'expected': self.expected, 'happened': self.happened, 'look at': self.see and f'“{self.see}”'}
+        return {word: text for word, text in told.items() if text}
+
+
+class Result(Answer):
+    """The answer of a check."""
+
+    def __init__(self, number: str, findings: list[Finding], total: int, after: str):
+        """
+        :param number: Of the exercise.
+        :param findings: One for each requirement, in their order; further ones before them.
+        :param total: How many requirements there are.
+        :param after: What to say at the end.
+        """
+        self.findings = tuple(findings)
+        self.done = all(finding.done for finding in findings)
+        self.count = sum(finding.done is True for finding in findings)
+        self.heading = f'Exercise {number}: {"done" if self.done else "not yet"}'
+        self.score = f'{self.count} of {total} done'
+        super().__init__(after)
+
+    def __repr__(self) -> str:
+        lines = [f'{self.heading}, {self.score}', '']
+        for finding in self.findings:
+            lines.append(_wrapped(f'{finding.word:<9}  {finding.sentence}', ' ' * 11))
+            for word, text in finding.details.items():
+                lines.append(_wrapped(f'{"":11}{word:<8}  {text}', ' ' * 21))
+        return '\n'.join([*lines, '', _wrapped(self.text)])
+
+    def _repr_html_(self) -> str:
+        items = ''.join(map(_item, self.findings))
+        return (f'{_STYLE}<div class="param-check"><p><b>{self.heading}</b>, {self.score}</p>'
+                f'<ul class="param-findings">{items}</ul><p>{_markup(self.text)}</p></div>')
+
+
+def _item(finding: Finding) -> str:
+    details = ''.join(f'<dt>{word}</dt><dd>{_markup(text)}</dd>' for word, text in finding.details.items())
+    return (f'<li class="param-{finding.word.replace(" ", "-")}"><b>{finding.word}</b> · {_markup(finding.sentence)}'
+            + (f'<dl>{details}</dl>' if details else '') + '</li>')
+
+
+def _markup(text: str) -> str:
+    """Make HTML of a text in which backquotes stand around code."""
+    return re.sub(r'`([^`]+)`', r'<code>\1</code>', html.escape(text, quote=False))
+
+
+def _wrapped(text: str, indent: str = '') -> str:
+    return textwrap.fill(text, _WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)

@@ -1,0 +1,185 @@
+"""A corner of the stage where a learner's work is tried out: nothing of it is left behind."""
+
+import contextlib
+import linecache
+import signal
+import threading
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from rclpy.node import Node
+
+import param_tutorial
+from param_tutorial import background
+from param_tutorial.client import ParameterClient
+from param_tutorial.errors import CallbackError, ExecutorError, ParameterToolError, WaitTimeoutError
+from param_tutorial.services import SERVICE_TYPES
+
+# A node of the learner's own, of the same name, may be on the stage: ROS keeps the two apart by this namespace. It
+# begins with an underscore, so tools do not list what is in it.
+CORNER = '/_check'
+# How long each constructor, function, answer or reaction may take.
+TIME_LIMIT_SEC = 5.0
+
+
+class NotYet(Exception):
+    """A requirement is not met."""
+
+    def __init__(self, expected: str, happened: str):
+        super().__init__(f'expected: {expected}; happened: {happened}')
+        self.expected = expected
+        self.happened = happened
+
+
+class NoUse(NotYet):
+    """Neither this requirement nor any further one can be tried out."""
+
+
+def expect(met: Any, expected: str, happened: str) -> None:
+    """Raise NotYet unless it is met."""
+    if not met:
+        raise NotYet(expected, happened)
+
+
+class TooLong(BaseException):
+    """The time limit is over. No Exception, lest the learner's own ``except Exception`` catches it."""
+
+    def __str__(self) -> str:
+        return f'it had not come to an end after {TIME_LIMIT_SEC:g} s'
+
+
+class Trial:
+    """One attempt with a learner's work, for one requirement."""
+
+    def __init__(self, ros: background.BackgroundExecutor, work: Any):
+        self.ros = ros
+        self.work = work
+        self.names: list[str] = []
+        """The names of the nodes that were made of the work."""
+        self._errors = list(ros.errors)
+
+    def start(self, node_class: type[Node] | None = None, *, ros_args: Sequence[str] = ()) -> Node:
+        """Put a node on the stage, in the corner.
+
+        :param node_class: By default the learner's work, or derived from it.
+        :param ros_args: As in BackgroundExecutor.add.
+        :raises NoUse: it does not start.
+        """
+        node_class = node_class or self.work
+        # A service of /rover is, for this node, that of the /rover in the corner.
+        moved = [f'/rover/{service}:={CORNER}/rover/{service}' for service in SERVICE_TYPES]
+        remapped = [word for rule in (f'__ns:={CORNER}', *moved) for word in ('-r', rule)]
+        try:
+            with _time_limit():
+                node = self.ros.add(node_class, ros_args=[*remapped, *ros_args])
+        except (Exception, TooLong, SystemExit) as error:
+            raise NoUse('a node that starts', f'its constructor did not get to its end. {told(error)}') from None
+        if isinstance(self.work, type) and issubclass(node_class, self.work):
+            self.names.append(node.get_name())
+        return node
+
+    def client(self, node: Node) -> ParameterClient:
+        """Give a client for a node's parameters, with the time limit."""
+        return ParameterClient(node, timeout_sec=TIME_LIMIT_SEC, executor=self.ros)
+
+    def call(self, what: str, function: Callable, *args: Any) -> Any:
+        """Call a function of the learner's here.
+
+        :param what: Names the call.
+        """
+        try:
+            with _time_limit():
+                return function(*args)
+        except (Exception, TooLong, SystemExit) as error:
+            raise NotYet(f'{what} comes to an end', told(error)) from None
+
+    def press(self, what: str, function: Callable[[], Any]) -> None:
+        """Call a function of the learner's in the executor's thread, as a timer would."""
+        try:
+            self.ros.run(function, what)
+        except (Exception, SystemExit) as error:
+            raise NotYet(f'{what} comes to an end', told(error)) from None
+        except KeyboardInterrupt:
+            raise
+        except BaseException:  # the executor has interrupted it
+            raise NoUse(f'{what} does not wait', 'it had not come to an end after some seconds, and kept the executor '
+                        'busy that would have to bring what it waits for') from None
+
+    def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str]) -> None:
+        """Wait until something is so.
+
+        :param happened: Tells what is so instead.
+        """
+        try:
+            background.wait_until(condition, expected, TIME_LIMIT_SEC)
+        except WaitTimeoutError:
+            raise NotYet(expected, f'{happened()}, after {TIME_LIMIT_SEC:g} s{self.raised()}') from None
+
+    def raised(self) -> str:
+        """Tell what callbacks have raised in the meantime, if they have."""
+        new = [error for error in self.ros.errors if not any(error is old for old in self._errors)]
+        return ''.join(f'. Meanwhile a callback raised {told(error)}' for error in new[-1:])
+
+
+@contextlib.contextmanager
+def stage() -> Iterator[background.BackgroundExecutor]:
+    """Give the executor in the background, or one for the time being, and clear it of what was added.
+
+    :raises ExecutorError: there can be none.
+    """
+    try:
+        ros, borrowed = background.current(), True
+    except ExecutorError:
+        ros, borrowed = param_tutorial.start(), False
+    try:
+        with cleared(ros):
+            yield ros
+    finally:
+        if not borrowed:
+            param_tutorial.stop()
+
+
+@contextlib.contextmanager
+def cleared(ros: background.BackgroundExecutor) -> Iterator[None]:
+    """Take away the nodes that are added in this block."""
+    before = ros.nodes
+    try:
+        yield
+    finally:
+        for node in reversed(ros.nodes):
+            if not any(node is other for other in before):
+                ros.remove(node)
+
+
+@contextlib.contextmanager
+def _time_limit() -> Iterator[None]:
+    """Interrupt the block after TIME_LIMIT_SEC with TooLong, where that is possible: in the main thread, on Unix."""
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
+        yield
+        return
+
+    def ring(_number, _frame):
+        raise TooLong
+
+    previous = signal.signal(signal.SIGALRM, ring)
+    signal.setitimer(signal.ITIMER_REAL, TIME_LIMIT_SEC)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, previous)
+
+
+def told(error: BaseException) -> str:
+    """Tell an exception in a sentence, with the line of the learner's code that it comes from."""
+    if isinstance(error, CallbackError):
+        return f'a callback raised {told(error.__cause__)}'
+    if isinstance(error, (TooLong, ParameterToolError)):
+        return str(error)
+    words = f'{type(error).__name__}: {error}' if str(error) else type(error).__name__
+    line = ''
+    for frame, number in traceback.walk_tb(error.__traceback__):
+        if frame.f_globals.get('__name__') == '__main__':
+            line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip() or line
+    return words + (f', in the line `{line}`' if line else '')

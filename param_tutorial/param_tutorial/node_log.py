@@ -1,0 +1,122 @@
+"""What the nodes logged, collected from /rosout: the "first terminal" of the lessons. No Jupyter.
+
+Console output of a background node would land in whichever cell is running. The log keeps it apart, as
+plain lines without time stamps, so that a cell can show it and a test can compare it.
+"""
+
+import threading
+import time
+from collections import deque
+from dataclasses import dataclass
+
+from param_tutorial.errors import WaitTimeoutError
+
+LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
+CAPACITY = 5000
+
+
+@dataclass(frozen=True)
+class LogLine:
+    """One message on /rosout."""
+
+    level: str
+    logger: str
+    """The node's name, without a leading slash and with dots for slashes, e.g. 'clawbot.arm_controller'."""
+    text: str
+
+    def __str__(self) -> str:
+        return f'[{self.level}] [{self.logger}]: {self.text}'
+
+
+class NodeLog:
+    """Collects log lines; ``read`` gives those that have come since the last time, as a terminal would."""
+
+    def __init__(self):
+        self._lines: deque[LogLine] = deque(maxlen=CAPACITY)
+        self._received = 0
+        # How many lines had been received when a reader (of one node, or of all: None) read last.
+        self._read: dict[str | None, int] = {}
+        self._changed = threading.Condition()
+        self._listeners = []
+
+    def receive(self, message) -> None:
+        """Take a message rcl_interfaces/msg/Log from /rosout; called in the executor's thread."""
+        line = LogLine(LEVELS.get(message.level, str(message.level)), message.name, message.msg)
+        with self._changed:
+            self._lines.append(line)
+            self._received += 1
+            self._changed.notify_all()
+            listeners = list(self._listeners)
+        for listener in listeners:
+            listener(line)
+
+    def on_line(self, listener):
+        """Call a listener, in the executor's thread, with each new LogLine.
+
+        :return: Call it to stop listening.
+        """
+        with self._changed:
+            self._listeners.append(listener)
+
+        def unregister():
+            with self._changed:
+                if listener in self._listeners:
+                    self._listeners.remove(listener)
+        return unregister
+
+    def lines(self, node: str | None = None) -> list[str]:
+        """Give all lines that are kept, oldest first.
+
+        :param node: Only those of this node, e.g. '/simple_param_node'.
+        """
+        with self._changed:
+            return [str(line) for _, line in self._since(0, node)]
+
+    def recent(self, node: str | None, count: int) -> list[LogLine]:
+        """Give the newest lines that are kept, oldest first, at most so many.
+
+        :param node: Only those of this node; None for all.
+        """
+        with self._changed:
+            return [line for _, line in self._since(0, node)][-count:]
+
+    def read(self, until: str, node: str | None = None, timeout_sec: float = 5.0) -> str:
+        """Give what has come since the last read, up to and with the first line that holds a text.
+
+        Log messages travel apart from service answers and may arrive after them, so a reader has to say
+        what it waits for.
+
+        :param until: A part of the last line wanted.
+        :param node: Read only what this node logged, e.g. '/simple_param_node'. Lines of two nodes may
+            arrive in either order; those of one node keep theirs.
+        :raises WaitTimeoutError: no such line came in time; the message shows what came instead.
+        """
+        deadline = time.monotonic() + timeout_sec
+        with self._changed:
+            while True:
+                # What was read of all nodes has been read of each; not the other way round.
+                unread = self._since(max(self._read.get(None, 0), self._read.get(node, 0)), node)
+                for index, (number, line) in enumerate(unread):
+                    if until in line.text:
+                        self._read[node] = number
+                        return '\n'.join(str(line) for _, line in unread[:index + 1])
+                if not self._changed.wait(deadline - time.monotonic()):
+                    came = '\n'.join(str(line) for _, line in unread) or '(nothing)'
+                    raise WaitTimeoutError(
+                        f'waited {timeout_sec:g} s for a log line with {until!r}, in vain; what came:\n{came}')
+
+    def _since(self, number: int, node: str | None) -> list[tuple[int, LogLine]]:
+        """Give the lines after the numbered one, each with its number; the first ever received is 1."""
+        logger = node.strip('/').replace('/', '.') if node else None
+        first = self._received - len(self._lines) + 1
+        return [(at, line) for at, line in enumerate(self._lines, first)
+                if at > number and logger in (None, line.logger)]
+
+    def clear(self) -> None:
+        """Forget all lines, read or not."""
+        with self._changed:
+            self._lines.clear()
+            self._read.clear()
+
+    def __repr__(self) -> str:
+        return f'<NodeLog: {len(self._lines)} lines>'

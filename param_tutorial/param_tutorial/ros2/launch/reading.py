@@ -1,0 +1,105 @@
+"""Reading a launch file: for that moment, and for no longer, ``import launch`` finds the classes of ``description``."""
+
+import contextlib
+import sys
+from collections.abc import Iterator
+from importlib.abc import MetaPathFinder
+from pathlib import Path
+from types import ModuleType
+
+from param_tutorial.ros2.launch import description, index
+from param_tutorial.ros2.launch.description import FULL_INSTALLATION, LaunchDescription, LaunchFailed
+
+# Which names each module has here.
+MODULES = {
+    'launch': {'LaunchDescription': description.LaunchDescription},
+    'launch.actions': {'DeclareLaunchArgument': description.DeclareLaunchArgument},
+    'launch.substitutions': {name: getattr(description, name) for name in (
+        'LaunchConfiguration', 'PathJoinSubstitution', 'TextSubstitution')},
+    'launch_ros': {},
+    'launch_ros.actions': {'Node': description.Node},
+    'launch_ros.substitutions': {'FindPackageShare': description.FindPackageShare},
+    'launch_ros.parameter_descriptions': {'ParameterValue': description.ParameterValue},
+    'ament_index_python': {name: getattr(index, name) for name in (
+        'get_package_prefix', 'get_package_share_directory', 'PackageNotFoundError')},
+    'ament_index_python.packages': {name: getattr(index, name) for name in (
+        'get_package_prefix', 'get_package_share_directory', 'PackageNotFoundError')},
+}
+_PACKAGES = {name.partition('.')[0] for name in MODULES}
+
+
+def read(path: Path) -> LaunchDescription:
+    """Run a launch file, and give what it describes.
+
+    :raises LaunchFailed: it is no launch file in Python, or needs what only a full installation has.
+    """
+    if path.suffix != '.py':
+        raise LaunchFailed(f"{path.name} is no launch file in Python, and the course's own ros2 launch reads no other. "
+                           f'{FULL_INSTALLATION}')
+    scope = {'__name__': path.stem, '__file__': str(path)}
+    with _stand_ins():
+        try:
+            exec(compile(path.read_text(encoding='utf-8'), str(path), 'exec'), scope)
+            if 'generate_launch_description' not in scope:
+                raise LaunchFailed(f'launch file at {path} does not contain a required function '
+                                   f"'generate_launch_description()'")
+            found = scope['generate_launch_description']()
+        except LaunchFailed:
+            raise
+        except Exception as error:
+            # Node(respawn=True), for example.
+            hint = f'. {FULL_INSTALLATION}' if 'unexpected keyword argument' in str(error) else ''
+            raise LaunchFailed(f'Caught exception when trying to load file of format [py]: '
+                               f'{type(error).__name__}: {error}{hint}') from error
+    if not isinstance(found, LaunchDescription):
+        raise LaunchFailed(f'generate_launch_description() of {path.name} must return a LaunchDescription, and '
+                           f'returned {found!r}')
+    return found
+
+
+class _Refuse(MetaPathFinder):
+    """Says of a module that is not there why it is not."""
+
+    def find_spec(self, name, path=None, target=None):
+        if name.partition('.')[0] in _PACKAGES:
+            raise LaunchFailed(f"the course's own ros2 launch has no module {name}; it has {', '.join(MODULES)}. "
+                               f'{FULL_INSTALLATION}')
+        return None
+
+
+@contextlib.contextmanager
+def _stand_ins() -> Iterator[None]:
+    outer = {name: module for name, module in sys.modules.items() if name.partition('.')[0] in _PACKAGES}
+    for name in outer:
+        del sys.modules[name]
+    for name in MODULES:
+        sys.modules[name] = _module(name)
+        package, _, part = name.rpartition('.')
+        if package:
+            setattr(sys.modules[package], part, sys.modules[name])
+    finder = _Refuse()
+    sys.meta_path.insert(0, finder)
+    try:
+        yield
+    finally:
+        sys.meta_path.remove(finder)
+        for name in [name for name in sys.modules if name.partition('.')[0] in _PACKAGES]:
+            del sys.modules[name]
+        sys.modules.update(outer)
+
+
+def _module(name: str) -> ModuleType:
+    module = ModuleType(name, f'The part of {name} that the lessons use.')
+    module.__path__ = []
+    module.__dict__.update(MODULES[name])
+
+    def refuse(wanted: str):
+        # The import system asks for these of any module.
+        if wanted.startswith('__'):
+            raise AttributeError(wanted)
+        known = ', '.join(MODULES[name]) or 'no names of its own'
+        raise LaunchFailed(f"the course's own ros2 launch has no {name}.{wanted}; of {name} it has {known}. "
+                           f'{FULL_INSTALLATION}')
+
+    module.__getattr__ = refuse
+    return module

@@ -1,0 +1,109 @@
+"""The command: which file, with which arguments."""
+
+import argparse
+import tempfile
+from pathlib import Path
+
+from param_tutorial.ros2.command import CommandFailed, Session
+from param_tutorial.ros2.launch import index
+from param_tutorial.ros2.launch.description import (
+    Context,
+    DeclareLaunchArgument,
+    LaunchDescription,
+    LaunchFailed,
+    describe,
+    perform,
+)
+from param_tutorial.ros2.launch.processes import Launcher, Program
+from param_tutorial.ros2.launch.reading import read
+from param_tutorial.ros2.run import find_program, keeps_busy
+
+
+def add_to(commands) -> None:
+    """Add the command ``launch``."""
+    launch = commands.add_parser('launch', help='start what a launch file describes')
+    launch.add_argument('-s', '--show-args', '--show-arguments', action='store_true',
+                        help='only show the arguments of the launch file')
+    launch.add_argument('package_name', help='name of the package, or the path of a launch file')
+    launch.add_argument('launch_file_name', nargs='?', help='name of the launch file in that package')
+    launch.add_argument('launch_arguments', nargs='*', help='arguments of the launch file, as name:=value')
+    launch.set_defaults(verb=launch_file)
+
+
+def launch_file(session: Session, args: argparse.Namespace) -> None:
+    """Start what a launch file describes, and stay until all of it has ended."""
+    path, given = _path_and_arguments(args)
+    arguments = dict(_argument(word) for word in given)
+    description = read(path)
+    if args.show_args:
+        _show_arguments(session, description)
+        return
+    if session.in_notebook:
+        words = [word for word in (args.package_name, args.launch_file_name, *args.launch_arguments) if word]
+        raise CommandFailed(keeps_busy(['launch', *words]))
+    launcher = Launcher(session.stdout)
+    launcher.log('INFO', 'launch', 'Default logging verbosity is set to INFO')
+    with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
+        context = Context(
+            arguments, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text))
+        launcher.run(_programs(description, context))
+
+
+def _programs(description: LaunchDescription, context: Context) -> list[Program]:
+    """Give what is to be started.
+
+    All is worked out before the first is started, so that a mistake leaves nothing running.
+    """
+    programs = []
+    for entity in description.entities:
+        try:
+            if isinstance(entity, DeclareLaunchArgument):
+                entity.declare(context)
+                continue
+            executable = perform(entity.executable, context)
+            program = find_program(perform(entity.package, context), executable)
+            programs.append(Program(entity.command(program, context), executable,
+                                    perform(entity.output, context) in ('screen', 'both')))
+        except (CommandFailed, index.PackageNotFoundError) as error:
+            raise LaunchFailed(f'[ERROR] [launch]: Caught exception in launch (see debug for traceback): {error}'
+                               ) from error
+    return programs
+
+
+def _path_and_arguments(args: argparse.Namespace) -> tuple[Path, list[str]]:
+    words = [word for word in (args.launch_file_name, *args.launch_arguments) if word]
+    if Path(args.package_name).is_file():
+        return Path(args.package_name).resolve(), words
+    if not words or ':=' in words[0]:
+        raise CommandFailed(f"{args.package_name!r} is no launch file here; after a package's name comes the name of "
+                            f'a launch file in it')
+    name, *given = words
+    try:
+        share = Path(index.get_package_share_directory(args.package_name))
+    except index.PackageNotFoundError as error:
+        raise CommandFailed(f"Package '{args.package_name}' not found: {error}") from None
+    # Links lead out of the share folder in a checkout and with --symlink-install; they are followed.
+    found = [path for folder in (share, *sorted(path for path in share.iterdir() if path.is_dir()))
+             for path in [folder / name] if path.is_file()]
+    if not found:
+        raise CommandFailed(f"file '{name}' was not found in the share directory of package '{args.package_name}' "
+                            f"which is at '{share}'")
+    return found[0], given
+
+
+def _argument(word: str) -> tuple[str, str]:
+    name, separator, value = word.partition(':=')
+    if not separator or not name:
+        raise CommandFailed(f"malformed launch argument '{word}', expected format '<name>:=<value>'")
+    return name, value
+
+
+def _show_arguments(session: Session, description: LaunchDescription) -> None:
+    session.print("Arguments (pass arguments as '<name>:=<value>'):")
+    declared = [entity for entity in description.entities if isinstance(entity, DeclareLaunchArgument)]
+    for each in declared:
+        session.print(f"\n    '{each.name}':\n        {each.description}")
+        if each.default_value is not None:
+            session.print(f'        (default: {describe(each.default_value)})')
+    if not declared:
+        session.print('\n  No arguments.')

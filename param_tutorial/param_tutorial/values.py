@@ -1,0 +1,188 @@
+"""The ten types of a ROS parameter, and the values that they hold. No ROS, no Jupyter.
+
+One table, TYPES, says for each type its number on the wire, its names, its field in the message
+rcl_interfaces/msg/ParameterValue, and which Python values fit. Everything else here reads that table.
+"""
+
+import array
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import yaml
+
+from param_tutorial.errors import InvalidValueError
+
+INT64_MIN, INT64_MAX = -2**63, 2**63 - 1
+
+
+@dataclass(frozen=True)
+class ParameterType:
+    """One of the ten types."""
+
+    number: int
+    """Its value in rcl_interfaces/msg/ParameterType."""
+    name: str
+    """Its name in rclpy's Parameter.Type, e.g. 'INTEGER_ARRAY'."""
+    label: str
+    """What the ``ros2`` command calls it, e.g. 'integer array'."""
+    field: str | None
+    """The field of a ParameterValue message that holds the value; None for NOT_SET."""
+    item: Callable[[Any], bool] = lambda value: False
+    """Does this Python value fit as the value, or as one element of an array?"""
+
+    @property
+    def is_array(self) -> bool:
+        """Does it hold a list of values?"""
+        return self.name.endswith('_ARRAY')
+
+    def accepts(self, value: Any) -> bool:
+        """Can this Python value be stored without any conversion?"""
+        if self.is_array:
+            return isinstance(value, (list, tuple, array.array)) and all(map(self.item, value))
+        return value is None if self.field is None else self.item(value)
+
+    def __repr__(self) -> str:
+        return f'<{self.label}>'
+
+
+def _is_bool(value):
+    return isinstance(value, bool)
+
+
+def _is_int(value):
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+def _is_float(value):
+    return isinstance(value, float)
+
+
+def _is_str(value):
+    return isinstance(value, str)
+
+
+def _is_byte(value):
+    return isinstance(value, bytes) and len(value) == 1
+
+
+TYPES = (
+    ParameterType(0, 'NOT_SET', 'not set', None),
+    ParameterType(1, 'BOOL', 'boolean', 'bool_value', _is_bool),
+    ParameterType(2, 'INTEGER', 'integer', 'integer_value', _is_int),
+    ParameterType(3, 'DOUBLE', 'double', 'double_value', _is_float),
+    ParameterType(4, 'STRING', 'string', 'string_value', _is_str),
+    ParameterType(5, 'BYTE_ARRAY', 'byte array', 'byte_array_value', _is_byte),
+    ParameterType(6, 'BOOL_ARRAY', 'boolean array', 'bool_array_value', _is_bool),
+    ParameterType(7, 'INTEGER_ARRAY', 'integer array', 'integer_array_value', _is_int),
+    ParameterType(8, 'DOUBLE_ARRAY', 'double array', 'double_array_value', _is_float),
+    ParameterType(9, 'STRING_ARRAY', 'string array', 'string_array_value', _is_str),
+)
+NOT_SET, BOOL, INTEGER, DOUBLE, STRING, BYTE_ARRAY, BOOL_ARRAY, INTEGER_ARRAY, DOUBLE_ARRAY, STRING_ARRAY = TYPES
+# The order in which an untyped value is tried; rclpy's Parameter.Type.from_parameter_value has the same.
+_GUESSES = (BOOL, INTEGER, DOUBLE, STRING, BYTE_ARRAY, BOOL_ARRAY, INTEGER_ARRAY, DOUBLE_ARRAY, STRING_ARRAY)
+
+
+def is_empty_array(value: Any) -> bool:
+    """Is it a list or tuple without elements, which alone does not tell of which type?"""
+    return isinstance(value, (list, tuple, array.array)) and len(value) == 0
+
+
+def normalise(value: Any) -> Any:
+    """Return the plain Python value for what numpy, array and tuple hold; anything else unchanged.
+
+    numpy is not needed for this: whatever has ``tolist()`` (arrays and numpy's scalars) is asked for it.
+
+    :return: bool, int, float, str, bytes, None, or a list of them.
+    """
+    if hasattr(value, 'tolist'):
+        value = value.tolist()
+    if isinstance(value, (bytes, bytearray)):
+        return [bytes([byte]) for byte in value]
+    if isinstance(value, (tuple, list)):
+        return [item.tolist() if hasattr(item, 'tolist') else item for item in value]
+    return value
+
+
+def type_of(value: Any) -> ParameterType:
+    """Return the type that a (normalised) Python value has as a ROS parameter.
+
+    :raises InvalidValueError: it has none; the message says why.
+    """
+    if value is None:
+        return NOT_SET
+    for parameter_type in _GUESSES:
+        if parameter_type.accepts(value):
+            _check_content(value)
+            return parameter_type
+    if isinstance(value, list):
+        kinds = sorted({type(item).__name__ for item in value})
+        raise InvalidValueError(f'the elements of a parameter array must all be of one type, not {" and ".join(kinds)}'
+                                if len(kinds) > 1 else
+                                f'an array of {kinds[0]} cannot be a parameter: elements must be bool, int, float, '
+                                f'str or single bytes')
+    raise InvalidValueError(f'{value!r} is a {type(value).__name__}, which cannot be a parameter: use bool, int, '
+                            f'float, str, or a list of one of them')
+
+
+def _check_content(value):
+    """Refuse what the type allows and the message cannot carry."""
+    for item in value if isinstance(value, list) else (value,):
+        if _is_int(item) and not INT64_MIN <= item <= INT64_MAX:
+            raise InvalidValueError(f'{item} does not fit into the 64 bits of a ROS integer '
+                                    f'({INT64_MIN} to {INT64_MAX})')
+        if _is_str(item) and '\0' in item:
+            raise InvalidValueError('a ROS string ends at its first NUL character, so it cannot hold one')
+        if _is_str(item):
+            try:
+                item.encode()
+            except UnicodeEncodeError:
+                raise InvalidValueError(f'{item!r} holds half of a surrogate pair, which UTF-8 cannot carry') from None
+
+
+def to_python(message: Any) -> Any:
+    """Return the plain Python value of a ParameterValue message (None for NOT_SET).
+
+    :raises InvalidValueError: the message's type number is none of the ten.
+    """
+    if not 0 <= message.type < len(TYPES):
+        raise InvalidValueError(f'{message.type} is not the number of a parameter type (0 to 9)')
+    parameter_type = TYPES[message.type]
+    if parameter_type.field is None:
+        return None
+    value = getattr(message, parameter_type.field)
+    return list(value) if parameter_type.is_array else value
+
+
+def parse(text: str) -> Any:
+    """Guess the value that ``ros2 param set`` makes of a word on the command line: YAML 1.1, like ros2cli.
+
+    Surprises included: ``off`` is False, ``1e5`` a string, ``12:30`` is 750. What YAML cannot read, or
+    reads as something that is no parameter (a date, a mapping, ``null``), stays the text that was typed,
+    where the genuine command ends in a traceback.
+    """
+    try:
+        value = yaml.safe_load(text)
+    # ValueError: YAML takes 2024-13-01 for a date and then finds that it is none.
+    except (yaml.YAMLError, ValueError):
+        return text
+    try:
+        return text if value is None or (type_of(value) is BYTE_ARRAY and value) else value
+    except InvalidValueError:
+        if _is_int(value):
+            raise
+        return text
+
+
+def same(left: Any, right: Any) -> bool:
+    """Are two parameter values equal in type and value, with nan equal to nan and 0.0 not equal to -0.0?"""
+    if isinstance(left, list) and isinstance(right, list):
+        return len(left) == len(right) and all(map(same, left, right))
+    if type(left) is not type(right):
+        return False
+    if isinstance(left, float):
+        if math.isnan(left):
+            return math.isnan(right)
+        return left == right and math.copysign(1, left) == math.copysign(1, right)
+    return left == right

@@ -1,0 +1,35 @@
+"""What colcon installs: the import package, its nodes as programs for `ros2 run`, and the files they load.
+
+pip reads pyproject.toml one folder up instead.
+"""
+
+from glob import glob
+
+from setuptools import find_packages, setup
+
+PACKAGE = 'param_tutorial'
+
+setup(
+    name=PACKAGE,
+    version='0.1.0',
+    packages=find_packages(include=[PACKAGE, f'{PACKAGE}.*']),
+    package_data={PACKAGE: ['fastdds.xml']},
+    data_files=[
+        ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
+        (f'share/{PACKAGE}', ['package.xml']),
+        (f'share/{PACKAGE}/launch', glob('launch/*.py')),
+        # config/ stands at the top of the course, where learners find it, and not inside the ROS package.
+        (f'share/{PACKAGE}/config', glob('../config/*.yaml')),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=False,  # Fast DDS opens fastdds.xml by its path
+    description="The nodes, panel and tools of the course 'Mastering ROS 2 Parameters with Python'",
+    license='Apache-2.0',
+    entry_points={
+        'console_scripts': [
+            'simple_param_node = param_tutorial.nodes.simple_param_node:main',
+            'param_setter_node = param_tutorial.nodes.param_setter_node:main',
+            'clawbot_node = param_tutorial.nodes.clawbot_node:main',
+        ],
+    },
+)

@@ -1,0 +1,21 @@
+"""What all browser tests need."""
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import lab
+
+
+@pytest.fixture(scope='session', autouse=True)
+def _chromium():
+    """In CI a missing Chromium is a failure; elsewhere the tests are skipped, and say why."""
+    if lab.CHROMIUM is None:
+        missing = 'there is no Chromium on the PATH: apt-get install chromium'
+        if os.environ.get('CI'):
+            pytest.fail(missing)
+        pytest.skip(missing)

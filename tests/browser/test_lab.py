@@ -1,0 +1,168 @@
+"""A learner at work: the real JupyterLab, Chromium, and a terminal beside it.
+
+On a small notebook in the shape of a chapter, and on a chapter less its last cell, which clears the stage.
+"""
+
+import re
+import subprocess
+import sys
+
+import lab as lab_module
+import lesson
+import nbformat
+import pytest
+from lab import ROOT, TIMEOUT_SEC, Lab, LabPage
+from playwright.sync_api import expect
+
+# What JupyterLab itself complains of in a browser without a way to the world; nothing of ours.
+KNOWN_ERRORS = (
+    # The page asks for its own favicon in a busy variant that this server does not have.
+    r'favicon',
+    # JupyterLab takes an output off the page that it has replaced already, when cells are run again.
+    r"Failed to execute 'removeChild' on 'Node'",
+)
+CHAPTER = ROOT / 'notebooks' / '05_2_with_a_callback.ipynb'
+NODE = '/simple_param_node'
+
+
+@pytest.fixture(params=['lesson', 'chapter'])
+def open_lesson(request, tmp_path):
+    """Give a server and a page on which all cells have run."""
+    if request.param == 'lesson':
+        notebook = lesson.write(tmp_path / 'lesson.ipynb')
+    else:
+        chapter = nbformat.read(CHAPTER, as_version=4)
+        assert chapter.cells.pop().source == 'param_tutorial.stop()'
+        notebook = tmp_path / CHAPTER.name
+        nbformat.write(chapter, notebook)
+    with Lab(tmp_path / 'lab', [notebook]) as lab, lab.browser() as browser:
+        page = LabPage(lab, browser, notebook.name)
+        page.run_all_but_last()
+        yield lab, page
+        assert strange_errors(page) == []
+
+
+def strange_errors(page):
+    """Give what the browser complained of, less what is known."""
+    return [error for error in page.errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
+
+
+def strange(errors):
+    """Give the errors on the browser's console that are not known."""
+    return [error for error in errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
+
+
+def terminal(lab, *words):
+    """Run a command as in a second terminal, in the kernel's ROS domain, and give what it printed."""
+    done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words], env=lab.ros_environment(), cwd=ROOT,
+                          capture_output=True, text=True, timeout=TIMEOUT_SEC)
+    assert done.returncode == 0, f'{words}: {done.stdout}{done.stderr}'
+    return done.stdout.strip()
+
+
+def position(page):
+    """Give the value of max_acceleration_mps2 at which its slider stands: it counts hundredths from 0.01."""
+    return round(0.01 + 0.01 * float(page.handle('max_acceleration_mps2').get_attribute('aria-valuenow')), 2)
+
+
+def test_a_learner_and_a_terminal(open_lesson):
+    lab, page = open_lesson
+    handle, box = page.handle('max_acceleration_mps2'), page.box('max_acceleration_mps2')
+    expect(handle).to_be_visible()
+    before = float(box.input_value())
+
+    # A hand drags the slider, in steps as a hand does, and lets go. The page may still be growing above it and
+    # push it from under the mouse: then the hand takes hold of it again.
+    lab_module.wait_for(
+        lambda: drag(page.page, handle) and float(box.input_value()) > before, 'the slider to be dragged')
+    # The last of the hand's moves may still be on its way: in the end slider, box and node agree.
+    lab_module.wait_for(
+        lambda: terminal(lab, 'param', 'get', NODE, 'max_acceleration_mps2')
+        == f'Double value is: {float(box.input_value())}' == f'Double value is: {position(handle)}',
+        'slider, box and node to agree')
+
+    # The terminal sets another value, and the panel shows it.
+    assert terminal(lab, 'param', 'set', NODE, 'max_acceleration_mps2', '1.75') == 'Set parameter successful'
+    expect(box).to_have_value('1.75')
+    lab_module.wait_for(lambda: position(page) == 1.75, 'the slider to follow the node')
+
+    # By keyboard.
+    handle.focus()
+    page.page.keyboard.press('ArrowLeft')
+    expect(box).to_have_value('1.74')
+    page.page.keyboard.press('End')
+    expect(box).to_have_value('2.0')
+    lab_module.wait_for(
+        lambda: terminal(lab, 'param', 'get', NODE, 'max_acceleration_mps2') == 'Double value is: 2.0',
+        'the node to have it')
+
+    # What the node refuses springs back, with its reason, until the next change.
+    speed = page.box('max_speed_rpm')
+    kept = speed.input_value()
+    speed.fill('-5')
+    speed.press('Enter')
+    expect(page.message('max_speed_rpm')).to_have_text('Not taken: max_speed_rpm must not be negative, got -5')
+    expect(speed).to_have_value(kept)
+    assert terminal(lab, 'param', 'get', NODE, 'max_speed_rpm') == f'Integer value is: {kept}'
+    speed.fill('120')
+    speed.press('Tab')
+    expect(page.message('max_speed_rpm')).to_have_count(0)
+    assert terminal(lab, 'param', 'get', NODE, 'max_speed_rpm') == 'Integer value is: 120'
+
+    # Tab went on to the next control, which is a check box; the space bar turns it.
+    safety = page.box('enable_safety_mode')
+    expect(safety).to_be_focused()
+    ticked = safety.is_checked()
+    page.page.keyboard.press('Space')
+    expect(safety).to_be_checked(checked=not ticked)
+    lab_module.wait_for(
+        lambda: terminal(lab, 'param', 'get', NODE, 'enable_safety_mode') == f'Boolean value is: {not ticked}',
+        'the node to have it')
+
+    # Locked is locked.
+    expect(page.box('robot_serial_number')).to_be_disabled()
+
+
+def test_a_second_view_of_a_panel_changes_nothing(tmp_path):
+    """A slider may report its position, which is rounded, when it is drawn."""
+    notebook = lesson.write(tmp_path / 'lesson.ipynb')
+    with Lab(tmp_path / 'lab', [notebook]) as lab, lab.browser() as browser:
+        page = LabPage(lab, browser, notebook.name)
+        page.run_all()
+        page.box('max_acceleration_mps2').fill('0.123456')
+        page.box('max_acceleration_mps2').press('Enter')
+        lab_module.wait_for(lambda: position(page) == 0.12, 'the slider to follow')
+        page.select_cell(3)
+        page.command('notebook:create-output-view')
+        panels = page.page.locator('.param-panel')
+        expect(panels).to_have_count(2)
+        expect(panels.nth(1).locator('.noUi-handle').first).to_be_visible()
+        # Messages keep their order, so this one comes after whatever the second view had to say.
+        second = panels.nth(1).get_by_label('robot_name', exact=True)
+        second.fill('Second')
+        second.press('Enter')
+        expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Second')
+        expect(page.box('robot_name')).to_have_value('Second')
+        assert terminal(lab, 'param', 'get', NODE, 'max_acceleration_mps2') == 'Double value is: 0.123456'
+        assert strange(page.errors) == []
+
+
+def test_the_log_and_the_panel_after_running_all_cells_again(tmp_path):
+    notebook = lesson.write(tmp_path / 'lesson.ipynb')
+    with Lab(tmp_path / 'lab', [notebook]) as lab, lab.browser() as browser:
+        page = LabPage(lab, browser, notebook.name)
+        page.run_all()
+        page.box('robot_name').fill('Rex <b>')
+        page.box('robot_name').press('Enter')
+        log = page.page.get_by_role('log')
+        expect(log).to_contain_text('[INFO] [simple_param_node]: robot_name is now Rex <b>')
+        page.run_all()
+        expect(page.page.locator('.param-panel')).to_have_count(1)
+        expect(page.box('robot_name')).to_have_value('Clawbot')
+        page.box('robot_name').fill('Max')
+        page.box('robot_name').press('Enter')
+        expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Max')
+        count = lab.ask_kernel("sum('ParameterPanel' in repr(each) or 'LiveParameters' in repr(each) for each in "
+                               "__import__('param_tutorial').start.__globals__['_current']._event_listeners)")
+        assert count == '1'
+        assert strange_errors(page) == []

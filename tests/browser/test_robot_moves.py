@@ -1,0 +1,122 @@
+"""The robot in the real JupyterLab: it moves by itself, arrives where the node says, and then all is quiet."""
+
+import lesson
+import pytest
+from lab import Lab, LabPage, wait_for
+from playwright.sync_api import expect
+
+CELLS = (
+    '# A robot\nOn the stage:',
+    'import param_tutorial\nfrom param_tutorial import ParameterClient, ParameterPanel, RobotView\n'
+    'from param_tutorial.nodes.clawbot_node import ClawbotNode\n\n'
+    'ros = param_tutorial.start()\nrobot = ros.add(ClawbotNode)\nclient = ParameterClient(robot)',
+    'Its picture:',
+    'view = RobotView(robot)\nview',
+    'Its controls:',
+    "panel = ParameterPanel(robot, names=['max_acceleration_mps2', 'enable_safety_mode'])\npanel",
+)
+FRONT_PX = "() => document.querySelector('.robot-mover svg').getBoundingClientRect().right"
+RUNNING = '() => document.getAnimations().filter(each => /^robot-/.test(each.animationName)).length'
+
+
+@pytest.fixture(scope='module')
+def server(tmp_path_factory):
+    """Give a server on the notebook, and a browser."""
+    folder = tmp_path_factory.mktemp('robot')
+    notebook = lesson.write(folder / 'robot.ipynb', CELLS)
+    with Lab(folder / 'lab', [notebook]) as lab, lab.browser() as browser:
+        yield lab, browser
+
+
+@pytest.fixture
+def open_robot(server):
+    """Give the server and a page of its own for each test; running the cells makes a new robot."""
+    lab, browser = server
+    page = LabPage(lab, browser, 'robot.ipynb')
+    page.run_all()
+    expect(word(page)).to_have_text('READY')
+    yield lab, page
+    page.page.close()
+
+
+def word(page):
+    return page.page.locator('.robot-word')
+
+
+def drive(page):
+    page.page.get_by_role('button', name='Drive').click()
+
+
+def count_changes(page):
+    """Begin to count what changes in the view's part of the page."""
+    page.page.evaluate('''() => {
+        window.changes = 0;
+        new MutationObserver(list => window.changes += list.length).observe(
+            document.querySelector('.robot-view'), {subtree: true, childList: true, attributes: true,
+            characterData: true}) }''')
+
+
+def front_m(page):
+    """Measure where the robot's front is, in metres from the start line."""
+    scene = page.page.locator('.robot-scene').bounding_box()
+    return (page.page.evaluate(FRONT_PX) - scene['x']) / scene['width'] * (0.8 + 4.0 + 0.35) - 0.8
+
+
+def test_it_moves_without_the_kernel_stops_and_then_nothing_is_sent(open_robot):
+    lab, page = open_robot
+    lab.ask_kernel("client.set_parameter('max_acceleration_mps2', 0.02)")
+    drive(page)
+    expect(word(page)).to_have_text('SPEEDING UP')
+    count_changes(page)
+    begin = page.page.evaluate(FRONT_PX)
+    page.page.wait_for_function(f'begin => ({FRONT_PX})() > begin + 5', arg=begin)
+    assert page.page.evaluate('window.changes') == 0, 'the browser moves it by itself'
+    assert page.page.evaluate(RUNNING) > 0
+
+    page.box('max_acceleration_mps2').first.fill('2.0')
+    page.box('max_acceleration_mps2').first.press('Enter')
+    expect(word(page)).to_have_text('STOPPED')
+    assert front_m(page) == pytest.approx(3.8, abs=0.01)
+    assert lab.ask_kernel('robot.state.word, robot.timer.is_canceled()') == "('STOPPED', True)"
+    wait_for(lambda: lab.ask_kernel('view._worker._thread is None') == 'True', "the view's thread to end")
+    count_changes(page)
+    page.page.wait_for_timeout(1000)
+    assert page.page.evaluate('window.changes') == 0
+    assert page.page.evaluate(RUNNING) == 0
+
+
+def test_the_browser_shows_it_where_the_closed_form_says(open_robot):
+    lab, page = open_robot
+    # Its own clock stands still, so the kernel sends nothing more; the browser's is stopped after 3 s.
+    lab.ask_kernel('[ros.add(ClawbotNode, real_time=False), view.drive()]')
+    expect(word(page)).to_have_text('SPEEDING UP')
+    page.page.evaluate("""() => document.getAnimations().filter(each => /^robot-/.test(each.animationName))
+        .forEach(each => { each.pause(); each.currentTime = 3000 })""")
+    assert front_m(page) == pytest.approx(float(lab.ask_kernel('view._robot.motion[0].at(3).position_m')), abs=0.01)
+    strip = page.page.locator('.robot-strip').bounding_box()
+    window = page.page.locator('.robot-window').bounding_box()
+    line = round((window['y'] - strip['y']) / 20)
+    assert 'speed 1.05 m/s' in page.page.locator('.robot-strip').inner_text().splitlines()[line]
+
+
+def test_with_safety_off_it_crashes_in_words_and_shape(open_robot):
+    _, page = open_robot
+    page.box('enable_safety_mode').click()
+    expect(page.page.locator('.robot-head')).to_contain_text('safety off')
+    drive(page)
+    expect(word(page)).to_have_text('CRASHED')
+    expect(page.page.locator('.robot-burst')).to_be_visible()
+    expect(page.page.get_by_role('img', name='CRASHED. Clawbot has run into the wall at 1.05 m/s.')).to_be_visible()
+    expect(page.page.get_by_role('status').filter(has_text='has run into the wall')).to_be_visible()
+    assert front_m(page) == pytest.approx(4.0, abs=0.05)
+
+
+def test_whoever_wants_no_motion_gets_it_in_a_few_jumps(open_robot):
+    _, page = open_robot
+    page.page.emulate_media(reduced_motion='reduce')
+    drive(page)
+    expect(word(page)).to_have_text('CRUISING')
+    assert page.page.evaluate(RUNNING) == 0
+    assert front_m(page) > 0.5
+    expect(word(page)).to_have_text('STOPPED')
+    assert front_m(page) == pytest.approx(3.8, abs=0.01)

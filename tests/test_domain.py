@@ -1,0 +1,60 @@
+"""domain: a ROS domain for each process, unless the user chose one."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from param_tutorial import domain
+
+CHOOSE = 'import os; from param_tutorial import domain; print(domain.choose(), os.environ.get("{0}"))'
+
+
+def choose(variable='ROS_AUTOMATIC_DISCOVERY_RANGE', **environment):
+    """Let a process of its own choose; give what it prints, or raise."""
+    own = {name: value for name, value in os.environ.items()
+           if not name.startswith(('ROS_DOMAIN', 'ROS_AUTO', 'FAST'))}
+    return subprocess.run([sys.executable, '-c', CHOOSE.format(variable)], env={**own, **environment},
+                          capture_output=True, text=True, timeout=60, check=False)
+
+
+def test_it_stays_the_same_and_stands_in_the_environment():
+    assert domain.choose() == domain.choose() == int(os.environ['ROS_DOMAIN_ID'])
+
+
+def test_living_processes_have_different_domains():
+    source = 'from param_tutorial import domain; print(domain.choose(), flush=True); input()'
+    environment = {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
+    children = [subprocess.Popen([sys.executable, '-c', source], env=environment, text=True,
+                                 stdin=subprocess.PIPE, stdout=subprocess.PIPE) for _ in range(6)]
+    try:
+        chosen = [int(child.stdout.readline()) for child in children]
+    finally:
+        for child in children:
+            child.communicate('\n', timeout=30)
+    assert len({*chosen, domain.choose()}) == 7
+    assert set(chosen) <= set(domain.DOMAIN_IDS)
+
+
+def test_a_claimed_domain_stays_on_this_host():
+    assert choose().stdout.split()[1] == 'LOCALHOST'
+
+
+def test_what_the_user_chose_is_kept():
+    assert choose(ROS_DOMAIN_ID='42').stdout.split() == ['42', 'None']
+    assert choose(ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout.split()[1] == 'SUBNET'
+    assert choose('FASTRTPS_DEFAULT_PROFILES_FILE', FASTRTPS_DEFAULT_PROFILES_FILE='/x').stdout.split()[1] == '/x'
+
+
+@pytest.mark.parametrize('wrong', ['-1', '233', '1.5', 'seven', '²'])
+def test_nonsense_is_refused(wrong):
+    assert f"ROS_DOMAIN_ID is '{wrong}': it must be a whole number" in choose(ROS_DOMAIN_ID=wrong).stderr
+
+
+def test_a_domain_that_a_stranger_uses_is_passed_over(monkeypatch):
+    monkeypatch.setattr(domain, 'DOMAIN_IDS', range(5000, 5002))
+    monkeypatch.setattr(domain, '_in_use_by_others', lambda domain_id: domain_id == 5000)
+    domain_id, descriptor = domain._claim_free_domain()
+    os.close(descriptor)
+    assert domain_id == 5001

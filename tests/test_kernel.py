@@ -1,0 +1,170 @@
+"""The executor in a real Jupyter kernel: re-run cells, interrupts, errors, restarts and the end."""
+
+import os
+
+import pytest
+from jupyter_client.manager import KernelManager
+
+START = '''
+import param_tutorial
+from param_tutorial import ParameterClient, ParameterPanel
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+ros = param_tutorial.start()
+node = ros.add(SimpleParamNode)
+client = ParameterClient(node)
+'''
+DEADLINE_SEC = 60
+
+
+class Kernel:
+    """A kernel, and what its cells gave."""
+
+    def __init__(self):
+        self.manager = KernelManager(kernel_name='python3')
+        # The tests of this process have a ROS domain already; a kernel has to claim its own.
+        self.manager.start_kernel(env={name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'})
+        self.client = self.manager.client()
+        self.client.start_channels()
+        self.client.wait_for_ready(timeout=DEADLINE_SEC)
+
+    def run(self, code, *, interrupt_on=None):
+        """Run a cell; give its printed and shown text, with an error's name at the end.
+
+        :param interrupt_on: Press "interrupt" when this text has been printed.
+        """
+        text = []
+
+        def collect(message):
+            content = message['content']
+            if message['msg_type'] == 'stream':
+                text.append(content['text'])
+                if interrupt_on and interrupt_on in ''.join(text):
+                    self.manager.interrupt_kernel()
+            elif message['msg_type'] == 'execute_result':
+                text.append(content['data']['text/plain'])
+            elif message['msg_type'] == 'error':
+                text.append(f'{content["ename"]}: {content["evalue"]}')
+
+        self.client.execute_interactive(code, timeout=DEADLINE_SEC, output_hook=collect)
+        return ''.join(text)
+
+    def end(self):
+        """Shut the kernel down as JupyterLab does, and give its exit status."""
+        process = self.manager.provisioner.process
+        self.client.shutdown()
+        status = process.wait(DEADLINE_SEC)
+        self.client.stop_channels()
+        self.manager.cleanup_resources()
+        return status
+
+
+@pytest.fixture
+def kernel():
+    kernel = Kernel()
+    yield kernel
+    if kernel.manager.has_kernel:
+        kernel.client.stop_channels()
+        kernel.manager.shutdown_kernel(now=True)
+
+
+def test_cells_may_be_run_again_in_any_order(kernel):
+    kernel.run(START)
+    kernel.run(START)
+    kernel.run('node = ros.add(SimpleParamNode)')
+    kernel.run('panel = ParameterPanel(node)')
+    kernel.run('panel = ParameterPanel(node)')
+    kernel.run('param_tutorial.stop()')
+    assert 'start()' in kernel.run('client.list_parameters()')
+    kernel.run(START)
+    assert kernel.run('ros.services.node_names()') == "['/simple_param_node']"
+    assert kernel.run("client.set_parameter('max_speed_rpm', 3)") == '/simple_param_node accepted max_speed_rpm = 3'
+    assert kernel.end() == 0
+
+
+@pytest.mark.parametrize('in_one_cell', [True, False])
+def test_interrupt_ends_the_cell_and_not_the_node(kernel, in_one_cell):
+    long_work = "import time\nprint('busy', flush=True)\ntime.sleep(60)"
+    if in_one_cell:
+        text = kernel.run(START + long_work, interrupt_on='busy')
+    else:
+        kernel.run(START)
+        text = kernel.run(long_work, interrupt_on='busy')
+    assert 'KeyboardInterrupt' in text
+    assert kernel.run("client.set_parameter('max_speed_rpm', 3)") == '/simple_param_node accepted max_speed_rpm = 3'
+    assert kernel.end() == 0
+
+
+def test_an_interrupted_call_leaves_nothing_pending(kernel):
+    kernel.run(START)
+    kernel.run('''
+        import threading
+        from rclpy.node import Node
+        release = threading.Event()
+        class Slow(Node):
+            def __init__(self):
+                super().__init__('slow')
+                self.declare_parameter('x', 1)
+                self.add_post_set_parameters_callback(self.post)
+            def post(self, parameters):
+                print('asked', flush=True)
+                release.wait(30)
+        slow = ParameterClient(ros.add(Slow), timeout_sec=50)
+    ''')
+    assert 'KeyboardInterrupt' in kernel.run("slow.set_parameter('x', 2)", interrupt_on='asked')
+    kernel.run('release.set()')
+    assert kernel.run('slow.get_parameter("x"), ros.services._pending') == '(2, {})'
+    assert kernel.end() == 0
+
+
+def test_an_exception_in_a_callback_is_shown_once_with_its_traceback(kernel):
+    kernel.run(START)
+    text = kernel.run('''
+        from rclpy.node import Node
+        class Broken(Node):
+            def __init__(self):
+                super().__init__('broken')
+                self.timer = self.create_timer(0.001, self.tick)
+            def tick(self):
+                self.timer.cancel()
+                raise ZeroDivisionError('tick')
+        before = len(ros.errors)
+        ros.add(Broken)
+        param_tutorial.wait_until(lambda: len(ros.errors) > before, 'the error')
+        ros.run(lambda: None, 'see the callback through')
+    ''')
+    # A thread's output may arrive after its cell; asking once more collects it.
+    text += kernel.run("client.get_parameter('max_speed_rpm')")
+    assert text.count('ZeroDivisionError: tick') == 1
+    assert 'in tick' in text
+    assert text.endswith('100')
+    assert kernel.end() == 0
+
+
+def test_threads_are_back_to_the_baseline_after_stop(kernel):
+    kernel.run('import threading; import param_tutorial; before = {t.name for t in threading.enumerate()}')
+    kernel.run(START + "panel = ParameterPanel(node)\npanel['max_speed_rpm'].value = 5\npanel.settle()")
+    kernel.run('param_tutorial.stop()')
+    kernel.run("param_tutorial.wait_until(lambda: {t.name for t in threading.enumerate()} <= before, 'threads to end')")
+    assert kernel.run('{t.name for t in threading.enumerate()} - before') == 'set()'
+    assert kernel.end() == 0
+
+
+def test_restart(kernel):
+    kernel.run(START)
+    kernel.manager.restart_kernel()
+    kernel.client.wait_for_ready(timeout=DEADLINE_SEC)
+    kernel.run(START)
+    assert kernel.run('ros.services.node_names()') == "['/simple_param_node']"
+    assert kernel.end() == 0
+
+
+def test_two_kernels_do_not_see_each_other(kernel):
+    other = Kernel()
+    try:
+        kernel.run(START)
+        other.run(START)
+        other.run("client.set_parameter('max_speed_rpm', 3)")
+        assert kernel.run("client.get_parameter('max_speed_rpm')") == '100'
+        assert kernel.run('ros.domain_id') != other.run('ros.domain_id')
+    finally:
+        assert other.end() == 0

@@ -1,0 +1,88 @@
+"""The lessons' nodes: what they declare, refuse and do, and that each stands on rclpy alone."""
+
+import ast
+import sys
+from pathlib import Path
+
+import pytest
+
+import param_tutorial
+from param_tutorial import ParameterClient, Terminal
+from param_tutorial.nodes.param_setter_node import ParamSetterNode
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+
+FILES = sorted((Path(param_tutorial.__file__).parent / 'nodes').glob('[a-z]*.py'))
+
+
+@pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
+def test_a_node_can_be_copied_out(path):
+    imported = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            imported |= {alias.name.split('.')[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            imported.add('.' if node.level else node.module.split('.')[0])
+    assert imported - set(sys.stdlib_module_names) <= {'rclpy', 'rcl_interfaces'}
+
+
+@pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
+def test_a_copied_node_runs_and_ends_on_ctrl_c_without_a_traceback(ros, path, tmp_path):
+    copy = tmp_path / 'copied.py'
+    copy.write_text(path.read_text())
+    terminal = Terminal(f'{sys.executable} {copy}')
+    terminal.read(until='has been started')
+    # It answers, so it spins. A Ctrl+C while rclpy is still building its executor makes rclpy itself complain.
+    ParameterClient(f'/{path.stem}', timeout_sec=30).list_parameters()
+    assert terminal.interrupt() == 0
+    assert 'Traceback' not in terminal.text
+
+
+@pytest.fixture
+def client(ros):
+    return ParameterClient(ros.add(SimpleParamNode))
+
+
+def test_the_robot_declares_the_seven_of_the_course(client):
+    own = {name: value for name, value in client.get_parameters().items()
+           if name not in ('use_sim_time', 'start_type_description_service')}
+    assert own == {'robot_name': 'Clawbot', 'max_speed_rpm': 100, 'enable_safety_mode': True,
+                   'sensor_offset_meters': 0.15, 'max_acceleration_mps2': 0.5,
+                   'min_operating_temperature_c': -5, 'robot_serial_number': 'SN-CLAW-001'}
+    assert all(each.description for each in client.describe_parameters(own).values())
+
+
+# claims A052: the article's comparison refuses every one of the first three.
+@pytest.mark.parametrize(('name', 'value', 'kind'), [
+    ('max_speed_rpm', 150, 'accepted'), ('max_speed_rpm', 0, 'accepted'), ('max_acceleration_mps2', 0.75, 'accepted'),
+    ('max_speed_rpm', -1, 'refused by the node'), ('robot_name', ' ', 'refused by the node'),
+    ('max_acceleration_mps2', 2.5, 'out of range'), ('min_operating_temperature_c', 51, 'out of range'),
+    ('robot_serial_number', 'SN-2', 'read only'), ('enable_safety_mode', 1, 'wrong type'),
+])
+def test_the_robot_judges(client, name, value, kind):
+    assert client.set_parameter(name, value).kind == kind
+
+
+def test_the_robot_reacts_to_what_is_stored_and_to_nothing_else(client, ros):
+    ros.node_log.read(until='robot_serial_number')
+    client.set_parameters_atomically({'max_speed_rpm': 5, 'robot_name': ''})
+    client.set_parameter('max_speed_rpm', 6)
+    assert ros.node_log.read(until='max_speed_rpm') == '[INFO] [simple_param_node]: max_speed_rpm is now 6'
+
+
+def test_the_setter_waits_for_its_target_and_reports_each_result(ros):
+    setter = ros.add(ParamSetterNode)
+    ros.run(setter.set_parameters_periodically, 'press the button')
+    assert 'not there yet' in ros.node_log.read(until='/simple_param_node')
+    ros.add(SimpleParamNode)
+    setter.iteration = 2
+    param_tutorial.wait_until(setter.client.service_is_ready, 'the target')
+    ros.run(setter.set_parameters_periodically, 'press the button')
+    report = ros.node_log.read(until='max_acceleration_mps2 =', node='/param_setter_node').splitlines()
+    assert [line.split(': ')[2] for line in report[-4:]] == ['accepted', 'accepted', 'accepted', 'refused']
+    assert ParameterClient('/simple_param_node').get_parameter('max_speed_rpm') == 130
+
+
+def test_only_each_third_proposal_holds_a_value_that_the_robot_refuses():
+    for iteration in range(1, 61):
+        acceleration = ParamSetterNode.proposal(iteration)[-1].value
+        assert (0.01 <= acceleration <= 2.0) == (iteration % 3 != 0)

@@ -1,0 +1,51 @@
+"""terminals: commands in processes of their own, and their end."""
+
+import sys
+
+import psutil
+import pytest
+
+from param_tutorial import ParameterClient, Terminal
+from param_tutorial.errors import WaitTimeoutError
+
+
+def test_a_node_runs_is_reached_and_ends_in_good_order(ros):
+    terminal = Terminal('ros2 run param_tutorial simple_param_node --ros-args -p max_speed_rpm:=7')
+    assert terminal.read(until='max_speed_rpm').splitlines()[-1] == '[INFO] [simple_param_node]:   max_speed_rpm: 7'
+    assert ParameterClient('/simple_param_node').get_parameter('max_speed_rpm') == 7
+    assert 'running' in repr(terminal)
+    terminal.read(until='robot_serial_number')
+    assert terminal.interrupt() == 0
+    assert terminal.interrupt() == 0
+    assert 'Traceback' not in terminal.text
+    assert 'ended with status 0' in repr(terminal)
+
+
+def test_two_nodes_talk_and_both_end_in_good_order(ros):
+    robot = Terminal('ros2 run param_tutorial simple_param_node')
+    robot.read(until='robot_serial_number')
+    setter = Terminal('ros2 run param_tutorial param_setter_node')
+    assert 'max_speed_rpm = 110: accepted' in setter.read(until='max_acceleration_mps2 = 0.6: accepted', timeout_sec=40)
+    robot.read(until='max_acceleration_mps2 is now 0.6')
+    assert (setter.interrupt(), robot.interrupt()) == (0, 0)
+    assert 'Traceback' not in robot.text + setter.text
+
+
+def test_output_that_does_not_come_is_an_error_that_shows_what_came():
+    terminal = Terminal(f'{sys.executable} -c "print(1234)"')
+    with pytest.raises(WaitTimeoutError, match=r"the command ended before a line with 'x'.*\n1234"):
+        terminal.read(until='x')
+    assert terminal.interrupt() == 0
+
+
+def test_a_command_that_ignores_ctrl_c_is_killed():
+    terminal = Terminal(
+        f'{sys.executable} -c "import signal, time; signal.signal(2, signal.SIG_IGN); print(1); time.sleep(60)"')
+    terminal.read(until='1')
+    assert terminal.interrupt(timeout_sec=0.2) == -9
+    assert not psutil.pid_exists(terminal._process.pid)
+
+
+def test_a_command_that_does_not_exist():
+    with pytest.raises(FileNotFoundError, match='no_such_command'):
+        Terminal('no_such_command at all')
