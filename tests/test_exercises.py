@@ -17,6 +17,7 @@ from param_tutorial import ParameterClient, background, exercises
 from param_tutorial.errors import ExecutorError
 from param_tutorial.exercises import EXERCISES, ch04, ch05_1, trial
 from param_tutorial.exercises.results import Finding, Result
+from wrong_answers import WRONG
 
 NOTEBOOKS = Path(__file__).parents[1] / 'notebooks'
 
@@ -81,116 +82,6 @@ def test_a_solution_is_done(ros, number):
     assert result.done, result
     assert repr(result).startswith(f'Exercise {number}: done, ')
     assert not ros.nodes
-
-
-# What is replaced in the solution, how many requirements are still met, and a word that the check has to find.
-WRONG = {
-    '3a': [
-        ([("'max_speed_mps', 1.0", "'max_speed_mps', 1")], 2, "expected 'Type.INTEGER' got 'Type.DOUBLE'"),
-        ([("'max_speed_mps', 1.0, ParameterDescriptor(\n            floating_point_range=[FloatingPointRange("
-           'from_value=0.0, to_value=2.0)]))', "'max_speed_mps', 1.0, ParameterDescriptor(description='0 to 2'))")],
-         3, 'A description is read by people only'),
-        ([("'wheels', 6, ParameterDescriptor(read_only=True)", "'wheels', 6")], 3, '`read_only`'),
-        ([("'wheels', 6", "'wheels', '6'")], 3, "type string, value `'6'`"),
-        ([("'wheels'", "'weels'")], 2, 'none of that name'),
-    ],
-    '3b': [
-        ([('50.0', '50')], 2, 'Wrong parameter type'),
-        ([('FloatingPointRange(from_value=0.0', 'FloatingPointRange(from_value=-1000.0'), ('100.0)', '1000.0)')], 3,
-         'is enforced by nobody'),
-        ([("'warm_white', True", "'warm_white', 1")], 3, 'type integer, value `1`'),
-        ([('Parameter.Type.DOUBLE', 'None')], 0, 'its constructor did not get to its end'),
-        ([('Parameter.Type.DOUBLE', '0.0')], 3, 'type double, value `0.0`'),
-    ],
-    '4a': [
-        ([("self.declare_parameter('max_speed_rpm', 100)", "self.declare_parameter('max_speed_rpm', 100)\n"
-           "        self.copy = self.get_parameter('max_speed_rpm').value"),
-          ("self.get_parameter('max_speed_rpm').value)", 'self.copy)')], 2, 'a copy that it made in its constructor'),
-        ([("self.get_parameter('max_speed_rpm').value)", "self.get_parameter('max_speed_rpm'))")], 0,
-         "'<' not supported between instances of 'Parameter' and 'int'"),
-        ([("self.get_parameter('max_speed_rpm').value)", '100)')], 1, 'the default in the source'),
-        ([('min(', 'max(')], 0, '`500` and `100`'),
-    ],
-    '4b': [
-        ([("'photo.value': 100", "'photo.value': 150")], 4, 'the photograph is older'),
-        ([('.value": 150', '.value": 100')], 4, 'A new photograph'),
-        ([('12.0', 'None')], 4, 'so the fallback is used'),
-        ([('False', 'True')], 4, 'declares nothing'),
-        ([('120', '150')], 4, 'a parameter lives in one node'),
-    ],
-    '5.1a': [
-        ([("'1.0'", "'1'")], 5, 'A double wants its dot'),
-        ([('1.0e-3', '1e-3')], 5, 'takes a number with an exponent for a text'),
-        ([("'10'", "'010'")], 5, 'octal'),
-        ([("\"\\\"'42'\\\"\"", '"\'42\'"')], 5, 'one for the shell and one for YAML'),
-        ([("\"\\\"'off'\\\"\"", "'off'")], 5, 'this word means false'),
-        ([('[1.0, 2.5]', '[1, 2.5]')], 5, 'All elements need one type'),
-        ([('\'"[1.0, 2.5]"\'', "'[1.0, 2.5]'")], 5, 'the list needs quotes'),
-        ([("'1.0'", '1.0')], 5, 'there is `1.0`'),
-        ([("'10'", "'\"10'")], 5, 'No closing quotation'),
-    ],
-    '5.1b': [
-        ([('750', '100')], 4, 'counts in sixties'),
-        ([(': False', ": 'off'")], 4, 'A boolean never holds a text'),
-        ([("1': 0.5", "1': 1.0")], 4, 'ROS converts nothing'),
-        ([(': 2.0', ': 0.5')], 4, 'The ends of a range belong to it'),
-        ([("'Clawbot'", "'007'")], 4, 'the old value stays'),
-    ],
-    '5.2a': [
-        ([('self.add_on_set_parameters_callback(self.validate)\n', '\n')], 2, 'it was accepted'),
-        ([("reason=f'{low_c} is not below {high_c}'", "reason=''")], 2, 'the reason is empty'),
-        ([("proposed.get('low_c', self.get_parameter('low_c').value)", "self.get_parameter('low_c').value")], 2,
-         'it was accepted'),
-        ([("high_c = proposed.get('high_c', self.get_parameter('high_c').value)",
-           "high_c = self.get_parameter('high_c').value")], 1, 'it was accepted'),
-        # Acts in the judge: with the proposed values, which may still be refused, and with the stored, which are old.
-        ([('        return SetParametersResult(successful=True)',
-           '        self.target_c = (low_c + high_c) / 2\n        return SetParametersResult(successful=True)')], 3,
-         'a side effect of an on-set callback'),
-        ([('add_post_set_parameters_callback(self.react)', 'add_on_set_parameters_callback(self.judge_late)'),
-          ('def react(self, parameters):', 'def judge_late(self, parameters):'),
-          ('.value) / 2', '.value) / 2\n        return SetParametersResult(successful=True)')], 2, 'it is `20.0`'),
-        ([('return SetParametersResult(successful=True)', 'return True')], 0, 'has to return a `SetParametersResult`'),
-    ],
-    '5.2b': [
-        ([('for parameter in parameters:\n', 'for parameter in parameters[:1]:\n')], 2, 'it was accepted'),
-        ([("reason=f'{parameter.value} is not a percentage'", "reason=''")], 2, 'the reason is empty'),
-        ([('        return SetParametersResult(successful=True)',
-           "        self.motor_percent = {p.name: p.value for p in parameters}.get('open_percent', 50)\n"
-           '        return SetParametersResult(successful=True)')], 2,
-         'a side effect of an on-set callback'),
-        ([('self.motor_percent = self', 'self.motor = self')], 2, 'it is `0`'),
-    ],
-    '5.2c': [
-        ([('dbeca', 'bdeca')], 3, 'called its pre-set callback, and then refused'),
-        ([('dbeca', 'debca')], 3, 'never called its on-set callback'),
-        ([('dbeca', 'dbcea')], 3, 'still held 100'),
-        ([('dbeca', 'dbeac')], 3, 'held 150'),
-        ([('dbeca', 'dbec')], 0, "your order is 'dbec'"),
-    ],
-    '5.3a': [
-        # Not atomic: the other service, whose answer has a list of results.
-        ([('SetParametersAtomically', 'SetParameters'), ('set_parameters_atomically', 'set_parameters'),
-          ('class Supervisor', 'from rcl_interfaces.srv import SetParameters\n\n\nclass Supervisor'),
-          ('future.result().result', 'future.result().results[1]')], 2,
-         '`set_parameters` decides each parameter for itself'),
-        ([("'/rover/set_parameters_atomically'", "'/rovr/set_parameters_atomically'")], 0,
-         'nobody offers a service `/rovr/set_parameters_atomically`'),
-        ([('self.client.call_async(request).add_done_callback(self.on_answer)', 'self.client.call(request)')], 0,
-         'Use call_async()'),
-        ([('.add_done_callback(self.on_answer)', '')], 1, "`self.refusal` is `''`"),
-        ([('future.result().result\n', 'future.result().results[0]\n')], 1, 'AttributeError'),
-        ([('value=40', 'value=4')], 1, 'it holds 4 and 0.2'),
-    ],
-    '5.3b': [
-        ([('parameter.name: result.reason', 'result.name: result.reason')], 1, 'A result has no name'),
-        ([('            if not result.successful', '            if True')], 0, "'use_sim_time': ''"),
-        ([('    return {parameter.name: result.reason\n            for parameter, result in zip(parameters, results)\n'
-           '            if not result.successful}', '    for parameter, result in zip(parameters, results):\n'
-           '        if not result.successful:\n            return {parameter.name: result.reason}\n    return {}')], 2,
-         'before the loop has ended'),
-    ],
-}
 
 
 @pytest.mark.parametrize(('number', 'replacements', 'met', 'word'), [

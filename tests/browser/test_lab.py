@@ -47,11 +47,6 @@ def strange_errors(page):
     return [error for error in page.errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
 
 
-def strange(errors):
-    """Give the errors on the browser's console that are not known."""
-    return [error for error in errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
-
-
 def terminal(lab, *words):
     """Run a command as in a second terminal, in the kernel's ROS domain, and give what it printed."""
     done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words], env=lab.ros_environment(), cwd=ROOT,
@@ -65,20 +60,32 @@ def position(page):
     return round(0.01 + 0.01 * float(page.handle('max_acceleration_mps2').get_attribute('aria-valuenow')), 2)
 
 
+def drag(page, handle):
+    """Take hold of a slider's handle and pull it to the right, in steps as a hand does."""
+    handle.hover()  # which scrolls there, and waits until it stands still
+    box = handle.bounding_box()
+    page.page.mouse.down()
+    page.page.mouse.move(box['x'] + box['width'] / 2 + 60, box['y'] + box['height'] / 2, steps=20)
+    page.page.mouse.up()
+
+
 def test_a_learner_and_a_terminal(open_lesson):
     lab, page = open_lesson
     handle, box = page.handle('max_acceleration_mps2'), page.box('max_acceleration_mps2')
     expect(handle).to_be_visible()
     before = float(box.input_value())
 
-    # A hand drags the slider, in steps as a hand does, and lets go. The page may still be growing above it and
-    # push it from under the mouse: then the hand takes hold of it again.
-    lab_module.wait_for(
-        lambda: drag(page.page, handle) and float(box.input_value()) > before, 'the slider to be dragged')
+    # The page may still be growing above the slider and push it from under the mouse: then the hand takes hold of it
+    # again.
+    def dragged():
+        drag(page, handle)
+        return float(box.input_value()) > before
+
+    lab_module.wait_for(dragged, 'the slider to be dragged')
     # The last of the hand's moves may still be on its way: in the end slider, box and node agree.
     lab_module.wait_for(
         lambda: terminal(lab, 'param', 'get', NODE, 'max_acceleration_mps2')
-        == f'Double value is: {float(box.input_value())}' == f'Double value is: {position(handle)}',
+        == f'Double value is: {float(box.input_value())}' == f'Double value is: {position(page)}',
         'slider, box and node to agree')
 
     # The terminal sets another value, and the panel shows it.
@@ -144,7 +151,7 @@ def test_a_second_view_of_a_panel_changes_nothing(tmp_path):
         expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Second')
         expect(page.box('robot_name')).to_have_value('Second')
         assert terminal(lab, 'param', 'get', NODE, 'max_acceleration_mps2') == 'Double value is: 0.123456'
-        assert strange(page.errors) == []
+        assert strange_errors(page) == []
 
 
 def test_the_log_and_the_panel_after_running_all_cells_again(tmp_path):

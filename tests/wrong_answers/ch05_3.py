@@ -1,0 +1,26 @@
+"""Wrong answers that people give to the exercises of chapter 5.3."""
+
+WRONG = {
+    '5.3a': [
+        # Not atomic: the other service, whose answer has a list of results.
+        ([('SetParametersAtomically', 'SetParameters'), ('set_parameters_atomically', 'set_parameters'),
+          ('class Supervisor', 'from rcl_interfaces.srv import SetParameters\n\n\nclass Supervisor'),
+          ('future.result().result', 'future.result().results[1]')], 2,
+         '`set_parameters` decides each parameter for itself'),
+        ([("'/rover/set_parameters_atomically'", "'/rovr/set_parameters_atomically'")], 0,
+         'nobody offers a service `/rovr/set_parameters_atomically`'),
+        ([('self.client.call_async(request).add_done_callback(self.on_answer)', 'self.client.call(request)')], 0,
+         'Use call_async()'),
+        ([('.add_done_callback(self.on_answer)', '')], 1, "`self.refusal` is `''`"),
+        ([('future.result().result\n', 'future.result().results[0]\n')], 1, 'AttributeError'),
+        ([('value=40', 'value=4')], 1, 'it holds 4 and 0.2'),
+    ],
+    '5.3b': [
+        ([('parameter.name: result.reason', 'result.name: result.reason')], 1, 'A result has no name'),
+        ([('            if not result.successful', '            if True')], 0, "'use_sim_time': ''"),
+        ([('    return {parameter.name: result.reason\n            for parameter, result in zip(parameters, results)\n'
+           '            if not result.successful}', '    for parameter, result in zip(parameters, results):\n'
+           '        if not result.successful:\n            return {parameter.name: result.reason}\n    return {}')], 2,
+         'before the loop has ended'),
+    ],
+}
