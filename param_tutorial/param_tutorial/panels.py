@@ -74,7 +74,8 @@ _STYLE = """<style>
   border-left: 4px solid var(--jp-error-color1, #d32f2f); background: var(--jp-layout-color2, #eee);
   color: var(--jp-ui-font-color1, #212121); white-space: pre-line; overflow-wrap: anywhere; }
 .param-panel .param-waiting { border-left-color: var(--jp-border-color1, #9e9e9e); }
-.param-panel .param-quiet .widget-label, .param-panel .param-quiet .widget-checkbox span { font-size: 12px; }
+.param-panel .param-quiet .widget-label, .param-panel .param-quiet .widget-checkbox span { font-size: 12px;
+  padding-right: 2px; }
 .param-panel .param-quiet .param-note { font-size: 12px; }
 .param-panel input:disabled, .param-panel textarea:disabled { opacity: .75; border-style: dashed; }
 @container (max-width: 620px) {
