@@ -18,6 +18,7 @@ WRONG = {
          'a side effect of an on-set callback'),
         ([("        self.motor_mps = self.get_parameter('belt.speed_mps').value\n        self.add_on",
            '        self.add_on')], 5, 'it is `None`'),
+        ([('gap_m < 0.3', 'gap_m <= 0.3')], 5, '0.3 m is too small'),
     ],
     '8b': [
         ([("start.': 1", "start.': 6")], 4, 'is not initialized'),

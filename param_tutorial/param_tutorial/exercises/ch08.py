@@ -72,9 +72,9 @@ def described(trial):
 def judges(trial):
     conveyor = trial.start()
     expect_refused(trial, conveyor, {SPEED: 1.5, GAP: 0.1})
-    expect_accepted(trial, conveyor, {SPEED: 0.5, GAP: 0.1})
+    expect_accepted(trial, conveyor, {SPEED: 1.0, GAP: 0.1})
     expect_refused(trial, conveyor, {SPEED: 1.5})
-    expect_accepted(trial, conveyor, {SPEED: 1.5, GAP: 0.4}, '. Both are proposed together, so judge them together')
+    expect_accepted(trial, conveyor, {SPEED: 1.5, GAP: 0.3}, '. Both are proposed together, so judge them together')
     expect_refused(trial, conveyor, {GAP: 0.2})
 
 
