@@ -134,7 +134,7 @@ def test_a_wheel_that_swings_or_stands_still_has_no_figures(gains, end):
 
 # -- the node --------------------------------------------------------------------------------------------
 
-P, I, D = (f'gains.wheel_joint.{name}' for name in 'pid')
+KP, KI, KD = (f'gains.wheel_joint.{name}' for name in 'pid')
 MAX, MIN = 'gains.wheel_joint.u_clamp_max', 'gains.wheel_joint.u_clamp_min'
 
 
@@ -149,8 +149,8 @@ def client(controller):
 
 
 @pytest.mark.parametrize(('name', 'value', 'kind'), [
-    (P, 0.0, 'accepted'), (P, 2.0, 'accepted'), (P, -0.1, 'out of range'), (P, math.nan, 'out of range'),
-    (P, math.inf, 'out of range'), (P, 1, 'wrong type'), (I, -0.1, 'out of range'), (D, math.nan, 'out of range'),
+    (KP, 0.0, 'accepted'), (KP, 2.0, 'accepted'), (KP, -0.1, 'out of range'), (KP, math.nan, 'out of range'),
+    (KP, math.inf, 'out of range'), (KP, 1, 'wrong type'), (KI, -0.1, 'out of range'), (KD, math.nan, 'out of range'),
     (MAX, 0.5, 'accepted'), (MAX, math.nan, 'refused by the node'), (MIN, math.nan, 'refused by the node'),
     (MAX, -math.inf, 'refused by the node'), (MIN, math.inf, 'refused by the node'),
     ('gains.wheel_joint.antiwindup_strategy', 'back_calculation', 'accepted'),
@@ -179,11 +179,11 @@ def test_clamps_that_cross_are_refused_with_both_named(client):
 
 def test_gains_are_put_to_use_when_they_are_stored_and_told_once(controller, client, ros):
     ros.node_log.read(until='p = 0.1')
-    client.set_parameters_atomically({P: 0.3, I: -1.0})
-    client.set_parameters_atomically({P: 0.4, I: 0.4, D: 0.03}).raise_for_reason()
+    client.set_parameters_atomically({KP: 0.3, KI: -1.0})
+    client.set_parameters_atomically({KP: 0.4, KI: 0.4, KD: 0.03}).raise_for_reason()
     assert controller.response() == respond(Gains(0.4, 0.4, 0.03))
-    client.set_parameters({P: 0.4, 'use_sim_time': False})
-    client.set_parameter(P, 0.5)
+    client.set_parameters({KP: 0.4, 'use_sim_time': False})
+    client.set_parameter(KP, 0.5)
     told = [line.partition(': ')[2] for line in ros.node_log.read(until='p = 0.5').splitlines()]
     assert [line.partition(':')[0] for line in told] == [
         'wheel_joint with p = 0.4, i = 0.4, d = 0.03', 'wheel_joint with p = 0.5, i = 0.4, d = 0.03']
@@ -207,7 +207,7 @@ def test_it_does_not_start_without_distinct_joints(ros, tmp_path, joints, error)
 
 
 @pytest.mark.parametrize(('override', 'word'), [
-    (f'{P}:=.nan', 'out of range'), (f'{P}:=-1.0', 'out of range'), (f'{MAX}:=-.inf', 'must be less than'),
+    (f'{KP}:=.nan', 'out of range'), (f'{KP}:=-1.0', 'out of range'), (f'{MAX}:=-.inf', 'must be less than'),
     ('gains.wheel_joint.antiwindup_strategy:=magic', 'must be one of')])
 def test_what_it_would_refuse_later_it_refuses_at_the_start(ros, override, word):
     with pytest.raises(InvalidParameterValueException, match=word):
@@ -244,7 +244,7 @@ def test_the_installed_file_starts_the_manager_and_each_controller_that_it_lists
 def test_tuned_gains_are_saved_and_come_back(ros, tmp_path):
     tuned = start(ros, 'wheel_controller', CONTROLLERS)
     client = ParameterClient(tuned)
-    client.set_parameters_atomically({P: 0.62, I: 0.3, D: 0.03, MAX: math.inf}).raise_for_reason()
+    client.set_parameters_atomically({KP: 0.62, KI: 0.3, KD: 0.03, MAX: math.inf}).raise_for_reason()
     response = tuned.response()
     client.dump(tmp_path / 'tuned.yaml')
     assert start(ros, 'wheel_controller', tmp_path / 'tuned.yaml').response() == response

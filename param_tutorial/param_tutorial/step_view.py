@@ -22,7 +22,7 @@ from param_tutorial.plots import LinePlot
 from param_tutorial.services import TIMEOUT_SEC, full_name
 
 # More points than this would fall upon one another.
-_MAX_POINTS = 300
+_MAX_POINTS = 200
 # The axis has room for this overshoot, so that it does not change with every move of a hand.
 _ROOM = 1.5
 
