@@ -3,7 +3,8 @@
 ``start()`` puts a ROS executor into the background of a notebook, ``ParameterClient`` talks to the parameters
 of any node, ``ParameterPanel`` shows them as controls. The layers, top to bottom; imports go downward only:
 
-    panels, robot_view, magics      ipywidgets and IPython
+    panels, robot_view, step_view,  ipywidgets and IPython
+        magics
     exercises                       checks of what a learner wrote
     ros2, shell, terminals          the ros2 command; commands in processes of their own
     client, parameter_files         parameter services and files
@@ -23,8 +24,10 @@ _HOMES = {
     'LogView': 'panels',
     'RobotView': 'robot_view',
     'Shell': 'shell',
+    'StepResponseView': 'step_view',
     'Terminal': 'terminals',
     'load_ipython_extension': 'magics',
+    'plot_responses': 'step_view',
     'start': 'background',
     'stop': 'background',
     'wait_until': 'background',

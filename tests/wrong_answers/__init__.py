@@ -4,7 +4,15 @@
 and a word that the check has to find.
 """
 
-from wrong_answers import ch03, ch04, ch05_1, ch05_2, ch05_3, ch08
+from wrong_answers import (
+    ch03,
+    ch04,
+    ch05_1,
+    ch05_2,
+    ch05_3,
+    ch08,
+    ch10_3,
+)
 
-WRONG = {number: cases for module in (ch03, ch04, ch05_1, ch05_2, ch05_3, ch08)
-         for number, cases in module.WRONG.items()}
+_CHAPTERS = (ch03, ch04, ch05_1, ch05_2, ch05_3, ch08, ch10_3)
+WRONG = {number: cases for module in _CHAPTERS for number, cases in module.WRONG.items()}
