@@ -17,6 +17,7 @@ import importlib
 # Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
 _HOMES = {
     'BackgroundExecutor': 'background',
+    'EventView': 'event_view',
     'LinePlot': 'plots',
     'ParameterClient': 'client',
     'ParameterPanel': 'panels',
@@ -25,6 +26,8 @@ _HOMES = {
     'Shell': 'shell',
     'Terminal': 'terminals',
     'load_ipython_extension': 'magics',
+    'node_graph': 'observe',
+    'record_change': 'observe',
     'start': 'background',
     'stop': 'background',
     'wait_until': 'background',
