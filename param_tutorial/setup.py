@@ -30,6 +30,7 @@ setup(
             'simple_param_node = param_tutorial.nodes.simple_param_node:main',
             'param_setter_node = param_tutorial.nodes.param_setter_node:main',
             'param_event_monitor = param_tutorial.nodes.param_event_monitor:main',
+            'param_query_node = param_tutorial.nodes.param_query_node:main',
             'clawbot_node = param_tutorial.nodes.clawbot_node:main',
         ],
     },

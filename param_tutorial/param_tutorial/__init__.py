@@ -25,6 +25,7 @@ _HOMES = {
     'RobotView': 'robot_view',
     'Shell': 'shell',
     'Terminal': 'terminals',
+    'all_parameters': 'snapshot',
     'load_ipython_extension': 'magics',
     'node_graph': 'observe',
     'record_change': 'observe',
