@@ -6,6 +6,7 @@ of any node, ``ParameterPanel`` shows them as controls. The layers, top to botto
     panels, robot_view, magics      ipywidgets and IPython
     exercises                       checks of what a learner wrote
     ros2, shell, terminals          the ros2 command; commands in processes of their own
+    observe, snapshot               what goes on in a change, in the graph, in all nodes
     client, parameter_files         parameter services and files
     background, node_log, domain    one rclpy context, executor and thread for a process
     values, errors                  no ROS, no Jupyter

@@ -8,7 +8,7 @@ from rclpy.node import Node
 
 from param_tutorial import background
 from param_tutorial.client import ParameterClient, ParameterValues
-from param_tutorial.errors import NodeError, NodeNotFoundError
+from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
 from param_tutorial.services import TIMEOUT_SEC, full_name
 
 _STYLE = """<style>
@@ -68,6 +68,9 @@ def all_parameters(nodes: Iterable[str | Node] | None = None, *, timeout_sec: fl
     :raises ExecutorError: no executor is running, or this is called from a callback.
     """
     ros = executor or background.current()
+    if ros.services.in_executor_thread():
+        raise ExecutorError('a callback cannot wait for the answers of nodes: the executor that would have to bring '
+                            'them is busy with the callback. Call all_parameters() in a cell')
     names = sorted(set(ros.services.node_names() if nodes is None else map(full_name, nodes)))
 
     def read(node: str) -> ParameterValues | NodeError:

@@ -11,7 +11,7 @@ from rclpy.parameter import parameter_value_to_python
 
 TARGET = '/simple_param_node'
 # How often to look for the target, and how long it may take to answer.
-PERIOD_SEC = 1.0
+PERIOD_SEC = 2.0
 
 
 class ParamQueryNode(Node):
