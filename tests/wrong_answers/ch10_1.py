@@ -11,7 +11,6 @@ WRONG = {
         ([("if event.node == '/rover':", 'if event.node:')], 3, "('changed', 'speed', 3), ('changed', 'speed', 5)"),
         ([("'deleted', parameter.name, None", "'deleted', parameter.name, parameter.name")], 3,
          "there is `('deleted', 'lamp', 'lamp')`"),
-        ([('event.changed_parameters', 'event.changed_parameter')], 0, "AttributeError: 'ParameterEvent' object"),
         ([("'/parameter_events'", "'/parameter_event'")], 0, 'it does not'),
     ],
     '10.1b': [

@@ -18,7 +18,8 @@ from param_tutorial.errors import nearest
 from param_tutorial.exercises import ch03, ch04, ch05_1, ch05_2, ch05_3, ch10_1, ch10_2
 from param_tutorial.exercises.results import Answer, Hint, Result
 
-EXERCISES = {each.number: each for module in (ch03, ch04, ch05_1, ch05_2, ch05_3, ch10_1, ch10_2) for each in module.EXERCISES}
+EXERCISES = {each.number: each for module in (ch03, ch04, ch05_1, ch05_2, ch05_3, ch10_1, ch10_2)
+             for each in module.EXERCISES}
 
 _hints_given: dict[str, int] = {}
 

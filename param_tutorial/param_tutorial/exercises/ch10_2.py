@@ -50,13 +50,41 @@ inspect = Exercise('10.2a', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
     'An answer without values means that one of the names has none: ask again, for each name alone.'))
 
 
+def noting_questions(node_class: type[Node]) -> type[Node]:
+    """Derive a class that keeps the futures of all that it asks, so that one can tell when it has done its work."""
+    class NotingQuestions(node_class):
+        def create_client(self, *args, **options):
+            client = super().create_client(*args, **options)
+            call_async = client.call_async
+
+            def note(request):
+                self.questions = [*getattr(self, 'questions', ()), call_async(request)]
+                return self.questions[-1]
+
+            client.call_async = note
+            return client
+
+    return NotingQuestions
+
+
+def is_done(trial: Trial, inspector: Node) -> bool:
+    """Are all questions answered, and all answers heard, and has nothing more been asked because of them?"""
+    questions = list(getattr(inspector, 'questions', ()))
+    if not all(future.done() for future in questions):
+        return False
+    # The executor has set the last future when the first is over, and has called what waited for it after the second.
+    for _ in range(2):
+        trial.ros.run(lambda: None, 'let the executor come round')
+    return len(questions) == len(getattr(inspector, 'questions', ()))
+
+
 def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...] = ()) -> None:
     """Put a rover and the learner's inspector on the stage, let it inspect, and expect it to find everything.
 
     :param left_out: Names that may be there, with the value None, or not.
     """
     rover = trial.start(rover_class)
-    inspector = trial.start(without_deadlock(trial.work))
+    inspector = trial.start(noting_questions(without_deadlock(trial.work)))
     expect(list(inspector.clients), 'the inspector has clients for services of `/rover`', 'it has none')
     for client in inspector.clients:
         try:
@@ -67,12 +95,11 @@ def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...]
     wanted = {name: value for name, value in trial.client(rover).get_parameters().items() if name not in left_out}
     trial.press('`inspect()`', inspector.inspect)
 
-    def same():
-        found = {name: values.normalise(value) for name, value in dict(inspector.found).items()
-                 if not (name in left_out and value is None)}
-        return found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted)
-
-    trial.wait(same, f'`self.found` is `{dict(wanted)!r}`', lambda: f'it is `{inspector.found!r}`')
+    trial.wait(lambda: is_done(trial, inspector), 'all questions are answered', lambda: 'one is not')
+    found = {name: values.normalise(value) for name, value in dict(inspector.found).items()
+             if not (name in left_out and value is None)}
+    expect(found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted),
+           f'`self.found` is `{dict(wanted)!r}`', f'it is `{inspector.found!r}`{trial.raised()}')
 
 
 @inspect.require('`self.found` holds every parameter with its value, and `inspect()` does not wait', see=BY_NAME)
