@@ -37,11 +37,13 @@ def test_it_tells_new_changed_and_deleted_apart(ros, view):
 
 def test_it_follows_one_node_or_all(ros, view):
     everything = EventView()
+    ros.add(Arm, '_hidden')
     ParameterClient(ros.add(Arm, 'leg')).set_parameter('speed', 2)
     ParameterClient(ros.add(Arm)).set_parameter('speed', 3)
     param_tutorial.wait_until(lambda: ('/arm', 'changed', 'speed', 3) in everything.changes, 'the event')
     assert ('/leg', 'changed', 'speed', 2) in everything.changes
     assert {change.node for change in view.changes} == {'/arm'}
+    assert {change.node for change in everything.changes} == {'/arm', '/leg'}
     assert (repr(everything), repr(view)) == ('<EventView: all nodes>', '<EventView: /arm>')
     everything.close()
 

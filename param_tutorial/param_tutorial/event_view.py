@@ -26,8 +26,8 @@ _STYLE = """<style>
   border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); }
 .param-events .param-events-rows { overflow: auto; max-height: 16em; margin: 0; padding: 0 10px; }
 .param-events table { border-collapse: collapse; width: 100%; font-size: var(--jp-code-font-size, 13px); }
-.param-events th, .param-events td { text-align: left; padding: 3px 12px 3px 0; vertical-align: top; }
-.param-events td { font-family: var(--jp-code-font-family, monospace); overflow-wrap: anywhere;
+.param-events table th, .param-events table td { text-align: left !important; padding: 3px 12px 3px 0; vertical-align: top; }
+.param-events table td { font-family: var(--jp-code-font-family, monospace); overflow-wrap: anywhere;
   border-top: 1px solid var(--jp-border-color3, #e0e0e0); }
 </style>"""
 
@@ -56,7 +56,8 @@ class EventView(widgets.VBox):
 
     def __init__(self, node: str | None = None, *, executor: background.BackgroundExecutor | None = None):
         """
-        :param node: Only the events of this node; by default those of all.
+        :param node: Only the events of this node; by default those of all but the ones whose name begins with an
+            underscore.
         :param executor: By default whichever runs in the background, also after a stop and a new start.
         """
         self._node = None if node is None else full_name(node)
@@ -109,7 +110,7 @@ class EventView(widgets.VBox):
             self._stop_listening = lambda: None
 
     def _on_event(self, event: ParameterEvent) -> None:
-        if self._node in (None, event.node):
+        if event.node == self._node or (self._node is None and '/_' not in event.node):
             with self._lock:
                 self._changes.extend(told_by(event))
             self._worker.wake()
