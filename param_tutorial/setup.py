@@ -29,6 +29,8 @@ setup(
         'console_scripts': [
             'simple_param_node = param_tutorial.nodes.simple_param_node:main',
             'param_setter_node = param_tutorial.nodes.param_setter_node:main',
+            'param_event_monitor = param_tutorial.nodes.param_event_monitor:main',
+            'param_query_node = param_tutorial.nodes.param_query_node:main',
             'clawbot_node = param_tutorial.nodes.clawbot_node:main',
             'pallet_lift_node = param_tutorial.nodes.pallet_lift_node:main',
             'pid_controller_node = param_tutorial.nodes.pid_controller_node:main',

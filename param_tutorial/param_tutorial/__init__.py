@@ -7,6 +7,7 @@ of any node, ``ParameterPanel`` shows them as controls. The layers, top to botto
         magics
     exercises                       checks of what a learner wrote
     ros2, shell, terminals          the ros2 command; commands in processes of their own
+    observe, snapshot               what goes on in a change, in the graph, in all nodes
     client, parameter_files         parameter services and files
     background, node_log, domain    one rclpy context, executor and thread for a process
     values, errors                  no ROS, no Jupyter
@@ -18,6 +19,7 @@ import importlib
 # Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
 _HOMES = {
     'BackgroundExecutor': 'background',
+    'EventView': 'event_view',
     'LinePlot': 'plots',
     'ParameterClient': 'client',
     'ParameterPanel': 'panels',
@@ -26,8 +28,11 @@ _HOMES = {
     'Shell': 'shell',
     'StepResponseView': 'step_view',
     'Terminal': 'terminals',
+    'all_parameters': 'snapshot',
     'load_ipython_extension': 'magics',
     'plot_responses': 'step_view',
+    'node_graph': 'observe',
+    'record_change': 'observe',
     'start': 'background',
     'stop': 'background',
     'wait_until': 'background',

@@ -11,8 +11,10 @@ from wrong_answers import (
     ch05_2,
     ch05_3,
     ch08,
+    ch10_1,
+    ch10_2,
     ch10_3,
 )
 
-_CHAPTERS = (ch03, ch04, ch05_1, ch05_2, ch05_3, ch08, ch10_3)
+_CHAPTERS = (ch03, ch04, ch05_1, ch05_2, ch05_3, ch08, ch10_1, ch10_2, ch10_3)
 WRONG = {number: cases for module in _CHAPTERS for number, cases in module.WRONG.items()}
