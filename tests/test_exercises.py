@@ -15,7 +15,7 @@ from rclpy.node import Node
 import param_tutorial
 from param_tutorial import ParameterClient, background, exercises
 from param_tutorial.errors import ExecutorError
-from param_tutorial.exercises import EXERCISES, ch04, ch05_1, trial
+from param_tutorial.exercises import EXERCISES, ch04, ch05_1, ch06, trial
 from param_tutorial.exercises.results import Finding, Result
 from wrong_answers import WRONG
 
@@ -328,7 +328,7 @@ def test_an_exercise_leads_to_sections_that_exist(number):
     assert len(EXERCISES[number].hints) >= 2
 
 
-@pytest.mark.parametrize('number', ['4b', '5.1b'])
+@pytest.mark.parametrize('number', ['4b', '5.1b', '6b'])
 def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
     assert [f'`{question}`' for question in blank(number)] == [
         requirement.sentence for requirement in EXERCISES[number].requirements]
@@ -343,6 +343,10 @@ def test_the_story_in_the_chapter_is_the_one_that_the_check_runs():
     for line in inspect.getsource(ch04.story).splitlines()[2:-1]:
         line = line.strip().replace('trial.start(', 'ros.add(').replace('trial.client(', 'ParameterClient(')
         assert line in told
+
+
+def test_the_oven_in_the_chapter_is_the_one_that_the_check_asks():
+    assert inspect.getsource(ch06.Oven).strip() in [each.source for each in notebook('6b')]
 
 
 def test_the_answer_is_in_words_and_as_html_too():
