@@ -15,7 +15,7 @@ from rclpy.node import Node
 import param_tutorial
 from param_tutorial import ParameterClient, background, exercises
 from param_tutorial.errors import ExecutorError
-from param_tutorial.exercises import EXERCISES, ch04, ch05_1, ch06, trial
+from param_tutorial.exercises import EXERCISES, ch04, ch05_1, ch06, ch07_3, trial
 from param_tutorial.exercises.results import Finding, Result
 from wrong_answers import WRONG
 
@@ -328,7 +328,7 @@ def test_an_exercise_leads_to_sections_that_exist(number):
     assert len(EXERCISES[number].hints) >= 2
 
 
-@pytest.mark.parametrize('number', ['4b', '5.1b', '6b'])
+@pytest.mark.parametrize('number', ['4b', '5.1b', '6b', '7.3a'])
 def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
     assert [f'`{question}`' for question in blank(number)] == [
         requirement.sentence for requirement in EXERCISES[number].requirements]
@@ -347,6 +347,11 @@ def test_the_story_in_the_chapter_is_the_one_that_the_check_runs():
 
 def test_the_oven_in_the_chapter_is_the_one_that_the_check_asks():
     assert inspect.getsource(ch06.Oven).strip() in [each.source for each in notebook('6b')]
+
+
+def test_the_files_in_the_chapter_are_those_that_the_check_starts_with():
+    written, = (each.source for each in notebook('7.3a') if each.source.startswith('FILES = '))
+    assert ast.literal_eval(ast.parse(written).body[0].value) == ch07_3.FILES
 
 
 def test_the_answer_is_in_words_and_as_html_too():
