@@ -6,7 +6,7 @@
 One module for each chapter holds its exercises, each as a list of requirements: a sentence, and a small function
 that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutions/``; neither is repeated here.
 
-    ch01, ch03, …   the exercises
+    ch01, ch02, …   the exercises
     exercise        what an exercise is, and how its check runs
     trial           a corner of the stage for the learner's nodes, cleared afterwards
     results         the answer, as text and as HTML
@@ -15,10 +15,10 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
 from typing import Any
 
 from param_tutorial.errors import nearest
-from param_tutorial.exercises import ch01, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_3
+from param_tutorial.exercises import ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_3
 from param_tutorial.exercises.results import Answer, Hint, Result
 
-EXERCISES = {each.number: each for module in (ch01, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_3)
+EXERCISES = {each.number: each for module in (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_3)
              for each in module.EXERCISES}
 
 _hints_given: dict[str, int] = {}
