@@ -67,7 +67,7 @@ class Exercise:
     def require_prediction(self, question: str, *, see: str, because: dict[Any, str]) -> Callable:
         """Add a requirement for a dictionary: that it holds, for a question, what the decorated function finds out.
 
-        :param because: For wrong answers that one may well give, what to think of.
+        :param because: For wrong answers that one may well give, what to think of; a tuple stands for a list.
         """
         def add(find_out: Callable[[Trial], Any]) -> Callable[[Trial], Any]:
             @self.require(f'`{question}`', see=see)
@@ -75,7 +75,8 @@ class Exercise:
                 given = trial.work.get(question, ...)
                 expect(given is not ..., '', 'there is no prediction yet')
                 # The node's answer is not given away: to look at it is the next step, and the learner's.
-                words = next((f'. {text}' for wrong, text in because.items() if values.same(wrong, given)), '')
+                words = next((f'. {text}' for wrong, text in because.items()
+                              if values.same(list(wrong) if isinstance(wrong, tuple) else wrong, given)), '')
                 expect(values.same(find_out(trial), given), 'what the node says when the check asks it',
                        f'it does not say `{given!r}`{words}')
             return find_out
