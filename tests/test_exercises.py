@@ -328,7 +328,7 @@ def test_an_exercise_leads_to_sections_that_exist(number):
     assert len(EXERCISES[number].hints) >= 2
 
 
-@pytest.mark.parametrize('number', ['4b', '5.1b', '6b', '7.1b', '7.3a'])
+@pytest.mark.parametrize('number', ['4b', '5.1b', '6b', '7.1b', '7.2b', '7.3a'])
 def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
     assert [f'`{question}`' for question in blank(number)] == [
         requirement.sentence for requirement in EXERCISES[number].requirements]
