@@ -268,7 +268,7 @@ def test_the_stage_is_afterwards_as_before(ros):
     own = ros.add(solution('3a'))
     client = ParameterClient(own)
     client.set_parameter('max_speed_mps', 1.5)
-    for number in EXERCISES:
+    for number in ('3a', '5.1a', '5.2c', '5.3b'):  # one for each kind of work
         exercises.check(number, solution(number))
         exercises.check(number, blank(number))
     assert ros.nodes == (own,)
@@ -317,7 +317,7 @@ def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
 def test_a_number_that_is_none_is_told(ask):
     assert repr(ask('5.2')).startswith("There is no exercise '5.2'. Did you mean 5.2")
     assert 'There is no exercise 3. Did you mean 3' in repr(ask(3))
-    assert 'There is: 3a' in repr(ask([]))
+    assert 'There is: 1a' in repr(ask([]))
 
 
 @pytest.mark.parametrize('number', EXERCISES)

@@ -6,7 +6,7 @@ from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescri
 from rclpy.node import Node
 
 from param_tutorial import values
-from param_tutorial.exercises.ch03 import client_for, expect_answer, expect_declared
+from param_tutorial.exercises.ch03 import client_for, expect_declared, expect_result
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.trial import Trial, expect
 from param_tutorial.values import DOUBLE, INTEGER, INTEGER_ARRAY, STRING
@@ -21,9 +21,10 @@ ORDER = 'Who refuses, and in which order?'
 
 
 def expect_answers(trial: Trial, name: str, kind: str, *new: object, because: str = '') -> None:
-    """Expect the node's answer to each of some values to be of a kind; see ch03.expect_answer."""
+    """Expect the node's answer to each of some values, set one after the other, to be of a kind; as in ch03."""
+    client = client_for(trial, name)
     for value in new:
-        expect_answer(trial, name, value, kind, because)
+        expect_result(client, name, value, kind, because)
 
 
 describe = Exercise('6a', CHAPTER, NODE_CLASS, node_name='camera', hints=(
