@@ -23,7 +23,7 @@ _HOMES = {
     'LinePlot': 'plots',
     'ParameterClient': 'client',
     'ParameterPanel': 'panels',
-    'LogView': 'panels',
+    'LogView': 'log_view',
     'RobotView': 'robot_view',
     'Shell': 'shell',
     'StepResponseView': 'step_view',
