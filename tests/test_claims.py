@@ -186,7 +186,7 @@ def article(ros):
     return ros.add(ComparesTypes)
 
 
-# A053, A054, A055, A056, A072, A075, A098, A100, A103
+# A009, A051, A053, A054, A055, A056, A098, A100, A103
 @pytest.mark.parametrize(('name', 'value', 'kind'), [
     ('robot_name', 'AlphaClaw', 'accepted'), ('enable_safety_mode', False, 'accepted'),
     ('min_operating_temperature_c', 10, 'accepted'), ('min_operating_temperature_c', 51, 'out of range'),
@@ -334,7 +334,7 @@ def event_publisher(node):
     return found
 
 
-# A125, A146, A147, A151
+# A125, A145, A146, A147, A151
 def test_what_is_published_and_what_is_not(ros, events):
     robot = ros.add(Robot)
     client = ParameterClient(robot)
@@ -399,7 +399,7 @@ def get(ros, *names):
     return ros.services.call('/robot', 'get_parameters', GetParameters.Request(names=list(names))).values
 
 
-# A152, A155
+# A009, A152, A155
 def test_values_come_in_the_order_of_the_names_and_without_them(ros, robot):
     gain, speed = get(ros, 'gain', 'speed')
     assert (gain.double_value, speed.integer_value) == (0.5, 100)
