@@ -43,6 +43,12 @@ def answer(number, source, kind):
             body = ast.parse('\n'.join(lines)).body
             imports = [each for each in body if isinstance(each, (ast.Import, ast.ImportFrom))]
             exec(compile(ast.Module(imports, []), 'imports', 'exec'), space)
+    # In a capstone each step builds on those before it.
+    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
+        if each.id == cell(number, kind).id:
+            break
+        if each.id.startswith(f'{kind}-'):
+            exec(each.source, space)
     exec(source, space)
     name = re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
     return space[name]
