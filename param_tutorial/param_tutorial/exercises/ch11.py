@@ -109,7 +109,7 @@ def start_cart(trial: Trial, *values: float, node_class: type[Node] | None = Non
     return cart
 
 
-@judge.require('what the cart could not stop from within 2 m is refused, with a reason', see=JUDGE)
+@judge.require('values with which the cart could not stop within 2 m are refused, with a reason', see=JUDGE)
 def sight(trial):
     cart = start_cart(trial)
     expect_accepted(trial, cart, {'max_speed_mps': 1.4}, '. 1.4 m/s and 0.5 m/s² make 1.96 m')
