@@ -34,6 +34,7 @@ setup(
             'clawbot_node = param_tutorial.nodes.clawbot_node:main',
             'pallet_lift_node = param_tutorial.nodes.pallet_lift_node:main',
             'pid_controller_node = param_tutorial.nodes.pid_controller_node:main',
+            'cart_node = param_tutorial.nodes.cart_node:main',
         ],
     },
 )
