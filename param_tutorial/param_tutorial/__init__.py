@@ -8,6 +8,7 @@ of any node, ``ParameterPanel`` shows them as controls. The layers, top to botto
     ros2, shell, terminals          the ros2 command; commands in processes of their own
     client, parameter_files         parameter services and files
     background, node_log, domain    one rclpy context, executor and thread for a process
+    ros1                            what the real ROS 1 says, recorded
     values, errors                  no ROS, no Jupyter
     nodes                           the lessons' nodes, on rclpy alone
 """

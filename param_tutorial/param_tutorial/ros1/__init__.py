@@ -122,7 +122,7 @@ def _typed(step: Step) -> str:
     if step.prompt == '!':
         return f'({step.typed})'
     first, *more = step.typed.split('\n')
-    return '\n'.join([f'{step.prompt} {first}', *(f'{"." * len(step.prompt)} {line}'.rstrip() for line in more)])
+    return '\n'.join([f'{step.prompt} {first}', *(f'{" " * len(step.prompt)} {line}'.rstrip() for line in more)])
 
 
 def _said(step: Step) -> str:

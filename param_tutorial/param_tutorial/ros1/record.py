@@ -2,7 +2,8 @@
 
     apt-get install --no-install-recommends python3-rosmaster python3-rosparam python3-rospy python3-dynamic-reconfigure
     /usr/bin/python3 record.py            writes each answer in recording.txt anew
-    /usr/bin/python3 record.py --check    changes nothing; status 1 and the differences if ROS 1 says something else
+    /usr/bin/python3 record.py --check    changes nothing; status 1 and the differences if ROS 1 says something else,
+                                          2 if it cannot be asked
 
 ROS 1 has come to its end, but Debian has kept its Python half: the master with its parameter server, rospy, rosparam
 and dynamic_reconfigure. This file runs under Debian's own Python, and imports nothing of the course. What is typed in
@@ -10,6 +11,7 @@ recording.txt goes to the master, to real nodes (one process each) or to a shell
 """
 
 import argparse
+import ast
 import contextlib
 import difflib
 import importlib.util
@@ -24,7 +26,7 @@ import tempfile
 import threading
 import time
 import traceback
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -58,7 +60,7 @@ class Scene:
     """Steps that begin with an empty parameter server and fresh nodes."""
 
     name: str
-    steps: tuple[Step, ...] = field(default=())
+    steps: tuple[Step, ...]
 
 
 def parse(text: str) -> tuple[str, list[Scene]]:
@@ -67,12 +69,11 @@ def parse(text: str) -> tuple[str, list[Scene]]:
     :return: What stands before the first scene, and the scenes.
     """
     head: list[str] = []
-    scenes: list[Scene] = []
+    scenes: dict[str, list[Step]] = {}
     steps: list[Step] = []
     for line in text.splitlines():
         if match := _SCENE.fullmatch(line):
-            steps = []
-            scenes.append(Scene(match[1]))
+            steps = scenes[match[1]] = []
         elif not scenes:
             head.append(line)
         elif match := _STEP.fullmatch(line):
@@ -81,9 +82,9 @@ def parse(text: str) -> tuple[str, list[Scene]]:
             steps[-1] = replace(steps[-1], typed=f'{steps[-1].typed}\n{match[1][1:]}')
         elif steps:
             steps[-1] = replace(steps[-1], answer=f'{steps[-1].answer}\n{line}'.lstrip('\n'))
-        scenes[-1:] = [Scene(each.name, tuple(steps)) for each in scenes[-1:]]
     return '\n'.join(head).strip(), [
-        Scene(each.name, tuple(replace(step, answer=step.answer.rstrip()) for step in each.steps)) for each in scenes]
+        Scene(name, tuple(replace(step, answer=step.answer.rstrip()) for step in steps))
+        for name, steps in scenes.items()]
 
 
 def render(head: str, scenes: list[Scene]) -> str:
@@ -111,14 +112,12 @@ def _answer(space: dict, typed: str) -> str:
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
         try:
-            try:
-                code = compile(typed, 'typed', 'eval')
-            except SyntaxError:
-                exec(typed, space)
-            else:
-                value = eval(code, space)
-                if value is not None:
-                    print(repr(value))
+            tree = ast.parse(typed)
+            last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+            exec(compile(tree, 'typed', 'exec'), space)
+            value = last and eval(compile(ast.Expression(last.value), 'typed', 'eval'), space)
+            if value is not None:
+                print(repr(value))
         except Exception as error:
             print(traceback.format_exception_only(error)[-1].strip())
     return printed.getvalue().rstrip()
@@ -211,8 +210,12 @@ class _Process:
                 return answer
         return None
 
-    def signal(self, number: int) -> None:
-        os.kill(self.process.pid, number)
+    def freeze(self) -> None:
+        os.kill(self.process.pid, signal.SIGSTOP)
+        os.waitpid(self.process.pid, os.WUNTRACED)  # it may go on for a moment after the signal
+
+    def thaw(self) -> None:
+        os.kill(self.process.pid, signal.SIGCONT)
 
     def kill(self) -> None:
         self.process.kill()
@@ -254,7 +257,7 @@ class System:
         return NO_ANSWER if answer is None else answer
 
     def act(self, action: str) -> str:
-        """Do what an event says: these five, and nothing else."""
+        """Do what an event says: these six, and nothing else."""
         if match := re.fullmatch(r'(\S+) waits until (.*)', action):
             if self.node(match[1]).ask(_wait, match[2]) is None:
                 raise RecordingError(f'waited {TIME_LIMIT_SEC:g} s until {match[2]}, in vain')
@@ -264,9 +267,12 @@ class System:
             self.master.kill()
         elif action == 'the master starts again':
             self.master = _Process(_master, self.port)
-        elif action in ('the master is busy', 'the master goes on'):
-            self.frozen = action == 'the master is busy'
-            self.master.signal(signal.SIGSTOP if self.frozen else signal.SIGCONT)
+        elif action == 'the master is held up':
+            self.master.freeze()
+            self.frozen = True
+        elif action == 'the master goes on':
+            self.master.thaw()
+            self.frozen = False
         else:
             raise RecordingError(f'{action!r} is no event that this recorder knows')
         return ''
@@ -304,7 +310,8 @@ def main() -> int:
     """Write recording.txt anew, or compare."""
     parser = argparse.ArgumentParser(description='Ask the real ROS 1 what stands in recording.txt.')
     parser.add_argument('--check', action='store_true', help='compare, and change nothing')
-    check = parser.parse_args().check
+    parser.add_argument('recording', nargs='?', type=Path, default=RECORDING, help='by default recording.txt')
+    arguments = parser.parse_args()
     modules = {name: name.removeprefix('python3-').replace('-', '_') for name in PACKAGES}
     missing = [name for name, module in modules.items() if not importlib.util.find_spec(module)]
     if missing:
@@ -312,11 +319,15 @@ def main() -> int:
               f'Debian’s own Python:\n\n    apt-get install --no-install-recommends {" ".join(PACKAGES)}\n'
               f'    /usr/bin/python3 {os.path.relpath(__file__)}', file=sys.stderr)
         return 2
-    before = RECORDING.read_text(encoding='utf-8')
+    before = arguments.recording.read_text(encoding='utf-8')
     head, scenes = parse(before)
-    after = render(head, record(scenes))
-    if not check:
-        RECORDING.write_text(after, encoding='utf-8')
+    try:
+        after = render(head, record(scenes))
+    except RecordingError as error:
+        print(error, file=sys.stderr)
+        return 2
+    if not arguments.check:
+        arguments.recording.write_text(after, encoding='utf-8')
         return 0
     sys.stdout.writelines(difflib.unified_diff(
         before.splitlines(keepends=True), after.splitlines(keepends=True), 'recorded', 'ROS 1, now'))
