@@ -10,6 +10,7 @@ import pytest
 from param_tutorial import ros1
 from param_tutorial.ros1 import record
 
+ROOT = Path(__file__).parents[1]
 RECORD = Path(record.__file__)
 # ROS 1 comes as packages of Debian, for Debian's own Python.
 DEBIANS_PYTHON = '/usr/bin/python3'
@@ -69,8 +70,13 @@ def test_without_ros1_it_says_what_to_install():
 
 
 def test_ci_installs_the_packages():
-    script = (Path(__file__).parents[1] / '.ci/run').read_text()
+    script = (ROOT / '.ci/run').read_text()
     assert all(package in script for package in record.PACKAGES)
+
+
+@pytest.mark.parametrize('file', ['pyproject.toml', 'param_tutorial/setup.py'])
+def test_the_recording_is_installed(file):
+    assert f'ros1/{record.RECORDING.name}' in (ROOT / file).read_text()
 
 
 def test_a_recording_is_read_and_written_alike():
@@ -96,6 +102,8 @@ def test_a_scene_is_shown_as_it_was_typed():
     assert '&lt;' in shown._repr_html_() and "'<'" not in shown._repr_html_()
     assert shown.answers == ["'<'", '']
     assert repr(shown[1:]) == '(/r is killed)'
+    with pytest.raises(TypeError, match=r'e.g. \[1:2\] and not \[1\]'):
+        shown[1]
 
 
 def test_answers_stand_beside_the_steps():
@@ -104,7 +112,7 @@ def test_answers_stand_beside_the_steps():
     assert shown.answers == ['None', "KeyError: 'no'", '—']
     rows = [line.split() for line in repr(shown).splitlines()[2:]]
     assert rows == [['/r>>>', 'a', 'None'], ['1'], ['/r>>>', 'b', 'KeyError:', "'no'"], ['(done)'], ['(c)', '—']]
-    assert '<th>ROS 1, recorded</th><th>ROS 2, now</th>' in shown._repr_html_()
+    assert '<th scope="col">ROS 1, recorded</th><th scope="col">ROS 2, now</th>' in shown._repr_html_()
 
 
 def test_long_lines_stay_in_their_column():

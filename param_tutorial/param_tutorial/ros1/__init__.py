@@ -21,15 +21,16 @@ _LEFT, _RIGHT = 'ROS 1, recorded', 'ROS 2, now'
 _NO_COUNTERPART = '—'
 _WIDTH = 58
 
-# JupyterLab's own colours, so that it is readable on light and dark.
+# JupyterLab's own colours, so that it is readable on light and dark. Its own rules for tables and <pre> are as special
+# as ours, so some of ours have to be important.
 _STYLE = """<style>
 .param-ros1 { border-collapse: collapse; width: 100%; max-width: 76em; margin: 4px 0; table-layout: fixed; }
 .param-ros1 th, .param-ros1 td { text-align: left !important; vertical-align: top; padding: 6px 10px;
   border: 1px solid var(--jp-border-color2, #bdbdbd); }
-.param-ros1 pre, .param-ros1 code { white-space: pre-wrap; overflow-wrap: anywhere; margin: 0; background: none;
-  padding: 0; }
-.param-ros1 .typed { color: var(--jp-ui-font-color2, #616161); }
-.param-ros1 .event { font-style: italic; }
+.param-ros1 pre { margin: 0; padding: 0; background: none !important; white-space: pre-wrap !important;
+  word-break: normal !important; overflow-wrap: anywhere; }
+.param-ros1 .param-said { font-weight: 600; }
+.param-ros1 .param-event { font-style: italic; }
 </style>"""
 
 
@@ -56,7 +57,12 @@ class Recorded:
         self.steps = steps
 
     def __getitem__(self, which: slice) -> 'Recorded':
-        """Give some of the steps."""
+        """Give some of the steps.
+
+        :raises TypeError: it is no slice: one step is ``[2:3]``.
+        """
+        if not isinstance(which, slice):
+            raise TypeError(f'some steps of a scene are a slice of it, e.g. [{which}:{which + 1}] and not [{which}]')
         return Recorded(self.steps[which])
 
     @property
@@ -80,8 +86,8 @@ class Recorded:
         return '\n'.join(filter(None, (text for step in self.steps for text in (_typed(step), step.answer))))
 
     def _repr_html_(self) -> str:
-        rows = ''.join(f'<tr><td>{_step_html(step)}</td></tr>' for step in self.steps)
-        return f'{_STYLE}<table class="param-ros1"><tr><th>{_LEFT}</th></tr>{rows}</table>'
+        rows = ''.join(f'<tr><td>{_step_html(step, step.answer)}</td></tr>' for step in self.steps)
+        return f'{_STYLE}<table class="param-ros1"><tr><th scope="col">{_LEFT}</th></tr>{rows}</table>'
 
 
 class SideBySide:
@@ -101,9 +107,11 @@ class SideBySide:
         return '\n'.join(lines)
 
     def _repr_html_(self) -> str:
-        rows = ''.join(f'<tr><td>{_step_html(step, _said(step))}</td><td><pre>{html.escape(answer)}</pre></td></tr>'
+        rows = ''.join(f'<tr><td>{_step_html(step, _said(step))}</td>'
+                       f'<td><pre class="param-said">{html.escape(answer)}</pre></td></tr>'
                        for step, answer in zip(self.steps, self.answers))
-        return f'{_STYLE}<table class="param-ros1"><tr><th>{_LEFT}</th><th>{_RIGHT}</th></tr>{rows}</table>'
+        return (f'{_STYLE}<table class="param-ros1"><tr><th scope="col">{_LEFT}</th><th scope="col">{_RIGHT}</th></tr>'
+                f'{rows}</table>')
 
 
 def _answer(value: Any) -> str:
@@ -130,11 +138,10 @@ def _said(step: Step) -> str:
     return step.answer or ('' if step.prompt == '!' else '(done)')
 
 
-def _step_html(step: Step, answer: str | None = None) -> str:
-    answer = step.answer if answer is None else answer
-    kind = 'event' if step.prompt == '!' else 'typed'
-    return (f'<pre class="{kind}">{html.escape(_typed(step))}</pre>'
-            + (f'<pre>{html.escape(answer)}</pre>' if answer else ''))
+def _step_html(step: Step, said: str) -> str:
+    kind = ' class="param-event"' if step.prompt == '!' else ''
+    return (f'<pre{kind}>{html.escape(_typed(step))}</pre>'
+            + (f'<pre class="param-said">{html.escape(said)}</pre>' if said else ''))
 
 
 def _wrapped(text: str) -> list[str]:

@@ -36,6 +36,10 @@ TIME_LIMIT_SEC = 20.0
 # How long a node is given while the master is frozen. It will not answer, so a longer wait proves no more.
 FROZEN_LIMIT_SEC = 0.5
 NO_ANSWER = '(no answer)'
+# An address on the loopback device for this process alone. So the master always gets the port that is ROS 1's own,
+# which, other than one that the system chooses, is not lent to somebody else before the master starts again.
+ADDRESS = f'127.{os.getpid() >> 16}.{os.getpid() >> 8 & 255}.{os.getpid() & 255}'
+PORT = 11311
 
 # -- what a recording is: pure text, also read by the lessons ----------------------------------------------------
 
@@ -140,13 +144,13 @@ def _serve(connection, space: dict) -> None:
             threading.Thread(target=work, args=connection.recv(), daemon=True).start()
 
 
-def _master(connection, port: int) -> None:
+def _master(connection) -> None:
     import rosmaster.master
 
     _quiet()
-    master = rosmaster.master.Master(port)
+    master = rosmaster.master.Master(PORT)
     master.start()
-    connection.send((0, master.uri))
+    connection.send((0, 'ready'))
     _serve(connection, {'master': master, 'rosmaster': rosmaster})
 
 
@@ -158,7 +162,7 @@ def _node(connection, name: str) -> None:
     _quiet()
     sys.argv = [name, '', '', '', '']  # dynamic_reconfigure's generator insists on the four words that catkin gives it
     rospy.init_node(name)
-    connection.send((0, rospy.get_name()))
+    connection.send((0, 'ready'))
     _serve(connection, {'rospy': rospy, 'compiled': _compiled})
 
 
@@ -183,15 +187,16 @@ def _quiet() -> None:
 class _Process:
     """A master or a node, in a process of its own."""
 
-    def __init__(self, function, argument):
+    def __init__(self, function, *arguments: str):
         context = multiprocessing.get_context('fork')
         self._connection, other = context.Pipe()
-        self.process = context.Process(target=function, args=(other, argument), daemon=True)
+        self.process = context.Process(target=function, args=(other, *arguments), daemon=True)
         self.process.start()
         other.close()
         self._asked = 0
-        self.said = self._receive(TIME_LIMIT_SEC)
-        """What it had to say when it was ready: its URI, or its name."""
+        if self._receive(TIME_LIMIT_SEC) is None:
+            self.kill()
+            raise RecordingError(f'a ROS 1 process was not ready after {TIME_LIMIT_SEC:g} s')
 
     def ask(self, do, typed: str, limit_sec: float = TIME_LIMIT_SEC) -> str | None:
         """Let it do something with what was typed; None if there is no answer in time."""
@@ -230,9 +235,7 @@ class System:
         self.folder = folder
         self.nodes: dict[str, _Process] = {}
         self.frozen = False
-        self.master = _Process(_master, 0)
-        os.environ['ROS_MASTER_URI'] = self.master.said
-        self.port = int(self.master.said.rstrip('/').rpartition(':')[2])
+        self.master = _Process(_master)
 
     def node(self, name: str) -> _Process:
         if name not in self.nodes:
@@ -266,7 +269,7 @@ class System:
         elif action == 'the master is killed':
             self.master.kill()
         elif action == 'the master starts again':
-            self.master = _Process(_master, self.port)
+            self.master = _Process(_master)
         elif action == 'the master is held up':
             self.master.freeze()
             self.frozen = True
@@ -284,7 +287,8 @@ class System:
 
 def _set_environment(folder: str) -> None:
     """Keep ROS 1 off the network, and its logs in a folder."""
-    os.environ.update(ROS_IP='127.0.0.1', ROS_HOME=folder, ROS_LOG_DIR=folder, PYTHONWARNINGS='ignore')
+    os.environ.update(ROS_IP=ADDRESS, ROS_MASTER_URI=f'http://{ADDRESS}:{PORT}', ROS_HOME=folder, ROS_LOG_DIR=folder,
+                      PYTHONWARNINGS='ignore')
     for name in ('ROS_HOSTNAME', 'ROS_NAMESPACE', 'ROS_PACKAGE_PATH', 'PYTHONPATH'):
         os.environ.pop(name, None)
 
