@@ -10,6 +10,7 @@ of any node, ``ParameterPanel`` shows them as controls. The layers, top to botto
     observe, snapshot               what goes on in a change, in the graph, in all nodes
     client, parameter_files         parameter services and files
     background, node_log, domain    one rclpy context, executor and thread for a process
+    ros1                            what the real ROS 1 says, recorded
     values, errors                  no ROS, no Jupyter
     nodes                           the lessons' nodes, on rclpy alone
 """
