@@ -6,6 +6,7 @@ of any node, ``ParameterPanel`` shows them as controls. The layers, top to botto
     panels, robot_view, magics      ipywidgets and IPython
     exercises                       checks of what a learner wrote
     ros2, shell, terminals          the ros2 command; commands in processes of their own
+    rules, aliases, parameter_sets  what ROS 2 has not (yet): richer checks, old names, compare and restore
     client, parameter_files         parameter services and files
     background, node_log, domain    one rclpy context, executor and thread for a process
     values, errors                  no ROS, no Jupyter
@@ -16,15 +17,21 @@ import importlib
 
 # Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
 _HOMES = {
+    'Aliases': 'aliases',
     'BackgroundExecutor': 'background',
     'LinePlot': 'plots',
     'ParameterClient': 'client',
+    'ParameterHistory': 'parameter_sets',
     'ParameterPanel': 'panels',
+    'ParameterSet': 'parameter_sets',
     'LogView': 'panels',
     'RobotView': 'robot_view',
+    'Rules': 'rules',
     'Shell': 'shell',
     'Terminal': 'terminals',
+    'compare': 'parameter_sets',
     'load_ipython_extension': 'magics',
+    'restore': 'parameter_sets',
     'start': 'background',
     'stop': 'background',
     'wait_until': 'background',
