@@ -163,7 +163,7 @@ class Aliases:
         alone = descriptor.dynamic_typing or Parameter.Type.from_parameter_value(parameter.value) == of_type
         self._declaring = old
         try:
-            self._node.declare_parameter(old, parameter.value if alone else of_type, descriptor, ignore_override=True)
+            self._node.declare_parameter(old, parameter.value if alone else of_type, descriptor)
         finally:
             self._declaring = ''
 

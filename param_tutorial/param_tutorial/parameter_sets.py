@@ -343,7 +343,7 @@ class ParameterHistory:
     def __init__(self, node: NodeLike):
         """Take the first snapshot."""
         self._client = _client(node)
-        self._snapshots = [ParameterSet.of(self._client)]
+        self._snapshots = [ParameterSet.of(self._client, 'snapshot 1')]
         self._at = 0
 
     def __repr__(self) -> str:
@@ -351,7 +351,7 @@ class ParameterHistory:
 
     def keep(self) -> ParameterSet:
         """Take a snapshot, if anything has changed since the last one. Then there is nothing to redo any more."""
-        now = ParameterSet.of(self._client)
+        now = ParameterSet.of(self._client, f'snapshot {self._at + 2}')
         if now != self._snapshots[self._at]:
             self._snapshots[self._at + 1:] = [now]
             self._at += 1

@@ -51,15 +51,15 @@ class Rule:
     def judge(self, known: Mapping[str, Any]) -> str:
         """Say how these values break the rule; nothing if they don't, or if one of them is not set.
 
-        :param known: The values by name; they are copied before the rule sees them, so it cannot change them.
+        :param known: The values by name. The rule gets copies, so it cannot change them.
         :raises RuleError: the rule raised an exception, or said neither yes nor no.
         """
-        present = [known.get(name) for name in self.names]
+        present = [values.normalise(known.get(name)) for name in self.names]
         if any(value is None for value in present):
             return ''
         shown = ', '.join(f'{name} = {_shortened(value)}' for name, value in zip(self.names, present))
         try:
-            held = self.holds(*map(values.normalise, present))
+            held = self.holds(*present)
             if held is None:
                 raise TypeError('it returned None; a rule has to return True or False')
             broken = not held
@@ -213,11 +213,11 @@ class Rules:
         return self
 
     def _stored(self, name: str) -> Any:
-        return values.normalise(self._node.get_parameter_or(name).value)
+        return self._node.get_parameter_or(name).value
 
     def _validate(self, parameters: list[Parameter]) -> SetParametersResult:
         """Judge the values as they would be after the whole change. Changes nothing, raises nothing."""
-        proposed = {parameter.name: values.normalise(parameter.value) for parameter in parameters}
+        proposed = {parameter.name: parameter.value for parameter in parameters}
         reasons = []
         for rule in self._rules:
             if proposed.keys() & set(rule.names):
