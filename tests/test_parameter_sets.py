@@ -80,7 +80,7 @@ new        added          -            []'''
     assert difference['b'].after == 3
     with pytest.raises(KeyError):
         difference['same']
-    assert repr(compare({'a': 1}, {'a': 1})) == 'parameters → parameters: 0 differences, 1 the same'
+    assert repr(compare({'a': 1}, {'a': 1})) == 'before → after: 0 differences, 1 the same'
     assert 'thead' not in compare({}, {})._repr_html_()
 
 
@@ -169,7 +169,7 @@ def test_what_no_request_can_change_is_told_and_the_rest_is_set(client):
         'serial': 'read only', 'speed': 'wrong type', 'unset': 'no value', 'nowhere': 'not declared', 'low_c': 'set',
         'numbers': 'set'}
     assert restored['speed'].reason == 'it is of type integer, not double'
-    assert repr(restored).startswith('/robot from parameters: NOT COMPLETE, 2 of 6 parameters set\n')
+    assert repr(restored).startswith('/robot from given values: NOT COMPLETE, 2 of 6 parameters set\n')
     assert client.get_parameters(['serial', 'speed', 'unset', 'low_c', 'numbers']) == {
         'serial': 'S1', 'speed': 100, 'unset': 1.5, 'low_c': 19, 'numbers': []}
 
@@ -180,7 +180,7 @@ def test_one_refusal_leaves_everything_as_it_was(client):
     assert not compare(before, client)
     assert [(each.name, each.word) for each in restored] == [('speed', 'left'), ('low_c', 'left')]
     assert all('the node refused them together: Parameter speed out of range' in each.reason for each in restored)
-    assert repr(restored).startswith('/robot from parameters: NOT RESTORED, nothing was changed\n')
+    assert repr(restored).startswith('/robot from given values: NOT RESTORED, nothing was changed\n')
     assert restore(client, {'speed': 301})['speed'].word == 'refused'
 
 

@@ -39,7 +39,7 @@ _STYLE = """<style>
 class ParameterSet(Mapping):
     """The parameters of a node at one moment, or of a file: names and values, which do not change any more."""
 
-    def __init__(self, parameters: Mapping[str, Any], label: str = 'parameters'):
+    def __init__(self, parameters: Mapping[str, Any], label: str = 'a set'):
         """
         :param parameters: Names and values; None for a parameter without a value.
         :param label: Says where they come from.
@@ -187,7 +187,7 @@ def compare(before: Comparable, after: Comparable, *, names: Iterable[str] | Non
     :param names: Look only at these; a file, for example, seldom holds everything: ``names=file``.
     :raises ParameterToolError: a node does not answer.
     """
-    first, second = _as_set(before), _as_set(after)
+    first, second = _as_set(before, 'before'), _as_set(after, 'after')
     wanted = dict.fromkeys((*first, *second) if names is None else names)
     changes = [change for name in wanted if (change := _change(name, first, second))]
     equal = sum(name in first and name in second for name in wanted) - sum(
@@ -284,7 +284,7 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
     :raises ParameterToolError: the node does not answer; whether it was changed is then not known.
     """
     client = _client(node)
-    target = wanted if isinstance(wanted, ParameterSet) else ParameterSet(wanted)
+    target = _as_set(wanted, 'given values')
     present = client.get_parameters()
     differing = [name for name in target if not (name in present and values.same(present[name], target[name]))]
     descriptors = client.describe_parameters([name for name in differing if name in present])
@@ -394,10 +394,10 @@ def _client(node: NodeLike) -> ParameterClient:
     return node if isinstance(node, ParameterClient) else ParameterClient(node)
 
 
-def _as_set(what: Comparable) -> ParameterSet:
+def _as_set(what: Comparable, label: str) -> ParameterSet:
     if isinstance(what, ParameterSet):
         return what
-    return ParameterSet(what) if isinstance(what, Mapping) else ParameterSet.of(what)
+    return ParameterSet(what, label) if isinstance(what, Mapping) else ParameterSet.of(what)
 
 
 def _counted(count: int, what: str) -> str:
