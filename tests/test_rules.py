@@ -61,7 +61,7 @@ def client(robot):
 def test_a_rule_refuses_with_parameter_value_and_rule(robot, client, method, arguments, good, bad, sentence):
     getattr(Rules(robot), method)(*arguments)
     name = arguments[0]
-    assert client.describe_parameter(name).additional_constraints == sentence
+    assert client.describe_parameter(name).additional_constraints == sentence[0].upper() + sentence[1:]
     for value in good:
         assert client.set_parameter(name, value).successful, value
     held = client.get_parameter(name)
@@ -99,12 +99,13 @@ def test_no_sequence_of_changes_breaks_a_rule(changes):
 
 def test_both_parameters_tell_of_a_rule_across_them_and_keep_what_they_told(robot, client):
     robot.describe_parameter('low_c').additional_constraints = 'even'
-    rules = Rules(robot).check(('low_c', 'high_c'), lambda low, high: low < high, 'ordered').one_of('high_c', [22, 24])
-    assert client.describe_parameter('low_c').additional_constraints == 'even; ordered'
-    assert client.describe_parameter('high_c').additional_constraints == 'ordered; must be one of 22, 24'
-    assert repr(rules) == 'low_c, high_c: ordered\nhigh_c: must be one of 22, 24'
+    rules = Rules(robot).check(('low_c', 'high_c'), lambda low, high: low < high, 'low_c is below')
+    rules.one_of('high_c', [22, 24])
+    assert client.describe_parameter('low_c').additional_constraints == 'even; low_c is below'
+    assert client.describe_parameter('high_c').additional_constraints == 'low_c is below; Must be one of 22, 24'
+    assert repr(rules) == 'low_c, high_c: low_c is below\nhigh_c: must be one of 22, 24'
     assert client.set_parameter('high_c', 2).reason == (
-        'low_c = 18, high_c = 2: ordered; high_c = 2: must be one of 22, 24')
+        'low_c = 18, high_c = 2: low_c is below; high_c = 2: must be one of 22, 24')
 
 
 def test_several_rules_objects_and_callbacks_are_all_asked(robot, client):
@@ -140,7 +141,7 @@ def test_a_node_does_not_start_with_an_override_that_breaks_a_rule(ros, override
 def test_a_node_starts_with_overrides_that_agree(ros):
     node = ros.add(Ruled, ros_args=['-p', 'low_c:=30', '-p', 'high_c:=40', '-p', 'locked:=later'])
     assert [node.get_parameter(name).value for name in ('low_c', 'high_c', 'locked')] == [30, 40, 'later']
-    assert 'must match now|later' in ParameterClient(node).describe_parameter('locked').additional_constraints
+    assert 'Must match now|later' in ParameterClient(node).describe_parameter('locked').additional_constraints
 
 
 @pytest.mark.parametrize(('state', 'words'), [

@@ -205,11 +205,15 @@ class Rules:
         if reason := rule.judge(known):
             raise InvalidParameterValueException(rule.names[-1], known[rule.names[-1]], reason)
         self._rules.append(rule)
+        # On its own it is a sentence; one that begins with a parameter keeps that as it is spelled.
+        words = rule.sentence
+        if not words.startswith(rule.names):
+            words = words[0].upper() + words[1:]
         for name in rule.names:
             # The node's own object. set_descriptor would refuse that of a read-only parameter.
             descriptor = self._node.describe_parameter(name)
             descriptor.additional_constraints = '; '.join(
-                filter(None, (descriptor.additional_constraints, rule.sentence)))
+                filter(None, (descriptor.additional_constraints, words)))
         return self
 
     def _stored(self, name: str) -> Any:
