@@ -88,6 +88,9 @@ def test_two_names_with_two_values_are_refused_and_with_one_value_are_one(client
     assert client.get_parameters([*SPEEDS, 'other']) == {'max_speed': 100, 'speed': 100, 'v': 100, 'other': 1}
     assert client.set_parameters_atomically({'v': 2, 'max_speed': 2}).successful
     assert client.get_parameter('speed') == 2
+    # One by one they are two changes.
+    assert client.set_parameters({'v': 3, 'max_speed': 4}).successful
+    assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 4)
 
 
 def test_parameters_without_a_value_and_of_any_type_follow_too(client):

@@ -8,8 +8,9 @@ Before the first declaration:
 rclpy knows nothing of aliases, so an old name is a parameter of its own, a *mirror*, which is declared together with
 the new one, and a pre-set callback makes of every change to one of the names the same change to all of them, in one
 step. So set, get, list, describe, events and dumps know the old name. Overrides are moved to the new name before it is
-declared. What rclpy does not tell of: who *reads* an old name gets no notice. Needs rclpy and this package's errors
-and values.
+declared. Two limits are rclpy's: who *reads* an old name gets no notice; and in set_parameters, where each parameter is
+a change of its own, two names with two values are two changes, of which the later one stays (set atomically, they are
+refused). Needs rclpy and this package's errors and values.
 """
 
 import copy
