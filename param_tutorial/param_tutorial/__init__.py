@@ -8,6 +8,7 @@ of any node, ``ParameterPanel`` shows them as controls. The layers, top to botto
     exercises                       checks of what a learner wrote
     ros2, shell, terminals          the ros2 command; commands in processes of their own
     observe, snapshot               what goes on in a change, in the graph, in all nodes
+    rules, aliases, parameter_sets  what ROS 2 has not (yet): richer checks, old names, compare and restore
     client, parameter_files         parameter services and files
     background, node_log, domain    one rclpy context, executor and thread for a process
     ros1                            what the real ROS 1 says, recorded
@@ -19,13 +20,18 @@ import importlib
 
 # Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
 _HOMES = {
+    'Aliases': 'aliases',
     'BackgroundExecutor': 'background',
     'EventView': 'event_view',
     'LinePlot': 'plots',
     'ParameterClient': 'client',
+    'ParameterHistory': 'parameter_sets',
     'ParameterPanel': 'panels',
     'LogView': 'log_view',
+    'ParameterSet': 'parameter_sets',
+    'LogView': 'panels',
     'RobotView': 'robot_view',
+    'Rules': 'rules',
     'Shell': 'shell',
     'StepResponseView': 'step_view',
     'Terminal': 'terminals',
@@ -34,6 +40,9 @@ _HOMES = {
     'plot_responses': 'step_view',
     'node_graph': 'observe',
     'record_change': 'observe',
+    'compare': 'parameter_sets',
+    'load_ipython_extension': 'magics',
+    'restore': 'parameter_sets',
     'start': 'background',
     'stop': 'background',
     'wait_until': 'background',
