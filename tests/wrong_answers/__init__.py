@@ -4,7 +4,7 @@
 and a word that the check has to find.
 """
 
-from wrong_answers import ch03, ch04, ch05_1, ch05_2, ch05_3, ch10_3
+from wrong_answers import ch03, ch04, ch05_1, ch05_2, ch05_3, ch08, ch10_3
 
-WRONG = {number: cases for module in (ch03, ch04, ch05_1, ch05_2, ch05_3, ch10_3)
+WRONG = {number: cases for module in (ch03, ch04, ch05_1, ch05_2, ch05_3, ch08, ch10_3)
          for number, cases in module.WRONG.items()}
