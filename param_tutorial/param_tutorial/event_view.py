@@ -26,7 +26,8 @@ _STYLE = """<style>
   border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); }
 .param-events .param-events-rows { overflow: auto; max-height: 16em; margin: 0; padding: 0 10px; }
 .param-events table { border-collapse: collapse; width: 100%; font-size: var(--jp-code-font-size, 13px); }
-.param-events table th, .param-events table td { text-align: left !important; padding: 3px 12px 3px 0; vertical-align: top; }
+.param-events table th, .param-events table td { text-align: left !important; padding: 3px 12px 3px 0;
+  vertical-align: top; }
 .param-events table td { font-family: var(--jp-code-font-family, monospace); overflow-wrap: anywhere;
   border-top: 1px solid var(--jp-border-color3, #e0e0e0); }
 </style>"""

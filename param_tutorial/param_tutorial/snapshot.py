@@ -14,8 +14,8 @@ from param_tutorial.services import TIMEOUT_SEC, full_name
 _STYLE = """<style>
 .param-snapshot { max-width: 56em; overflow-x: auto; }
 .param-snapshot table { border-collapse: collapse; margin: 4px 0; }
-.param-snapshot table th, .param-snapshot table td { text-align: left !important; padding: 2px 16px 2px 0; vertical-align: top;
-  font-family: var(--jp-code-font-family, monospace); font-size: var(--jp-code-font-size, 13px); }
+.param-snapshot table th, .param-snapshot table td { text-align: left !important; padding: 2px 16px 2px 0;
+  vertical-align: top; font-family: var(--jp-code-font-family, monospace); font-size: var(--jp-code-font-size, 13px); }
 .param-snapshot table tbody { border-top: 1px solid var(--jp-border-color2, #bdbdbd); }
 .param-snapshot table td { overflow-wrap: anywhere; }
 </style>"""
