@@ -30,6 +30,7 @@ setup(
             'simple_param_node = param_tutorial.nodes.simple_param_node:main',
             'param_setter_node = param_tutorial.nodes.param_setter_node:main',
             'clawbot_node = param_tutorial.nodes.clawbot_node:main',
+            'pallet_lift_node = param_tutorial.nodes.pallet_lift_node:main',
         ],
     },
 )

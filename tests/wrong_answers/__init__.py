@@ -4,7 +4,20 @@
 and a word that the check has to find.
 """
 
-from wrong_answers import ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3
+from wrong_answers import (
+    ch01,
+    ch02,
+    ch03,
+    ch04,
+    ch05_1,
+    ch05_2,
+    ch05_3,
+    ch06,
+    ch07_1,
+    ch07_2,
+    ch07_3,
+    ch08,
+)
 
-WRONG = {number: cases for module in (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3)
-         for number, cases in module.WRONG.items()}
+_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08)
+WRONG = {number: cases for chapter in _CHAPTERS for number, cases in chapter.WRONG.items()}

@@ -15,10 +15,23 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
 from typing import Any
 
 from param_tutorial.errors import nearest
-from param_tutorial.exercises import ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3
+from param_tutorial.exercises import (
+    ch01,
+    ch02,
+    ch03,
+    ch04,
+    ch05_1,
+    ch05_2,
+    ch05_3,
+    ch06,
+    ch07_1,
+    ch07_2,
+    ch07_3,
+    ch08,
+)
 from param_tutorial.exercises.results import Answer, Hint, Result
 
-_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3)
+_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08)
 EXERCISES = {each.number: each for chapter in _CHAPTERS for each in chapter.EXERCISES}
 
 _hints_given: dict[str, int] = {}
