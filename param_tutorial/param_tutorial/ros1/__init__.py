@@ -108,7 +108,7 @@ class SideBySide:
 
     def _repr_html_(self) -> str:
         rows = ''.join(f'<tr><td>{_step_html(step, _said(step))}</td>'
-                       f'<td><pre class="param-said">{html.escape(answer)}</pre></td></tr>'
+                       f'<td><pre>{html.escape(answer)}</pre></td></tr>'
                        for step, answer in zip(self.steps, self.answers))
         return (f'{_STYLE}<table class="param-ros1"><tr><th scope="col">{_LEFT}</th><th scope="col">{_RIGHT}</th></tr>'
                 f'{rows}</table>')
