@@ -19,7 +19,7 @@ from rclpy.node import Node
 
 from param_tutorial import background, values
 from param_tutorial.cells import close_with_cell
-from param_tutorial.client import Descriptor, ParameterClient
+from param_tutorial.client import Descriptor, ParameterClient, is_housekeeping
 from param_tutorial.errors import ParameterNotDeclaredError
 from param_tutorial.live import LiveParameter, LiveParameters
 from param_tutorial.log_view import LogView
@@ -28,11 +28,8 @@ from param_tutorial.services import TIMEOUT_SEC, full_name
 
 __all__ = ['Control', 'LogView', 'ParameterPanel']
 
-# rclpy and rclcpp declare these in every node; they are seldom what one came for.
-_HOUSEKEEPING = ('use_sim_time', 'start_type_description_service')
+# Seldom what one came for, and of qos_overrides.… there may be dozens.
 _HOUSEKEEPING_HEADING = 'In every node'
-# Of qos_overrides.… there may be dozens.
-_HOUSEKEEPING_PREFIX = 'qos_overrides.'
 
 _STYLE = """<style>
 .param-panel { container-type: inline-size; box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0 0 10px;
@@ -74,7 +71,8 @@ _STYLE = """<style>
   border-left: 4px solid var(--jp-error-color1, #d32f2f); background: var(--jp-layout-color2, #eee);
   color: var(--jp-ui-font-color1, #212121); white-space: pre-line; overflow-wrap: anywhere; }
 .param-panel .param-waiting { border-left-color: var(--jp-border-color1, #9e9e9e); }
-.param-panel .param-quiet .widget-label, .param-panel .param-quiet .widget-checkbox span { font-size: 12px; }
+.param-panel .param-quiet .widget-label, .param-panel .param-quiet .widget-checkbox span { font-size: 12px;
+  padding-right: 2px; }
 .param-panel .param-quiet .param-note { font-size: 12px; }
 .param-panel input:disabled, .param-panel textarea:disabled { opacity: .75; border-style: dashed; }
 @container (max-width: 620px) {
@@ -277,7 +275,7 @@ class ParameterPanel(widgets.VBox):
         first_of_group: dict[str, int] = {}
         for index, name in enumerate(names):
             first_of_group.setdefault(_group(name), index)
-        return sorted(names, key=lambda name: (_is_housekeeping(name), first_of_group[_group(name)],
+        return sorted(names, key=lambda name: (is_housekeeping(name), first_of_group[_group(name)],
                                                names.index(name)))
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
@@ -290,7 +288,7 @@ class ParameterPanel(widgets.VBox):
                     control.close()
                 group = _group(name)
                 control = Control(parameters[name], name.removeprefix(f'{group}.') if group else name, self._drawing)
-                if _is_housekeeping(name):
+                if is_housekeeping(name):
                     control.widget.add_class('param-quiet')
             controls[name] = control
         self._controls = controls
@@ -301,7 +299,7 @@ class ParameterPanel(widgets.VBox):
         """Put the controls onto the page, each group under its heading."""
         children, headings, group = [self._style, self._head], {}, ''
         for name, control in self._controls.items():
-            wanted = _HOUSEKEEPING_HEADING if _is_housekeeping(name) else _group(name)
+            wanted = _HOUSEKEEPING_HEADING if is_housekeeping(name) else _group(name)
             if wanted and wanted != group:
                 heading = headings.get(wanted) or self._headings.pop(wanted, None) or _heading(wanted)
                 headings[wanted] = heading
@@ -316,11 +314,7 @@ class ParameterPanel(widgets.VBox):
 
 
 def _group(name: str) -> str:
-    return '' if _is_housekeeping(name) else name.rpartition('.')[0]
-
-
-def _is_housekeeping(name: str) -> bool:
-    return name in _HOUSEKEEPING or name.startswith(_HOUSEKEEPING_PREFIX)
+    return '' if is_housekeeping(name) else name.rpartition('.')[0]
 
 
 def _counted(count: int) -> str:

@@ -26,26 +26,33 @@ _STROKES = (
 class LinePlot:
     """Lines through points, with axes and a key. Show it as the last line of a cell."""
 
-    def __init__(self, lines: Mapping[str, Points], *, x: str, y: str, marks: Mapping[float, str] | None = None):
+    def __init__(self, lines: Mapping[str, Points], *, x: str, y: str, marks: Mapping[float, str] | None = None,
+                 y_reaches: float = 0.0, text: str = ''):
         """
         :param lines: For each line its name and its points, x and y; four lines at most.
-        :param x: What the horizontal axis shows, with its unit, e.g. ``'time in s'``.
-        :param y: What the vertical axis shows. Both axes begin at 0.
+        :param x: What the horizontal axis shows, with its unit, e.g. ``'time in s'``. It begins at 0.
+        :param y: What the vertical axis shows. It begins at 0, or below where a line goes there.
         :param marks: Places on the horizontal axis, each with a word.
+        :param y_reaches: What the vertical axis holds at least, so that plots can be compared.
+        :param text: The lines in words, where they have too many points to be told one by one.
         :raises ValueError: there is no point, or there are more than four lines.
         """
         if not any(lines.values()) or len(lines) > len(_STROKES):
             raise ValueError(f'a LinePlot takes one to {len(_STROKES)} lines, with points; got {len(lines)} lines')
         self._lines, self._x, self._y, self._marks = dict(lines), x, y, dict(marks or {})
+        self._text = text
         points = [point for line in lines.values() for point in line]
         self._x_step, self._x_end = _scale(max(x for x, _ in points))
-        self._y_step, self._y_end = _scale(max(y for _, y in points))
+        lowest, highest = min(0.0, *(y for _, y in points)), max(y_reaches, *(y for _, y in points))
+        self._y_step, _ = _scale(max(0.0, highest) - lowest)
+        self._y_begin = math.floor(lowest / self._y_step + 1e-9) * self._y_step
+        self._y_end = max(1, math.ceil(highest / self._y_step - 1e-9)) * self._y_step
 
     @property
     def text(self) -> str:
         """The plot in words, as a screen reader tells it."""
-        lines = [f'{name}: ' + ', '.join(f'{y:.2f} at {x:.2f}' for x, y in points)
-                 for name, points in self._lines.items()]
+        lines = [self._text] if self._text else [
+            f'{name}: ' + ', '.join(f'{y:.2f} at {x:.2f}' for x, y in points) for name, points in self._lines.items()]
         marks = [f'{word} at {x:g}' for x, word in self._marks.items()]
         return f'{self._y} over {self._x}. ' + '. '.join([*lines, *marks])
 
@@ -57,10 +64,11 @@ class LinePlot:
         return picture(self.text, _WIDTH, _HEIGHT, parts)
 
     def _at(self, x: float, y: float) -> tuple[float, float]:
-        return (_LEFT + (_RIGHT - _LEFT) * x / self._x_end, _BOTTOM - (_BOTTOM - _TOP) * y / self._y_end)
+        return (_LEFT + (_RIGHT - _LEFT) * x / self._x_end,
+                _BOTTOM - (_BOTTOM - _TOP) * (y - self._y_begin) / (self._y_end - self._y_begin))
 
     def _axes(self):
-        for index in range(round(self._y_end / self._y_step) + 1):
+        for index in range(round(self._y_begin / self._y_step), round(self._y_end / self._y_step) + 1):
             _, at = self._at(0, index * self._y_step)
             yield line(_LEFT, at, _RIGHT, at, f'stroke="{FAINT}"')
             yield words(_LEFT - 8, at + 4, f'{index * self._y_step:g}', 'end')
