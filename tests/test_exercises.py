@@ -15,7 +15,7 @@ from rclpy.node import Node
 import param_tutorial
 from param_tutorial import ParameterClient, background, exercises
 from param_tutorial.errors import ExecutorError
-from param_tutorial.exercises import EXERCISES, ch04, ch05_1, ch06, ch07_3, trial
+from param_tutorial.exercises import EXERCISES, ch04, ch05_1, ch06, ch07_3, ch11, trial
 from param_tutorial.exercises.results import Finding, Result
 from wrong_answers import WRONG
 
@@ -43,6 +43,12 @@ def answer(number, source, kind):
             body = ast.parse('\n'.join(lines)).body
             imports = [each for each in body if isinstance(each, (ast.Import, ast.ImportFrom))]
             exec(compile(ast.Module(imports, []), 'imports', 'exec'), space)
+    # In a capstone each step builds on those before it.
+    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
+        if each.id == cell(number, kind).id:
+            break
+        if each.id.startswith(f'{kind}-'):
+            exec(each.source, space)
     exec(source, space)
     name = re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
     return space[name]
@@ -255,6 +261,13 @@ def test_a_button_that_never_comes_up_is_told(ros):
     result = exercises.check('5.3a', Loops)
     assert 'kept the executor busy' in repr(result)
     assert exercises.check('5.3a', solution('5.3a')).done
+
+
+def test_a_cart_that_is_launched_already_is_told(ros):
+    cart = ros.add(ch11.CartNode, ros_args=['-r', '__ns:=/aisle_3'])
+    result = exercises.check('11e', solution('11e'))
+    assert 'there is a `/aisle_3/cart_node` already: end it first' in not_yet(result).values()
+    assert ros.nodes == (cart,)
 
 
 def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):

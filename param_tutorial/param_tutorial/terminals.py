@@ -66,6 +66,11 @@ class Terminal:
         return f'<Terminal: {self.command} ({"running" if status is None else f"ended with status {status}"})>'
 
     @property
+    def is_running(self) -> bool:
+        """Has the command not ended yet?"""
+        return self._process.poll() is None
+
+    @property
     def text(self) -> str:
         """All that has been printed so far."""
         with self._changed:

@@ -6,7 +6,7 @@
 One module for each chapter holds its exercises, each as a list of requirements: a sentence, and a small function
 that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutions/``; neither is repeated here.
 
-    ch01, ch02, …   the exercises
+    ch03, ch04, …   the exercises
     exercise        what an exercise is, and how its check runs
     trial           a corner of the stage for the learner's nodes, cleared afterwards
     results         the answer, as text and as HTML
@@ -28,11 +28,18 @@ from param_tutorial.exercises import (
     ch07_2,
     ch07_3,
     ch08,
+    ch09,
+    ch10_1,
+    ch10_2,
+    ch10_3,
+    ch10_4,
+    ch11,
 )
 from param_tutorial.exercises.results import Answer, Hint, Result
 
-_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08)
-EXERCISES = {each.number: each for chapter in _CHAPTERS for each in chapter.EXERCISES}
+_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
+             ch10_3, ch10_4, ch11)
+EXERCISES = {each.number: each for module in _CHAPTERS for each in module.EXERCISES}
 
 _hints_given: dict[str, int] = {}
 
