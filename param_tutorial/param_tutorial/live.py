@@ -132,7 +132,8 @@ class LiveParameters:
         self._reader = Worker(self._read_step, f'panel of {self.node}: read', _READ_PERIOD_SEC)
         self._shower = Worker(self._show_step, f'panel of {self.node}: show', _SHOW_PERIOD_SEC)
         self._stop_following = background.on_change(self._on_executor_change)
-        self._listen()
+        with self._lock:
+            self._listen()
 
     @property
     def is_running(self) -> bool:

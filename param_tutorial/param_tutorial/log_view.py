@@ -35,6 +35,9 @@ _STYLE = """<style>
 class LogView(widgets.VBox):
     """A view of what the nodes log: newest line at the bottom, following the log until it is closed."""
 
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
     def __init__(self, node: str | None = None, *, executor: background.BackgroundExecutor | None = None):
         """
         :param node: Only what this node logs; by default what all do.
@@ -73,6 +76,8 @@ class LogView(widgets.VBox):
 
     def close(self) -> None:
         """Stop following the log and remove the view from the page."""
+        if self._closed:
+            return
         self._closed = True
         self._stop_following()
         self._stop_listening()

@@ -171,6 +171,9 @@ class ParameterPanel(widgets.VBox):
     Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control.
     """
 
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
     def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None,
                  executor: background.BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
         """
@@ -243,9 +246,9 @@ class ParameterPanel(widgets.VBox):
 
     def close(self) -> None:
         """Stop following the node and remove the panel from the page. Twice is as good as once."""
+        if self._closed:
+            return
         with self._drawing:
-            if self._closed:
-                return
             self._closed = True
             self._live.close()
             # Emptied first: a browser cannot take a control out of a panel that is gone, and says so.

@@ -83,6 +83,9 @@ _STYLE = """<style>
 class RobotView(widgets.VBox):
     """A robot that moves as its parameters let it, until it is closed. Show it as the last line of a cell."""
 
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
     def __init__(self, robot: ClawbotNode | str, *, executor: background.BackgroundExecutor | None = None):
         """
         :param robot: The node, or its name; it has to be spun in this process, now or later.
@@ -136,9 +139,9 @@ class RobotView(widgets.VBox):
 
     def close(self) -> None:
         """Stop following the robot, and remove the view from the page. Twice is as good as once."""
+        if self._closed:
+            return
         with self._drawing:
-            if self._closed:
-                return
             self._closed = True
             for stop in (self._stop_following, self._stop_graph, self._stop_motion):
                 stop()
