@@ -382,6 +382,30 @@ def test_without_an_executor_the_word_is_start():
         ParameterClient('/x').list_parameters()
 
 
+@pytest.mark.parametrize('nonsense', [3, None, b'x', Node])
+def test_what_is_no_node_is_told(nonsense):
+    with pytest.raises(TypeError, match='is no node: give its name'):
+        ParameterClient(nonsense)
+
+
+@pytest.mark.parametrize('verb', [
+    'get_parameters', 'get_parameter_types', 'describe_parameters', 'delete_parameters', 'list_parameters',
+    'reference'])
+@pytest.mark.parametrize('names', ['x', 3, [3]])
+def test_one_name_is_no_list_of_names(client, verb, names):
+    with pytest.raises(TypeError, match='is no list of '):
+        getattr(client, verb)(names)
+
+
+def test_a_huge_value_is_told_in_short(ros):
+    node = ros.add(Node, 'atlas')
+    ros.run(lambda: node.declare_parameter('map', [0] * 10_000), 'declare')
+    client = ParameterClient(node)
+    for told in (client.set_parameter('map', [1] * 10_000), client.get_parameters(), client.reference()):
+        assert '… (10000 elements)' in repr(told)
+        assert len(repr(told)) < 1000
+
+
 def test_calls_from_many_threads(client):
     outcomes = []
 

@@ -53,8 +53,15 @@ _REPEAT_PERIOD_SEC = 0.7
 
 
 def full_name(node: str | Node) -> str:
-    """Give a node's fully qualified name: ``talker`` is ``/talker``."""
-    return '/' + node.strip('/') if isinstance(node, str) else node.get_fully_qualified_name()
+    """Give a node's fully qualified name: ``talker`` is ``/talker``.
+
+    :raises TypeError: it is neither a name nor a node.
+    """
+    if isinstance(node, Node):
+        return node.get_fully_qualified_name()
+    if not isinstance(node, str):
+        raise TypeError(f'{node!r} is no node: give its name, such as "/talker", or the node that ros.add() returned')
+    return '/' + node.strip('/')
 
 
 @dataclass(eq=False)
