@@ -84,6 +84,18 @@ new        added          -            []'''
     assert 'thead' not in compare({}, {})._repr_html_()
 
 
+def test_a_table_of_huge_arrays_stays_small():
+    difference = compare({'map': [0] * 10_000}, {'map': [1] * 10_000})
+    assert '… (10000 elements)' in repr(difference)
+    assert len(repr(difference)) < 2000 and len(difference._repr_html_()) < 3000
+
+
+@pytest.mark.parametrize('nonsense', [3, None, Node])
+def test_what_is_neither_set_nor_node_is_told(nonsense):
+    with pytest.raises(TypeError, match='is no node: give its name'):
+        compare(nonsense, {})
+
+
 def test_a_set_cannot_be_changed_and_holds_parameters_only():
     numbers = [1, 2]
     kept = ParameterSet({'a': numbers}, 'kept')
@@ -93,8 +105,10 @@ def test_a_set_cannot_be_changed_and_holds_parameters_only():
     assert repr(kept) == '<ParameterSet: kept, 1 parameter>'
     with pytest.raises(TypeError):
         kept['a'] = 1
-    with pytest.raises(InvalidValueError):
-        ParameterSet({'a': {}})
+    with pytest.raises(InvalidValueError, match=r'kept: a cannot be a parameter: \{\} is a dict'):
+        ParameterSet({'a': {}}, 'kept')
+    with pytest.raises(InvalidValueError, match='kept: 3 is no name'):
+        ParameterSet({3: 1}, 'kept')
     assert ParameterSet({'a': 1}) != {'a': True}
 
 

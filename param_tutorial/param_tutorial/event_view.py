@@ -55,6 +55,9 @@ def told_by(event: ParameterEvent) -> list[Change]:
 class EventView(widgets.VBox):
     """A table of what is told on /parameter_events from now on, the newest on top, until it is closed."""
 
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
     def __init__(self, node: str | None = None, *, executor: background.BackgroundExecutor | None = None):
         """
         :param node: Only the events of this node; by default those of all but the ones whose name begins with an
@@ -91,6 +94,8 @@ class EventView(widgets.VBox):
 
     def close(self) -> None:
         """Stop listening and remove the table from the page. Twice is as good as once."""
+        if self._closed:
+            return
         self._closed = True
         self._stop_following()
         self._stop_listening()
@@ -127,6 +132,6 @@ class EventView(widgets.VBox):
 
 
 def _row(change: Change) -> str:
-    value = '' if change.kind == 'deleted' else repr(change.value)
+    value = '' if change.kind == 'deleted' else values.shown(change.value)
     return '<tr>' + ''.join(f'<td>{html.escape(text)}</td>'
                             for text in (change.node, change.kind, change.name, value)) + '</tr>'

@@ -18,6 +18,7 @@ from rclpy.node import Node
 
 from param_tutorial import background, parameter_files, values
 from param_tutorial.client import Descriptor, ParameterClient
+from param_tutorial.errors import InvalidValueError
 
 NodeLike = str | Node | ParameterClient
 # What can be compared: a snapshot, any dictionary, or a node, which is then asked.
@@ -43,11 +44,16 @@ class ParameterSet(Mapping):
         """
         :param parameters: Names and values; None for a parameter without a value.
         :param label: Says where they come from.
-        :raises InvalidValueError: a value can be no parameter.
+        :raises InvalidValueError: a name or a value can be none of a parameter.
         """
         self._parameters = {name: values.normalise(value) for name, value in parameters.items()}
-        for value in self._parameters.values():
-            values.type_of(value)
+        for name, value in self._parameters.items():
+            if not isinstance(name, str) or not name:
+                raise InvalidValueError(f'{label}: {name!r} is no name of a parameter')
+            try:
+                values.type_of(value)
+            except InvalidValueError as error:
+                raise InvalidValueError(f'{label}: {name} cannot be a parameter: {error}') from None
         self.label = label
 
     @classmethod
@@ -409,5 +415,5 @@ def _written(value: Any, kind: str = '') -> str:
     if value is None:
         return 'not set'
     if kind == 'changed type':
-        return f'{value!r} ({values.type_of(value).label})' if value != [] else '[] (array)'
-    return repr(value)
+        return f'{values.shown(value)} ({values.type_of(value).label})' if value != [] else '[] (array)'
+    return values.shown(value)
