@@ -63,9 +63,9 @@ class Glossary:
         return len({entry.plain_word for entry in self.entries})
 
     def __repr__(self) -> str:
-        width = max(len(entry.plain_word) for entry in self.entries)
+        width = max((len(entry.plain_word) for entry in self.entries), default=0)
         return '\n'.join(f'{entry.plain_word:{width}}  {entry.meaning.replace("`", "")} ({entry.chapter})'
-                         for entry in self.entries)
+                         for entry in self.entries) or '(no words)'
 
     def _repr_html_(self) -> str:
         head = ''.join(f'<th scope="col" style="text-align:left">{each}</th>'

@@ -41,7 +41,7 @@ def scene(name: str) -> 'Recorded':
     """
     scenes = _scenes()
     if name not in scenes:
-        raise KeyError(f'there is no scene {name!r}{nearest(name, list(scenes), "The recording is empty")}')
+        raise KeyError(f'there is no scene {name!r}{nearest(str(name), list(scenes), "The recording is empty")}')
     return Recorded(scenes[name].steps)
 
 
