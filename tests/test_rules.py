@@ -223,4 +223,5 @@ def test_a_rule_cannot_change_what_is_proposed(robot, client):
 
 def test_a_long_value_is_shortened(robot, client):
     Rules(robot).length('serial', 1, 10)
-    assert client.set_parameter('serial', 'x' * 1000).reason == f"serial = '{'x' * 59}… (1000 characters): must have 1 to 10 characters"
+    assert client.set_parameter('serial', 'x' * 1000).reason == (
+        f"serial = '{'x' * 59}… (1000 characters): must have 1 to 10 characters")

@@ -182,21 +182,17 @@ class ParameterPanel(widgets.VBox):
         :param executor: Carries the requests; by default whichever runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         """
-        if isinstance(node, ParameterClient):
-            node = node.node
-        elif isinstance(node, Node):
-            node = node.get_fully_qualified_name()
+        self._node = node.node if isinstance(node, ParameterClient) else full_name(node)
         self._drawing = threading.RLock()
         self._controls: dict[str, Control] = {}
         self._headings: dict[str, widgets.HTML] = {}
         self._in_order = names is not None
         self._closed = False
-        self._node = full_name(node)
         self._style, self._head = widgets.HTML(_STYLE), widgets.HTML()
         self._head.add_class('param-head')
         super().__init__([self._style, self._head])
         self.add_class('param-panel')
-        self._live = LiveParameters(node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
         self._live.first_look()
         close_with_cell(self)
 
