@@ -12,6 +12,7 @@ from rcl_interfaces.msg import ParameterEvent
 from param_tutorial import background, values
 from param_tutorial.cells import close_with_cell
 from param_tutorial.errors import ExecutorError
+from param_tutorial.markup import cells, head_row
 from param_tutorial.services import full_name
 from param_tutorial.worker import Worker
 
@@ -125,13 +126,12 @@ class EventView(widgets.VBox):
         if self._closed:
             return False
         rows = ''.join(_row(change) for change in reversed(self.changes))
-        heads = ''.join(f'<th scope="col">{head}</th>' for head in ('node', 'what', 'parameter', 'value'))
+        head = head_row(('node', 'what', 'parameter', 'value'))
         self._content.value = (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
-                               f'<table><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table></div>')
+                               f'<table><thead>{head}</thead><tbody>{rows}</tbody></table></div>')
         return False
 
 
 def _row(change: Change) -> str:
     value = '' if change.kind == 'deleted' else values.shown(change.value)
-    return '<tr>' + ''.join(f'<td>{html.escape(text)}</td>'
-                            for text in (change.node, change.kind, change.name, value)) + '</tr>'
+    return f'<tr>{cells((change.node, change.kind, change.name, value))}</tr>'

@@ -19,6 +19,7 @@ from rclpy.node import Node
 from param_tutorial import background, parameter_files, values
 from param_tutorial.client import Descriptor, ParameterClient
 from param_tutorial.errors import InvalidValueError
+from param_tutorial.markup import cells, head_row
 
 NodeLike = str | Node | ParameterClient
 # What can be compared: a snapshot, any dictionary, or a node, which is then asked.
@@ -129,11 +130,9 @@ class _Table:
         return '\n'.join([self.heading, '', *lines])
 
     def _repr_html_(self) -> str:
-        head = ''.join(f'<th scope="col">{html.escape(word)}</th>' for word in self.columns)
-        body = ''.join(
-            f'<tr><th scope="row">{html.escape(name)}</th>'
-            + ''.join(f'<td>{html.escape(word)}</td>' for word in words) + '</tr>' for name, *words in self._rows())
-        table = f'<thead><tr>{head}</tr></thead><tbody>{body}</tbody>' if body else ''
+        body = ''.join(f'<tr><th scope="row">{html.escape(name)}</th>{cells(words)}</tr>'
+                       for name, *words in self._rows())
+        table = f'<thead>{head_row(self.columns)}</thead><tbody>{body}</tbody>' if body else ''
         return f'{_STYLE}<table class="param-set"><caption>{html.escape(self.heading)}</caption>{table}</table>'
 
 

@@ -9,6 +9,7 @@ from rclpy.node import Node
 from param_tutorial import background, values
 from param_tutorial.client import ParameterClient, ParameterValues
 from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
+from param_tutorial.markup import cells, head_row
 from param_tutorial.services import TIMEOUT_SEC, full_name
 
 _STYLE = """<style>
@@ -43,16 +44,15 @@ class Snapshot(dict):
         bodies = [_body(node, [(name, values.shown(value)) for name, value in parameters.items()]
                         or [('no parameters', '')]) for node, parameters in self.items()]
         bodies += [_body(node, [('no answer', str(error))]) for node, error in self.unanswered.items()]
-        heads = ''.join(f'<th scope="col">{head}</th>' for head in ('node', 'parameter', 'value'))
-        return (f'{_STYLE}<div class="param-snapshot"><table><thead><tr>{heads}</tr></thead>{"".join(bodies)}'
+        head = head_row(('node', 'parameter', 'value'))
+        return (f'{_STYLE}<div class="param-snapshot"><table><thead>{head}</thead>{"".join(bodies)}'
                 f'</table></div>' if bodies else '<p>There are no nodes.</p>')
 
 
 def _body(node: str, rows: list[tuple[str, str]]) -> str:
     head = f'<th scope="rowgroup" rowspan="{len(rows)}">{html.escape(node)}</th>'
-    lines = [''.join(f'<td>{html.escape(text)}</td>' for text in row) for row in rows]
-    return '<tbody>' + ''.join(f'<tr>{head if index == 0 else ""}{line}</tr>'
-                               for index, line in enumerate(lines)) + '</tbody>'
+    return '<tbody>' + ''.join(f'<tr>{head if index == 0 else ""}{cells(row)}</tr>'
+                               for index, row in enumerate(rows)) + '</tbody>'
 
 
 def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,
