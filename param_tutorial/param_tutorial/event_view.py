@@ -101,9 +101,11 @@ class EventView(widgets.VBox):
         self._stop_following()
         self._stop_listening()
         self._worker.end()
-        for child in self.children:
-            child.close()
+        # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
+        parts, self.children = self.children, ()
         super().close()
+        for each in parts:
+            each.close()
 
     def _on_executor_change(self) -> None:
         if self._chosen_executor is None:
