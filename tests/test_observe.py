@@ -8,7 +8,7 @@ from rclpy.parameter import Parameter
 import param_tutorial
 from param_tutorial import ParameterClient, node_graph, record_change
 from param_tutorial.client import changes
-from param_tutorial.errors import CallbackError, ExecutorError, InvalidValueError
+from param_tutorial.errors import CallbackError, ExecutorError, InvalidValueError, NodeGoneError
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from param_tutorial.nodes.param_query_node import ParamQueryNode
 from param_tutorial.observe import _parameter_services
@@ -100,6 +100,12 @@ def test_a_pre_set_callback_that_answers_nonsense_is_drawn_and_fails_as_without_
     timeline = record_change(ladder, 'speed', 150)
     assert f'gives {answer!r}, which is no list of parameters' in timeline.text
     assert str(ros.errors[-1]) == str(bare.value.__cause__)
+
+
+def test_a_node_that_leaves_while_it_is_recorded_is_told(ros, ladder):
+    ladder.add_post_set_parameters_callback(lambda _: ros.remove(ladder))
+    with pytest.raises(NodeGoneError, match='/ladder went away before it answered set_parameters'):
+        record_change(ladder, 'speed', 150)
 
 
 def test_a_huge_value_is_drawn_small(ros):

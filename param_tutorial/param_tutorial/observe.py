@@ -75,7 +75,8 @@ class _Recorder:
             callbacks = getattr(self._node, attribute)
             # A callback may have added or removed others meanwhile: those are left as they are.
             callbacks[:] = [getattr(callback, 'recorded', callback) for callback in callbacks]
-        setattr(self._node, _PUBLISHER, getattr(self._node, _PUBLISHER).recorded)
+        publisher = getattr(self._node, _PUBLISHER)  # none if the node was destroyed meanwhile
+        setattr(self._node, _PUBLISHER, getattr(publisher, 'recorded', publisher))
 
     def told(self, parameters: Any) -> str:
         """Tell proposed parameters: the value alone where it is the one that was asked for."""
