@@ -5,7 +5,7 @@ import math
 import hypothesis
 import hypothesis.strategies as st
 import pytest
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -186,6 +186,13 @@ def test_what_no_request_can_change_is_told_and_the_rest_is_set(client):
     assert repr(restored).startswith('/robot from given values: NOT COMPLETE, 2 of 6 parameters set\n')
     assert client.get_parameters(['serial', 'speed', 'unset', 'low_c', 'numbers']) == {
         'serial': 'S1', 'speed': 100, 'unset': 1.5, 'low_c': 19, 'numbers': []}
+
+
+def test_a_reason_of_several_lines_stays_in_its_row(ros, client):
+    node = ros.nodes[0]
+    node.add_on_set_parameters_callback(lambda _: SetParametersResult(successful=False, reason='no\nand no'))
+    restored = restore(client, {'speed': 50})
+    assert len(repr(restored).splitlines()) == 4
 
 
 def test_one_refusal_leaves_everything_as_it_was(client):

@@ -121,7 +121,8 @@ class _Table:
         raise NotImplementedError
 
     def __repr__(self) -> str:
-        rows = self._rows()
+        # A node's reason may have several lines, and a row has one.
+        rows = [[' '.join(word.splitlines()) for word in row] for row in self._rows()]
         if not rows:
             return self.heading
         widths = [max(map(len, column)) for column in zip(self.columns, *rows)]
