@@ -288,6 +288,7 @@ def test_the_stage_is_afterwards_as_before(ros):
         exercises.check(number, blank(number))
     assert ros.nodes == (own,)
     assert own_names(ros) == ['/rover']
+    assert not any(each.srv_name.startswith(f'{trial.CORNER}/') for each in ros.tool_node.clients)
     assert client.get_parameter('max_speed_mps') == 1.5
 
 
