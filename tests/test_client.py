@@ -449,3 +449,22 @@ def test_a_reference_may_be_of_some_only(ros):
         '| `use_sim_time` | boolean | `False` |  |  |']
     with pytest.raises(ParameterNotDeclaredError, match=r'Did you mean limits\.low'):
         client.reference(['limit.low'])
+
+
+def test_clients_are_forgotten_unless_they_wait_for_an_answer(ros):
+    client = ParameterClient(ros.add(Everything))
+    assert client.get_parameter('count') == 3
+
+    def ask_and_forget():
+        """In the executor's thread, so that no answer can come in between."""
+        future = ros.services.call_async('/lab/everything', 'list_parameters', ListParameters.Request())
+        ros.services.forget('/lab')
+        return future, [each.srv_name for each in ros.tool_node.clients]
+
+    future, left = ros.run(ask_and_forget, 'ask')
+    assert [name for name in left if name.startswith('/lab/')] == ['/lab/everything/list_parameters']
+    param_tutorial.wait_until(future.done, 'the answer')
+    assert 'count' in future.result().result.names
+    ros.run(lambda: ros.services.forget('/lab'), 'forget')
+    assert not any(each.srv_name.startswith('/lab/') for each in ros.tool_node.clients)
+    assert client.set_parameter('count', 6).successful

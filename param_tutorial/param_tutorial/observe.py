@@ -13,7 +13,7 @@ from param_tutorial import background, values
 from param_tutorial.client import ParameterClient, changes
 from param_tutorial.diagrams import NodeGraph, Step, Timeline
 from param_tutorial.errors import CallbackError, ExecutorError
-from param_tutorial.services import SERVICE_TYPES
+from param_tutorial.services import SERVICE_TYPES, nodes_in_graph
 
 # Where rclpy 7.1 keeps what is called when parameters are set; for what is on the way there is no public place.
 _CALLBACKS = {
@@ -153,7 +153,7 @@ def node_graph(*, executor: background.BackgroundExecutor | None = None) -> Node
     ros = executor or background.current()
     tool = ros.tool_node
     serves, asks = [], []
-    for name, namespace in tool.get_node_names_and_namespaces():
+    for name, namespace in nodes_in_graph(tool):
         node = _shown(name, namespace, tool)
         if node is None:
             continue
