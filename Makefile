@@ -36,7 +36,7 @@ lint: setup  ## check code and notebooks without running them
 
 lock: setup  ## work out environment/requirements.lock anew
 	@test -x build/uv/bin/uv || $(VENV) -m pip install --quiet --target build/uv uv
-	@build/uv/bin/uv pip compile --quiet --universal --python-version 3.10 --extra test --extra setup --upgrade \
+	@build/uv/bin/uv pip compile --quiet --universal --python-version 3.10 --extra test --extra html --extra setup --upgrade \
 	    --generate-hashes --no-annotate --custom-compile-command "make lock" --output-file $(LOCK) pyproject.toml
 
 clean:  ## remove everything that these targets made

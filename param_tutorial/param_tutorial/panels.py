@@ -30,7 +30,7 @@ __all__ = ['Control', 'LogView', 'ParameterPanel']
 
 # rclpy and rclcpp declare these in every node; they are seldom what one came for.
 _HOUSEKEEPING = ('use_sim_time', 'start_type_description_service')
-_HOUSEKEEPING_HEADING = 'In every node'
+HOUSEKEEPING_HEADING = 'In every node'
 # Of qos_overrides.… there may be dozens.
 _HOUSEKEEPING_PREFIX = 'qos_overrides.'
 
@@ -159,7 +159,7 @@ class Control:
             widget.close()
         is_number = descriptor.type in (values.INTEGER, values.DOUBLE) and not descriptor.dynamic_typing
         (self._line.remove_class if is_number else self._line.add_class)('param-long')
-        self._help.value = _help_markup(descriptor)
+        self._help.value = help_markup(descriptor)
 
     def close(self) -> None:
         """Remove the control from the page."""
@@ -205,7 +205,7 @@ class ParameterPanel(widgets.VBox):
         elif self._live.status:
             fact = 'not available'
         else:
-            fact = _counted(len(self._controls))
+            fact = counted(len(self._controls))
         return f'<ParameterPanel: {self._node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
@@ -276,8 +276,8 @@ class ParameterPanel(widgets.VBox):
             return names
         first_of_group: dict[str, int] = {}
         for index, name in enumerate(names):
-            first_of_group.setdefault(_group(name), index)
-        return sorted(names, key=lambda name: (_is_housekeeping(name), first_of_group[_group(name)],
+            first_of_group.setdefault(group_of(name), index)
+        return sorted(names, key=lambda name: (is_housekeeping(name), first_of_group[group_of(name)],
                                                names.index(name)))
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
@@ -288,9 +288,9 @@ class ParameterPanel(widgets.VBox):
             if control is None or control._parameter is not parameters[name]:
                 if control is not None:
                     control.close()
-                group = _group(name)
+                group = group_of(name)
                 control = Control(parameters[name], name.removeprefix(f'{group}.') if group else name, self._drawing)
-                if _is_housekeeping(name):
+                if is_housekeeping(name):
                     control.widget.add_class('param-quiet')
             controls[name] = control
         self._controls = controls
@@ -301,7 +301,7 @@ class ParameterPanel(widgets.VBox):
         """Put the controls onto the page, each group under its heading."""
         children, headings, group = [self._style, self._head], {}, ''
         for name, control in self._controls.items():
-            wanted = _HOUSEKEEPING_HEADING if _is_housekeeping(name) else _group(name)
+            wanted = HOUSEKEEPING_HEADING if is_housekeeping(name) else group_of(name)
             if wanted and wanted != group:
                 heading = headings.get(wanted) or self._headings.pop(wanted, None) or _heading(wanted)
                 headings[wanted] = heading
@@ -315,15 +315,15 @@ class ParameterPanel(widgets.VBox):
             self.children = children
 
 
-def _group(name: str) -> str:
-    return '' if _is_housekeeping(name) else name.rpartition('.')[0]
+def group_of(name: str) -> str:
+    return '' if is_housekeeping(name) else name.rpartition('.')[0]
 
 
-def _is_housekeeping(name: str) -> bool:
+def is_housekeeping(name: str) -> bool:
     return name in _HOUSEKEEPING or name.startswith(_HOUSEKEEPING_PREFIX)
 
 
-def _counted(count: int) -> str:
+def counted(count: int) -> str:
     return f'{count} parameter{"" if count == 1 else "s"}'
 
 
@@ -334,12 +334,12 @@ def _heading(group: str) -> widgets.HTML:
 
 
 def _head_markup(node: str, status: str, count: int) -> str:
-    words = (f'<span class="param-status">{_counted(count)}</span>' if not status else
+    words = (f'<span class="param-status">{counted(count)}</span>' if not status else
              f'<span class="param-status param-status-bad">&#9888; {html.escape(status)}</span>')
     return f'<div role="status"><span class="param-node">{html.escape(node)}</span>{words}</div>'
 
 
-def _help_markup(descriptor: Descriptor) -> str:
+def help_markup(descriptor: Descriptor) -> str:
     facts = [descriptor.type.label]
     if descriptor.range:
         facts.append(f'{descriptor.range.from_value} to {descriptor.range.to_value}'
