@@ -53,10 +53,9 @@ def title(path: Path) -> str:
 
 
 def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
-    """Make a cell of which the page shows the output alone."""
-    cell = nbformat.v4.new_code_cell('', id=name, execution_count=None, metadata={'tags': ['remove-input']},
+    """Make a cell of which the page shows the output alone; without any source myst-nb would leave it out."""
+    return nbformat.v4.new_code_cell('...', id=name, execution_count=None, metadata={'tags': ['remove-input']},
                                      outputs=[nbformat.v4.new_output('display_data', {'text/html': content})])
-    return cell
 
 
 def _to_run(path: Path) -> str:
@@ -71,7 +70,7 @@ def _linked(text: str, pages: set[str], *, alone: bool) -> str:
         name, folder = Path(target).stem, Path(target).parent.name
         if name in pages and not folder:
             return f'[{words}]({target}{anchor or ""})'
-        if target.endswith('.ipynb') and not alone:
+        if name in pages and folder and not alone:
             return f'<a href="{NOTEBOOKS}/{html.escape(target)}" download>{html.escape(words)}</a>'
         return words
     return _LINK.sub(link, text)

@@ -51,34 +51,35 @@ class Drawer:
             'films': recording.get('films', []),
         }
         return (
-            f'<section class="rec rec-panel" id="{name}" data-node="{node}" aria-labelledby="{name}-head">'
+            f'<div role="group" class="rec rec-panel" id="{name}" data-node="{node}" aria-labelledby="{name}-head">'
             f'<div class="rec-head"><span class="rec-node" id="{name}-head">{node}</span>'
             f'<span class="rec-count">{told}</span><span class="rec-mark">recorded</span></div>'
             f'<noscript><p class="rec-note">The controls answer only where the page may run its script.</p></noscript>'
             f'{"".join(parts)}'
             f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
-            f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}</section>')
+            f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}</div>')
 
     def _robot(self, recording: dict[str, Any], name: str) -> str:
         still, node = recording['still'], html.escape(recording['node'])
         return (
-            f'<section class="rec rec-robot robot-view" id="{name}" data-node="{node}" aria-label="The robot {node}">'
+            f'<div role="group" class="rec rec-robot robot-view" id="{name}" data-node="{node}" '
+            f'aria-label="The robot {node}">'
             f'<div class="rec-picture">{still["picture"]}</div>'
             f'<div class="rec-foot robot-foot"><button type="button" class="rec-drive" disabled>Drive</button>'
             f'<div class="rec-says" role="status">{html.escape(still["sentence"])}</div></div>'
-            f'{_packed({"films": recording["films"]})}</section>')
+            f'{_packed({"films": recording["films"]})}</div>')
 
     def _log(self, recording: dict[str, Any], name: str) -> str:
         title = html.escape(f'Log of {recording["node"]}')
         lines = ''.join(f'{html.escape(line)}\n' for line in recording['lines'])
-        return (f'<section class="rec rec-log" id="{name}" data-node="{html.escape(recording["node"])}" '
+        return (f'<div role="group" class="rec rec-log" id="{name}" data-node="{html.escape(recording["node"])}" '
                 f'aria-label="{title}"><p class="rec-head"><b>{title}</b><span class="rec-mark">recorded</span></p>'
-                f'<pre role="log" tabindex="0" aria-label="{title}">{lines}</pre></section>')
+                f'<pre role="log" tabindex="0" aria-label="{title}">{lines}</pre></div>')
 
     def _still(self, recording: dict[str, Any], name: str) -> str:
         shown = recording['html'] or f'<p>{html.escape(recording["text"])}</p>'
-        return (f'<section class="rec rec-still" id="{name}" aria-label="As it stood">{shown}'
-                f'<p class="rec-note">As it stood when the lesson ran; it is alive in the notebook.</p></section>')
+        return (f'<div role="group" class="rec rec-still" id="{name}" aria-label="As it stood">{shown}'
+                f'<p class="rec-note">As it stood when the lesson ran; it is alive in the notebook.</p></div>')
 
 
 def _explanation(recording: dict[str, Any]) -> str:

@@ -48,3 +48,5 @@ html_theme_options = {
     'pygments_light_style': 'a11y-high-contrast-light',
     'pygments_dark_style': 'a11y-high-contrast-dark',
 }
+# Without a word for it the theme's script complains on a reader's first visit.
+html_context = {'default_mode': 'auto'}
