@@ -27,6 +27,13 @@ test: setup lint  ## run the whole test suite, as CI does
 	@mkdir -p "$$IPYTHONDIR"
 	@$(VENV) -m pytest -n 2 --dist loadscope --nbval $(ARGS) tests notebooks
 
+html: setup  ## make the HTML lessons, in build/html/
+	@$(VENV) -m param_tutorial.lessons $(ARGS)
+
+lesson: setup  ## make one lesson as one file: make lesson CHAPTER=06
+	@test -n "$(CHAPTER)" || { echo "Which one? make lesson CHAPTER=06" >&2; exit 1; }
+	@$(VENV) -m param_tutorial.lessons --lesson "$(CHAPTER)" $(ARGS)
+
 bench: setup  ## run the benchmarks
 	@$(VENV) tests/bench.py $(ARGS)
 
@@ -43,4 +50,4 @@ clean:  ## remove everything that these targets made
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis environment/.setup.lock
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup lab test bench lint lock clean
+.PHONY: help setup lab test html lesson bench lint lock clean

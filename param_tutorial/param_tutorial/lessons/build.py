@@ -1,7 +1,7 @@
 """Makes the website: runs what has changed, records it, has Sphinx write the pages, and puts the site in its place.
 
     .venv/bin/python -m param_tutorial.lessons                          the site, in build/html/
-    .venv/bin/python -m param_tutorial.lessons --lesson 06              one chapter as one file, in build/lessons/
+    .venv/bin/python -m param_tutorial.lessons --lesson 06              one chapter as one file, in build/
 
 Runs and recordings are kept under what they depend on, so a chapter that has not changed is not run again. The site
 is written beside the old one and takes its place when it is whole; whatever goes wrong before leaves the old one as
@@ -136,18 +136,25 @@ class Site:
         for path in self.chapters:
             wanted[folder / path.name] = nbformat.writes(chapter.source(path, recordings[path], pages)) + '\n'
             wanted[folder / 'extra' / chapter.NOTEBOOKS / path.name] = path.read_text(encoding='utf-8')
-        wanted[folder / 'static' / 'robot.css'] = robot_view.STYLE.replace('<style>', '').replace('</style>', '')
         for path in sorted((self.notebooks / 'solutions').glob('*.ipynb')):
             if path.stem in pages:
                 wanted[folder / 'extra' / chapter.NOTEBOOKS / 'solutions' / path.name] = path.read_text(
                     encoding='utf-8')
+        for path in folder.rglob('*'):
+            if path.is_file() and path not in wanted:
+                path.unlink()
         for path, text in wanted.items():
             if not path.exists() or path.read_text(encoding='utf-8') != text:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text, encoding='utf-8')
-        for path in folder.rglob('*'):
-            if path.is_file() and path not in wanted:
-                path.unlink()
+        write_static(folder)
+
+
+def write_static(source: Path) -> None:
+    """Write, beside Sphinx's sources, the styles that the notebook's own views bring along."""
+    (source / 'static').mkdir(exist_ok=True)
+    (source / 'static' / 'robot.css').write_text(
+        robot_view.STYLE.replace('<style>', '').replace('</style>', '').strip() + '\n', encoding='utf-8')
 
 
 def counted(recorded: dict[int, list]) -> str:
@@ -187,8 +194,9 @@ def sphinx(source: Path, target: Path, doctrees: Path, processes: int = 1, build
     :raises BuildError: it warns of something; the message is what it says.
     """
     target.mkdir(parents=True, exist_ok=True)
+    extra = source / 'extra'
     settings = {'html_static_path': [str(SITE / '_static'), str(source / 'static')],
-                'html_extra_path': [str(source / 'extra')], **(settings or {})}
+                'html_extra_path': [str(extra)] if extra.exists() else [], **(settings or {})}
     warnings = Path(f'{doctrees}.warnings')
     warnings.parent.mkdir(parents=True, exist_ok=True)
     with warnings.open('w+', encoding='utf-8') as said, docutils_namespace():
@@ -208,7 +216,7 @@ def replace(new: Path, target: Path) -> None:
     beside, old = target.with_name(f'{target.name}.new'), target.with_name(f'{target.name}.old')
     for folder in (beside, old):
         shutil.rmtree(folder, ignore_errors=True)
-    shutil.copytree(new, beside, ignore=shutil.ignore_patterns('.buildinfo', '.doctrees'))
+    shutil.copytree(new, beside, ignore=shutil.ignore_patterns('.buildinfo', '_sources', '*.map'))
     if target.exists():
         target.rename(old)
     beside.rename(target)

@@ -59,8 +59,9 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
 
 
 def _to_run(path: Path) -> str:
-    return (f'<p class="lesson-download"><a href="{NOTEBOOKS}/{path.name}" download>Download this notebook</a> '
-            f'to run it: there the node is alive, and answers everything.</p>')
+    return (f'<p class="lesson-download">Every cell on this page has been run, and what it put out stands below it. '
+            f'<a href="{NOTEBOOKS}/{path.name}" download>Download this notebook</a> to run it yourself, '
+            f'with a node that is alive.</p>')
 
 
 def _linked(text: str, pages: set[str], *, alone: bool) -> str:
