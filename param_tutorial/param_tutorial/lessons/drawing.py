@@ -78,8 +78,9 @@ class Drawer:
 
     def _still(self, recording: dict[str, Any], name: str) -> str:
         shown = recording['html'] or f'<p>{html.escape(recording["text"])}</p>'
-        return (f'<div role="group" class="rec rec-still" id="{name}" aria-label="As it stood">{shown}'
-                f'<p class="rec-note">As it stood when the lesson ran; it is alive in the notebook.</p></div>')
+        note = 'As it stood when the lesson ran; it is alive' if recording['html'] else 'It stands'
+        return (f'<div role="group" class="rec rec-still" id="{name}" aria-label="A view of the notebook">{shown}'
+                f'<p class="rec-note">{note} in the notebook.</p></div>')
 
 
 def _explanation(recording: dict[str, Any]) -> str:

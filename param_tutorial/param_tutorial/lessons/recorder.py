@@ -46,8 +46,8 @@ _DRIVES_TOGETHER = 160
 _SPREADS = (7, 5, 4, 3, 2)
 _SAMPLES = 5
 _CONTEXTS = 2
-_CONTEXTS_OF_DEPENDENT = 8
-_SAMPLES_OF_DEPENDENT = 60
+_CONTEXTS_OF_DEPENDENT = 21
+_SAMPLES_OF_DEPENDENT = 61
 _MARK = 'param_tutorial: end of an answer'
 
 # What hands type: a few of everything, and what no parameter of the type can be.
@@ -84,7 +84,9 @@ def record(model_id: str, literals: Iterable[Any]) -> dict[str, Any]:
         return record_robot(widget)
     if isinstance(widget, LogView):
         return record_log(widget)
-    return {'kind': 'still', 'html': still_html(widget), 'text': repr(widget)}
+    # A widget that speaks for itself shows something that is of this machine, or of this moment.
+    speaks = type(widget).__repr__ is not widgets.Widget.__repr__ and not isinstance(widget, widgets.Box)
+    return {'kind': 'still', 'html': '' if speaks else still_html(widget), 'text': repr(widget)}
 
 
 def still_html(widget: Any) -> str:
@@ -351,7 +353,9 @@ class PanelRecorder:
     def _record_dependent(self, row: dict[str, Any], other: dict[str, Any]) -> None:
         """Record the answers once more, from some of the states in which the other parameter may be."""
         contexts = row.setdefault('contexts', {}).setdefault(other['name'], {})
-        texts = _spread(list(row['answers']), _SAMPLES_OF_DEPENDENT)
+        # Where it stands, the stretch of the slider, and one of each kind of answer.
+        texts = list(dict.fromkeys([row['text'], *_spread(row.get('positions') or list(row['answers']),
+                                                          _SAMPLES_OF_DEPENDENT), *_samples(row)]))
         for text in _spread(_accepted(other), _CONTEXTS_OF_DEPENDENT):
             state = self._enter({other['name']: text})
             contexts[other['answers'][text]['value']] = {each: self._ask(row['name'], each, state) for each in texts}
