@@ -46,8 +46,8 @@ _DRIVES_TOGETHER = 160
 _SPREADS = (7, 5, 4, 3, 2)
 _SAMPLES = 5
 _CONTEXTS = 2
-_CONTEXTS_OF_DEPENDENT = 21
-_SAMPLES_OF_DEPENDENT = 61
+_CONTEXTS_OF_DEPENDENT = 11
+_SAMPLES_OF_DEPENDENT = 41
 _MARK = 'param_tutorial: end of an answer'
 
 # What hands type: a few of everything, and what no parameter of the type can be.

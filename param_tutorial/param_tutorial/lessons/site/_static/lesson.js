@@ -6,8 +6,8 @@
 
 (() => {
   // A page on a disk may not fetch another one, which the search would do to quote it.
-  if (location.protocol === 'file:' && window.DOCUMENTATION_OPTIONS) {
-    window.DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
+  if (location.protocol === 'file:' && typeof DOCUMENTATION_OPTIONS === 'object') {
+    DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
   }
 
   const panels = [];
