@@ -3,6 +3,7 @@
 ``start()`` puts a ROS executor into the background of a notebook, ``ParameterClient`` talks to the parameters
 of any node, ``ParameterPanel`` shows them as controls. The layers, top to bottom; imports go downward only:
 
+    lessons                         the chapters as a website
     panels, robot_view, magics      ipywidgets and IPython
     exercises                       checks of what a learner wrote
     ros2, shell, terminals          the ros2 command; commands in processes of their own

@@ -15,7 +15,7 @@ import threading
 import lesson
 import nbformat
 import pytest
-from lab import CHROMIUM, ROOT, _CHROMIUM_FLAGS
+from lab import _CHROMIUM_FLAGS, CHROMIUM, ROOT
 from nbclient import NotebookClient
 from playwright.sync_api import expect, sync_playwright
 from site_rules import check_page, open_page
@@ -356,7 +356,7 @@ def test_a_chapter_that_fails_stops_the_build_and_the_old_site_stays(made, tmp_p
     nbformat.write(nbformat.v4.new_notebook(cells=[
         nbformat.v4.new_markdown_cell('# 3 · Broken'),
         nbformat.v4.new_code_cell('undefined', execution_count=1)]), notebooks / '3_broken.ipynb')
-    with pytest.raises(run.ChapterError, match=r"3_broken\.ipynb, cell 2 \(undefined\): it ends in NameError"):
+    with pytest.raises(run.ChapterError, match=r'3_broken\.ipynb, cell 2 \(undefined\): it ends in NameError'):
         build.Site(notebooks, made.target, made.work).build()
     assert files(made.target) == before
 
@@ -370,8 +370,8 @@ def test_one_lesson_as_one_file(made, browser, tmp_path):
         expect(message(page, 'low_c')).to_have_text('Not taken: 30 is not below 22')
         assert check_page(page) == []
         assert page.locator('a[href$=".ipynb"], a[href="2_robot.html"]').count() == 0
-        loaded = page.evaluate("performance.getEntriesByType('resource').filter(each => !/^(data|blob):/.test(each.name))"
-                               '.map(each => each.name)')
+        loaded = page.evaluate("performance.getEntriesByType('resource').map(each => each.name)"
+                               '.filter(name => !/^(data|blob):/.test(name))')
     assert loaded == []
 
 

@@ -107,6 +107,7 @@ class Site:
         (self.work / 'ipython').mkdir(parents=True, exist_ok=True)
         parts = {path: run.parts(path) for path in paths}
         begun, done = time.monotonic(), 0
+        say(f'Running {len(paths)} chapter{"" if len(paths) == 1 else "s"}, {self._processes} kernels at a time')
         # Spawned, since a fork takes over locks and threads of the libraries that are loaded here.
         pool = concurrent.futures.ProcessPoolExecutor(self._processes, multiprocessing.get_context('spawn'))
         try:
@@ -178,7 +179,8 @@ def digest_of_surroundings() -> bytes:
 def provenance() -> dict[str, str]:
     """Say from which state of the course, and on what, the lessons ran: the same for each build of a commit."""
     facts = {'Python': platform.python_version(), 'rclpy': version('ros-jazzy-rclpy')}
-    done = subprocess.run(['git', 'log', '-1', '--format=%h %cs'], cwd=ROOT, capture_output=True, text=True, check=False)
+    done = subprocess.run(['git', 'log', '-1', '--format=%h %cs'], cwd=ROOT, capture_output=True, text=True,
+                          check=False)
     if done.returncode == 0 and done.stdout.strip():
         commit, date = done.stdout.split()
         changed = subprocess.run(['git', 'status', '--porcelain', '--', 'notebooks', 'param_tutorial', 'config'],

@@ -23,9 +23,7 @@ class Drawer:
     """Draws the recordings of one page; ids count up, so that building twice gives the same page."""
 
     def __init__(self, page: str):
-        """
-        :param page: Begins each id, for the sake of a page that shows parts of two chapters.
-        """
+        """:param page: Begins each id, for the sake of a page that shows parts of two chapters."""
         self._page = re.sub(r'\W+', '-', page)
         self._numbers = itertools.count(1)
 
@@ -103,7 +101,8 @@ def _row(row: dict[str, Any], name: str) -> str:
         checked = ' checked' if row['text'] == 'true' else ''
         control = f'<input type="checkbox" class="rec-check" {common}{checked}>'
     elif row['editor'] == 'lines':
-        control = f'<textarea class="rec-text" rows="3" spellcheck="false" {common}>{html.escape(row["text"])}</textarea>'
+        control = (f'<textarea class="rec-text" rows="3" spellcheck="false" {common}>'
+                   f'{html.escape(row["text"])}</textarea>')
     else:
         empty = ' placeholder="not set"' if row['text'] == '' else ''
         mode = ' inputmode="decimal"' if row['type'] == 'double' else ''
@@ -117,7 +116,8 @@ def _row(row: dict[str, Any], name: str) -> str:
     kind += ' rec-locked' if row['locked'] else ''
     message = (f'<span class="rec-refused"><b>Not taken:</b> {html.escape(row["message"])}</span>'
                if row['message'] else '')
-    return (f'<div class="rec-row{kind}" {data}><div class="rec-line"><label for="{name}">{label}</label>{control}</div>'
+    return (f'<div class="rec-row{kind}" {data}>'
+            f'<div class="rec-line"><label for="{name}">{label}</label>{control}</div>'
             f'<div class="rec-help" id="{help_id}">{row["help"]}</div>'
             f'<div class="rec-message" id="{name}-message" role="status">{message}</div></div>')
 

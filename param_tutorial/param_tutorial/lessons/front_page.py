@@ -18,7 +18,8 @@ _TEXT = '''# Mastering ROS 2 Parameters with Python
 
 ## The lessons
 
-Each lesson asks one question, and lets a real node of ROS 2 Jazzy answer it. Nothing is told that is not shown beside it.
+Each lesson asks one question, and lets a real node of ROS 2 Jazzy answer it. Nothing is told that is not shown beside
+it.
 
 {chapters}
 

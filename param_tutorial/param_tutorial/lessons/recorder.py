@@ -57,12 +57,13 @@ _TYPED = {
     values.DOUBLE: [*(f'{each / 20:.2f}'.removesuffix('0') for each in range(-20, 61)),
                     *(f'{each / 2:.1f}' for each in range(-20, 41)), *map(str, range(-10, 101)),
                     '-20.0', '-100.0', '1000.0', 'nan', 'inf', '-inf', '1e3', '1,5', '', 'fast'],
-    values.STRING: ['', ' ', 'Clawbot', 'clawbot', 'Rex', 'Max', 'Robot', 'R2D2', 'test', 'hello', 'fast', 'slow', 'off',
-                    'on', 'true', '0', '1', '42'],
+    values.STRING: ['', ' ', 'Clawbot', 'clawbot', 'Rex', 'Max', 'Robot', 'R2D2', 'test', 'hello', 'fast', 'slow',
+                    'off', 'on', 'true', '0', '1', '42'],
     values.BOOL: ['true', 'false', '1', '0', 'yes', ''],
     values.BYTE_ARRAY: ['[]', '[0x00]', '[0x00, 0xff]', '[0x100]', 'x', ''],
     values.BOOL_ARRAY: ['[]', '[true]', '[false]', '[true, false]', '[true, true]', '[false, false]', '[1]', 'x', ''],
-    values.INTEGER_ARRAY: ['[]', '[0]', '[1]', '[1, 2]', '[1, 2, 3]', '[1, 2, 3, 4]', '[-1]', '[1.5]', '[a]', '1, 2', ''],
+    values.INTEGER_ARRAY: ['[]', '[0]', '[1]', '[1, 2]', '[1, 2, 3]', '[1, 2, 3, 4]', '[-1]', '[1.5]', '[a]',
+                           '1, 2', ''],
     values.DOUBLE_ARRAY: ['[]', '[0.0]', '[1.0]', '[0.5, 1.0]', '[1, 2]', '[1.0, 2.0, 3.0]', '[-1.0]', '[a]', ''],
     values.STRING_ARRAY: ['[]', '[left]', '[left, right]', '[left, right, middle]', '[""]', '[1, 2]', ''],
     values.NOT_SET: ['', '1', '1.5', 'true', 'text', '[1, 2]', '[a, b]'],
@@ -457,7 +458,7 @@ def _samples(row: dict[str, Any]) -> list[str]:
     for text, answer in row['answers'].items():
         if answer.get('reason'):
             # One for each wording: reasons that differ in numbers are alike.
-            refused.setdefault(''.join(letter for letter in answer['reason'] if letter.isalpha() or letter == ' '), text)
+            refused.setdefault(''.join(each for each in answer['reason'] if each.isalpha() or each == ' '), text)
     return [row['text'], *_spread(_accepted(row), _SAMPLES), *_spread(list(refused.values()), _SAMPLES)]
 
 
