@@ -13,7 +13,7 @@ setup(
     name=PACKAGE,
     version='0.1.0',
     packages=find_packages(include=[PACKAGE, f'{PACKAGE}.*']),
-    package_data={PACKAGE: ['fastdds.xml']},
+    package_data={PACKAGE: ['fastdds.xml', 'ros1/recording.txt']},
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
@@ -29,7 +29,12 @@ setup(
         'console_scripts': [
             'simple_param_node = param_tutorial.nodes.simple_param_node:main',
             'param_setter_node = param_tutorial.nodes.param_setter_node:main',
+            'param_event_monitor = param_tutorial.nodes.param_event_monitor:main',
+            'param_query_node = param_tutorial.nodes.param_query_node:main',
             'clawbot_node = param_tutorial.nodes.clawbot_node:main',
+            'pallet_lift_node = param_tutorial.nodes.pallet_lift_node:main',
+            'pid_controller_node = param_tutorial.nodes.pid_controller_node:main',
+            'cart_node = param_tutorial.nodes.cart_node:main',
         ],
     },
 )

@@ -146,6 +146,34 @@ for number in range(PROCESSES):
 result = {'magic': statistics.median(magics), 'process': statistics.median(processes)}
 '''
 
+DRAG = '''
+import time
+import psutil
+import param_tutorial
+from param_tutorial import ParameterPanel, StepResponseView
+from param_tutorial.nodes.pid_controller_node import PidControllerNode
+
+controller = param_tutorial.start().add(PidControllerNode)
+panel = ParameterPanel(controller)
+me = psutil.Process()
+
+def load(moves):
+    """Move a gain 30 times a second as a browser does; give the processor time in percent of one core."""
+    start, before = time.monotonic(), sum(me.cpu_times()[:2])
+    for number in range(moves):
+        panel['gains.wheel_joint.p'].editors[0].set_state({'value': str(0.1 + number % 100 / 100)})
+        time.sleep(max(0.0, start + (number + 1) / 30 - time.monotonic()))
+    return 100 * (sum(me.cpu_times()[:2]) - before) / (time.monotonic() - start)
+
+shares = {'with': [], 'without': []}
+for _ in range(ROUNDS):
+    shares['without'].append(load(60))
+    view = StepResponseView(controller)
+    shares['with'].append(load(60))
+    view.close()
+result = {name: sum(each) / len(each) for name, each in shares.items()}
+'''
+
 
 @dataclass
 class Row:
@@ -197,6 +225,14 @@ def command(processes: int) -> list[Row]:
     return [Row('%ros2 param set in a kernel', _ms(took['magic']), '', None),
             Row('ros2 param set as a new process', _ms(took['process']), '', None),
             Row('%ros2 against a new process', f'{ratio:.0f} times faster', 'at least 100 times', ratio >= 100)]
+
+
+def step_response(rounds: int) -> list[Row]:
+    """Measure what it costs to redraw a step response while a gain is dragged."""
+    shares = in_kernel(DRAG.replace('ROUNDS', str(rounds)))
+    view = shares['with'] - shares['without']
+    return [Row('CPU while a gain is dragged: controller and panel', f'{shares["without"]:.1f} % of a core', '', None),
+            Row('what the view of the step response adds', f'{view:.1f} % of a core', 'at most 15 %', view <= 15)]
 
 
 def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
@@ -260,6 +296,7 @@ def main() -> int:
         load {os.getloadavg()[0]:.1f}'''))
     rows: list[Row] = []
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
+                    lambda: step_response(1 if quick else 5),
                     lambda: lesson_in_browser(1 if quick else 5, 5.0 if quick else 20.0),
                     robot_in_browser):
         for row in measure():

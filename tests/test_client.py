@@ -395,3 +395,33 @@ def test_calls_from_many_threads(client):
     for thread in threads:
         thread.join()
     assert outcomes == [True] * 120
+
+
+class Told(Node):
+    """Says things that a table in Markdown could stumble over."""
+
+    def __init__(self):
+        super().__init__('told')
+        self.declare_parameter('a|b', 'x|`y`', ParameterDescriptor(description='<b>one</b> | two\n\nthree `four` \\|'))
+        self.declare_parameter('limits.low', 2, ParameterDescriptor(
+            description='In mm.', additional_constraints='Below high.', read_only=True,
+            integer_range=[IntegerRange(from_value=0, to_value=10, step=2)]))
+        self.declare_parameter('unset', Parameter.Type.DOUBLE)
+
+
+def test_a_reference_tells_of_every_parameter_of_the_node_itself(ros):
+    assert repr(ParameterClient(ros.add(Told)).reference()) == r"""
+| parameter | type | value | enforced | meaning |
+| --- | --- | --- | --- | --- |
+| `a\|b` | string | `` 'x\|`y`' `` |  | &lt;b>one&lt;/b> \| two three \`four\` \\\| |
+| `limits.low` | integer | `2` | 0 to 10 in steps of 2, read only | In mm. Below high. |
+| `unset` | double | `None` |  |  |
+""".lstrip()
+
+
+def test_a_reference_may_be_of_some_only(ros):
+    client = ParameterClient(ros.add(Told))
+    assert client.reference(['use_sim_time'])._repr_markdown_().splitlines()[2:] == [
+        '| `use_sim_time` | boolean | `False` |  |  |']
+    with pytest.raises(ParameterNotDeclaredError, match=r'Did you mean limits\.low'):
+        client.reference(['limit.low'])

@@ -15,7 +15,7 @@ from rclpy.node import Node
 import param_tutorial
 from param_tutorial import ParameterClient, background, exercises
 from param_tutorial.errors import ExecutorError
-from param_tutorial.exercises import EXERCISES, ch04, ch05_1, trial
+from param_tutorial.exercises import EXERCISES, ch04, ch05_1, ch06, ch07_3, ch11, trial
 from param_tutorial.exercises.results import Finding, Result
 from wrong_answers import WRONG
 
@@ -39,10 +39,16 @@ def answer(number, source, kind):
     space = {'__name__': '__main__'}
     for each in notebook(number, 'solutions' if kind == 'solution' else ''):
         if each.cell_type == 'code' and not each.source.startswith('%%'):
-            lines = [line for line in each.source.splitlines() if not line.startswith('%')]
+            lines = [line for line in each.source.splitlines() if not line.lstrip().startswith('%')]
             body = ast.parse('\n'.join(lines)).body
             imports = [each for each in body if isinstance(each, (ast.Import, ast.ImportFrom))]
             exec(compile(ast.Module(imports, []), 'imports', 'exec'), space)
+    # In a capstone each step builds on those before it.
+    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
+        if each.id == cell(number, kind).id:
+            break
+        if each.id.startswith(f'{kind}-'):
+            exec(each.source, space)
     exec(source, space)
     name = re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
     return space[name]
@@ -257,6 +263,13 @@ def test_a_button_that_never_comes_up_is_told(ros):
     assert exercises.check('5.3a', solution('5.3a')).done
 
 
+def test_a_cart_that_is_launched_already_is_told(ros):
+    cart = ros.add(ch11.CartNode, ros_args=['-r', '__ns:=/aisle_3'])
+    result = exercises.check('11e', solution('11e'))
+    assert 'there is a `/aisle_3/cart_node` already: end it first' in not_yet(result).values()
+    assert ros.nodes == (cart,)
+
+
 def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):
     result = exercises.check('3a', solution('3a', ("'rover'", "'rovr'")))
     assert (result.done, result.count, result.score) == (False, 4, '4 of 4 done')
@@ -268,7 +281,7 @@ def test_the_stage_is_afterwards_as_before(ros):
     own = ros.add(solution('3a'))
     client = ParameterClient(own)
     client.set_parameter('max_speed_mps', 1.5)
-    for number in EXERCISES:
+    for number in ('3a', '5.1a', '5.2c', '5.3b'):  # one for each kind of work
         exercises.check(number, solution(number))
         exercises.check(number, blank(number))
     assert ros.nodes == (own,)
@@ -317,7 +330,7 @@ def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
 def test_a_number_that_is_none_is_told(ask):
     assert repr(ask('5.2')).startswith("There is no exercise '5.2'. Did you mean 5.2")
     assert 'There is no exercise 3. Did you mean 3' in repr(ask(3))
-    assert 'There is: 3a' in repr(ask([]))
+    assert 'There is: 1a' in repr(ask([]))
 
 
 @pytest.mark.parametrize('number', EXERCISES)
@@ -328,7 +341,7 @@ def test_an_exercise_leads_to_sections_that_exist(number):
     assert len(EXERCISES[number].hints) >= 2
 
 
-@pytest.mark.parametrize('number', ['4b', '5.1b'])
+@pytest.mark.parametrize('number', ['4b', '5.1b', '6b', '7.1b', '7.2b', '7.3a'])
 def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
     assert [f'`{question}`' for question in blank(number)] == [
         requirement.sentence for requirement in EXERCISES[number].requirements]
@@ -343,6 +356,15 @@ def test_the_story_in_the_chapter_is_the_one_that_the_check_runs():
     for line in inspect.getsource(ch04.story).splitlines()[2:-1]:
         line = line.strip().replace('trial.start(', 'ros.add(').replace('trial.client(', 'ParameterClient(')
         assert line in told
+
+
+def test_the_oven_in_the_chapter_is_the_one_that_the_check_asks():
+    assert inspect.getsource(ch06.Oven).strip() in [each.source for each in notebook('6b')]
+
+
+def test_the_files_in_the_chapter_are_those_that_the_check_starts_with():
+    written, = (each.source for each in notebook('7.3a') if each.source.startswith('FILES = '))
+    assert ast.literal_eval(ast.parse(written).body[0].value) == ch07_3.FILES
 
 
 def test_the_answer_is_in_words_and_as_html_too():

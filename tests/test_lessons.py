@@ -175,7 +175,8 @@ def test_positions_of_doubles_are_those_of_the_panel_or_round_ones_among_them():
 
 def test_what_a_node_says_is_text_and_not_markup():
     row = {'name': '<b>', 'label': '<b>', 'group': '', 'quiet': False, 'help': '', 'text': '"<script>',
-           'message': '<i>', 'type': 'string', 'locked': False, 'editor': 'text', 'answers': {'x': {'reason': '</script><i>'}}}
+           'message': '<i>', 'type': 'string', 'locked': False, 'editor': 'text',
+           'answers': {'x': {'reason': '</script><i>'}}}
     drawn = drawing.Drawer('page').draw({'kind': 'panel', 'node': '/<n>', 'status': '', 'rows': [row]})
     assert '<b>' not in drawn.replace('<b>Not taken:</b>', '') and '<i>' not in drawn and '/<n>' not in drawn
     assert drawn.count('<script') == drawn.count('</script>') == 1

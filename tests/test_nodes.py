@@ -5,9 +5,14 @@ import sys
 from pathlib import Path
 
 import pytest
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 import param_tutorial
 from param_tutorial import ParameterClient, Terminal
+from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
+from param_tutorial.nodes.param_query_node import ParamQueryNode
 from param_tutorial.nodes.param_setter_node import ParamSetterNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 
@@ -86,3 +91,67 @@ def test_only_each_third_proposal_holds_a_value_that_the_robot_refuses():
     for iteration in range(1, 61):
         acceleration = ParamSetterNode.proposal(iteration)[-1].value
         assert (0.01 <= acceleration <= 2.0) == (iteration % 3 != 0)
+
+
+class Odd(Node):
+    """Stands in for the robot, with values that the article's chain of `or` shows as False, and one that is not set."""
+
+    def __init__(self, *, unset=False):
+        super().__init__('simple_param_node')
+        self.declare_parameters('', [('zero', 0), ('nought', 0.0), ('empty', ''), ('numbers', [1, 2])])
+        self.declare_parameter('note', 'dynamic', ParameterDescriptor(dynamic_typing=True))
+        if unset:
+            self.declare_parameter('unset', Parameter.Type.DOUBLE)
+
+
+def said(ros, node, until):
+    lines = ros.node_log.read(until=until, node=node).splitlines()
+    return [line.partition(']: ')[2] for line in lines]
+
+
+# claims A147, A150, A151
+def test_the_monitor_tells_what_became_of_each_parameter_and_its_true_value(ros):
+    ros.add(ParamEventMonitor)
+    client = ParameterClient(ros.add(Odd))
+    client.set_parameters({'zero': 0, 'nought': -0.0, 'empty': '', 'numbers': [3], 'note': None})
+    lines = said(ros, '/param_event_monitor', 'deleted')
+    assert [line for line in lines if line.startswith('/simple_param_node: new')][-5:-1] == [
+        f'/simple_param_node: new {each}' for each in ('zero = 0', 'nought = 0.0', "empty = ''", 'numbers = [1, 2]')]
+    assert lines[-5:] == [f'/simple_param_node: {each}' for each in (
+        'changed zero = 0', 'changed nought = -0.0', "changed empty = ''", 'changed numbers = [3]', 'deleted note')]
+
+
+# claim A148
+def test_the_monitor_loses_nothing_of_a_burst(ros):
+    monitor, robot = ros.add(ParamEventMonitor), ros.add(Odd)
+    heard = []
+    monitor.shown = lambda parameter: heard.append(parameter.value.integer_value)
+    ros.run(lambda: [robot.set_parameters([Parameter('zero', value=value)]) for value in range(300)], 'burst')
+    param_tutorial.wait_until(lambda: heard[-1:] == [299], 'the last event')
+    assert heard[-300:] == list(range(300))
+
+
+@pytest.mark.parametrize('unset', [False, True])
+def test_the_query_node_waits_for_its_target_and_logs_all_parameters(ros, unset):
+    query = ros.add(ParamQueryNode)
+    ros.run(query.ask, 'press the button')
+    assert said(ros, '/param_query_node', 'waiting')[-1] == '/simple_param_node is not there yet, waiting...'
+    ros.add(Odd, unset=unset)
+    param_tutorial.wait_until(lambda: all(client.service_is_ready() for client in query.clients), 'the target')
+    ros.run(query.ask, 'press the button')
+    lines = said(ros, '/param_query_node', 'unset has no value' if unset else 'note =')
+    assert lines[-6 - unset:] == [
+        '  start_type_description_service = True', '  zero = 0', '  nought = 0.0', "  empty = ''", '  numbers = [1, 2]',
+        "  note = 'dynamic'", *['  unset has no value'] * unset]
+
+
+def test_the_query_node_asks_again_where_no_answer_comes(ros):
+    dozing = Node('simple_param_node')  # there, and nobody spins it
+    try:
+        query = ros.add(ParamQueryNode)
+        param_tutorial.wait_until(lambda: all(client.service_is_ready() for client in query.clients), 'the target')
+        for _ in range(2):
+            ros.run(query.ask, 'press the button')
+        assert 'has not answered within 2 s, asking again' in ros.node_log.read('asking again', '/param_query_node')
+    finally:
+        dozing.destroy_node()

@@ -104,6 +104,14 @@ def test_name_safety_and_offset_are_seen_at_once_while_it_stands(view, robot):
     assert 'A &lt;b&gt;&quot;claw&quot;&lt;/b&gt;' in picture(view)
 
 
+def test_a_robot_that_goes_while_the_view_looks_for_it_is_gone(ros, view, robot, monkeypatch):
+    nodes = ros.nodes
+    ros.remove(robot)
+    monkeypatch.setattr(type(ros), 'nodes', nodes)  # as if the list had been made just before
+    assert view._worker.call_now(5.0)
+    assert 'is not running' in view.text
+
+
 def test_the_picture_has_a_text_alternative_and_the_words_a_live_region(view, robot):
     assert view.text == 'READY. Clawbot stands at the start. Speed 0.00 m/s, 4.00 m to the wall, safety on.'
     assert f'role="img" aria-label="{view.text}"' in picture(view)

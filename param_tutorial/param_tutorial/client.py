@@ -122,6 +122,15 @@ class Descriptor:
     dynamic_typing: bool
     range: Range | None
 
+    @property
+    def rules(self) -> list[str]:
+        """What the node enforces, in words: the range, and whether the value or its type is free."""
+        words = []
+        if self.range:
+            words.append(f'{self.range.from_value} to {self.range.to_value}'
+                         + (f' in steps of {self.range.step}' if self.range.step else ''))
+        return words + ['read only'] * self.read_only + ['any type'] * self.dynamic_typing
+
     @classmethod
     def from_message(cls, message: ParameterDescriptor) -> 'Descriptor':
         """Read a rcl_interfaces/msg/ParameterDescriptor."""
@@ -136,11 +145,7 @@ class Descriptor:
                    message.read_only, message.dynamic_typing, limits)
 
     def __repr__(self) -> str:
-        facts = [self.type.label]
-        if self.range:
-            facts.append(f'{self.range.from_value} to {self.range.to_value}'
-                         + (f' in steps of {self.range.step}' if self.range.step else ''))
-        facts += ['read only'] * self.read_only + ['any type'] * self.dynamic_typing
+        facts = [self.type.label, *self.rules]
         facts += [text for text in (self.additional_constraints, self.description) if text]
         return f'{self.name}: ' + '; '.join(facts)
 
@@ -150,6 +155,24 @@ class Descriptors(dict):
 
     def __repr__(self) -> str:
         return '\n'.join(map(repr, self.values())) or '(no parameters)'
+
+
+@dataclass(frozen=True)
+class Reference:
+    """A table of a node's parameters in Markdown; a notebook shows it as a table."""
+
+    text: str
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_markdown_(self) -> str:
+        return self.text
+
+
+def is_housekeeping(name: str) -> bool:
+    """Is this one of the parameters that rclpy and rclcpp declare in every node?"""
+    return name in ('use_sim_time', 'start_type_description_service') or name.startswith('qos_overrides.')
 
 
 class ParameterClient:
@@ -241,6 +264,25 @@ class ParameterClient:
         answer = self._call('describe_parameters', DescribeParameters.Request(names=wanted)).descriptors
         self._require_all(wanted, answer)
         return Descriptors(zip(wanted, map(Descriptor.from_message, answer), strict=True))
+
+    def reference(self, names: Iterable[str] | None = None) -> Reference:
+        """Write down what the node tells of its parameters as a table in Markdown, for a README.
+
+        A descriptor holds no default, so the table shows the values of now: those of a node that has been started
+        without overrides are its defaults.
+
+        :param names: Which; by default all but those that every node has, in the order in which they were declared.
+        :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
+        """
+        if names is None:
+            names = [name for name in self.list_parameters() if not is_housekeeping(name)]
+        wanted = list(names)
+        present = self.get_parameters(wanted)
+        rows = [('parameter', 'type', 'value', 'enforced', 'meaning'), ('---',) * 5]
+        for name, each in self.describe_parameters(wanted).items():
+            rows.append((_code(name), each.type.label, _code(repr(present[name])), ', '.join(each.rules),
+                         _cell(' '.join(filter(None, (each.description, each.additional_constraints))))))
+        return Reference(''.join(f'| {" | ".join(row)} |\n' for row in rows))
 
     def set_parameter(self, name: str, value: Any) -> SetResult:
         """Ask the node to set one parameter. A refusal is a result, not an exception.
@@ -348,6 +390,21 @@ class ParameterClient:
             return result
         return SetResult(self.node, name, value, False, message.reason,
                          nearest(name, existing, 'It has no parameters at all'))
+
+
+def _cell(text: str) -> str:
+    """Make a text fit for a cell of a table in Markdown."""
+    for char, escaped in (('\\', '\\\\'), ('&', '&amp;'), ('<', '&lt;'), ('`', '\\`'), ('|', '\\|')):
+        text = text.replace(char, escaped)
+    return ' '.join(text.split())
+
+
+def _code(text: str) -> str:
+    """Make a cell of code, in which only a bar and a line break would still end the cell."""
+    text = ' '.join(text.splitlines())
+    fence = '`' * (1 + max(map(len, re.findall('`+', text)), default=0))
+    blank = ' ' if '`' in text else ''
+    return f'{fence}{blank}{text}{blank}{fence}'.replace('|', '\\|')
 
 
 def to_message(name: str, value: Any, parameter_type: ParameterType | None = None) -> Parameter:

@@ -6,6 +6,8 @@
     ├── WaitTimeoutError            a condition did not come true in time           (also TimeoutError)
     ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
     ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
+    ├── RuleError                   a rule for parameters makes no sense, or cannot be judged (also ValueError)
+    ├── AliasError                  names of parameters cannot stand for one another (also ValueError)
     └── NodeError                   about one node; carries ``.node``
         ├── NodeNotFoundError       no node of that name answers                    (also LookupError)
         ├── NoAnswerError           the node is there and did not answer in time    (also TimeoutError)
@@ -43,6 +45,14 @@ class InvalidValueError(ParameterToolError, ValueError):
 
 class ParameterFileError(ParameterToolError, ValueError):
     """A parameter file cannot be read, or a value cannot be written so that rcl reads it back."""
+
+
+class RuleError(ParameterToolError, ValueError):
+    """A rule makes no sense for its parameters, or raised an exception instead of saying yes or no."""
+
+
+class AliasError(ParameterToolError, ValueError):
+    """A name of a parameter cannot stand for another, or two of one parameter were given two values."""
 
 
 class NodeError(ParameterToolError):

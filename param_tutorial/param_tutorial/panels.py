@@ -19,7 +19,7 @@ from rclpy.node import Node
 
 from param_tutorial import background, values
 from param_tutorial.cells import close_with_cell
-from param_tutorial.client import Descriptor, ParameterClient
+from param_tutorial.client import Descriptor, ParameterClient, is_housekeeping
 from param_tutorial.errors import ParameterNotDeclaredError
 from param_tutorial.live import LiveParameter, LiveParameters
 from param_tutorial.log_view import LogView
@@ -28,11 +28,8 @@ from param_tutorial.services import TIMEOUT_SEC, full_name
 
 __all__ = ['Control', 'LogView', 'ParameterPanel']
 
-# rclpy and rclcpp declare these in every node; they are seldom what one came for.
-_HOUSEKEEPING = ('use_sim_time', 'start_type_description_service')
+# Seldom what one came for, and of qos_overrides.… there may be dozens.
 HOUSEKEEPING_HEADING = 'In every node'
-# Of qos_overrides.… there may be dozens.
-_HOUSEKEEPING_PREFIX = 'qos_overrides.'
 
 _STYLE = """<style>
 .param-panel { container-type: inline-size; box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0 0 10px;
@@ -74,7 +71,8 @@ _STYLE = """<style>
   border-left: 4px solid var(--jp-error-color1, #d32f2f); background: var(--jp-layout-color2, #eee);
   color: var(--jp-ui-font-color1, #212121); white-space: pre-line; overflow-wrap: anywhere; }
 .param-panel .param-waiting { border-left-color: var(--jp-border-color1, #9e9e9e); }
-.param-panel .param-quiet .widget-label, .param-panel .param-quiet .widget-checkbox span { font-size: 12px; }
+.param-panel .param-quiet .widget-label, .param-panel .param-quiet .widget-checkbox span { font-size: 12px;
+  padding-right: 2px; }
 .param-panel .param-quiet .param-note { font-size: 12px; }
 .param-panel input:disabled, .param-panel textarea:disabled { opacity: .75; border-style: dashed; }
 @container (max-width: 620px) {
@@ -205,7 +203,7 @@ class ParameterPanel(widgets.VBox):
         elif self._live.status:
             fact = 'not available'
         else:
-            fact = counted(len(self._controls))
+            fact = _counted(len(self._controls))
         return f'<ParameterPanel: {self._node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
@@ -319,11 +317,7 @@ def group_of(name: str) -> str:
     return '' if is_housekeeping(name) else name.rpartition('.')[0]
 
 
-def is_housekeeping(name: str) -> bool:
-    return name in _HOUSEKEEPING or name.startswith(_HOUSEKEEPING_PREFIX)
-
-
-def counted(count: int) -> str:
+def _counted(count: int) -> str:
     return f'{count} parameter{"" if count == 1 else "s"}'
 
 
@@ -334,7 +328,7 @@ def _heading(group: str) -> widgets.HTML:
 
 
 def _head_markup(node: str, status: str, count: int) -> str:
-    words = (f'<span class="param-status">{counted(count)}</span>' if not status else
+    words = (f'<span class="param-status">{_counted(count)}</span>' if not status else
              f'<span class="param-status param-status-bad">&#9888; {html.escape(status)}</span>')
     return f'<div role="status"><span class="param-node">{html.escape(node)}</span>{words}</div>'
 

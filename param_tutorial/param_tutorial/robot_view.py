@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import ipywidgets as widgets
+from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
 
 from param_tutorial import background
@@ -431,7 +432,10 @@ def _robot(facts: _Facts, wheel_css: str) -> str:
 
 
 def _is_robot(node: Node, name: str) -> bool:
-    return isinstance(node, ClawbotNode) and node.get_fully_qualified_name() == name
+    try:
+        return isinstance(node, ClawbotNode) and node.get_fully_qualified_name() == name
+    except InvalidHandle:  # destroyed after the list of nodes was made
+        return False
 
 
 def _nothing() -> None:

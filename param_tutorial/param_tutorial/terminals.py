@@ -5,6 +5,7 @@ For commands that go on until Ctrl+C, such as ``ros2 run``. Those that end by th
 """
 
 import atexit
+import contextlib
 import os
 import shlex
 import signal
@@ -12,6 +13,7 @@ import subprocess
 import threading
 import time
 import weakref
+from pathlib import Path
 
 from param_tutorial import domain
 from param_tutorial.errors import WaitTimeoutError
@@ -64,6 +66,11 @@ class Terminal:
         return f'<Terminal: {self.command} ({"running" if status is None else f"ended with status {status}"})>'
 
     @property
+    def is_running(self) -> bool:
+        """Has the command not ended yet?"""
+        return self._process.poll() is None
+
+    @property
     def text(self) -> str:
         """All that has been printed so far."""
         with self._changed:
@@ -94,6 +101,7 @@ class Terminal:
 
         :return: Its exit status; negative if a signal ended it.
         """
+        self._wait_until_it_rests()
         for number in (signal.SIGINT, signal.SIGKILL):
             try:
                 if self._process.poll() is None:
@@ -104,6 +112,27 @@ class Terminal:
                 continue
         self._reader.join(timeout_sec)
         return self._process.returncode
+
+    def _wait_until_it_rests(self, timeout_sec: float = 1.0) -> None:
+        """Wait until none of the command's processes computes, or the time has passed.
+
+        A Ctrl+C that comes while rclpy 7.1.6 makes a Task leads to an AttributeError in Task.__del__, printed by
+        Python. A hand never meets these microseconds; a cell that has just had an answer from the node does.
+        """
+        deadline = time.monotonic() + timeout_sec
+        while 'R' in self._states() and time.monotonic() < deadline:
+            time.sleep(0.005)
+
+    def _states(self) -> set[str]:
+        """Give the states of the main threads in the command's session, one letter each as in proc(5)."""
+        states = set()
+        for stat in Path('/proc').glob('[0-9]*/stat'):
+            with contextlib.suppress(OSError):  # it has ended meanwhile
+                # The second field is the program's name in parentheses, which may hold anything.
+                state, _, _, session, *_ = stat.read_text().rpartition(')')[2].split()
+                if int(session) == self._process.pid:
+                    states.add(state)
+        return states
 
     def _collect(self) -> None:
         with self._process.stdout as lines:

@@ -44,7 +44,7 @@ class Lab:
         self._work = folder / 'work'
         self._work.mkdir(parents=True)
         for notebook in notebooks:
-            shutil.copy(notebook, self._work)
+            self.add(notebook)
         self.token = os.urandom(16).hex()
         # Each test's kernels choose a domain of their own, as a learner's do.
         inherited = {name: value for name, value in os.environ.items()
@@ -59,6 +59,10 @@ class Lab:
             'JUPYTERLAB_WORKSPACES_DIR': str(folder / 'workspaces'),
             'IPYTHONDIR': str(folder / 'ipython'),
         }
+
+    def add(self, notebook: Path) -> None:
+        """Put a copy of a notebook, fresh again, into the server's folder."""
+        shutil.copy(notebook, self._work)
 
     def __enter__(self) -> 'Lab':
         self._log = (self._folder / 'server.log').open('w')
@@ -112,6 +116,13 @@ class Lab:
         """Give the server's word on its kernels."""
         with urllib.request.urlopen(f'{self.url}api/kernels?token={self.token}', timeout=20) as answer:
             return json.load(answer)
+
+    def end_kernels(self) -> None:
+        """End all kernels, and wait until they have ended."""
+        for kernel in self.kernels():
+            request = urllib.request.Request(f'{self.url}api/kernels/{kernel["id"]}?token={self.token}',
+                                             method='DELETE')
+            urllib.request.urlopen(request, timeout=TIMEOUT_SEC).close()
 
     def ask_kernel(self, expression: str) -> str:
         """Give the repr of an expression in the one kernel, past the browser."""
@@ -170,25 +181,11 @@ class LabPage:
                            [name, arguments])
 
     def run_all(self) -> None:
-        """Run all cells and wait until the last one has its number."""
+        """Run all cells and wait until each has its number."""
         self.command('notebook:run-all-cells')
-        self._wait_for_cells('cells')
-
-    def run_all_but_last(self) -> None:
-        """Run all cells but the last with code, which in a chapter stops the node, and wait for their numbers."""
-        self.page.evaluate("""() => {
-            const notebook = window.jupyterapp.shell.currentWidget.content;
-            notebook.activeCellIndex = notebook.widgets.map(cell => cell.model.type).lastIndexOf('code');
-        }""")
-        self.command('notebook:run-all-above')
-        self._wait_for_cells('cells.slice(0, -1)')
-
-    def _wait_for_cells(self, which: str) -> None:
-        self._wait_js("""() => {
-            const cells = window.jupyterapp.shell.currentWidget.content.widgets
-                .filter(cell => cell.model.type === 'code' && cell.model.sharedModel.source.trim());
-            return WHICH.every(cell => cell.model.executionCount !== null && cell.model.executionState !== 'running');
-        }""".replace('WHICH', which))
+        self._wait_js("""() => window.jupyterapp.shell.currentWidget.content.widgets
+            .filter(cell => cell.model.type === 'code' && cell.model.sharedModel.source.trim())
+            .every(cell => cell.model.executionCount !== null && cell.model.executionState !== 'running')""")
 
     def select_cell(self, index: int) -> None:
         """Make a cell, counted from 0 and with the Markdown ones, the one that commands work on."""

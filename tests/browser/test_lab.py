@@ -25,21 +25,48 @@ CHAPTER = ROOT / 'notebooks' / '05_2_with_a_callback.ipynb'
 NODE = '/simple_param_node'
 
 
-@pytest.fixture(params=['lesson', 'chapter'])
-def open_lesson(request, tmp_path):
-    """Give a server and a page on which all cells have run."""
-    if request.param == 'lesson':
-        notebook = lesson.write(tmp_path / 'lesson.ipynb')
-    else:
-        chapter = nbformat.read(CHAPTER, as_version=4)
-        assert chapter.cells.pop().source == 'param_tutorial.stop()'
-        notebook = tmp_path / CHAPTER.name
-        nbformat.write(chapter, notebook)
-    with Lab(tmp_path / 'lab', [notebook]) as lab, lab.browser() as browser:
-        page = LabPage(lab, browser, notebook.name)
-        page.run_all_but_last()
-        yield lab, page
-        assert strange_errors(page) == []
+@pytest.fixture(scope='module')
+def server(tmp_path_factory):
+    """Give a server without notebooks, and a browser."""
+    with Lab(tmp_path_factory.mktemp('lab'), []) as lab, lab.browser() as browser:
+        yield lab, browser
+
+
+@pytest.fixture
+def open_notebook(server):
+    """Give a function that opens a fresh copy of a notebook; afterwards the browser must not have complained."""
+    lab, browser = server
+    pages = []
+
+    def open_it(notebook):
+        lab.add(notebook)
+        pages.append(LabPage(lab, browser, notebook.name))
+        return lab, pages[-1]
+
+    yield open_it
+    for page in pages:
+        page.page.close()
+    lab.end_kernels()
+    assert [strange_errors(page) for page in pages] == [[]]
+
+
+@pytest.fixture
+def open_lesson(open_notebook, tmp_path):
+    """Give a server, and a page with the small notebook on which all cells have run."""
+    lab, page = open_notebook(lesson.write(tmp_path / 'lesson.ipynb'))
+    page.run_all()
+    return lab, page
+
+
+@pytest.fixture
+def open_chapter(open_notebook, tmp_path):
+    """Give a server, and a page with a chapter on which all cells but the last have run."""
+    chapter = nbformat.read(CHAPTER, as_version=4)
+    assert chapter.cells.pop().source == 'param_tutorial.stop()'
+    nbformat.write(chapter, tmp_path / CHAPTER.name)
+    lab, page = open_notebook(tmp_path / CHAPTER.name)
+    page.run_all()
+    return lab, page
 
 
 def strange_errors(page):
@@ -69,8 +96,9 @@ def drag(page, handle):
     page.page.mouse.up()
 
 
-def test_a_learner_and_a_terminal(open_lesson):
-    lab, page = open_lesson
+@pytest.mark.parametrize('opened', ['open_lesson', 'open_chapter'])
+def test_a_learner_and_a_terminal(request, opened):
+    lab, page = request.getfixturevalue(opened)
     handle, box = page.handle('max_acceleration_mps2'), page.box('max_acceleration_mps2')
     expect(handle).to_be_visible()
     before = float(box.input_value())
@@ -130,46 +158,38 @@ def test_a_learner_and_a_terminal(open_lesson):
     expect(page.box('robot_serial_number')).to_be_disabled()
 
 
-def test_a_second_view_of_a_panel_changes_nothing(tmp_path):
+def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     """A slider may report its position, which is rounded, when it is drawn."""
-    notebook = lesson.write(tmp_path / 'lesson.ipynb')
-    with Lab(tmp_path / 'lab', [notebook]) as lab, lab.browser() as browser:
-        page = LabPage(lab, browser, notebook.name)
-        page.run_all()
-        page.box('max_acceleration_mps2').fill('0.123456')
-        page.box('max_acceleration_mps2').press('Enter')
-        lab_module.wait_for(lambda: position(page) == 0.12, 'the slider to follow')
-        page.select_cell(3)
-        page.command('notebook:create-output-view')
-        panels = page.page.locator('.param-panel')
-        expect(panels).to_have_count(2)
-        expect(panels.nth(1).locator('.noUi-handle').first).to_be_visible()
-        # Messages keep their order, so this one comes after whatever the second view had to say.
-        second = panels.nth(1).get_by_label('robot_name', exact=True)
-        second.fill('Second')
-        second.press('Enter')
-        expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Second')
-        expect(page.box('robot_name')).to_have_value('Second')
-        assert terminal(lab, 'param', 'get', NODE, 'max_acceleration_mps2') == 'Double value is: 0.123456'
-        assert strange_errors(page) == []
+    lab, page = open_lesson
+    page.box('max_acceleration_mps2').fill('0.123456')
+    page.box('max_acceleration_mps2').press('Enter')
+    lab_module.wait_for(lambda: position(page) == 0.12, 'the slider to follow')
+    page.select_cell(3)
+    page.command('notebook:create-output-view')
+    panels = page.page.locator('.param-panel')
+    expect(panels).to_have_count(2)
+    expect(panels.nth(1).locator('.noUi-handle').first).to_be_visible()
+    # Messages keep their order, so this one comes after whatever the second view had to say.
+    second = panels.nth(1).get_by_label('robot_name', exact=True)
+    second.fill('Second')
+    second.press('Enter')
+    expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Second')
+    expect(page.box('robot_name')).to_have_value('Second')
+    assert terminal(lab, 'param', 'get', NODE, 'max_acceleration_mps2') == 'Double value is: 0.123456'
 
 
-def test_the_log_and_the_panel_after_running_all_cells_again(tmp_path):
-    notebook = lesson.write(tmp_path / 'lesson.ipynb')
-    with Lab(tmp_path / 'lab', [notebook]) as lab, lab.browser() as browser:
-        page = LabPage(lab, browser, notebook.name)
-        page.run_all()
-        page.box('robot_name').fill('Rex <b>')
-        page.box('robot_name').press('Enter')
-        log = page.page.get_by_role('log')
-        expect(log).to_contain_text('[INFO] [simple_param_node]: robot_name is now Rex <b>')
-        page.run_all()
-        expect(page.page.locator('.param-panel')).to_have_count(1)
-        expect(page.box('robot_name')).to_have_value('Clawbot')
-        page.box('robot_name').fill('Max')
-        page.box('robot_name').press('Enter')
-        expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Max')
-        count = lab.ask_kernel("sum('ParameterPanel' in repr(each) or 'LiveParameters' in repr(each) for each in "
-                               "__import__('param_tutorial').start.__globals__['_current']._event_listeners)")
-        assert count == '1'
-        assert strange_errors(page) == []
+def test_the_log_and_the_panel_after_running_all_cells_again(open_lesson):
+    lab, page = open_lesson
+    page.box('robot_name').fill('Rex <b>')
+    page.box('robot_name').press('Enter')
+    log = page.page.get_by_role('log')
+    expect(log).to_contain_text('[INFO] [simple_param_node]: robot_name is now Rex <b>')
+    page.run_all()
+    expect(page.page.locator('.param-panel')).to_have_count(1)
+    expect(page.box('robot_name')).to_have_value('Clawbot')
+    page.box('robot_name').fill('Max')
+    page.box('robot_name').press('Enter')
+    expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Max')
+    count = lab.ask_kernel("sum('ParameterPanel' in repr(each) or 'LiveParameters' in repr(each) for each in "
+                           "__import__('param_tutorial').start.__globals__['_current']._event_listeners)")
+    assert count == '1'

@@ -4,7 +4,27 @@
 and a word that the check has to find.
 """
 
-from wrong_answers import ch03, ch04, ch05_1, ch05_2, ch05_3
+from wrong_answers import (
+    ch01,
+    ch02,
+    ch03,
+    ch04,
+    ch05_1,
+    ch05_2,
+    ch05_3,
+    ch06,
+    ch07_1,
+    ch07_2,
+    ch07_3,
+    ch08,
+    ch09,
+    ch10_1,
+    ch10_2,
+    ch10_3,
+    ch10_4,
+    ch11,
+)
 
-WRONG = {number: cases for module in (ch03, ch04, ch05_1, ch05_2, ch05_3)
-         for number, cases in module.WRONG.items()}
+_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
+             ch10_3, ch10_4, ch11)
+WRONG = {number: cases for module in _CHAPTERS for number, cases in module.WRONG.items()}

@@ -15,10 +15,31 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
 from typing import Any
 
 from param_tutorial.errors import nearest
-from param_tutorial.exercises import ch03, ch04, ch05_1, ch05_2, ch05_3
+from param_tutorial.exercises import (
+    ch01,
+    ch02,
+    ch03,
+    ch04,
+    ch05_1,
+    ch05_2,
+    ch05_3,
+    ch06,
+    ch07_1,
+    ch07_2,
+    ch07_3,
+    ch08,
+    ch09,
+    ch10_1,
+    ch10_2,
+    ch10_3,
+    ch10_4,
+    ch11,
+)
 from param_tutorial.exercises.results import Answer, Hint, Result
 
-EXERCISES = {each.number: each for module in (ch03, ch04, ch05_1, ch05_2, ch05_3) for each in module.EXERCISES}
+_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
+             ch10_3, ch10_4, ch11)
+EXERCISES = {each.number: each for module in _CHAPTERS for each in module.EXERCISES}
 
 _hints_given: dict[str, int] = {}
 

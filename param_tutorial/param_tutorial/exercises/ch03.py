@@ -35,7 +35,12 @@ def expect_answer(trial: Trial, name: str, value: object, kind: str, because: st
     :param kind: As in SetResult.kind.
     :param because: What to think of when it accepts what it should not.
     """
-    result = client_for(trial, name).set_parameter(name, value)
+    expect_result(client_for(trial, name), name, value, kind, because)
+
+
+def expect_result(client: ParameterClient, name: str, value: object, kind: str, because: str = '') -> None:
+    """Expect the answer of a node that is there already; as above."""
+    result = client.set_parameter(name, value)
     expect(result.kind == kind, f'`{name} = {value!r}` is {"" if kind == "accepted" else "refused: "}{kind}',
            f'{result}' + (f'. {because}' if result.successful else ''))
 

@@ -1,11 +1,10 @@
 """Exercises of chapter 5.1: spell values for the command line, and predict what becomes of them."""
 
-import io
 import shlex
 
 from rclpy.node import Node
 
-from param_tutorial import ros2, values
+from param_tutorial import values
 from param_tutorial.exercises.exercise import DICTIONARY, Exercise
 from param_tutorial.exercises.trial import CORNER, NotYet, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -27,10 +26,7 @@ class Gripper(Node):
 
 def type_in(trial: Trial, node: Node, words: str) -> str:
     """Type ``ros2 param set NODE`` and some words, as in a terminal, and give what it prints."""
-    printed = io.StringIO()
-    ros2.main(['param', 'set', f'{CORNER}/{node.get_name()}', *shlex.split(words)],
-              stdout=printed, stderr=printed, get_executor=lambda: trial.ros, in_notebook=True)
-    return printed.getvalue().strip()
+    return trial.ros2('param', 'set', f'{CORNER}/{node.get_name()}', *shlex.split(words))
 
 
 spell = Exercise('5.1a', CHAPTER, DICTIONARY, hints=(

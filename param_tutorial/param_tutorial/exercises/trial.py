@@ -1,17 +1,21 @@
 """A corner of the stage where a learner's work is tried out: nothing of it is left behind."""
 
 import contextlib
+import io
 import linecache
+import re
 import signal
+import tempfile
 import threading
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from rclpy.node import Node
 
 import param_tutorial
-from param_tutorial import background
+from param_tutorial import background, ros2
 from param_tutorial.client import ParameterClient
 from param_tutorial.errors import CallbackError, ExecutorError, ParameterToolError, WaitTimeoutError
 from param_tutorial.services import SERVICE_TYPES
@@ -21,6 +25,14 @@ from param_tutorial.services import SERVICE_TYPES
 CORNER = '/_check'
 # How long each constructor, function, answer or reaction may take.
 TIME_LIMIT_SEC = 5.0
+
+
+# What rclpy raises for a parameter file, with rcl's own words in it.
+_NOT_A_PARAMETER_FILE = re.compile(r"Couldn't parse params file: .*? Error: (.*?), at \S+:\d+", re.DOTALL)
+# The name of a node, or a pattern, at the beginning of a line: the first level of a parameter file. What begins with
+# /** reaches the corner as it is, and /** itself must stay one block with that of `-p`; a dump of a node in the corner
+# names it already.
+_NODE_KEY = re.compile(rf'^(["\']?)(?!/?\*\*|{CORNER}/)/?(?=[\w*])', re.MULTILINE)
 
 
 class NotYet(Exception):
@@ -34,6 +46,10 @@ class NotYet(Exception):
 
 class NoUse(NotYet):
     """Neither this requirement nor any further one can be tried out."""
+
+
+class NoStart(NoUse):
+    """A node does not get through its constructor."""
 
 
 def expect(met: Any, expected: str, happened: str) -> None:
@@ -59,29 +75,57 @@ class Trial:
         """The names of the nodes that were made of the work."""
         self._errors = list(ros.errors)
 
-    def start(self, node_class: type[Node] | None = None, *, ros_args: Sequence[str] = ()) -> Node:
+    def start(self, node_class: type[Node] | None = None, *, ros_args: Sequence[str] = (),
+              namespace: str = '') -> Node:
         """Put a node on the stage, in the corner.
 
         :param node_class: By default the learner's work, or derived from it.
         :param ros_args: As in BackgroundExecutor.add.
-        :raises NoUse: it does not start.
+        :param namespace: Within the corner, with a slash in front.
+        :raises NoStart: it does not start.
         """
         node_class = node_class or self.work
         # A service of /rover is, for this node, that of the /rover in the corner.
         moved = [f'/rover/{service}:={CORNER}/rover/{service}' for service in SERVICE_TYPES]
-        remapped = [word for rule in (f'__ns:={CORNER}', *moved) for word in ('-r', rule)]
+        remapped = [word for rule in (f'__ns:={CORNER}{namespace}', *moved) for word in ('-r', rule)]
         try:
             with _time_limit():
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args])
         except (Exception, TooLong, SystemExit) as error:
-            raise NoUse('a node that starts', f'its constructor did not get to its end. {told(error)}') from None
+            raise NoStart('a node that starts', f'its constructor did not get to its end. {told(error)}') from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.append(node.get_name())
         return node
 
+    def start_with_files(self, node_class: type[Node], files: Mapping[str, str], *words: str,
+                         namespace: str = '') -> Node:
+        """Put a node on the stage, in the corner, with parameter files.
+
+        :param files: The name of each, and its text. The names of nodes in it mean those in the corner.
+        :param words: As ``ros_args``; the name of a file in them stands for its path.
+        :raises NoStart: it does not start.
+        :raises NoUse: rcl cannot read one of the files.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                Path(folder, name).write_text(_in_corner(text), encoding='utf-8')
+            ros_args = [str(Path(folder, word)) if word in files else word for word in words]
+            try:
+                return self.start(node_class, ros_args=ros_args, namespace=namespace)
+            except NoStart as error:
+                if match := _NOT_A_PARAMETER_FILE.search(error.happened):
+                    raise NoUse('a file that rcl can read', f'it cannot: {match[1]}') from None
+                raise
+
     def client(self, node: Node) -> ParameterClient:
         """Give a client for a node's parameters, with the time limit."""
         return ParameterClient(node, timeout_sec=TIME_LIMIT_SEC, executor=self.ros)
+
+    def ros2(self, *words: str) -> str:
+        """Type a command, as in a notebook, and give what it prints."""
+        printed = io.StringIO()
+        ros2.main(words, stdout=printed, stderr=printed, get_executor=lambda: self.ros, in_notebook=True)
+        return printed.getvalue().strip()
 
     def call(self, what: str, function: Callable, *args: Any) -> Any:
         """Call a function of the learner's here.
@@ -169,6 +213,11 @@ def _time_limit() -> Iterator[None]:
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, previous)
+
+
+def _in_corner(text: str) -> str:
+    """Let a parameter file mean the nodes in the corner, in place of those of the same names."""
+    return _NODE_KEY.sub(rf'\1{CORNER}/', text)
 
 
 def told(error: BaseException) -> str:

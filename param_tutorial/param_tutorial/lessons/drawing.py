@@ -29,7 +29,8 @@ class Drawer:
 
     def draw(self, recording: dict[str, Any]) -> str:
         """Give the HTML of one recorded widget."""
-        draw = {'panel': self._panel, 'robot': self._robot, 'log': self._log, 'still': self._still}
+        draw = {'panel': self._panel, 'robot': self._robot, 'log': self._log, 'steps': self._steps,
+                'still': self._still}
         return draw[recording['kind']](recording, f'{self._page}-{next(self._numbers)}')
 
     def _panel(self, recording: dict[str, Any], name: str) -> str:
@@ -47,6 +48,7 @@ class Drawer:
                                                 'contexts', 'log_depends') if key in row}
                      for row in recording['rows'] if not row['locked']],
             'films': recording.get('films', []),
+            'pictures': recording.get('pictures', []),
         }
         return (
             f'<div role="group" class="rec rec-panel" id="{name}" data-node="{node}" aria-labelledby="{name}-head">'
@@ -73,6 +75,12 @@ class Drawer:
         return (f'<div role="group" class="rec rec-log" id="{name}" data-node="{html.escape(recording["node"])}" '
                 f'aria-label="{title}"><p class="rec-head"><b>{title}</b><span class="rec-mark">recorded</span></p>'
                 f'<pre role="log" tabindex="0" aria-label="{title}">{lines}</pre></div>')
+
+    def _steps(self, recording: dict[str, Any], name: str) -> str:
+        node = html.escape(recording['node'])
+        return (f'<div role="group" class="rec rec-steps" id="{name}" data-node="{node}" '
+                f'aria-label="Step response of {node}"><div class="rec-picture">{recording["html"]}</div>'
+                f'<div class="rec-says" role="status"></div></div>')
 
     def _still(self, recording: dict[str, Any], name: str) -> str:
         shown = recording['html'] or f'<p>{html.escape(recording["text"])}</p>'

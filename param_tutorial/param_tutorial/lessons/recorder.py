@@ -11,6 +11,7 @@ Where these differ the page is told so, and gives an answer only in the states i
 
 import itertools
 import math
+import re
 import threading
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -19,12 +20,13 @@ import ipywidgets as widgets
 from rclpy.node import Node
 
 from param_tutorial import background, robot_view, values
-from param_tutorial.client import Descriptor, ParameterClient
+from param_tutorial.client import Descriptor, ParameterClient, is_housekeeping
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.live import words_of
 from param_tutorial.log_view import LogView
 from param_tutorial.node_log import LogLine
 from param_tutorial.nodes.clawbot_node import ClawbotNode
+from param_tutorial.nodes.pid_controller_node import PidControllerNode
 from param_tutorial.panel_editors import (
     CheckBoxEditor,
     DoubleSliderEditor,
@@ -35,7 +37,8 @@ from param_tutorial.panel_editors import (
     read,
     written,
 )
-from param_tutorial.panels import HOUSEKEEPING_HEADING, ParameterPanel, group_of, help_markup, is_housekeeping
+from param_tutorial.panels import HOUSEKEEPING_HEADING, ParameterPanel, group_of, help_markup
+from param_tutorial.step_view import StepResponseView
 
 # How many positions of a slider are asked for; beyond that, a spread with both ends.
 _POSITIONS = 201
@@ -75,7 +78,7 @@ def record(model_id: str, literals: Iterable[Any]) -> dict[str, Any]:
 
     :param model_id: Of the widget that a cell has shown.
     :param literals: Values that the lesson speaks of; a parameter of a fitting type is asked for them too.
-    :return: What JSON can hold; ``kind`` is 'panel', 'robot', 'log' or 'still'.
+    :return: What JSON can hold; ``kind`` is 'panel', 'robot', 'log', 'steps' or 'still'.
     """
     # There is no public way from a model's id, which is all that an output tells, to its widget.
     widget = widgets.widget._instances[model_id]
@@ -85,17 +88,26 @@ def record(model_id: str, literals: Iterable[Any]) -> dict[str, Any]:
         return record_robot(widget)
     if isinstance(widget, LogView):
         return record_log(widget)
+    if isinstance(widget, StepResponseView):
+        widget.settle()
+        return {'kind': 'steps', 'node': name_in(widget), 'html': still_html(widget)}
     # A widget that speaks for itself shows something that is of this machine, or of this moment.
     speaks = type(widget).__repr__ is not widgets.Widget.__repr__ and not isinstance(widget, widgets.Box)
     return {'kind': 'still', 'html': '' if speaks else still_html(widget), 'text': repr(widget)}
 
 
+def name_in(view: Any) -> str:
+    """Give the name of the node that a view names in its repr, or what it says in its place."""
+    return re.match(r'<\w+: ([^,>]+)', repr(view))[1]
+
+
 def still_html(widget: Any) -> str:
     """Give the HTML that a tree of widgets holds, as it stands."""
     if isinstance(widget, widgets.Box):
-        return ''.join(map(still_html, widget.children))
+        # The views' style sheets go by these names.
+        return f'<div class="{" ".join(widget._dom_classes)}">{"".join(map(still_html, widget.children))}</div>'
     if isinstance(widget, (widgets.HTML, widgets.HTMLMath)):
-        return f'<div>{widget.value}</div>'
+        return f'<div class="{" ".join(widget._dom_classes)}">{widget.value}</div>'
     return ''
 
 
@@ -138,13 +150,12 @@ def record_log(view: LogView) -> dict[str, Any]:
         tap = NodeLogTap(node)
         tap.lines()
         tap.stop()
-    title = repr(view).removeprefix('<LogView: ').removesuffix('>')
-    return {'kind': 'log', 'node': title, 'lines': [line for line in view.lines if _MARK not in line]}
+    return {'kind': 'log', 'node': name_in(view), 'lines': [line for line in view.lines if _MARK not in line]}
 
 
 def record_robot(view: robot_view.RobotView) -> dict[str, Any]:
     """Record the robot as it stands, and its drive."""
-    name = repr(view).removeprefix('<RobotView: ').removesuffix('>')
+    name = name_in(view)
     robot = node_here(name)
     if not isinstance(robot, ClawbotNode):
         return {'kind': 'still', 'html': still_html(view), 'text': view.text}
@@ -197,7 +208,9 @@ class PanelRecorder:
         self._all_names: list[str] = []
         self._shown: dict[str, Any] = {}
         self._descriptors: dict[str, Descriptor] = {name: panel[name].descriptor for name in panel.names}
-        self._looks: dict[str, str] = {}
+        # A view like those of the lesson's, of which the page wants a picture for each answer.
+        self._steps = StepResponseView(panel.node) if isinstance(self._node, PidControllerNode) else None
+        self._looks: Any = None
         self._asked = 0
 
     def record(self) -> dict[str, Any]:
@@ -222,18 +235,21 @@ class PanelRecorder:
         return recording
 
     def _ask_all(self, recording: dict[str, Any]) -> None:
-        stills: dict[str, dict[str, str]] = {}
+        looks: dict[str, Any] = {}
         for row in recording['rows']:
             if row['locked']:
                 continue
             row['answers'] = {}
             for text in self._candidates(row):
                 row['answers'][text] = answer = self._ask(row['name'], text, self._shown)
-                if self._robot and 'value' in answer:
-                    stills[text_key({row['name']: answer['value']})] = self._looks
+                if self._looks and 'value' in answer:
+                    looks[text_key({row['name']: answer['value']})] = self._looks
         self._find_dependence(recording['rows'])
         if self._robot:
-            recording['films'] = self._drives(recording['rows'], stills)
+            recording['films'] = self._drives(recording['rows'], looks)
+        if self._steps:
+            recording['pictures'] = self._pictures(recording['rows'], looks)
+            self._steps.close()
 
     # -- one question ----------------------------------------------------------------------------------
 
@@ -266,9 +282,9 @@ class PanelRecorder:
         if also:
             answer['also'] = also
         answer['log'] = self._tap.lines() if self._tap else None
-        if self._robot and not reason:
-            # Before it is given back: what the robot looks like with this value.
-            self._looks = Films(self._robot).still()
+        if not reason:
+            # Before it is given back: what the node's picture looks like with this value.
+            self._looks = self._look()
         self._restore(state, after)
         return answer
 
@@ -362,23 +378,44 @@ class PanelRecorder:
             contexts[other['answers'][text]['value']] = {each: self._ask(row['name'], each, state) for each in texts}
             self._restore(self._shown, state)
 
-    # -- how the robot drives --------------------------------------------------------------------------
+    # -- pictures of the node --------------------------------------------------------------------------
 
-    def _drives(self, rows: list[dict[str, Any]], stills: dict[str, dict[str, str]]) -> list[dict[str, Any]]:
+    def _look(self) -> Any:
+        """Give what a view of the node shows now; None if the course has no view of such a node."""
+        if self._robot:
+            return Films(self._robot).still()
+        if self._steps:
+            self._steps.settle()
+            return re.sub(r'<style>.*?</style>', '', still_html(self._steps), flags=re.DOTALL)
+        return None
+
+    def _drives(self, rows: list[dict[str, Any]], looks: dict[str, dict[str, str]]) -> list[dict[str, Any]]:
         films = Films(self._robot)
+        for changed in self._choices(rows):
+            state = self._enter(changed)
+            films.take(changed, looks.get(text_key(changed)) or films.still())
+            self._restore(self._shown, state)
+        return films.taken
+
+    def _pictures(self, rows: list[dict[str, Any]], looks: dict[str, str]) -> list[dict[str, Any]]:
+        pictures = []
+        for changed in self._choices(rows):
+            state = self._enter(changed)
+            pictures.append({'changed': changed, 'html': looks.get(text_key(changed)) or self._look()})
+            self._restore(self._shown, state)
+        return pictures
+
+    def _choices(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, str]]:
+        """Give the sets of changed parameters that are to be seen: none, each alone, and some together."""
         shown = {row['name']: row['text'] for row in rows}
         moving = {row['name']: row for row in rows if 'answers' in row and not row['quiet']
                   and (row['editor'] == 'check' or 'positions' in row)}
         seen = set()
         for choice in itertools.chain([{}], self._single(moving), _together(moving)):
             changed = {name: text for name, text in choice.items() if text != shown[name]}
-            if text_key(changed) in seen:
-                continue
-            seen.add(text_key(changed))
-            state = self._enter(changed)
-            films.take(changed, stills.get(text_key(changed)) or films.still())
-            self._restore(self._shown, state)
-        return films.taken
+            if text_key(changed) not in seen:
+                seen.add(text_key(changed))
+                yield changed
 
     def _single(self, rows: dict[str, dict[str, Any]]) -> Iterator[dict[str, str]]:
         for name, row in rows.items():

@@ -5,7 +5,7 @@ import os
 import pkgutil
 import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NoReturn
 
@@ -51,19 +51,20 @@ def run_program(session: Session, args: argparse.Namespace) -> NoReturn:
         raise CommandFailed(f'cannot run {command[0]}: {error.strerror}') from None
 
 
-def find_program(package: str, program: str) -> list[str]:
+def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ) -> list[str]:
     """Find a program: in the install spaces that have been sourced, else among the course's own nodes.
 
+    :param environment: Tells what has been sourced.
     :return: The words that start it.
     :raises CommandFailed: there is no such package, or no such program in it.
     """
-    for prefix in filter(None, os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep)):
+    for prefix in filter(None, environment.get('AMENT_PREFIX_PATH', '').split(os.pathsep)):
         if (Path(prefix) / 'share/ament_index/resource_index/packages' / package).exists():
             path = Path(prefix) / 'lib' / package / program
             if path.is_file() and os.access(path, os.X_OK):
                 return [str(path)]
             raise CommandFailed('No executable found')
-    if package != PACKAGE or os.environ.get('PARAM_TUTORIAL_OWN_NODES') == '0':
+    if package != PACKAGE or environment.get('PARAM_TUTORIAL_OWN_NODES') == '0':
         raise CommandFailed(f"Package '{package}' not found")
     if program not in node_programs():
         raise CommandFailed('No executable found')

@@ -46,10 +46,10 @@ def launch_file(session: Session, args: argparse.Namespace) -> None:
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         context = Context(
             arguments, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text))
-        launcher.run(_programs(description, context))
+        launcher.run(programs(description, context))
 
 
-def _programs(description: LaunchDescription, context: Context) -> list[Program]:
+def programs(description: LaunchDescription, context: Context) -> list[Program]:
     """Give what is to be started.
 
     All is worked out before the first is started, so that a mistake leaves nothing running.

@@ -25,11 +25,18 @@
     return Object.keys(changed).sort().map(name => `${name}=${changed[name]}`).join('\n');
   }
 
+  /** Say that something was not recorded for a set of changed parameters. */
+  function unknown(what, changed) {
+    const values = Object.entries(changed).map(([name, text]) => `${name} = ${text}`).join(', ');
+    return `Not recorded: no ${what} with ${values}. Run the notebook to see it.`;
+  }
+
   class Panel {
     constructor(section, facts) {
       this.section = section;
       this.node = facts.node;
       this.films = new Map(facts.films.map(film => [key(film.changed), film]));
+      this.pictures = new Map(facts.pictures.map(picture => [key(picture.changed), picture]));
       this.rows = new Map(facts.rows.map(row => [row.name, new Row(this, row)]));
       this.resetButton = section.querySelector('.rec-reset');
       this.resetButton.addEventListener('click', () => this.reset());
@@ -50,6 +57,14 @@
       }
       this.resetButton.disabled = !Object.keys(this.changed).length;
       for (const robot of robots) if (robot.node === this.node) robot.follow(this);
+      for (const view of document.querySelectorAll('.rec-steps')) if (view.dataset.node === this.node) this.draw(view);
+    }
+
+    /** Show the picture that belongs to the parameters, if there is one. */
+    draw(view) {
+      const picture = this.pictures.get(key(this.changed));
+      if (picture) view.querySelector('.rec-picture').innerHTML = picture.html;
+      view.querySelector('.rec-says').textContent = picture ? '' : unknown('picture', this.changed);
     }
 
     log(lines) {
@@ -206,18 +221,13 @@
       this.changed = panel.changed;
       const film = this.films.get(key(this.changed));
       if (this.timers.length) {
-        this.note = 'The next drive will show the change.';
+        this.status.textContent = 'The next drive will show the change.';
       } else if (film && film.still) {
         this.picture.innerHTML = film.still.picture;
         this.status.textContent = film.still.sentence;
       } else if (!film) {
-        this.status.textContent = this.unknown;
+        this.status.textContent = unknown('drive', this.changed);
       }
-    }
-
-    get unknown() {
-      const values = Object.entries(this.changed).map(([name, text]) => `${name} = ${text}`).join(', ');
-      return `Not recorded: no drive with ${values}. Run the notebook to see it.`;
     }
 
     drive() {
@@ -225,7 +235,7 @@
       this.timers.forEach(clearTimeout);
       this.timers = [];
       if (!film) {
-        this.status.textContent = this.unknown;
+        this.status.textContent = unknown('drive', this.changed);
         return;
       }
       this.drives += 1;

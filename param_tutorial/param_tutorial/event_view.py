@@ -1,0 +1,132 @@
+"""What comes in on /parameter_events as a live table: whose parameter, what became of it, its value."""
+
+import html
+import threading
+from collections import deque
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import ipywidgets as widgets
+from rcl_interfaces.msg import ParameterEvent
+
+from param_tutorial import background, values
+from param_tutorial.cells import close_with_cell
+from param_tutorial.errors import ExecutorError
+from param_tutorial.services import full_name
+from param_tutorial.worker import Worker
+
+# What fits on a few screens; older ones are forgotten.
+CAPACITY = 200
+_SHOW_PERIOD_SEC = 0.1
+
+_STYLE = """<style>
+.param-events { border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; padding: 0; margin: 4px 0;
+  max-width: 56em; background: var(--jp-layout-color1, #fff); color: var(--jp-ui-font-color1, #212121); }
+.param-events .param-events-title { margin: 0; padding: 2px 10px; line-height: 20px;
+  border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); }
+.param-events .param-events-rows { overflow: auto; max-height: 16em; margin: 0; padding: 0 10px; }
+.param-events table { border-collapse: collapse; width: 100%; font-size: var(--jp-code-font-size, 13px); }
+.param-events table th, .param-events table td { text-align: left !important; padding: 3px 12px 3px 0;
+  vertical-align: top; }
+.param-events table td { font-family: var(--jp-code-font-family, monospace); overflow-wrap: anywhere;
+  border-top: 1px solid var(--jp-border-color3, #e0e0e0); }
+</style>"""
+
+
+class Change(NamedTuple):
+    """What an event tells of one parameter."""
+
+    node: str
+    kind: str
+    """'new', 'changed' or 'deleted'."""
+    name: str
+    value: Any
+    """None if it was deleted."""
+
+
+def told_by(event: ParameterEvent) -> list[Change]:
+    """Give what an event tells of, in the order of the message."""
+    return [Change(event.node, kind, each.name, values.to_python(each.value))
+            for kind, parameters in (('new', event.new_parameters), ('changed', event.changed_parameters),
+                                     ('deleted', event.deleted_parameters))
+            for each in parameters]
+
+
+class EventView(widgets.VBox):
+    """A table of what is told on /parameter_events from now on, the newest on top, until it is closed."""
+
+    def __init__(self, node: str | None = None, *, executor: background.BackgroundExecutor | None = None):
+        """
+        :param node: Only the events of this node; by default those of all but the ones whose name begins with an
+            underscore.
+        :param executor: By default whichever runs in the background, also after a stop and a new start.
+        """
+        self._node = None if node is None else full_name(node)
+        self._chosen_executor = executor
+        self._closed = False
+        self._lock = threading.Lock()
+        self._changes: deque[Change] = deque(maxlen=CAPACITY)
+        self._stop_listening: Callable[[], None] = lambda: None
+        self._title = f'Changes of {self._node or "all nodes"}'
+        self._content = widgets.HTML()
+        self._content.add_class('param-events-rows')
+        heading = widgets.HTML(f'{_STYLE}<b>{html.escape(self._title)}</b>')
+        heading.add_class('param-events-title')
+        super().__init__([heading, self._content])
+        self.add_class('param-events')
+        self._worker = Worker(self._show, 'event view', _SHOW_PERIOD_SEC)
+        self._stop_following = background.on_change(self._on_executor_change)
+        self._listen()
+        self._worker.call_now(1.0)
+        close_with_cell(self)
+
+    def __repr__(self) -> str:
+        return f'<EventView: {self._node or "all nodes"}>'
+
+    @property
+    def changes(self) -> list[Change]:
+        """What the table holds, oldest first."""
+        with self._lock:
+            return list(self._changes)
+
+    def close(self) -> None:
+        """Stop listening and remove the table from the page. Twice is as good as once."""
+        self._closed = True
+        self._stop_following()
+        self._stop_listening()
+        self._worker.end()
+        for child in self.children:
+            child.close()
+        super().close()
+
+    def _on_executor_change(self) -> None:
+        if self._chosen_executor is None:
+            self._listen()
+
+    def _listen(self) -> None:
+        self._stop_listening()
+        try:
+            self._stop_listening = (self._chosen_executor or background.current()).on_parameter_event(self._on_event)
+        except ExecutorError:  # stopped: what was told before stays readable
+            self._stop_listening = lambda: None
+
+    def _on_event(self, event: ParameterEvent) -> None:
+        if event.node == self._node or (self._node is None and '/_' not in event.node):
+            with self._lock:
+                self._changes.extend(told_by(event))
+            self._worker.wake()
+
+    def _show(self) -> bool:
+        if self._closed:
+            return False
+        rows = ''.join(_row(change) for change in reversed(self.changes))
+        heads = ''.join(f'<th scope="col">{head}</th>' for head in ('node', 'what', 'parameter', 'value'))
+        self._content.value = (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
+                               f'<table><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table></div>')
+        return False
+
+
+def _row(change: Change) -> str:
+    value = '' if change.kind == 'deleted' else repr(change.value)
+    return '<tr>' + ''.join(f'<td>{html.escape(text)}</td>'
+                            for text in (change.node, change.kind, change.name, value)) + '</tr>'

@@ -1,0 +1,146 @@
+"""Exercises of chapter 1: bring a robot to its goal by parameters alone, and make a parameter of a number."""
+
+import math
+from typing import NamedTuple
+
+from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.nodes.clawbot_node import ClawbotNode
+
+CHAPTER = '01_what_are_parameters'
+WORDS = 'The words'
+OWN = 'Each node has its own'
+NUMBER = 'Why not simply write the number into the program?'
+DONE = 'Accepted is not yet done'
+START = 'Fixed at the start'
+
+COLD_C = -10
+GAP_M, GAP_TOLERANCE_M = 0.5, 0.01
+SPEED_LIMIT_MPS = 1.0
+TIME_SEC = 5.0
+
+park = Exercise('1a', CHAPTER, DICTIONARY, hints=(
+    'Try it on your own robot: `client.set_parameters(settings)`, then press Drive. For the cold, set its '
+    '`simulation.ambient_temperature_c` to -10.',
+    'The safety mode stops where the robot believes to be 20 cm from the wall. What it believes depends on where it '
+    'thinks its sensor sits: in which direction does the stop move when `sensor_offset_meters` gets smaller?',
+    'A wheel with a radius of 0.1 m rolls 0.63 m in one turn, so 100 rpm are 1.05 m/s. And four parameters are '
+    'needed: the offset, the speed, the acceleration and the temperature.'))
+
+
+class Patient(ClawbotNode):
+    """A Clawbot for which time passes only when the check says so."""
+
+    def __init__(self):
+        super().__init__(real_time=False)
+
+
+class Drive(NamedTuple):
+    """What became of a drive."""
+
+    word: str
+    """STOPPED or CRASHED."""
+    gap_m: float
+    seconds: float
+    fastest_mps: float
+
+
+def drive(trial: Trial) -> Drive:
+    """Let a new robot drive with the learner's settings, on a cold morning, until it is at rest."""
+    robot = trial.start(Patient, ros_args=['-p', f'simulation.ambient_temperature_c:={COLD_C}'])
+    trial.client(robot).set_parameters(trial.work)
+    robot.drive()
+    end = robot.step(math.inf)
+    if end.word == 'WAITING':
+        raise NotYet('a robot that drives', f'it is waiting: {robot.waiting_for()}')
+    corners = robot.velocity_over_time()
+    return Drive(end.word, robot.settings.track_m - end.position_m, robot.motion[0].duration_sec,
+                 max(speed_mps for _, speed_mps in corners))
+
+
+@park.require('the robot accepts each of your settings', see=WORDS)
+def accepted(trial):
+    if not trial.work:
+        raise NoUse('at least one parameter and its value', 'there is no setting yet')
+    for name in trial.work:
+        if str(name).startswith('simulation.'):
+            raise NoUse('settings of the robot itself', f'`{name}` is a setting of the world around it: the check '
+                        'keeps the weather, the track and the wheels as they are')
+    results = trial.client(trial.start(Patient)).set_parameters(trial.work)
+    refused = [result for result in results if not result.successful]
+    expect(not refused, 'no value is refused', ''.join(map(str, refused[:1])))
+
+
+@park.require(f'it pulls away at {COLD_C} °C', see=OWN)
+def starts(trial):
+    drive(trial)
+
+
+@park.require(f'it stops {GAP_M} m from the wall, to the centimetre', see=OWN)
+def stops(trial):
+    end = drive(trial)
+    expect(end.word == 'STOPPED', 'it stops by itself', 'it has run into the wall')
+    expect(abs(end.gap_m - GAP_M) <= GAP_TOLERANCE_M, f'{GAP_M:.2f} m', f'it stops {end.gap_m:.2f} m from the wall')
+
+
+@park.require(f'it is there within {TIME_SEC:g} s', see='Change it')
+def in_time(trial):
+    end = drive(trial)
+    expect(end.word == 'STOPPED', 'it stops by itself', 'it has run into the wall')
+    expect(end.seconds <= TIME_SEC, f'at most {TIME_SEC:.2f} s', f'it takes {end.seconds:.2f} s')
+
+
+@park.require(f'it is never faster than {SPEED_LIMIT_MPS:g} m/s', see='A change, drawn')
+def slowly(trial):
+    fastest_mps = drive(trial).fastest_mps
+    expect(fastest_mps <= SPEED_LIMIT_MPS, f'at most {SPEED_LIMIT_MPS:.2f} m/s', f'it gets up to {fastest_mps:.2f} m/s')
+
+
+free = Exercise('1b', CHAPTER, NODE_CLASS, node_name='pump', hints=(
+    'The robot in the section “Why not simply write the number into the program?” has been through this: compare '
+    '`HardCoded` with `WithParameter`.',
+    'Two lines change. One declares the parameter, in the constructor: `self.declare_parameter(name, 2.5)`. The other '
+    'asks for its value where the number stands now.',
+    '`self.get_parameter(name).value` is the value at the moment of asking. So ask in `run`, each time.'))
+PARAMETER = 'litres_per_min'
+
+
+def pump(trial: Trial, *ros_args: str) -> tuple:
+    """Start the learner's pump, and give it with a client; it has to have the parameter."""
+    node = trial.start(ros_args=ros_args)
+    client = trial.client(node)
+    expect(PARAMETER in client.list_parameters(), f'a parameter `{PARAMETER}`', 'the pump has none of that name')
+    return node, client
+
+
+def run(trial: Trial, node: object, minutes: int) -> None:
+    trial.call(f'`run({minutes})`', node.run, minutes)
+
+
+@free.require(f'`{PARAMETER}` is a double, and 2.5 at the start', see=NUMBER)
+def declared(trial):
+    _, client = pump(trial)
+    found, value = client.describe_parameter(PARAMETER).type.label, client.get_parameter(PARAMETER)
+    expect((found, value) == ('double', 2.5), 'a double, 2.5', f'type {found}, value `{value!r}`')
+
+
+@free.require(f'started with `-p {PARAMETER}:=4.0`, it pumps 40 litres in ten minutes', see=START)
+def overridden(trial):
+    node, _ = pump(trial, '-p', f'{PARAMETER}:=4.0')
+    run(trial, node, 10)
+    expect(node.litres == 40, '40 litres', f'`litres` is `{node.litres!r}`' + (
+        '. That is the number in the program, and the parameter says otherwise' if node.litres == 25 else ''))
+
+
+@free.require('a change counts from the next `run` on, and what was pumped before is not forgotten', see=DONE)
+def changed(trial):
+    node, client = pump(trial)
+    run(trial, node, 10)
+    client.set_parameter(PARAMETER, 1.0).raise_for_reason()
+    run(trial, node, 10)
+    expect(node.litres == 35, '25 litres at the old rate and 10 at the new one', f'`litres` is `{node.litres!r}`' + (
+        '. The change was accepted, and the pump goes on as before: it has asked too early' if node.litres == 50
+        else ''))
+
+
+EXERCISES = (park, free)

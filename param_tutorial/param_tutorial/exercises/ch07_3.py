@@ -1,0 +1,129 @@
+"""Exercises of chapter 7.3: foresee which value wins, and write a file that reaches the right nodes."""
+
+from rclpy.node import Node
+
+from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
+from param_tutorial.exercises.trial import NoUse, Trial, expect
+
+CHAPTER = '07_3_overrides'
+TWO = 'Two sources'
+THREE = 'Break it: three sources'
+REACHES = 'Which nodes does a file reach?'
+
+# The files of the first exercise, which the chapter writes into its scratch folder.
+FILES = {
+    'mixed.yaml': """
+/robot:
+  ros__parameters: {speed: 200}
+/**:
+  ros__parameters: {speed: 300}
+""",
+    'every.yaml': '/**: {ros__parameters: {speed: 350}}',
+    'any.yaml': '/**/robot: {ros__parameters: {speed: 250}}',
+    'lab.yaml': '/lab/**: {ros__parameters: {speed: 150}}',
+}
+
+
+class Robot(Node):
+    """The robot of the chapter."""
+
+    def __init__(self):
+        super().__init__('robot')
+        self.declare_parameter('speed', 100)
+
+
+predict = Exercise('7.3a', CHAPTER, DICTIONARY, hints=(
+    'Take a sheet of paper. Write down the blocks in the order in which their names first appear, and the value of '
+    'each; then find the last one that matches.',
+    '`mixed.yaml` opens two blocks. A `-p` without a node name belongs to the block `/**`, wherever that stands.',
+    'A block that is open already keeps its place, and gets the new value. The robot is `/robot`.'))
+
+
+def require_foresight(sources: str, because: dict[object, str], see: str = THREE) -> None:
+    """Add the requirement to know the robot's speed after a start.
+
+    :param sources: Names of files, or '-p 400', in their order.
+    """
+    words = [word for source in sources.split(', ') for word in (
+        ('--params-file', source) if source in FILES else ('-p', source.replace('-p ', 'speed:=')))]
+
+    @predict.require_prediction(sources, see=see, because=because)
+    def speed(trial):
+        return trial.start_with_files(Robot, FILES, *words).get_parameter('speed').value
+
+
+require_foresight('mixed.yaml', {
+    200: 'The more exact name does not win, and the later block does', 100: 'Both blocks match the robot'}, THREE)
+require_foresight('mixed.yaml, -p 400', {
+    300: '`-p` changes the block that is last here', 200: 'Which block is opened last?'})
+require_foresight('-p 400, mixed.yaml', {
+    300: 'Which block was opened first: that of `-p`, or that of `/robot`?',
+    400: 'The file gives its block another value'})
+require_foresight('every.yaml, mixed.yaml', {
+    300: 'That block has been open since the first file', 350: 'The second file has more to say'})
+require_foresight('mixed.yaml, any.yaml', {
+    300: 'Who comes after it?', 200: 'The more exact name does not win'}, REACHES)
+require_foresight('any.yaml, mixed.yaml, -p 400', {
+    250: 'Two more blocks are opened after it', 300: '`-p` gives this block another value',
+    200: 'Which block is opened last?'})
+require_foresight('every.yaml, any.yaml, -p 400', {
+    400: '`-p` goes back into the first block', 350: '`any.yaml` matches the robot, too'})
+require_foresight('lab.yaml', {
+    150: 'The robot is `/robot`, and not in the laboratory'}, REACHES)
+
+
+class Gripper(Node):
+    """A gripper, or what stands beside one under another name."""
+
+    def __init__(self):
+        super().__init__('gripper')
+        self.declare_parameters('', [('force_n', 5.0), ('speed_mmps', 10)])
+
+
+reach = Exercise('7.3b', CHAPTER, TEXT, hints=(
+    'Begin with one block, for `/lab/left/gripper` alone. Then put a wildcard in the place of what differs between the '
+    'two grippers.',
+    '`*` stands for one name, `**` for any number of them. A double wants its dot, in a file too.',
+    'Two blocks: `/lab/*/gripper` with both values, and below it `/lab/right/gripper` with its own force. Each has '
+    '`ros__parameters:` as its second line.'))
+
+
+def expect_holds(trial: Trial, place: str, name: str, force_n: float, speed_mmps: int) -> None:
+    """Expect a node that starts with the learner's file to have these values."""
+    if not trial.work.strip():
+        raise NoUse('the text of a parameter file', 'there is nothing in it yet')
+    node = trial.start_with_files(Gripper, {'lab.yaml': trial.work}, '--params-file', 'lab.yaml',
+                                  '-r', f'__node:={name}', namespace=place)
+    wanted = {'force_n': force_n, 'speed_mmps': speed_mmps}
+    found = trial.client(node).get_parameters(wanted)
+    expect(dict(found) == wanted, _shown(wanted), _shown(found))
+
+
+def _shown(held: dict[str, object]) -> str:
+    return ', '.join(f'`{name}` is `{value!r}`' for name, value in held.items())
+
+
+@reach.require('`/lab/left/gripper` starts with 12.0 N and 40 mm/s', see=REACHES)
+def left(trial):
+    expect_holds(trial, '/lab/left', 'gripper', 12.0, 40)
+
+
+@reach.require('`/lab/right/gripper` starts with 20.0 N and 40 mm/s', see=THREE)
+def right(trial):
+    expect_holds(trial, '/lab/right', 'gripper', 20.0, 40)
+
+
+@reach.require('`/lab/right/camera_arm` keeps its defaults', see=REACHES)
+def arm(trial):
+    left(trial)  # a file that reaches nobody earns nothing
+    expect_holds(trial, '/lab/right', 'camera_arm', 5.0, 10)
+
+
+@reach.require('`/gripper`, and `/store/left/gripper`, keep theirs', see=REACHES)
+def spare(trial):
+    left(trial)
+    for place in ('', '/store/left'):
+        expect_holds(trial, place, 'gripper', 5.0, 10)
+
+
+EXERCISES = (predict, reach)

@@ -1,0 +1,49 @@
+"""A node that tells of every parameter that changes in any node: a listener on /parameter_events.
+
+Run it alone with ``ros2 run param_tutorial param_event_monitor`` beside any other nodes.
+"""
+
+import rclpy
+from rcl_interfaces.msg import ParameterEvent
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.parameter import parameter_value_to_python
+from rclpy.qos import qos_profile_parameter_events
+
+
+class ParamEventMonitor(Node):
+    """Logs each parameter that a node has declared, set or deleted since the monitor was started."""
+
+    def __init__(self):
+        super().__init__('param_event_monitor')
+        # The profile of those who publish: with a shorter queue the oldest events of a burst would be lost.
+        self.create_subscription(ParameterEvent, '/parameter_events', self.report, qos_profile_parameter_events)
+        self.get_logger().info('ParamEventMonitor has been started.')
+
+    def report(self, event):
+        """Log what an event tells of, a line for each parameter."""
+        for parameter in event.new_parameters:
+            self.get_logger().info(f'{event.node}: new {self.shown(parameter)}')
+        for parameter in event.changed_parameters:
+            self.get_logger().info(f'{event.node}: changed {self.shown(parameter)}')
+        for parameter in event.deleted_parameters:
+            self.get_logger().info(f'{event.node}: deleted {parameter.name}')
+
+    @staticmethod
+    def shown(parameter):
+        """Return name and value of a parameter message as text."""
+        return f'{parameter.name} = {parameter_value_to_python(parameter.value)!r}'
+
+
+def main(args=None):
+    """Spin a ParamEventMonitor until Ctrl+C or a termination signal."""
+    try:
+        rclpy.init(args=args)
+        rclpy.spin(ParamEventMonitor())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        # rclpy's signal handler is shutting the context down; a second shutdown here would meet the first.
+        pass
+
+
+if __name__ == '__main__':
+    main()

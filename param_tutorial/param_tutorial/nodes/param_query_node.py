@@ -1,0 +1,76 @@
+"""A node that asks another node for all its parameters, once, and logs them.
+
+Run it alone with ``ros2 run param_tutorial param_query_node`` beside a simple_param_node.
+"""
+
+import rclpy
+from rcl_interfaces.srv import GetParameters, ListParameters
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.parameter import parameter_value_to_python
+
+TARGET = '/simple_param_node'
+# How often to look for the target, and how long it may take to answer.
+PERIOD_SEC = 2.0
+
+
+class ParamQueryNode(Node):
+    """Asks TARGET for the names of its parameters, and then for their values."""
+
+    def __init__(self):
+        super().__init__('param_query_node')
+        self.get_logger().info('ParamQueryNode has been started.')
+        self.list_client = self.create_client(ListParameters, f'{TARGET}/list_parameters')
+        self.get_client = self.create_client(GetParameters, f'{TARGET}/get_parameters')
+        self.question = None
+        # Waiting for the target here would block whoever creates this node, for ever if the target never comes.
+        self.timer = self.create_timer(PERIOD_SEC, self.ask)
+
+    def ask(self):
+        """Ask for the names; again if there was no answer in the last PERIOD_SEC seconds."""
+        if not (self.list_client.service_is_ready() and self.get_client.service_is_ready()):
+            self.get_logger().info(f'{TARGET} is not there yet, waiting...')
+            return
+        if self.question is not None:
+            self.get_logger().warning(f'{TARGET} has not answered within {PERIOD_SEC:g} s, asking again')
+            self.list_client.remove_pending_request(self.question)
+        self.question = self.list_client.call_async(ListParameters.Request())
+        self.question.add_done_callback(self.on_names)
+
+    def on_names(self, future):
+        """Ask for the values of all the names; the timer has done its work."""
+        self.timer.cancel()
+        names = list(future.result().result.names)
+        self.get_logger().info(f'{TARGET} has {len(names)} parameters.')
+        self.ask_values(names)
+
+    def ask_values(self, names):
+        """Ask for the values of some parameters."""
+        future = self.get_client.call_async(GetParameters.Request(names=names))
+        future.add_done_callback(lambda future: self.report(names, future))
+
+    def report(self, names, future):
+        """Log names and values: values carry no names, but come in the order in which they were asked for."""
+        values = future.result().values
+        if not values and len(names) > 1:
+            # One parameter without a value empties the whole answer: ask for each alone.
+            for name in names:
+                self.ask_values([name])
+        elif not values:
+            self.get_logger().info(f'  {names[0]} has no value')
+        for name, value in zip(names, values):
+            self.get_logger().info(f'  {name} = {parameter_value_to_python(value)!r}')
+
+
+def main(args=None):
+    """Spin a ParamQueryNode until Ctrl+C or a termination signal."""
+    try:
+        rclpy.init(args=args)
+        rclpy.spin(ParamQueryNode())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        # rclpy's signal handler is shutting the context down; a second shutdown here would meet the first.
+        pass
+
+
+if __name__ == '__main__':
+    main()

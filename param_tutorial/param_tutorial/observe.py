@@ -1,0 +1,180 @@
+"""Watch a running system: one change on its way through a node, and who talks to whom.
+
+What is observed here is drawn by ``diagrams``.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial import background
+from param_tutorial.client import ParameterClient, changes
+from param_tutorial.diagrams import NodeGraph, Step, Timeline
+from param_tutorial.errors import CallbackError, ExecutorError
+from param_tutorial.services import SERVICE_TYPES
+
+# Where rclpy 7.1 keeps what is called when parameters are set; for what is on the way there is no public place.
+_CALLBACKS = {
+    'pre-set': '_pre_set_parameters_callbacks',
+    'on-set': '_on_set_parameters_callbacks',
+    'post-set': '_post_set_parameters_callbacks',
+}
+_PUBLISHER = '_parameter_event_publisher'
+_NOTEBOOK = 'this notebook'
+
+
+def record_change(node: Node, name: str, value: Any, *,
+                  executor: background.BackgroundExecutor | None = None) -> Timeline:
+    """Ask a node to set one parameter, and write down what happens in it, in the order in which it does.
+
+    Seen are the callbacks of the node, the moment in which the value is stored, and the message on
+    /parameter_events; the node behaves as without a recorder. That a callback raises is drawn too.
+
+    :param node: Spun by the executor; what happens in another process cannot be looked into.
+    :raises ExecutorError: the node is not spun by the executor.
+    :raises InvalidValueError: no parameter can hold this value.
+    """
+    ros = executor or background.current()
+    if not any(node is each for each in ros.nodes):
+        raise ExecutorError(f'{node!r} is not on this stage: only a node that came from ros.add() can be recorded')
+    recorder = _Recorder(node, name)
+    recorder.note('asked', f'set {name} to {value!r}', comes_from='you')
+    ros.run(recorder.put_on, 'begin to record')
+    try:
+        result = ParameterClient(node, executor=ros).set_parameter(name, value)
+    except CallbackError:
+        recorder.note('no answer', 'whoever asked would wait for ever')
+    else:
+        recorder.note('answer', 'successful' if result.successful else f'refused: {result.reason}', goes_to='you')
+    finally:
+        ros.run(recorder.take_off, 'end recording')
+    return Timeline(node.get_fully_qualified_name(), name, recorder.steps)
+
+
+class _Recorder:
+    """Stands before each callback of a node, and before its publisher of events."""
+
+    def __init__(self, node: Node, name: str):
+        self._node, self._name = node, name
+        self.steps: list[Step] = []
+
+    def note(self, what: str, told: str, **ends: str) -> None:
+        stored = self._node._parameters.get(self._name)
+        self.steps.append(Step(what, told, 'nothing' if stored is None else repr(stored.value), **ends))
+
+    def put_on(self) -> None:
+        for kind, attribute in _CALLBACKS.items():
+            callbacks = getattr(self._node, attribute)
+            callbacks[:] = [_Recorded(self, kind, callback) for callback in callbacks]
+        setattr(self._node, _PUBLISHER, _RecordedPublisher(self, getattr(self._node, _PUBLISHER)))
+
+    def take_off(self) -> None:
+        for attribute in _CALLBACKS.values():
+            callbacks = getattr(self._node, attribute)
+            # A callback may have added or removed others meanwhile: those are left as they are.
+            callbacks[:] = [getattr(callback, 'recorded', callback) for callback in callbacks]
+        setattr(self._node, _PUBLISHER, getattr(self._node, _PUBLISHER).recorded)
+
+    def values(self, parameters: list[Parameter]) -> str:
+        """Tell proposed parameters: the value alone where it is the one that was asked for."""
+        if [each.name for each in parameters] == [self._name]:
+            return repr(parameters[0].value)
+        return ', '.join(f'{each.name} = {each.value!r}' for each in parameters) or 'nothing'
+
+
+class _Recorded:
+    def __init__(self, recorder: _Recorder, kind: str, recorded: Callable):
+        self._recorder, self._kind, self.recorded = recorder, kind, recorded
+
+    def __call__(self, parameters: list[Parameter]) -> Any:
+        recorder, index = self._recorder, len(self._recorder.steps)
+        told = f'{_name(self.recorded)} sees {recorder.values(parameters)}'
+        recorder.note(self._kind, told)
+        try:
+            answer = self.recorded(parameters)
+        except BaseException as error:
+            told += f', raises {type(error).__name__}'
+            raise
+        else:
+            told += self._outcome(answer)
+            return answer
+        finally:
+            # What was stored when the callback began, and what came of it.
+            begun = recorder.steps[index]
+            recorder.steps[index] = Step(begun.what, told, begun.stored)
+
+    def _outcome(self, answer: Any) -> str:
+        if self._kind == 'pre-set':
+            return f', gives {self._recorder.values(answer)}'
+        if self._kind == 'on-set':
+            return ', accepts' if getattr(answer, 'successful', False) else ', refuses'
+        return ''
+
+    def __eq__(self, other: object) -> bool:
+        # So that a callback can remove itself, as it may without a recorder.
+        return self.recorded == getattr(other, 'recorded', other)
+
+    __hash__ = None
+
+
+def _name(callback: Callable) -> str:
+    """Name a callback as its author would; each node has one that is rclpy's own, for use_sim_time."""
+    owner = getattr(callback, '__self__', None)
+    if type(owner).__module__.startswith('rclpy.'):
+        return f"rclpy's {type(owner).__name__}"
+    return getattr(callback, '__name__', type(callback).__name__)
+
+
+class _RecordedPublisher:
+    def __init__(self, recorder: _Recorder, recorded: Any):
+        self._recorder, self.recorded = recorder, recorded
+
+    def publish(self, event: Any) -> None:
+        told = ', '.join(f'{name} = {value!r}' for name, value in changes(event).items())
+        self._recorder.note('stored', 'the value is written')
+        self.recorded.publish(event)
+        self._recorder.note('event', told, goes_to='everybody')
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.recorded, name)
+
+
+def node_graph(*, executor: background.BackgroundExecutor | None = None) -> NodeGraph:
+    """Look who offers parameter services, who has clients for them, and who tells and hears of changes.
+
+    Nodes whose name begins with an underscore are left out, as ``ros2 node list`` does, but for the one through which
+    this notebook asks and listens.
+    """
+    ros = executor or background.current()
+    tool = ros.tool_node
+    serves, asks = [], []
+    for name, namespace in tool.get_node_names_and_namespaces():
+        node = _shown(name, namespace, tool)
+        if node is None:
+            continue
+        if _parameter_services(tool.get_service_names_and_types_by_node(name, namespace)):
+            serves.append(node)
+        asks += [(node, asked) for asked in _parameter_services(
+            tool.get_client_names_and_types_by_node(name, namespace))]
+    return NodeGraph(
+        serves=serves, asks=asks,
+        tells=filter(None, (_shown(info.node_name, info.node_namespace, tool)
+                            for info in tool.get_publishers_info_by_topic('/parameter_events'))),
+        listens=filter(None, (_shown(info.node_name, info.node_namespace, tool)
+                              for info in tool.get_subscriptions_info_by_topic('/parameter_events'))))
+
+
+def _shown(name: str, namespace: str, tool: Node) -> str | None:
+    full = f'{namespace.rstrip("/")}/{name}'
+    if full == tool.get_fully_qualified_name():
+        return _NOTEBOOK
+    return None if '/_' in full else full
+
+
+def _parameter_services(names_and_types: list[tuple[str, list[str]]]) -> list[str]:
+    """Give the nodes whose parameter services are among these services."""
+    found = {name.rpartition('/')[0] for name, types in names_and_types
+             if name.rpartition('/')[2] in SERVICE_TYPES and types[0].startswith('rcl_interfaces/srv/')}
+    return sorted(found)

@@ -1,0 +1,149 @@
+"""What the real ROS 1 says, recorded, for lessons that put it beside what ROS 2 says now. No ROS.
+
+    ros1.scene('types')                     what was typed into ROS 1, and its answers
+    ros1.scene('types').beside(a, b, c)     the same, each step beside an answer of ROS 2
+    ros1.scene('types')[1:3]                some of its steps
+
+The scenes stand in recording.txt, as text to read. ``record`` types them into ROS 1 again, under Debian's Python.
+"""
+
+import functools
+import html
+import textwrap
+from collections.abc import Callable
+from itertools import zip_longest
+from typing import Any
+
+from param_tutorial.errors import nearest
+from param_tutorial.ros1.record import RECORDING, Scene, Step, parse
+
+_LEFT, _RIGHT = 'ROS 1, recorded', 'ROS 2, now'
+_NO_COUNTERPART = '—'
+_WIDTH = 58
+
+# JupyterLab's own colours, so that it is readable on light and dark. Its own rules for tables and <pre> are as special
+# as ours, so some of ours have to be important.
+_STYLE = """<style>
+.param-ros1 { border-collapse: collapse; width: 100%; max-width: 76em; margin: 4px 0; table-layout: fixed; }
+.param-ros1 th, .param-ros1 td { text-align: left !important; vertical-align: top; padding: 6px 10px;
+  border: 1px solid var(--jp-border-color2, #bdbdbd); }
+.param-ros1 pre { margin: 0; padding: 0; background: none !important; white-space: pre-wrap !important;
+  word-break: normal !important; overflow-wrap: anywhere; }
+.param-ros1 .param-said { font-weight: 600; }
+.param-ros1 .param-event { font-style: italic; }
+</style>"""
+
+
+def scene(name: str) -> 'Recorded':
+    """Give a scene of the recording.
+
+    :raises KeyError: there is none of that name; the message names the likeliest.
+    """
+    scenes = _scenes()
+    if name not in scenes:
+        raise KeyError(f'there is no scene {name!r}{nearest(name, list(scenes), "The recording is empty")}')
+    return Recorded(scenes[name].steps)
+
+
+@functools.cache
+def _scenes() -> dict[str, Scene]:
+    return {each.name: each for each in parse(RECORDING.read_text(encoding='utf-8'))[1]}
+
+
+class Recorded:
+    """Steps that were typed into ROS 1, with its answers. Show it as the last line of a cell."""
+
+    def __init__(self, steps: tuple[Step, ...]):
+        self.steps = steps
+
+    def __getitem__(self, which: slice) -> 'Recorded':
+        """Give some of the steps.
+
+        :raises TypeError: it is no slice: one step is ``[2:3]``.
+        """
+        if not isinstance(which, slice):
+            raise TypeError(f'some steps of a scene are a slice of it, e.g. [{which}:{which + 1}] and not [{which}]')
+        return Recorded(self.steps[which])
+
+    @property
+    def answers(self) -> list[str]:
+        """What ROS 1 printed at each step; an empty text where it printed nothing."""
+        return [step.answer for step in self.steps]
+
+    def beside(self, *answers: Any) -> 'SideBySide':
+        """Put the answers of ROS 2 beside those of ROS 1.
+
+        :param answers: One for each step, in order; ``...`` where ROS 2 has no counterpart. A function without
+            arguments is called, and an exception that it raises is its answer.
+        :raises ValueError: there are more or fewer answers than steps.
+        """
+        if len(answers) != len(self.steps):
+            raise ValueError(f'{len(self.steps)} steps were recorded, so beside() takes {len(self.steps)} answers and '
+                             f'not {len(answers)}; ... stands for none')
+        return SideBySide(self.steps, [_answer(each) for each in answers])
+
+    def __repr__(self) -> str:
+        return '\n'.join(filter(None, (text for step in self.steps for text in (_typed(step), step.answer))))
+
+    def _repr_html_(self) -> str:
+        rows = ''.join(f'<tr><td>{_step_html(step, step.answer)}</td></tr>' for step in self.steps)
+        return f'{_STYLE}<table class="param-ros1"><tr><th scope="col">{_LEFT}</th></tr>{rows}</table>'
+
+
+class SideBySide:
+    """Steps of ROS 1, and beside each an answer of ROS 2. Show it as the last line of a cell."""
+
+    def __init__(self, steps: tuple[Step, ...], answers: list[str]):
+        """:param answers: One for each step."""
+        self.steps = steps
+        self.answers = answers
+
+    def __repr__(self) -> str:
+        lines = [f'{_LEFT:{_WIDTH}}  {_RIGHT}', f'{"-" * _WIDTH}  {"-" * _WIDTH}']
+        for step, answer in zip(self.steps, self.answers):
+            left = _wrapped(_typed(step)) + _wrapped(_said(step))
+            lines += [f'{ours:{_WIDTH}}  {theirs}'.rstrip()
+                      for ours, theirs in zip_longest(left, _wrapped(answer), fillvalue='')]
+        return '\n'.join(lines)
+
+    def _repr_html_(self) -> str:
+        rows = ''.join(f'<tr><td>{_step_html(step, _said(step))}</td>'
+                       f'<td><pre>{html.escape(answer)}</pre></td></tr>'
+                       for step, answer in zip(self.steps, self.answers))
+        return (f'{_STYLE}<table class="param-ros1"><tr><th scope="col">{_LEFT}</th><th scope="col">{_RIGHT}</th></tr>'
+                f'{rows}</table>')
+
+
+def _answer(value: Any) -> str:
+    if value is ...:
+        return _NO_COUNTERPART
+    if isinstance(value, Callable):
+        try:
+            value = value()
+        except Exception as error:
+            return f'{type(error).__name__}: {error}'
+    return repr(value)
+
+
+def _typed(step: Step) -> str:
+    """Give what was typed, as it looked."""
+    if step.prompt == '!':
+        return f'({step.typed})'
+    first, *more = step.typed.split('\n')
+    return '\n'.join([f'{step.prompt} {first}', *(f'{" " * len(step.prompt)} {line}'.rstrip() for line in more)])
+
+
+def _said(step: Step) -> str:
+    """Give ROS 1's answer, and a word where it said nothing."""
+    return step.answer or ('' if step.prompt == '!' else '(done)')
+
+
+def _step_html(step: Step, said: str) -> str:
+    kind = ' class="param-event"' if step.prompt == '!' else ''
+    return (f'<pre{kind}>{html.escape(_typed(step))}</pre>'
+            + (f'<pre class="param-said">{html.escape(said)}</pre>' if said else ''))
+
+
+def _wrapped(text: str) -> list[str]:
+    return [part for line in text.splitlines() for part in textwrap.wrap(
+        line, _WIDTH, subsequent_indent='    ', break_on_hyphens=False) or ['']]

@@ -1,0 +1,24 @@
+"""Wrong answers that people give to the exercises of chapter 1."""
+
+WRONG = {
+    '1a': [
+        ([("'max_speed_rpm': 95", "'max_speed_rpm': 95.0")], 3, 'wrong type'),
+        ([("'max_speed_rpm': 95,", '')], 4, 'it gets up to 1.05 m/s'),
+        ([("'max_acceleration_mps2': 1.0,", '')], 4, 'it takes 5.51 s'),
+        ([("'sensor_offset_meters': -0.15", "'sensor_offset_meters': 0.3")], 4, 'it stops 0.05 m from the wall'),
+        ([("'sensor_offset_meters': -0.15", "'sensor_offset_meters': 0.45")], 3, 'it has run into the wall'),
+        ([("'min_operating_temperature_c': -10,", '')], 1, '-10 °C is below min_operating_temperature_c = -5'),
+        ([("'min_operating_temperature_c': -10", "'simulation.ambient_temperature_c': 15")], 0,
+         'a setting of the world around it'),
+        ([("'max_speed_rpm'", "'max_speed'")], 3, 'undeclared'),
+    ],
+    '1b': [
+        ([("_min', 2.5)", "_min', 2)")], 0, 'type integer, value `2`'),
+        ([("self.declare_parameter('litres_per_min', 2.5)", "self.rate = self.declare_parameter('litres_per_min', "
+           '2.5).value'), ("self.get_parameter('litres_per_min').value", 'self.rate')], 2, 'it has asked too early'),
+        ([("self.get_parameter('litres_per_min').value", '2.5')], 1, 'the parameter says otherwise'),
+        ([('+=', '=')], 2, '`litres` is `10.0`'),
+        ([("declare_parameter('litres_per_min'", "declare_parameter('litres_per_minute'")], 0, 'none of that name'),
+        ([("('litres_per_min').value", "('litres_per_min')")], 1, 'TypeError'),
+    ],
+}

@@ -1,0 +1,24 @@
+"""Wrong answers that people give to the exercises of chapter 7.3."""
+
+WRONG = {
+    '7.3a': [
+        ([("{\n    'mixed.yaml': 300", "{\n    'mixed.yaml': 200")], 7, 'the later block does'),
+        ([("'mixed.yaml, -p 400': 400,\n    '-p", "'mixed.yaml, -p 400': 200,\n    '-p")], 7, 'opened last?'),
+        ([("'-p 400, mixed.yaml': 200", "'-p 400, mixed.yaml': 300")], 7, 'opened first'),
+        ([("'every.yaml, mixed.yaml': 200", "'every.yaml, mixed.yaml': 300")], 7, 'open since the first file'),
+        ([("'mixed.yaml, any.yaml': 250", "'mixed.yaml, any.yaml': 200")], 7, 'The more exact name does not win'),
+        ([("'any.yaml, mixed.yaml, -p 400': 400", "'any.yaml, mixed.yaml, -p 400': 300")], 7, 'another value'),
+        ([("any.yaml, -p 400': 250", "any.yaml, -p 400': 400")], 7, 'goes back into the first block'),
+        ([("'lab.yaml': 100", "'lab.yaml': 150")], 7, 'not in the laboratory'),
+    ],
+    '7.3b': [
+        ([('/lab/*/gripper', '/**/gripper')], 3, '`force_n` is `12.0`'),
+        ([('/lab/*/gripper', '/lab/**')], 3, '`force_n` is `12.0`'),
+        ([('/lab/*/gripper', '/*/gripper')], 0, '`force_n` is `5.0`'),
+        ([('12.0', '12')], 0, "to '12' of type 'INTEGER', expecting type 'DOUBLE'"),
+        ([('/lab/right/gripper:\n  ros__parameters:\n', '/lab/right/gripper:\n')], 0,
+         'Cannot have a value before ros__parameters at line 7'),
+        ([('\n/lab/*/gripper:', '\n/lab/right/gripper:\n  ros__parameters:\n    force_n: 20.0\n/lab/*/gripper:'),
+          ('40\n/lab/right/gripper:\n  ros__parameters:\n    force_n: 20.0\n', '40\n')], 3, '`force_n` is `12.0`'),
+    ],
+}
