@@ -15,6 +15,7 @@ import json
 import multiprocessing
 import os
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -36,6 +37,7 @@ PACKAGE_ROOT = Path(param_tutorial.__file__).parents[1]
 ROOT = PACKAGE_ROOT.parent
 # What a run cannot depend on: how its recording is drawn.
 _DRAWN_BY = ('build.py', 'chapter.py', 'drawing.py', 'front_page.py', 'single.py', '__init__.py', '__main__.py')
+_COLOUR = re.compile(r'\x1b\[[0-9;]*m')
 VERSIONS = ('ros-jazzy-rclpy', 'ipykernel', 'ipywidgets')
 
 
@@ -86,7 +88,7 @@ class Site:
         surroundings = digest_of_surroundings()
         recordings, to_run = {}, {}
         for path in self.chapters:
-            key = hashlib.sha256(path.read_bytes() + surroundings).hexdigest()
+            key = hashlib.sha256(path.read_bytes() + surroundings + self._others_read_by(path)).hexdigest()
             found = load(kept / f'{path.stem}.json')
             if found.get('key') == key:
                 recordings[path] = {int(index): each for index, each in found['recordings'].items()}
@@ -98,6 +100,12 @@ class Site:
             recordings[path] = recorded
             save(kept / f'{path.stem}.json', {'key': to_run[path], 'recordings': recorded})
         return {path: recordings[path] for path in self.chapters}
+
+    def _others_read_by(self, path: Path) -> bytes:
+        """Give the other chapters, if a chapter reads them: the glossary is made of all."""
+        if 'Glossary' not in path.read_text(encoding='utf-8'):
+            return b''
+        return b''.join(each.read_bytes() for each in sorted(self.notebooks.glob('*.ipynb')))
 
     def _run(self, paths: list[Path]):
         """Run chapters in several kernels at once, and give each with its recordings when all of it is there."""
@@ -206,7 +214,7 @@ def sphinx(source: Path, target: Path, doctrees: Path, processes: int = 1, build
                      status=None, warning=said, parallel=processes)
         app.build()
         said.seek(0)
-        text = said.read().strip()
+        text = _COLOUR.sub('', said.read()).strip()
     if app.statuscode or text:
         # A page with a warning is in Sphinx's memory already and would not be warned of again.
         shutil.rmtree(doctrees, ignore_errors=True)

@@ -14,6 +14,8 @@ from param_tutorial.lessons.run import WIDGET, cells_with_widgets
 
 # Where the site keeps the notebooks for whoever wants to run them.
 NOTEBOOKS = 'notebooks'
+# In what a cell has put out.
+_HREF = re.compile(r'<a href="(\w+)\.ipynb">(.*?)</a>', re.DOTALL)
 _LINK = re.compile(r'(?<!!)\[([^\]]*)\]\(([\w/.-]+\.(?:ipynb|md))(#[^)]*)?\)')
 
 
@@ -33,6 +35,12 @@ def source(path: Path, recordings: dict[int, list[dict[str, Any]]], pages: set[s
         for output in cell.outputs:
             if WIDGET in output.get('data', {}):
                 output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
+    for cell in notebook.cells:
+        for output in cell.get('outputs', ()):
+            if 'text/html' in output.get('data', {}):
+                output.data['text/html'] = _HREF.sub(
+                    lambda found: f'<a href="{found[1]}.html">{found[2]}</a>' if found[1] in pages else found[2],
+                    output.data['text/html'])
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
@@ -50,6 +58,11 @@ def source(path: Path, recordings: dict[int, list[dict[str, Any]]], pages: set[s
 def title(path: Path) -> str:
     """Give the title of a chapter."""
     return nbformat.read(path, as_version=4).cells[0].source.splitlines()[0].removeprefix('# ')
+
+
+def anchor(heading: str) -> str:
+    """Give the name by which JupyterLab, and so a chapter's links, know a heading."""
+    return heading.strip().replace(' ', '-')
 
 
 def _html_cell(name: str, content: str) -> nbformat.NotebookNode:

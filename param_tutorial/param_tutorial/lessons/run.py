@@ -11,6 +11,7 @@ import copy
 import difflib
 import json
 import os
+import re
 import subprocess
 from collections import defaultdict
 from collections.abc import Iterator
@@ -31,6 +32,7 @@ _CELL_TIMEOUT_SEC = 120
 # What nbval leaves out of its comparison; a model's id is random.
 _NOT_COMPARED = ('metadata', 'traceback', 'output_type', 'name', 'execution_count', WIDGET, 'image/png', 'image/jpeg')
 _DIFFERENT_LINES = 20
+_LINE_LENGTH = 160
 
 
 class ChapterError(Exception):
@@ -183,11 +185,15 @@ def compare(stored: list[Any], new: list[Any]) -> str:
     before, after = _flat(stored), _flat(new)
     for key in [*before, *(key for key in after if key not in before)]:
         if before.get(key) != after.get(key):
-            lines = difflib.unified_diff(
-                '\n'.join(before.get(key, [])).splitlines(), '\n'.join(after.get(key, [])).splitlines(),
-                f'stored {key}', f'new {key}', lineterm='', n=1)
-            return '\n'.join(f'    {line}' for line in list(lines)[:_DIFFERENT_LINES])
+            lines = difflib.unified_diff(_lines(before.get(key, [])), _lines(after.get(key, [])),
+                                         f'stored {key}', f'new {key}', lineterm='', n=1)
+            return '\n'.join(f'    {line[:_LINE_LENGTH]}' for line in list(lines)[:_DIFFERENT_LINES])
     return ''
+
+
+def _lines(texts: list[str]) -> list[str]:
+    # HTML is often one long line; between two elements it may be broken.
+    return re.sub(r'(?<=>)(?=<)', '\n', '\n'.join(texts)).splitlines()
 
 
 def _flat(outputs: list[Any]) -> dict[str, list[str]]:
