@@ -31,6 +31,7 @@ LIMITS = (
     '# 1 · Limits\n\n**What does a node say?**',
     '''import param_tutorial
 from param_tutorial import LogView, ParameterPanel
+from param_tutorial.event_view import EventView
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -69,7 +70,7 @@ ros = param_tutorial.start()
 heater = ros.add(Heater)''',
     'Its controls:',
     "panel = ParameterPanel('/heater')\npanel",
-    "LogView(node='/heater')",
+    "display(LogView(node='/heater'), EventView())",
     'What a hand does later does not show above:',
     "panel['low_c'].value = 19\npanel.settle()\npanel['low_c'].value",
     '## Next\n\nA table, and a link to [the other one](2_robot.ipynb), and to [none](9_none.ipynb).\n\n'
@@ -183,7 +184,19 @@ def test_a_value_that_the_node_took(page):
     type_into(page, 'power_w', '150')
     expect(message(page, 'power_w')).to_have_text('Accepted.')
     expect(box(page, 'power_w')).to_have_value('150')
-    expect(page.get_by_role('log')).to_contain_text('[INFO] [heater]: power_w is now 150')
+    expect(page.get_by_role('log', name='Log of /heater')).to_contain_text('[INFO] [heater]: power_w is now 150')
+
+
+@limits
+def test_what_the_node_told_stands_in_the_table_of_events(page):
+    rows = page.get_by_role('log', name='Changes of all nodes').get_by_role('row')
+    expect(rows).to_have_count(1)
+    type_into(page, 'power_w', '150')
+    type_into(page, 'low_c', '30')  # refused, so nothing is told
+    box(page, 'on').click()
+    expect(rows).to_have_count(3)
+    expect(rows.nth(1)).to_have_text('/heaterchangedonFalse')
+    expect(rows.nth(2)).to_have_text('/heaterchangedpower_w150')
 
 
 @limits

@@ -17,6 +17,7 @@ from pygments.formatters import HtmlFormatter
 from pygments.lexers import get_lexer_by_name
 
 RUN_IT = 'run the notebook'
+_STYLE = re.compile(r'<style>.*?</style>', re.DOTALL)
 
 
 class Drawer:
@@ -30,7 +31,7 @@ class Drawer:
     def draw(self, recording: dict[str, Any]) -> str:
         """Give the HTML of one recorded widget."""
         draw = {'panel': self._panel, 'robot': self._robot, 'log': self._log, 'steps': self._steps,
-                'still': self._still}
+                'events': self._events, 'still': self._still}
         return draw[recording['kind']](recording, f'{self._page}-{next(self._numbers)}')
 
     def _panel(self, recording: dict[str, Any], name: str) -> str:
@@ -78,9 +79,19 @@ class Drawer:
 
     def _steps(self, recording: dict[str, Any], name: str) -> str:
         node = html.escape(recording['node'])
+        # The picture is replaced, and its style has to stay.
+        style = ''.join(_STYLE.findall(recording['html']))
         return (f'<div role="group" class="rec rec-steps" id="{name}" data-node="{node}" '
-                f'aria-label="Step response of {node}"><div class="rec-picture">{recording["html"]}</div>'
+                f'aria-label="Step response of {node}">{style}'
+                f'<div class="rec-picture">{_STYLE.sub("", recording["html"])}</div>'
                 f'<div class="rec-says" role="status"></div></div>')
+
+    def _events(self, recording: dict[str, Any], name: str) -> str:
+        node = html.escape(recording['node'])
+        return (f'<div role="group" class="rec rec-events" id="{name}" data-node="{node}" '
+                f'aria-label="Events of {node}">{recording["html"]}'
+                f'<p class="rec-note">Empty as the lesson shows it. What a panel above changes stands here as the node '
+                f'told it when the page was made.</p></div>')
 
     def _still(self, recording: dict[str, Any], name: str) -> str:
         shown = recording['html'] or f'<p>{html.escape(recording["text"])}</p>'

@@ -17,11 +17,13 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import ipywidgets as widgets
+from rcl_interfaces.msg import ParameterEvent
 from rclpy.node import Node
 
 from param_tutorial import background, robot_view, values
 from param_tutorial.client import Descriptor, ParameterClient, is_housekeeping
 from param_tutorial.errors import ParameterToolError
+from param_tutorial.event_view import EventView, told_by
 from param_tutorial.live import words_of
 from param_tutorial.log_view import LogView
 from param_tutorial.node_log import LogLine
@@ -73,17 +75,18 @@ _TYPED = {
 }
 
 
-def record(model_id: str, literals: Iterable[Any]) -> dict[str, Any]:
+def record(model_id: str, literals: Iterable[Any], *, events: bool = False) -> dict[str, Any]:
     """Record what a page needs of a widget.
 
     :param model_id: Of the widget that a cell has shown.
     :param literals: Values that the lesson speaks of; a parameter of a fitting type is asked for them too.
-    :return: What JSON can hold; ``kind`` is 'panel', 'robot', 'log', 'steps' or 'still'.
+    :param events: Record also what a panel's node tells on /parameter_events.
+    :return: What JSON can hold; ``kind`` is 'panel', 'robot', 'log', 'steps', 'events' or 'still'.
     """
     # There is no public way from a model's id, which is all that an output tells, to its widget.
     widget = widgets.widget._instances[model_id]
     if isinstance(widget, ParameterPanel):
-        return PanelRecorder(widget, list(literals)).record()
+        return PanelRecorder(widget, list(literals), events=events).record()
     if isinstance(widget, robot_view.RobotView):
         return record_robot(widget)
     if isinstance(widget, LogView):
@@ -91,6 +94,8 @@ def record(model_id: str, literals: Iterable[Any]) -> dict[str, Any]:
     if isinstance(widget, StepResponseView):
         widget.settle()
         return {'kind': 'steps', 'node': name_in(widget), 'html': still_html(widget)}
+    if isinstance(widget, EventView):
+        return {'kind': 'events', 'node': name_in(widget), 'html': still_html(widget)}
     # A widget that speaks for itself shows something that is of this machine, or of this moment.
     speaks = type(widget).__repr__ is not widgets.Widget.__repr__ and not isinstance(widget, widgets.Box)
     return {'kind': 'still', 'html': '' if speaks else still_html(widget), 'text': repr(widget)}
@@ -137,6 +142,31 @@ class NodeLogTap:
             raise RuntimeError(f'the log of {self._node.get_name()} does not arrive')
         lines, self._lines = self._lines, []
         return list(map(str, lines))
+
+
+class EventTap:
+    """Tells what a node has published on /parameter_events since it was asked last."""
+
+    def __init__(self, node: str):
+        self._node = node
+        self._events: list[ParameterEvent] = []
+        self._arrived = threading.Condition()
+        self.stop = background.current().on_parameter_event(self._take)
+
+    def _take(self, event: ParameterEvent) -> None:
+        if event.node == self._node:
+            with self._arrived:
+                self._events.append(event)
+                self._arrived.notify_all()
+
+    def rows(self, count: int) -> list[list[str]]:
+        """Wait for so many messages, and give what they tell as an EventView writes it: what, parameter, value."""
+        with self._arrived:
+            if not self._arrived.wait_for(lambda: len(self._events) >= count, 5.0):
+                raise RuntimeError(f'{self._node} has told of {len(self._events)} changes and not of {count}')
+            events, self._events = self._events, []
+        return [[change.kind, change.name, '' if change.kind == 'deleted' else repr(change.value)]
+                for event in events for change in told_by(event)]
 
 
 def node_here(name: str) -> Node | None:
@@ -198,12 +228,13 @@ class CannotRestoreError(Exception):
 class PanelRecorder:
     """Records the answers of the node behind one panel."""
 
-    def __init__(self, panel: ParameterPanel, literals: list[Any]):
+    def __init__(self, panel: ParameterPanel, literals: list[Any], *, events: bool = False):
         self._panel = panel
         self._literals = literals
         self._client = ParameterClient(panel.node)
         self._node = node_here(panel.node)
         self._tap = NodeLogTap(self._node) if self._node else None
+        self._events = EventTap(panel.node) if events else None
         self._robot = self._node if isinstance(self._node, ClawbotNode) else None
         self._all_names: list[str] = []
         self._shown: dict[str, Any] = {}
@@ -230,8 +261,9 @@ class PanelRecorder:
         except CannotRestoreError:
             recording['incomplete'] = True
         recording['asked'] = self._asked
-        if self._tap:
-            self._tap.stop()
+        for tap in (self._tap, self._events):
+            if tap:
+                tap.stop()
         return recording
 
     def _ask_all(self, recording: dict[str, Any]) -> None:
@@ -261,7 +293,8 @@ class PanelRecorder:
 
         :param state: The values that the node has.
         :return: 'value', as the panel then shows it, or the 'reason' of a refusal; 'also', what else has changed;
-            'log', the lines that the node logged, None if nobody can know.
+            'log', the lines that the node logged, None if nobody can know; 'events', what it told on
+            /parameter_events, if that is wanted.
         :raises CannotRestoreError: the node does not take back what it had.
         """
         self._asked += 1
@@ -282,6 +315,8 @@ class PanelRecorder:
         if also:
             answer['also'] = also
         answer['log'] = self._tap.lines() if self._tap else None
+        if self._events:
+            answer['events'] = self._events.rows(0 if reason else 1)
         if not reason:
             # Before it is given back: what the node's picture looks like with this value.
             self._looks = self._look()
@@ -295,6 +330,8 @@ class PanelRecorder:
                 return
             attempt(different)
             now = self._read()
+            if self._events:
+                self._events.rows(len(different) if attempt == self._client.set_parameters else 1)
             if self._tap:
                 self._tap.lines()
         if any(not values.same(now[name], value) for name, value in wanted.items()):
@@ -306,6 +343,8 @@ class PanelRecorder:
             self._client.set_parameter(name, read(self._descriptors[name], text))
         if self._tap:
             self._tap.lines()
+        if self._events:
+            self._events.rows(len(changed))
         return self._read()
 
     # -- what to ask for -------------------------------------------------------------------------------

@@ -83,8 +83,10 @@ def run_part(path: Path, part: int | None) -> list[dict[str, Any]]:
             return []
         shown = [output['data'][WIDGET]['model_id'] for output in notebook.cells[part].outputs
                  if WIDGET in output.get('data', {})]
-        literals = literals_of(stored)
-        return [_ask_recorder(path, client, part, model_id, literals) for model_id in shown]
+        # A page that shows events wants those of its panels.
+        options = {'events': any('EventView(' in cell.source for cell in stored.cells if cell.cell_type == 'code')}
+        return [_ask_recorder(path, client, part, f'{model_id!r}, {literals_of(stored)!r}, **{options!r}')
+                for model_id in shown]
 
 
 def read(path: Path) -> nbformat.NotebookNode:
@@ -162,12 +164,11 @@ def _execute_one(path: Path, client: NotebookClient, cell: nbformat.NotebookNode
         raise ChapterError(path, index + 1, cell.source, 'its kernel has died.') from None
 
 
-def _ask_recorder(path: Path, client: NotebookClient, index: int, model_id: str,
-                  literals: list[Any]) -> dict[str, Any]:
+def _ask_recorder(path: Path, client: NotebookClient, index: int, arguments: str) -> dict[str, Any]:
     question = nbformat.v4.new_code_cell(
         'import IPython.display\n'
         'from param_tutorial.lessons import recorder\n'
-        f'IPython.display.display({{{_RECORDING!r}: recorder.record({model_id!r}, {literals!r})}}, raw=True)')
+        f'IPython.display.display({{{_RECORDING!r}: recorder.record({arguments})}}, raw=True)')
     client.nb.cells.append(question)
     _execute_one(path, client, question, index)
     for output in question.outputs:

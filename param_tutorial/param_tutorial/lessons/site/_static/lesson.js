@@ -76,6 +76,17 @@
       }
     }
 
+    /** Put what the node told on /parameter_events into the tables, the newest on top. */
+    tell(events) {
+      for (const view of document.querySelectorAll('.rec-events')) {
+        if (!['all nodes', this.node].includes(view.dataset.node)) continue;
+        for (const event of events) {
+          const line = view.querySelector('tbody').insertRow(0);
+          for (const text of [this.node, ...event]) line.insertCell().textContent = text;
+        }
+      }
+    }
+
     reset() {
       for (const row of this.rows.values()) { row.show(row.shown); row.say(); }
       this.take({});
@@ -142,6 +153,7 @@
       }
       this.panel.take(answer.also || {});
       this.tellLog(answer);
+      this.panel.tell(answer.events || []);
     }
 
     same(typed, value) {
