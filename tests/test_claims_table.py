@@ -13,8 +13,6 @@ import notebook_lint
 TESTS = Path(__file__).parent
 NOTEBOOKS = TESTS.parent / 'notebooks'
 IDS = [f'A{number:03}' for number in range(1, 162)]
-# Rows that wait for a chapter that is being written; with the last chapter this is empty.
-WAITING = {'A131': '09'}
 
 SECTION = re.compile(r'`(\d\w*)` › (.+)')
 TEST = re.compile(r'`(test_\w+)::(test_\w+)`')
@@ -61,9 +59,6 @@ def test_a_claim_is_proved_or_says_why_it_cannot_be(identifier):
     assert claim
     assert kind in ('true', 'partly', 'false', 'outdated', 'not testable here')
     assert words or kind == 'true', 'say what is really so, or why it cannot be tested'
-    if identifier in WAITING:
-        assert proofs == [f'`{WAITING[identifier]}`']
-        return
     assert proofs or kind == 'not testable here'
     for proof in proofs:
         if section := SECTION.fullmatch(proof):

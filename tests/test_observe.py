@@ -7,6 +7,7 @@ from rclpy.parameter import Parameter
 
 import param_tutorial
 from param_tutorial import ParameterClient, node_graph, record_change
+from param_tutorial.client import changes
 from param_tutorial.errors import ExecutorError, InvalidValueError
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from param_tutorial.nodes.param_query_node import ParamQueryNode
@@ -57,6 +58,14 @@ def test_a_change_is_recorded_rung_by_rung(ladder):
         ('event', 'speed = 300', '300'),
         ('post-set', 'react sees 300', '300'),
         ('answer', 'successful', '300')]
+
+
+def test_a_recorded_change_is_told_to_everybody(ros, ladder):
+    heard = []
+    stop_listening = ros.on_parameter_event(lambda event: heard.append(changes(event)))
+    record_change(ladder, 'speed', 250)
+    param_tutorial.wait_until(lambda: {'speed': 250} in heard, 'the event')
+    stop_listening()
 
 
 @pytest.mark.parametrize(('name', 'value', 'last_callback', 'answer'), [

@@ -4,6 +4,7 @@ import threading
 import xml.etree.ElementTree as ElementTree
 
 import pytest
+from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -17,8 +18,8 @@ from param_tutorial.snapshot import Snapshot
 class Arm(Node):
     """One parameter has no value."""
 
-    def __init__(self):
-        super().__init__('arm', namespace='/left')
+    def __init__(self, **options):
+        super().__init__('arm', namespace='/left', **options)
         self.declare_parameters('', [('tool', ''), ('pid.kp', 0.0)])
         self.declare_parameter('target', Parameter.Type.DOUBLE)
 
@@ -84,6 +85,19 @@ def test_all_are_asked_at_the_same_time(ros, monkeypatch):
 def test_in_a_callback_it_refuses_to_wait(ros):
     with pytest.raises(ExecutorError, match='a callback cannot wait'):
         ros.run(all_parameters, 'ask in a callback')
+
+
+# claims A153, A154
+@pytest.mark.parametrize(('options', 'names', 'types'), [
+    ({}, [], []), ({}, ['wings', 'tool', 'pid.kp'], []), ({}, ['tool', 'wings', 'pid.kp'], []),
+    ({}, ['tool', 'pid.kp', 'wings'], []), ({}, ['tool', 'target'], []), ({}, ['tool', 'pid.kp'], [4, 3]),
+    ({'allow_undeclared_parameters': True}, ['tool', 'wings'], [4, 0]),
+    ({'allow_undeclared_parameters': True}, ['tool', 'target'], []),
+])
+def test_what_empties_an_answer_of_rclpy(ros, options, names, types):
+    ros.add(Arm, **options)
+    answer = ros.services.call('/left/arm', 'get_parameters', GetParameters.Request(names=names))
+    assert [value.type for value in answer.values] == types
 
 
 SHOWN = Snapshot({'/arm': ParameterValues(tool='<b>', count=0), '/bare': ParameterValues()},

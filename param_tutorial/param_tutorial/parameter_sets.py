@@ -27,12 +27,12 @@ Comparable = Mapping[str, Any] | NodeLike
 _CORNER = '/_defaults'
 
 _STYLE = """<style>
-.param-set { margin: 4px 0; border-collapse: collapse; }
+.param-set { margin: 4px 0; border-collapse: collapse; min-width: min(34em, 100%); }
 .param-set caption { caption-side: top; text-align: left; padding: 2px 0 6px; font-weight: 600;
-  white-space: nowrap; color: var(--jp-ui-font-color1, #212121); }
+  color: var(--jp-ui-font-color1, #212121); }
 .param-set th, .param-set td { text-align: left !important; vertical-align: top; padding: 3px 12px 3px 8px;
-  border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); overflow-wrap: anywhere; }
-.param-set tbody th, .param-set code { font-family: var(--jp-code-font-family, monospace); font-weight: normal; }
+  border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); overflow-wrap: break-word; }
+.param-set tbody th { font-family: var(--jp-code-font-family, monospace); font-weight: normal; }
 </style>"""
 
 

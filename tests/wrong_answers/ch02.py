@@ -8,6 +8,7 @@ WRONG = {
         ([("'lift_node = ", "'lift = ")], 3, 'No executable found'),
         ([('lift.lift_node:main', 'lift:main')], 4, "has no attribute 'main'"),
         ([("'0.0.0',", "'0.0.0'")], 0, 'SyntaxError'),
+        ([('\nsetup(', '\ndict(')], 0, 'does it call `setup(...)`?'),
     ],
     '2b': [
         ([("(prefix / 'share/ament_index/resource_index/packages' / package).exists()", 'True')], 2,

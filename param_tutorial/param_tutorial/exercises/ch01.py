@@ -20,8 +20,8 @@ SPEED_LIMIT_MPS = 1.0
 TIME_SEC = 5.0
 
 park = Exercise('1a', CHAPTER, DICTIONARY, hints=(
-    'Try it on your own robot: `client.set_parameters(settings)`, then press Drive. For the cold, set its '
-    '`simulation.ambient_temperature_c` to -10.',
+    'Try it on a robot of your own, a new one: `robot = ros.add(ClawbotNode)`, `client.set_parameters(settings)`, then '
+    'press Drive. For the cold, set its `simulation.ambient_temperature_c` to -10.',
     'The safety mode stops where the robot believes to be 20 cm from the wall. What it believes depends on where it '
     'thinks its sensor sits: in which direction does the stop move when `sensor_offset_meters` gets smaller?',
     'A wheel with a radius of 0.1 m rolls 0.63 m in one turn, so 100 rpm are 1.05 m/s. And four parameters are '

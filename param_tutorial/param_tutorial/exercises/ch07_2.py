@@ -8,7 +8,7 @@ from rclpy.node import Node
 
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.trial import NoStart, NotYet, Trial, expect
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.ros2.launch.description import Context
 from param_tutorial.ros2.launch.reading import read
@@ -30,7 +30,8 @@ def launched(trial: Trial, text: str, **arguments: str) -> Node:
 
     :param text: Of the launch file; it has to start the robot, and nothing else.
     :param arguments: Of the launch file.
-    :raises NotYet: it does not.
+    :raises NoUse: it cannot be carried out.
+    :raises NotYet: it starts something else.
     """
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         path = Path(folder, FILE_NAME)
@@ -39,7 +40,7 @@ def launched(trial: Trial, text: str, **arguments: str) -> Node:
             found = trial.call('the launch file', lambda: programs(
                 read(path), Context(dict(arguments), Path(folder), warn=lambda _: None)))
         except NotYet as error:
-            raise NotYet(error.expected, error.happened.replace(f'{folder}/', '')) from None
+            raise NoUse(error.expected, error.happened.replace(f'{folder}/', '')) from None
         expect(len(found) == 1, 'one node is started', f'there are {len(found)}')
         program, = found
         expect(program.name == 'simple_param_node', 'the robot, `simple_param_node`', f'`{program.name}` is started')

@@ -1,5 +1,6 @@
 """ament_index_python.packages: where packages have been installed."""
 
+import atexit
 import functools
 import os
 import tempfile
@@ -47,18 +48,10 @@ def _checkout() -> Path | None:
 @functools.cache
 def _stand_in() -> str:
     """Make what `colcon build` would make of the course's own files, with links, for as long as this process lives."""
-    folder = _keep(tempfile.TemporaryDirectory(prefix='param_tutorial_'))
-    share = Path(folder) / 'share' / PACKAGE
+    folder = tempfile.TemporaryDirectory(prefix='param_tutorial_')
+    atexit.register(folder.cleanup)
+    share = Path(folder.name) / 'share' / PACKAGE
     share.mkdir(parents=True)
     for name, source in (('launch', _checkout() / PACKAGE / 'launch'), ('config', _checkout() / 'config')):
         (share / name).symlink_to(source)
-    return folder
-
-
-# A TemporaryDirectory goes with its object.
-_kept: list[tempfile.TemporaryDirectory] = []
-
-
-def _keep(folder: tempfile.TemporaryDirectory) -> str:
-    _kept.append(folder)
     return folder.name
