@@ -61,13 +61,13 @@ class Drawer:
             f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}</div>')
 
     def _robot(self, recording: dict[str, Any], name: str) -> str:
-        still, node = recording['still'], html.escape(recording['node'])
+        look, node = recording['look'], html.escape(recording['node'])
         return (
             f'<div role="group" class="rec rec-robot robot-view" id="{name}" data-node="{node}" '
             f'aria-label="The robot {node}">'
-            f'<div class="rec-picture">{still["picture"]}</div>'
+            f'<div class="rec-picture">{look["picture"]}</div>'
             f'<div class="rec-foot robot-foot"><button type="button" class="rec-drive" disabled>Drive</button>'
-            f'<div class="rec-says" role="status">{html.escape(still["sentence"])}</div></div>'
+            f'<div class="rec-says" role="status">{html.escape(look["sentence"])}</div></div>'
             f'{_packed({"films": recording["films"]})}</div>')
 
     def _log(self, recording: dict[str, Any], name: str) -> str:

@@ -190,35 +190,25 @@ def record_robot(view: robot_view.RobotView) -> dict[str, Any]:
     if not isinstance(robot, ClawbotNode):
         return {'kind': 'still', 'html': still_html(view), 'text': view.text}
     robot.step(math.inf)
-    films = Films(robot)
-    shown = films.still()
-    films.take({})
-    return {'kind': 'robot', 'node': name, 'still': shown, 'films': films.taken}
+    shown = look_of(robot)
+    return {'kind': 'robot', 'node': name, 'look': shown, 'films': [{'changed': {}, 'look': shown, **drive(robot)}]}
 
 
-class Films:
-    """The drives of one robot."""
+Film = dict[str, Any]
 
-    def __init__(self, robot: ClawbotNode):
-        self._robot = robot
-        self.taken: list[dict[str, Any]] = []
 
-    def still(self) -> dict[str, str]:
-        """Give the robot as it stands."""
-        picture, text, sentence = robot_view.still(self._robot)
-        return {'picture': picture, 'text': text, 'sentence': sentence}
+def look_of(robot: ClawbotNode) -> dict[str, str]:
+    """Give the robot as it stands."""
+    picture, text, sentence = robot_view.still(robot)
+    return {'picture': picture, 'text': text, 'sentence': sentence}
 
-    def take(self, changed: dict[str, str], shown: dict[str, str] | None = None) -> None:
-        """Let the robot drive with the parameters that it has now, and keep what there is to see.
 
-        :param changed: The parameters that differ from those of the lesson, as a panel writes them.
-        :param shown: The robot before it drives, if that was kept.
-        """
-        self._robot.drive()
-        film = robot_view.film(self._robot, 'robot-NAME')
-        self._robot.step(math.inf)
-        self.taken.append({'changed': changed, 'still': shown, 'picture': film.picture, 'end': film.end,
-                           'scenes': [list(scene) for scene in film.scenes]})
+def drive(robot: ClawbotNode) -> Film:
+    """Let the robot drive with the parameters that it has, and give what there is to see; it is at its goal then."""
+    robot.drive()
+    film = robot_view.film(robot, 'robot-NAME')
+    robot.step(math.inf)
+    return {'picture': film.picture, 'end': film.end, 'scenes': [list(scene) for scene in film.scenes]}
 
 
 class CannotRestoreError(Exception):
@@ -277,10 +267,14 @@ class PanelRecorder:
                 if self._looks and 'value' in answer:
                     looks[text_key({row['name']: answer['value']})] = self._looks
         self._find_dependence(recording['rows'])
+        choices = list(self._choices(recording['rows'])) if self._robot or self._steps else []
+        # All pictures of the robot where it stands come first: from its first drive on it stands elsewhere.
+        self._look_at(choices, looks)
+        pictures = [{'changed': changed, 'look': looks[text_key(changed)]} for changed in choices]
         if self._robot:
-            recording['films'] = self._drives(recording['rows'], looks)
+            recording['films'] = [{**picture, **film} for picture, film in zip(pictures, self._drives(choices))]
         if self._steps:
-            recording['pictures'] = self._pictures(recording['rows'], looks)
+            recording['pictures'] = pictures
             self._steps.close()
 
     # -- one question ----------------------------------------------------------------------------------
@@ -422,27 +416,27 @@ class PanelRecorder:
     def _look(self) -> Any:
         """Give what a view of the node shows now; None if the course has no view of such a node."""
         if self._robot:
-            return Films(self._robot).still()
+            return look_of(self._robot)
         if self._steps:
             self._steps.settle()
             return re.sub(r'<style>.*?</style>', '', still_html(self._steps), flags=re.DOTALL)
         return None
 
-    def _drives(self, rows: list[dict[str, Any]], looks: dict[str, dict[str, str]]) -> list[dict[str, Any]]:
-        films = Films(self._robot)
-        for changed in self._choices(rows):
-            state = self._enter(changed)
-            films.take(changed, looks.get(text_key(changed)) or films.still())
-            self._restore(self._shown, state)
-        return films.taken
+    def _look_at(self, choices: list[dict[str, str]], looks: dict[str, Any]) -> None:
+        """Take the pictures that no answer has brought yet."""
+        for changed in choices:
+            if text_key(changed) not in looks:
+                state = self._enter(changed)
+                looks[text_key(changed)] = self._look()
+                self._restore(self._shown, state)
 
-    def _pictures(self, rows: list[dict[str, Any]], looks: dict[str, str]) -> list[dict[str, Any]]:
-        pictures = []
-        for changed in self._choices(rows):
+    def _drives(self, choices: list[dict[str, str]]) -> Iterator[Film]:
+        for changed in choices:
             state = self._enter(changed)
-            pictures.append({'changed': changed, 'html': looks.get(text_key(changed)) or self._look()})
+            yield drive(self._robot)
             self._restore(self._shown, state)
-        return pictures
+            # One that had to wait goes on by itself now; the next one must not find it on its way.
+            self._robot.step(math.inf)
 
     def _choices(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, str]]:
         """Give the sets of changed parameters that are to be seen: none, each alone, and some together."""

@@ -63,7 +63,7 @@
     /** Show the picture that belongs to the parameters, if there is one. */
     draw(view) {
       const picture = this.pictures.get(key(this.changed));
-      if (picture) view.querySelector('.rec-picture').innerHTML = picture.html;
+      if (picture) view.querySelector('.rec-picture').innerHTML = picture.look;
       view.querySelector('.rec-says').textContent = picture ? '' : unknown('picture', this.changed);
     }
 
@@ -234,10 +234,10 @@
       const film = this.films.get(key(this.changed));
       if (this.timers.length) {
         this.status.textContent = 'The next drive will show the change.';
-      } else if (film && film.still) {
-        this.picture.innerHTML = film.still.picture;
-        this.status.textContent = film.still.sentence;
-      } else if (!film) {
+      } else if (film) {
+        this.picture.innerHTML = film.look.picture;
+        this.status.textContent = film.look.sentence;
+      } else {
         this.status.textContent = unknown('drive', this.changed);
       }
     }
