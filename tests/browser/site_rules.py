@@ -62,6 +62,7 @@ def main(folder):
                         problems += [f'{path.name}, {scheme}: {each}' for each in check_page(page)]
                 except AssertionError as error:
                     problems.append(f'{path.name}, {scheme}: {error}')
+            print(f'{path.name} checked', flush=True)
         browser.close()
     print(*problems, sep='\n')
     print(f'{len(list(folder.glob("*.html")))} pages checked, {len(problems)} problems')
