@@ -4,6 +4,7 @@
 of any node, ``ParameterPanel`` shows them as controls. The layers, top to bottom; imports go downward only (README.md,
 "Architecture", says what each of them does, and a test compares):
 
+    lessons
     panels, panel_editors, robot_view, step_view, event_view, log_view, cells, magics
     exercises
     ros2, shell, terminals

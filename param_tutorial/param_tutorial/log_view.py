@@ -16,7 +16,7 @@ from param_tutorial.worker import Worker
 CAPACITY = 300
 _SHOW_PERIOD_SEC = 0.1
 
-_STYLE = """<style>
+STYLE = """<style>
 .param-log { border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; padding: 0;
   background: var(--jp-layout-color1, #fff); margin: 4px 0; }
 .param-log .param-log-title { margin: 0; padding: 2px 10px; line-height: 20px;
@@ -52,7 +52,7 @@ class LogView(widgets.VBox):
         title = f'Log of {self._node or "all nodes"}'
         self._content = widgets.HTML()
         self._content.add_class('param-log-lines')
-        heading = widgets.HTML(f'{_STYLE}<b>{html.escape(title)}</b>')
+        heading = widgets.HTML(f'{STYLE}<b>{html.escape(title)}</b>')
         heading.add_class('param-log-title')
         self._title = title
         super().__init__([heading, self._content])

@@ -29,7 +29,7 @@ from param_tutorial.services import TIMEOUT_SEC, full_name
 __all__ = ['Control', 'LogView', 'ParameterPanel']
 
 # Seldom what one came for, and of qos_overrides.… there may be dozens.
-_HOUSEKEEPING_HEADING = 'In every node'
+HOUSEKEEPING_HEADING = 'In every node'
 
 _STYLE = """<style>
 .param-panel { container-type: inline-size; box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0 0 10px;
@@ -157,7 +157,7 @@ class Control:
             widget.close()
         is_number = descriptor.type in (values.INTEGER, values.DOUBLE) and not descriptor.dynamic_typing
         (self._line.remove_class if is_number else self._line.add_class)('param-long')
-        self._help.value = _help_markup(descriptor)
+        self._help.value = help_markup(descriptor)
 
     def close(self) -> None:
         """Remove the control from the page."""
@@ -273,8 +273,8 @@ class ParameterPanel(widgets.VBox):
             return names
         first_of_group: dict[str, int] = {}
         for index, name in enumerate(names):
-            first_of_group.setdefault(_group(name), index)
-        return sorted(names, key=lambda name: (is_housekeeping(name), first_of_group[_group(name)],
+            first_of_group.setdefault(group_of(name), index)
+        return sorted(names, key=lambda name: (is_housekeeping(name), first_of_group[group_of(name)],
                                                names.index(name)))
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
@@ -285,7 +285,7 @@ class ParameterPanel(widgets.VBox):
             if control is None or control._parameter is not parameters[name]:
                 if control is not None:
                     control.close()
-                group = _group(name)
+                group = group_of(name)
                 control = Control(parameters[name], name.removeprefix(f'{group}.') if group else name, self._drawing)
                 if is_housekeeping(name):
                     control.widget.add_class('param-quiet')
@@ -298,7 +298,7 @@ class ParameterPanel(widgets.VBox):
         """Put the controls onto the page, each group under its heading."""
         children, headings, group = [self._style, self._head], {}, ''
         for name, control in self._controls.items():
-            wanted = _HOUSEKEEPING_HEADING if is_housekeeping(name) else _group(name)
+            wanted = HOUSEKEEPING_HEADING if is_housekeeping(name) else group_of(name)
             if wanted and wanted != group:
                 heading = headings.get(wanted) or self._headings.pop(wanted, None) or _heading(wanted)
                 headings[wanted] = heading
@@ -312,7 +312,7 @@ class ParameterPanel(widgets.VBox):
             self.children = children
 
 
-def _group(name: str) -> str:
+def group_of(name: str) -> str:
     return '' if is_housekeeping(name) else name.rpartition('.')[0]
 
 
@@ -332,7 +332,7 @@ def _head_markup(node: str, status: str, count: int) -> str:
     return f'<div role="status"><span class="param-node">{html.escape(node)}</span>{words}</div>'
 
 
-def _help_markup(descriptor: Descriptor) -> str:
+def help_markup(descriptor: Descriptor) -> str:
     facts = [descriptor.type.label]
     if descriptor.range:
         facts.append(f'{descriptor.range.from_value} to {descriptor.range.to_value}'
