@@ -14,12 +14,15 @@ PACKAGE = Path(param_tutorial.__file__).parent
 README = (ROOT / 'README.md').read_text()
 NOTEBOOKS = sorted((ROOT / 'notebooks').rglob('[0-9]*.ipynb'))
 CHAPTERS = {path.name: nbformat.read(path, as_version=4) for path in sorted((ROOT / 'notebooks').glob('[0-9]*.ipynb'))}
-ROW = re.compile(r'\[([^]]+)\]\((?:notebooks/)?([0-9]\w*\.ipynb)\) *\| *([^|]+?) *\| *(\d+) *\|')
+ROW = re.compile(r'\[([^]]+)\]\((?:notebooks/)?([0-9]\w*\.ipynb)\) *\| *([^|]+?) *\| *(\d+) *\|(?: *([^|\n]+?) *\|)?')
+# Longer questions break on a page of usual width, and the table is no longer read at a glance.
+QUESTION_CHARACTERS = 72
 
 
 def rows(path):
-    """Give the chapter table of a Markdown page: {file: (title, question, minutes)}."""
-    return {name: (title, question, int(minutes)) for title, name, question, minutes in ROW.findall(path.read_text())}
+    """Give the chapters in the tables of a Markdown page: {file: (title, question, minutes, objectives or '')}."""
+    return {name: (title, question, int(minutes), objectives)
+            for title, name, question, minutes, objectives in ROW.findall(path.read_text())}
 
 
 def opening(name):
@@ -31,13 +34,37 @@ def opening(name):
 def test_the_table_lists_every_chapter_with_its_minutes(page):
     table = rows(ROOT / page)
     assert list(table) == list(CHAPTERS)
-    for name, (_, _, minutes) in table.items():
+    for name, (_, question, minutes, _) in table.items():
         assert f'*{minutes} minutes.' in opening(name), name
+        assert question.endswith('?')
+        assert len(question) <= QUESTION_CHARACTERS, question
 
 
 def test_readme_and_start_page_ask_the_same_questions():
     readme, index = rows(ROOT / 'README.md'), rows(ROOT / 'notebooks/index.md')
-    assert {name: row[1:] for name, row in readme.items()} == {name: row[1:] for name, row in index.items()}
+    assert {name: row[1:3] for name, row in readme.items()} == {name: row[1:3] for name, row in index.items()}
+
+
+@pytest.mark.parametrize('name', CHAPTERS)
+def test_the_start_page_promises_what_the_chapter_promises(name):
+    promised = rows(ROOT / 'notebooks/index.md')[name][3].split('; ')
+    objectives = re.findall(r'^- (.+)$', opening(name), re.MULTILINE)
+    assert len(promised) == 2
+    for promise in promised:
+        assert any(re.match(rf'{re.escape(promise)}(?!\w)', objective) for objective in objectives), promise
+
+
+def test_the_start_page_adds_up_its_times():
+    index = (ROOT / 'notebooks/index.md').read_text()
+    table = rows(ROOT / 'notebooks/index.md')
+    student, = re.findall(r'^\| \*\*a student.*$', index, re.MULTILINE)
+    core = sum(table[name][2] for name in re.findall(r'\((\w+\.ipynb)\)', student))
+    everything = sum(minutes for _, _, minutes, _ in table.values())
+    assert student.endswith(f'| {_hours(core)} for these five, {_hours(everything)} for all |')
+
+
+def _hours(minutes):
+    return f'{minutes // 60} h {minutes % 60}'
 
 
 @pytest.mark.parametrize('name', CHAPTERS)
@@ -62,9 +89,12 @@ def test_a_chapter_has_a_live_node_and_a_panel(name):
     assert 'ParameterPanel(' in code
 
 
-def test_links_in_the_readme_lead_somewhere():
-    for target in re.findall(r'\]\((?!http)([^)#]+)\)', README):
-        assert (ROOT / target).exists(), target
+@pytest.mark.parametrize('page', ['README.md', 'notebooks/index.md'])
+def test_links_lead_somewhere(page):
+    targets = re.findall(r'\]\((?!http)([^)#]+)\)', (ROOT / page).read_text())
+    assert targets
+    for target in targets:
+        assert ((ROOT / page).parent / target).exists(), target
 
 
 @pytest.mark.parametrize('name', param_tutorial.__all__)

@@ -32,6 +32,20 @@ def test_lines_differ_without_colour():
     assert len(set(strokes)) == 4
 
 
+def test_each_name_in_the_key_keeps_to_its_own_stroke():
+    names = {name: RAMP for name in ('reference', 'p', 'conditional_integration')}
+    picture = ElementTree.fromstring(LinePlot(names, x='x', y='y')._repr_html_())
+    begins = [(float(text.get('x')), text.text) for text in picture.iter('text')
+              if text.text in names and text.get('text-anchor') == 'start']
+    strokes = sorted((float(line.get('x1')), float(line.get('x2'))) for line in picture.iter('line')
+                     if line.get('y1') == line.get('y2') == '12.0')
+    assert [name for _, name in sorted(begins)] == list(names)
+    for (begin, name), (_, stroke_end), following in zip(sorted(begins), strokes, [*strokes[1:], (620.0, 0.0)]):
+        assert begin - stroke_end == 8
+        # The widest letters are not wider than 8 on average; then 16 to the next stroke.
+        assert begin + 8 * len(name) <= following[0]
+
+
 def test_names_are_text():
     picture = ElementTree.fromstring(LinePlot({'<b>"': RAMP}, x='a & b', y='<i>')._repr_html_())
     assert {'<b>"', 'a & b', '<i>'} <= {text.text for text in picture.iter('text')}

@@ -92,11 +92,12 @@ class LinePlot:
         for stroke, (name, points) in reversed(list(zip(_STROKES, self._lines.items()))):
             corners = ' '.join('{:.1f},{:.1f}'.format(*self._at(*point)) for point in points)
             yield f'<polyline points="{corners}" fill="none" stroke-width="2.5" stroke-linejoin="round" {stroke}/>'
-            yield words(end, 16, name, 'end')
-            # The width of the text is known to the browser only; 8 is that of a letter, on the safe side.
-            begin = end - 8 * len(name) - 8
-            yield line(begin - 30, 12, begin, 12, f'stroke-width="2.5" {stroke}')
-            end = begin - 46
+            # The width of the text is known to the browser only; 8 is that of a letter, on the safe side. What is too
+            # much stands behind the name, so that each name keeps to its own stroke.
+            begin = end - 8 * len(name)
+            yield words(begin, 16, name, 'start')
+            yield line(begin - 38, 12, begin - 8, 12, f'stroke-width="2.5" {stroke}')
+            end = begin - 54
 
 
 def _scale(largest: float) -> tuple[float, float]:
