@@ -53,8 +53,11 @@ class Session:
 
     def node_names(self, *, hidden: bool) -> list[NodeName]:
         """Give the nodes in the graph as far as it is known; a name twice if two nodes have it."""
-        names = (NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}')
-                 for name, namespace in nodes_in_graph(self.executor.tool_node))
+        tool = self.executor.tool_node
+        # Ghosts gather in a process that lives long. One that has just joined has none, and hears of a node's name
+        # before it hears of what shows that it is no ghost.
+        known = nodes_in_graph(tool) if self.in_notebook else tool.get_node_names_and_namespaces()
+        names = (NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}') for name, namespace in known)
         return [each for each in names if hidden or not each.name.startswith(HIDDEN_NODE_PREFIX)]
 
     def wait_for_graph(self, args: argparse.Namespace) -> None:
@@ -74,7 +77,8 @@ class Session:
             # A node's services may be known before its name.
             try:
                 return self.executor.services.is_ready(node) or node in {
-                    each.full_name for each in self.node_names(hidden=True)}
+                    f'{namespace.rstrip("/")}/{name}'
+                    for name, namespace in self.executor.tool_node.get_node_names_and_namespaces()}
             except NodeNotFoundError:  # this cannot be the name of any node
                 return False
 
