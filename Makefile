@@ -25,7 +25,14 @@ lab: setup  ## start JupyterLab on the course, after the set-up if needed
 test: export IPYTHONDIR := $(CURDIR)/.venv/jupyter/ipython
 test: setup lint  ## run the whole test suite, as CI does
 	@mkdir -p "$$IPYTHONDIR"
-	@$(VENV) -m pytest -n 3 --dist loadscope --nbval $(ARGS) tests notebooks
+	@$(VENV) -m pytest -n 3 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
+
+html: setup  ## make the HTML lessons, in build/html/
+	@$(VENV) -m param_tutorial.lessons $(ARGS)
+
+lesson: setup  ## make one lesson as one file: make lesson CHAPTER=06
+	@test -n "$(CHAPTER)" || { echo "Which one? make lesson CHAPTER=06" >&2; exit 1; }
+	@$(VENV) -m param_tutorial.lessons --lesson "$(CHAPTER)" $(ARGS)
 
 bench: setup  ## run the benchmarks
 	@$(VENV) tests/bench.py $(ARGS)
@@ -36,11 +43,11 @@ lint: setup  ## check code and notebooks without running them
 
 lock: setup  ## work out environment/requirements.lock anew
 	@test -x build/uv/bin/uv || $(VENV) -m pip install --quiet --target build/uv uv
-	@build/uv/bin/uv pip compile --quiet --universal --python-version 3.10 --extra test --extra setup --upgrade \
+	@build/uv/bin/uv pip compile --quiet --universal --python-version 3.10 --extra test --extra html --extra setup --upgrade \
 	    --generate-hashes --no-annotate --custom-compile-command "make lock" --output-file $(LOCK) pyproject.toml
 
 clean:  ## remove everything that these targets made
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis environment/.setup.lock
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup lab test bench lint lock clean
+.PHONY: help setup lab test html lesson bench lint lock clean

@@ -169,6 +169,15 @@ def test_nonsense_is_refused_at_once(ros, names, words):
     Aliases(node, {'a': 'b'})  # nothing was left behind
 
 
+@pytest.mark.parametrize(('names', 'options'), [(None, {}), (['a', 'b'], {}), ({'a': 'b'}, {'pre_set': 3})])
+def test_arguments_that_are_none_are_told(ros, names, options):
+    node = ros.add(Node, 'robot')
+    with pytest.raises(AliasError, match='Aliases takes a node, mostly self, a dictionary'):
+        Aliases(node, names, **options)
+    with pytest.raises(AliasError, match="got '/robot'"):
+        Aliases('/robot', {'a': 'b'})
+
+
 def test_a_second_object_is_refused(client, ros):
     with pytest.raises(AliasError, match='/robot has Aliases already: name all of them in one object'):
         Aliases(ros.nodes[0], {'x': 'y'})

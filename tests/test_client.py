@@ -382,6 +382,30 @@ def test_without_an_executor_the_word_is_start():
         ParameterClient('/x').list_parameters()
 
 
+@pytest.mark.parametrize('nonsense', [3, None, b'x', Node])
+def test_what_is_no_node_is_told(nonsense):
+    with pytest.raises(TypeError, match='is no node: give its name'):
+        ParameterClient(nonsense)
+
+
+@pytest.mark.parametrize('verb', [
+    'get_parameters', 'get_parameter_types', 'describe_parameters', 'delete_parameters', 'list_parameters',
+    'reference'])
+@pytest.mark.parametrize('names', ['x', 3, [3]])
+def test_one_name_is_no_list_of_names(client, verb, names):
+    with pytest.raises(TypeError, match='is no list of '):
+        getattr(client, verb)(names)
+
+
+def test_a_huge_value_is_told_in_short(ros):
+    node = ros.add(Node, 'atlas')
+    ros.run(lambda: node.declare_parameter('map', [0] * 10_000), 'declare')
+    client = ParameterClient(node)
+    for told in (client.set_parameter('map', [1] * 10_000), client.get_parameters(), client.reference()):
+        assert '… (10000 elements)' in repr(told)
+        assert len(repr(told)) < 1000
+
+
 def test_calls_from_many_threads(client):
     outcomes = []
 
@@ -425,3 +449,22 @@ def test_a_reference_may_be_of_some_only(ros):
         '| `use_sim_time` | boolean | `False` |  |  |']
     with pytest.raises(ParameterNotDeclaredError, match=r'Did you mean limits\.low'):
         client.reference(['limit.low'])
+
+
+def test_clients_are_forgotten_unless_they_wait_for_an_answer(ros):
+    client = ParameterClient(ros.add(Everything))
+    assert client.get_parameter('count') == 3
+
+    def ask_and_forget():
+        """In the executor's thread, so that no answer can come in between."""
+        future = ros.services.call_async('/lab/everything', 'list_parameters', ListParameters.Request())
+        ros.services.forget('/lab')
+        return future, [each.srv_name for each in ros.tool_node.clients]
+
+    future, left = ros.run(ask_and_forget, 'ask')
+    assert [name for name in left if name.startswith('/lab/')] == ['/lab/everything/list_parameters']
+    param_tutorial.wait_until(future.done, 'the answer')
+    assert 'count' in future.result().result.names
+    ros.run(lambda: ros.services.forget('/lab'), 'forget')
+    assert not any(each.srv_name.startswith('/lab/') for each in ros.tool_node.clients)
+    assert client.set_parameter('count', 6).successful

@@ -1,5 +1,6 @@
 """README.md, the start page and the chapters tell the same story, and every public name is real."""
 
+import ast
 import re
 from pathlib import Path
 
@@ -9,6 +10,9 @@ import pytest
 import param_tutorial
 
 ROOT = Path(__file__).parents[1]
+PACKAGE = Path(param_tutorial.__file__).parent
+README = (ROOT / 'README.md').read_text()
+NOTEBOOKS = sorted((ROOT / 'notebooks').rglob('[0-9]*.ipynb'))
 CHAPTERS = {path.name: nbformat.read(path, as_version=4) for path in sorted((ROOT / 'notebooks').glob('[0-9]*.ipynb'))}
 ROW = re.compile(r'\[([^]]+)\]\((?:notebooks/)?([0-9]\w*\.ipynb)\) *\| *([^|]+?) *\| *(\d+) *\|(?: *([^|\n]+?) *\|)?')
 # Longer questions break on a page of usual width, and the table is no longer read at a glance.
@@ -98,9 +102,48 @@ def test_public_names_exist_and_are_documented(name):
     assert getattr(param_tutorial, name).__doc__
 
 
-def test_the_packages_own_picture_of_its_layers_names_every_module():
-    package = Path(param_tutorial.__file__).parent
-    modules = {path.stem for path in package.glob('[a-z]*.py')} | {
-        path.parent.name for path in package.glob('[a-z]*/__init__.py')}
-    readme = (ROOT / 'README.md').read_text()
-    assert {module for module in modules if not re.search(rf'\b{module}\b', readme)} == set()
+def layers_of_the_readme():
+    """Give the modules of each row of README's table, top to bottom."""
+    table = README.partition('| Modules | What they do |\n| --- | --- |\n')[2].partition('\n\n')[0]
+    return [re.findall(r'`(\w+)`', row.split('|')[1]) for row in table.splitlines()]
+
+
+def test_each_module_stands_once_in_the_picture_of_the_layers():
+    modules = {path.stem for path in PACKAGE.glob('[a-z]*.py')} | {
+        path.parent.name for path in PACKAGE.glob('[a-z]*/__init__.py')}
+    assert sorted(module for row in layers_of_the_readme() for module in row) == sorted(modules)
+
+
+def test_readme_and_package_draw_the_same_layers():
+    drawn = re.findall(r'^    (\w.*)$', param_tutorial.__doc__, re.MULTILINE)
+    assert [row.split(', ') for row in drawn] == layers_of_the_readme()
+
+
+def test_imports_go_downward_only():
+    layer = {module: number for number, row in enumerate(layers_of_the_readme()) for module in row}
+    upward, seen = [], 0
+    for path in PACKAGE.rglob('*.py'):
+        own = path.relative_to(PACKAGE).with_suffix('').parts[0]
+        for module in imported_by(path) if own in layer else ():
+            seen += 1
+            upward += [(own, module)] if layer[module] < layer[own] else []
+    assert seen > 100
+    assert upward == []
+
+
+def imported_by(path):
+    """Give the modules of the package that a file imports, by the first part of their names."""
+    for statement in ast.walk(ast.parse(path.read_text())):
+        if isinstance(statement, ast.ImportFrom) and (statement.module or '').split('.')[0] == 'param_tutorial':
+            parts = statement.module.split('.')[1:]
+            names = parts[:1] or [each.name for each in statement.names]
+            yield from (param_tutorial._HOMES.get(name, name) for name in names)
+
+
+@pytest.mark.parametrize('path', NOTEBOOKS, ids=lambda path: f'{path.parent.name}-{path.stem}')
+def test_a_link_to_a_chapter_leads_to_that_chapter(path):
+    numbers = {name: re.match(r'# (\d+(\.\d+)?) · ', opening(name))[1] for name in CHAPTERS}
+    prose = '\n'.join(cell.source for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == 'markdown')
+    for number, target in re.findall(r'\[[Cc]hapter (\d+(?:\.\d+)?)\b[^]]*\]\(([^)#]+)', prose):
+        assert numbers.get(Path(target).name) == number, f'chapter {number} leads to {target}'
+        assert (path.parent / target).exists()

@@ -4,6 +4,7 @@ Blanks and solutions are read from the notebooks; the wrong answers are made of 
 """
 
 import ast
+import functools
 import inspect
 import re
 from pathlib import Path
@@ -22,6 +23,7 @@ from wrong_answers import WRONG
 NOTEBOOKS = Path(__file__).parents[1] / 'notebooks'
 
 
+@functools.cache
 def notebook(number, folder=''):
     """Give the cells of the chapter that holds an exercise, or of its solutions."""
     return nbformat.read(NOTEBOOKS / folder / Path(EXERCISES[number].solutions).name, as_version=4).cells
@@ -286,6 +288,7 @@ def test_the_stage_is_afterwards_as_before(ros):
         exercises.check(number, blank(number))
     assert ros.nodes == (own,)
     assert own_names(ros) == ['/rover']
+    assert not any(each.srv_name.startswith(f'{trial.CORNER}/') for each in ros.tool_node.clients)
     assert client.get_parameter('max_speed_mps') == 1.5
 
 

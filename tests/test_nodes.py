@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.srv import GetParameters, ListParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -155,3 +156,36 @@ def test_the_query_node_asks_again_where_no_answer_comes(ros):
         assert 'has not answered within 2 s, asking again' in ros.node_log.read('asking again', '/param_query_node')
     finally:
         dozing.destroy_node()
+
+
+class Forgetful(Node):
+    """Has the name of the robot, and says which parameters it has, but leaves the first question for values open."""
+
+    def __init__(self):
+        super().__init__('simple_param_node', start_parameter_services=False)
+        self.asked = 0
+        self.create_service(ListParameters, '~/list_parameters', self.tell_names)
+        self.create_service(GetParameters, '~/get_parameters', self.tell_values)
+
+    def tell_names(self, _, response):
+        response.result.names = ['speed']
+        return response
+
+    def tell_values(self, _, response):
+        self.asked += 1
+        if self.asked == 1:
+            raise RuntimeError('as good as dead')
+        response.values = [Parameter('speed', value=3).get_parameter_value()]
+        return response
+
+
+def test_the_query_node_asks_again_where_only_the_names_came(ros):
+    target = ros.add(Forgetful)
+    query = ros.add(ParamQueryNode)
+    param_tutorial.wait_until(lambda: all(client.service_is_ready() for client in query.clients), 'the target')
+    ros.run(query.ask, 'press the button')
+    param_tutorial.wait_until(lambda: target.asked == 1, 'the first question')
+    assert not query.timer.is_canceled()
+    ros.run(query.ask, 'press the button')
+    assert said(ros, '/param_query_node', 'speed =')[-1] == '  speed = 3'
+    param_tutorial.wait_until(query.timer.is_canceled, 'the timer to end')

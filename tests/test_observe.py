@@ -8,9 +8,10 @@ from rclpy.parameter import Parameter
 import param_tutorial
 from param_tutorial import ParameterClient, node_graph, record_change
 from param_tutorial.client import changes
-from param_tutorial.errors import ExecutorError, InvalidValueError
+from param_tutorial.errors import CallbackError, ExecutorError, InvalidValueError, NodeGoneError
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from param_tutorial.nodes.param_query_node import ParamQueryNode
+from param_tutorial.observe import _parameter_services
 
 
 class Ladder(Node):
@@ -89,6 +90,29 @@ def test_an_exception_in_a_callback_is_drawn(ladder):
     steps = record_change(ladder, 'speed', 'fast').steps
     assert [(step.what, step.told) for step in steps[1:]] == [
         ('pre-set', "trim sees 'fast', raises TypeError"), ('no answer', 'whoever asked would wait for ever')]
+
+
+@pytest.mark.parametrize('answer', [None, [3]])
+def test_a_pre_set_callback_that_answers_nonsense_is_drawn_and_fails_as_without_a_recorder(ros, ladder, answer):
+    ladder.add_pre_set_parameters_callback(lambda _: answer)
+    with pytest.raises(CallbackError) as bare:
+        ParameterClient(ladder).set_parameter('speed', 150)
+    timeline = record_change(ladder, 'speed', 150)
+    assert f'gives {answer!r}, which is no list of parameters' in timeline.text
+    assert str(ros.errors[-1]) == str(bare.value.__cause__)
+
+
+def test_a_node_that_leaves_while_it_is_recorded_is_told(ros, ladder):
+    ladder.add_post_set_parameters_callback(lambda _: ros.remove(ladder))
+    with pytest.raises(NodeGoneError, match='/ladder went away before it answered set_parameters'):
+        record_change(ladder, 'speed', 150)
+
+
+def test_a_huge_value_is_drawn_small(ros):
+    node = ros.add(Node, 'atlas')
+    ros.run(lambda: node.declare_parameter('map', [0] * 10_000), 'declare')
+    timeline = record_change(node, 'map', [1] * 10_000)
+    assert len(repr(timeline)) < 10_000 and len(timeline._repr_html_()) < 20_000
 
 
 def test_the_recorder_leaves_no_trace(ros, ladder):
@@ -177,3 +201,15 @@ def test_the_graph_is_what_is_connected(ros, ladder):
     assert '/simple_param_node' in graph.missing
     ros.remove(query)
     assert '/param_query_node' not in node_graph().askers
+
+
+def test_a_hidden_node_is_not_missed_either(ros, ladder):
+    ros.add(Node, '_corner')
+    ParameterClient('/_corner').list_parameters()
+    assert '_corner' not in repr(node_graph())
+
+
+def test_a_node_that_has_left_since_it_was_listed_has_no_services(ros):
+    tool = ros.tool_node
+    for look in (tool.get_service_names_and_types_by_node, tool.get_client_names_and_types_by_node):
+        assert _parameter_services(look, 'left_already', '/') == []

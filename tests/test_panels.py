@@ -22,9 +22,10 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 import param_tutorial
-from param_tutorial import background, cells, panel_editors, values
+from param_tutorial import EventView, RobotView, StepResponseView, background, cells, panel_editors, values
 from param_tutorial.client import Descriptor, ParameterClient, Range
 from param_tutorial.errors import ExecutorError, ParameterNotDeclaredError, WaitTimeoutError
+from param_tutorial.nodes.pid_controller_node import PidControllerNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.panels import LogView, ParameterPanel
 
@@ -676,6 +677,28 @@ def test_a_node_that_comes_back_with_other_parameters(ros):
     assert panel.names == ['joints', 'use_sim_time', 'start_type_description_service']
     assert [type(widget).__name__ for widget in panel['joints'].editors] == ['_Text']
     assert shows(panel, 'joints') == ('many',)
+
+
+@pytest.mark.parametrize('view', [ParameterPanel, StepResponseView])
+def test_a_panel_without_an_executor_says_so_and_comes_alive_with_one(view):
+    param_tutorial.stop()
+    panel = view('/pid_controller_node')
+    assert 'no executor is running' in (panel.status if view is ParameterPanel else panel.text)
+    param_tutorial.start().add(PidControllerNode)
+    panel.settle()
+    assert panel.names if view is ParameterPanel else 'rise time' in panel.text
+    panel.close()
+    param_tutorial.start()
+
+
+@pytest.mark.parametrize('view', [ParameterPanel, LogView, EventView, RobotView, StepResponseView])
+def test_a_view_of_nonsense_says_so_and_nothing_else(ros, view, monkeypatch):
+    others = []
+    monkeypatch.setattr(sys, 'unraisablehook', lambda each: others.append(each.exc_value))
+    with pytest.raises(TypeError, match='3 is no node'):
+        view(3)
+    gc.collect()  # and ipywidgets closes what was never built
+    assert others == []
 
 
 def test_a_panel_outlives_the_executor(ros):

@@ -5,7 +5,7 @@ import math
 import hypothesis
 import hypothesis.strategies as st
 import pytest
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -84,6 +84,18 @@ new        added          -            []'''
     assert 'thead' not in compare({}, {})._repr_html_()
 
 
+def test_a_table_of_huge_arrays_stays_small():
+    difference = compare({'map': [0] * 10_000}, {'map': [1] * 10_000})
+    assert '… (10000 elements)' in repr(difference)
+    assert len(repr(difference)) < 2000 and len(difference._repr_html_()) < 3000
+
+
+@pytest.mark.parametrize('nonsense', [3, None, Node])
+def test_what_is_neither_set_nor_node_is_told(nonsense):
+    with pytest.raises(TypeError, match='is no node: give its name'):
+        compare(nonsense, {})
+
+
 def test_a_set_cannot_be_changed_and_holds_parameters_only():
     numbers = [1, 2]
     kept = ParameterSet({'a': numbers}, 'kept')
@@ -93,8 +105,10 @@ def test_a_set_cannot_be_changed_and_holds_parameters_only():
     assert repr(kept) == '<ParameterSet: kept, 1 parameter>'
     with pytest.raises(TypeError):
         kept['a'] = 1
-    with pytest.raises(InvalidValueError):
-        ParameterSet({'a': {}})
+    with pytest.raises(InvalidValueError, match=r'kept: a cannot be a parameter: \{\} is a dict'):
+        ParameterSet({'a': {}}, 'kept')
+    with pytest.raises(InvalidValueError, match='kept: 3 is no name'):
+        ParameterSet({3: 1}, 'kept')
     assert ParameterSet({'a': 1}) != {'a': True}
 
 
@@ -172,6 +186,13 @@ def test_what_no_request_can_change_is_told_and_the_rest_is_set(client):
     assert repr(restored).startswith('/robot from given values: NOT COMPLETE, 2 of 6 parameters set\n')
     assert client.get_parameters(['serial', 'speed', 'unset', 'low_c', 'numbers']) == {
         'serial': 'S1', 'speed': 100, 'unset': 1.5, 'low_c': 19, 'numbers': []}
+
+
+def test_a_reason_of_several_lines_stays_in_its_row(ros, client):
+    node = ros.nodes[0]
+    node.add_on_set_parameters_callback(lambda _: SetParametersResult(successful=False, reason='no\nand no'))
+    restored = restore(client, {'speed': 50})
+    assert len(repr(restored).splitlines()) == 4
 
 
 def test_one_refusal_leaves_everything_as_it_was(client):

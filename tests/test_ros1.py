@@ -94,6 +94,8 @@ def test_a_step_has_lines_and_its_answer_too():
 def test_an_unknown_scene_is_told_with_the_likeliest():
     with pytest.raises(KeyError, match=r"there is no scene 'type'. Did you mean types"):
         ros1.scene('type')
+    with pytest.raises(KeyError, match='there is no scene 3'):
+        ros1.scene(3)
 
 
 def test_a_scene_is_shown_as_it_was_typed():

@@ -50,7 +50,7 @@ def start_process(ros):
             process.kill()
             process.communicate()
     ros.remove_all()
-    wait_until(lambda: ros.tool_node.get_node_names() == [background.TOOL_NODE_NAME],
+    wait_until(lambda: ros.services.node_names(hidden=True) == [f'/{background.TOOL_NODE_NAME}'],
                'the processes to leave the graph', 30)
 
 

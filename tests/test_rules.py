@@ -149,6 +149,11 @@ def test_a_node_starts_with_overrides_that_agree(ros):
     (lambda rules: rules.matches('serial', 5), '5 is no regular expression'),
     (lambda rules: rules.matches('level', '[0-9]'), 'it is for texts, and level is of type integer'),
     (lambda rules: rules.one_of('mode', 'fast'), "give a list of at least one choice, not 'fast'"),
+    (lambda rules: rules.one_of('mode', 3), 'give a list of at least one choice, not 3'),
+    (lambda rules: rules.matches('mode', b'[a-z]'), 'is no regular expression'),
+    (lambda rules: rules.matches(['mode'], '.'), "['mode'], which is no name of a parameter"),
+    (lambda rules: rules.quantity('timeout', 3), 'give a list of at least one unit, not 3'),
+    (lambda rules: rules.check(None, all, 'x'), 'a rule takes names, a function and a sentence; got None'),
     (lambda rules: rules.one_of('mode', []), 'give a list of at least one choice'),
     (lambda rules: rules.one_of('level', [1, 2.0]), 'it is a parameter of type integer and can never be 2.0, of type '
                                                     'double'),
@@ -176,6 +181,12 @@ def test_a_rule_that_makes_no_sense_is_told_when_it_is_stated(robot, client, sta
     assert words in str(raised.value)
     assert client.describe_parameter('level').additional_constraints == ''
     assert client.set_parameter('level', 2).successful
+
+
+@pytest.mark.parametrize('node', ['/robot', Node, None])
+def test_rules_are_for_a_node(node):
+    with pytest.raises(RuleError, match='Rules takes the node'):
+        Rules(node)
 
 
 @pytest.mark.parametrize('state', [
@@ -212,4 +223,5 @@ def test_a_rule_cannot_change_what_is_proposed(robot, client):
 
 def test_a_long_value_is_shortened(robot, client):
     Rules(robot).length('serial', 1, 10)
-    assert client.set_parameter('serial', 'x' * 1000).reason == f"serial = '{'x' * 59}…: must have 1 to 10 characters"
+    assert client.set_parameter('serial', 'x' * 1000).reason == (
+        f"serial = '{'x' * 59}… (1000 characters): must have 1 to 10 characters")

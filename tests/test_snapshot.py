@@ -51,6 +51,13 @@ def test_all_values_of_all_nodes(ros):
     assert snapshot.unanswered == {}
 
 
+def test_a_single_node_will_do_and_nonsense_is_told(ros):
+    node = ros.add(Node, 'plain')
+    assert list(all_parameters('plain')) == list(all_parameters(node)) == ['/plain']
+    with pytest.raises(TypeError, match='3 is no node'):
+        all_parameters([3])
+
+
 def test_without_names_it_is_every_node_but_the_hidden_ones(ros):
     ros.add(Arm)
     ros.add(Node, '_hidden')

@@ -1,11 +1,13 @@
 """The view of a step response: what it says and draws, when it sends something, and that it lets go of its node."""
 
 import itertools
+import math
 import re
 import time
 import xml.etree.ElementTree as ElementTree
 
 import pytest
+from rclpy.node import Node
 
 import param_tutorial
 from param_tutorial import ParameterClient, ParameterPanel, StepResponseView, plot_responses, wait_until
@@ -172,6 +174,30 @@ def test_what_it_cannot_simulate_it_names(ros, node_class, options, missing):
     assert view.text == (f'{node.get_fully_qualified_name()} has no parameter {missing}, '
                          f'so there is nothing to simulate.')
     view.close()
+
+
+class Careless(Node):
+    """Has the parameters of a controller, and takes any value for them."""
+
+    def __init__(self, like, **others):
+        super().__init__('careless')
+        own = {name: value for name, value in ParameterClient(like).get_parameters().items() if '.' in name}
+        self.declare_parameters('', [*({**own, 'dof_names': ['wheel_joint'], 'update_rate': 100, **others}).items()])
+
+
+@pytest.mark.parametrize('others', [
+    {'update_rate': 0}, {'update_rate': 'often'}, {KP: math.nan}, {KP: 'much'}, {'simulation.inertia_kgm2': 0.0}])
+def test_values_that_cannot_be_simulated_are_told(ros, controller, others):
+    ros.add(Careless, controller, **others)
+    view = StepResponseView('careless')
+    assert view.text.startswith('/careless holds values with which nothing can be simulated: ')
+    view.close()
+
+
+@pytest.mark.parametrize('nonsense', [3, {'p': 'fast'}])
+def test_a_plot_of_no_responses_is_refused(nonsense):
+    with pytest.raises(TypeError, match='takes a dictionary of step responses'):
+        plot_responses(nonsense)
 
 
 def test_names_are_text(ros):

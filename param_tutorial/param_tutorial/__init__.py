@@ -1,19 +1,22 @@
 """Mastering ROS 2 Parameters with Python: the package of the course.
 
 ``start()`` puts a ROS executor into the background of a notebook, ``ParameterClient`` talks to the parameters
-of any node, ``ParameterPanel`` shows them as controls. The layers, top to bottom; imports go downward only:
+of any node, ``ParameterPanel`` shows them as controls. The layers, top to bottom; imports go downward only (README.md,
+"Architecture", says what each of them does, and a test compares):
 
-    panels, robot_view, step_view,  ipywidgets and IPython
-        magics
-    exercises                       checks of what a learner wrote
-    ros2, shell, terminals          the ros2 command; commands in processes of their own
-    observe, snapshot               what goes on in a change, in the graph, in all nodes
-    rules, aliases, parameter_sets  what ROS 2 has not (yet): richer checks, old names, compare and restore
-    client, parameter_files         parameter services and files
-    background, node_log, domain    one rclpy context, executor and thread for a process
-    ros1                            what the real ROS 1 says, recorded
-    values, errors                  no ROS, no Jupyter
-    nodes                           the lessons' nodes, on rclpy alone
+    lessons
+    panels, panel_editors, robot_view, step_view, event_view, log_view, cells, magics
+    exercises
+    ros2, shell, terminals
+    observe, snapshot
+    rules, aliases, parameter_sets
+    live, worker
+    client, parameter_files
+    background, services, node_log
+    plots, diagrams, svg
+    ros1, glossary
+    values, domain, markup, errors
+    nodes
 """
 
 import importlib

@@ -38,9 +38,12 @@ class Aliases:
         :param names: For each old name, the new one.
         :param pre_set: The node's own pre-set callback, if it has one. It sees new names only. Registered beside this
             object it would get every change to be made twice: rclpy appends the answers of all pre-set callbacks.
-        :raises AliasError: the node has Aliases already, a name is declared already, an old name stands for itself or
-            for another old name, or overrides give two names of one parameter two values.
+        :raises AliasError: an argument makes no sense, the node has Aliases already, a name is declared already, an old
+            name stands for itself or for another old name, or overrides give two names of one parameter two values.
         """
+        if not isinstance(node, Node) or not isinstance(names, Mapping) or not (pre_set is None or callable(pre_set)):
+            raise AliasError(f'Aliases takes a node, mostly self, a dictionary of old names and new ones, and as '
+                             f'pre_set a function; got {node!r}, {names!r}, {pre_set!r}')
         self._node = node
         self._new_names = dict(names)
         self._pre_set = pre_set

@@ -67,8 +67,8 @@ class SetResult:
 
     def __str__(self) -> str:
         if self.successful:
-            return f'{self.node} accepted {self.name} = {self.value!r}'
-        return f'{self.node} refused {self.name} = {self.value!r} ({self.kind}): {self.reason}{self.hint}'
+            return f'{self.node} accepted {self.name} = {values.shown(self.value)}'
+        return f'{self.node} refused {self.name} = {values.shown(self.value)} ({self.kind}): {self.reason}{self.hint}'
 
     __repr__ = __str__
 
@@ -96,7 +96,8 @@ class ParameterValues(dict):
 
     def __repr__(self) -> str:
         width = max(map(len, self), default=0)
-        return '\n'.join(f'{name:{width}}  {value!r}' for name, value in self.items()) or '(no parameters)'
+        return '\n'.join(f'{name:{width}}  {values.shown(value)}'
+                         for name, value in self.items()) or '(no parameters)'
 
 
 @dataclass(frozen=True)
@@ -205,7 +206,7 @@ class ParameterClient:
         :param prefixes: Only names that start with one of these and a dot.
         :param depth: Only names with at most this many parts below the prefix; 0 for all.
         """
-        request = ListParameters.Request(prefixes=list(prefixes), depth=depth)
+        request = ListParameters.Request(prefixes=_listed(prefixes, 'prefixes'), depth=depth)
         return list(self._call('list_parameters', request).result.names)
 
     def get_parameter(self, name: str) -> Any:
@@ -221,7 +222,7 @@ class ParameterClient:
         :param names: Which; by default all, in the order in which the node declared them.
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
         """
-        wanted = self.list_parameters() if names is None else list(names)
+        wanted = self.list_parameters() if names is None else _listed(names)
         answer = self._call('get_parameters', GetParameters.Request(names=wanted)).values
         if len(answer) == len(wanted):
             return ParameterValues(zip(wanted, map(values.to_python, answer), strict=True))
@@ -243,7 +244,7 @@ class ParameterClient:
 
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
         """
-        names = list(names)
+        names = _listed(names)
         answer = self._call('get_parameter_types', GetParameterTypes.Request(names=names)).types
         self._require_all(names, answer)
         return {name: values.TYPES[number] for name, number in zip(names, answer, strict=True)}
@@ -260,7 +261,7 @@ class ParameterClient:
 
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
         """
-        wanted = self.list_parameters() if names is None else list(names)
+        wanted = self.list_parameters() if names is None else _listed(names)
         answer = self._call('describe_parameters', DescribeParameters.Request(names=wanted)).descriptors
         self._require_all(wanted, answer)
         return Descriptors(zip(wanted, map(Descriptor.from_message, answer), strict=True))
@@ -276,11 +277,11 @@ class ParameterClient:
         """
         if names is None:
             names = [name for name in self.list_parameters() if not is_housekeeping(name)]
-        wanted = list(names)
+        wanted = _listed(names)
         present = self.get_parameters(wanted)
         rows = [('parameter', 'type', 'value', 'enforced', 'meaning'), ('---',) * 5]
         for name, each in self.describe_parameters(wanted).items():
-            rows.append((_code(name), each.type.label, _code(repr(present[name])), ', '.join(each.rules),
+            rows.append((_code(name), each.type.label, _code(values.shown(present[name])), ', '.join(each.rules),
                          _cell(' '.join(filter(None, (each.description, each.additional_constraints))))))
         return Reference(''.join(f'| {" | ".join(row)} |\n' for row in rows))
 
@@ -318,7 +319,7 @@ class ParameterClient:
 
     def delete_parameters(self, names: Iterable[str]) -> SetResults:
         """Ask the node to undeclare parameters, each for itself: in ROS, setting one to "not set" deletes it."""
-        return self.set_parameters(dict.fromkeys(names))
+        return self.set_parameters(dict.fromkeys(_listed(names)))
 
     def dump(self, path: str | Path | None = None) -> parameter_files.Dump:
         """Write the node's parameters as a parameter file that ``--params-file`` and ``load`` read back.
@@ -390,6 +391,17 @@ class ParameterClient:
             return result
         return SetResult(self.node, name, value, False, message.reason,
                          nearest(name, existing, 'It has no parameters at all'))
+
+
+def _listed(names: Iterable[str], what: str = 'names') -> list[str]:
+    """Give names as a list.
+
+    :raises TypeError: they are none, or a single one, which Python would take for a list of its letters.
+    """
+    listed = list(names) if isinstance(names, Iterable) and not isinstance(names, str) else [None]
+    if not all(isinstance(name, str) for name in listed):
+        raise TypeError(f'{names!r} is no list of {what}; a list with one of them is ["gain"]')
+    return listed
 
 
 def _cell(text: str) -> str:

@@ -12,6 +12,7 @@ from rcl_interfaces.msg import ParameterEvent
 from param_tutorial import background, values
 from param_tutorial.cells import close_with_cell
 from param_tutorial.errors import ExecutorError
+from param_tutorial.markup import cells, head_row
 from param_tutorial.services import full_name
 from param_tutorial.worker import Worker
 
@@ -55,6 +56,9 @@ def told_by(event: ParameterEvent) -> list[Change]:
 class EventView(widgets.VBox):
     """A table of what is told on /parameter_events from now on, the newest on top, until it is closed."""
 
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
     def __init__(self, node: str | None = None, *, executor: background.BackgroundExecutor | None = None):
         """
         :param node: Only the events of this node; by default those of all but the ones whose name begins with an
@@ -91,13 +95,17 @@ class EventView(widgets.VBox):
 
     def close(self) -> None:
         """Stop listening and remove the table from the page. Twice is as good as once."""
+        if self._closed:
+            return
         self._closed = True
         self._stop_following()
         self._stop_listening()
         self._worker.end()
-        for child in self.children:
-            child.close()
+        # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
+        parts, self.children = self.children, ()
         super().close()
+        for each in parts:
+            each.close()
 
     def _on_executor_change(self) -> None:
         if self._chosen_executor is None:
@@ -120,13 +128,12 @@ class EventView(widgets.VBox):
         if self._closed:
             return False
         rows = ''.join(_row(change) for change in reversed(self.changes))
-        heads = ''.join(f'<th scope="col">{head}</th>' for head in ('node', 'what', 'parameter', 'value'))
+        head = head_row(('node', 'what', 'parameter', 'value'))
         self._content.value = (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
-                               f'<table><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table></div>')
+                               f'<table><thead>{head}</thead><tbody>{rows}</tbody></table></div>')
         return False
 
 
 def _row(change: Change) -> str:
-    value = '' if change.kind == 'deleted' else repr(change.value)
-    return '<tr>' + ''.join(f'<td>{html.escape(text)}</td>'
-                            for text in (change.node, change.kind, change.name, value)) + '</tr>'
+    value = '' if change.kind == 'deleted' else values.shown(change.value)
+    return f'<tr>{cells((change.node, change.kind, change.name, value))}</tr>'

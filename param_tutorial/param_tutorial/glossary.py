@@ -10,6 +10,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
+from param_tutorial.markup import with_code
+
 _TITLE = re.compile(r'^# (\S+) · ', re.MULTILINE)
 _TABLE = re.compile(r'^\| word \| meaning \|\n\|[ |:-]+\|\n((?:\|.*(?:\n|$))+)', re.MULTILINE)
 
@@ -63,9 +65,9 @@ class Glossary:
         return len({entry.plain_word for entry in self.entries})
 
     def __repr__(self) -> str:
-        width = max(len(entry.plain_word) for entry in self.entries)
+        width = max((len(entry.plain_word) for entry in self.entries), default=0)
         return '\n'.join(f'{entry.plain_word:{width}}  {entry.meaning.replace("`", "")} ({entry.chapter})'
-                         for entry in self.entries)
+                         for entry in self.entries) or '(no words)'
 
     def _repr_html_(self) -> str:
         head = ''.join(f'<th scope="col" style="text-align:left">{each}</th>'
@@ -76,8 +78,9 @@ class Glossary:
 
 def _row(entry: Entry) -> str:
     chapter = f'<a href="{html.escape(entry.notebook)}">{entry.chapter}</a>'
-    return (f'<tr><th scope="row" style="text-align:left">{_markup(entry.word)}</th>'
-            f'<td style="text-align:left">{_markup(entry.meaning)}</td><td style="text-align:left">{chapter}</td></tr>')
+    return (f'<tr><th scope="row" style="text-align:left">{with_code(entry.word)}</th>'
+            f'<td style="text-align:left">{with_code(entry.meaning)}</td>'
+            f'<td style="text-align:left">{chapter}</td></tr>')
 
 
 def _entries(path: Path) -> Iterable[Entry]:
@@ -88,7 +91,3 @@ def _entries(path: Path) -> Iterable[Entry]:
         for line in table[1].splitlines():
             word, meaning = (each.strip() for each in line.strip().strip('|').split(' | ', 1))
             yield Entry(word, meaning, title[1] if title else path.stem, path.name)
-
-
-def _markup(text: str) -> str:
-    return re.sub(r'`([^`]+)`', r'<code>\1</code>', html.escape(text, quote=False))

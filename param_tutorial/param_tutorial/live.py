@@ -132,7 +132,8 @@ class LiveParameters:
         self._reader = Worker(self._read_step, f'panel of {self.node}: read', _READ_PERIOD_SEC)
         self._shower = Worker(self._show_step, f'panel of {self.node}: show', _SHOW_PERIOD_SEC)
         self._stop_following = background.on_change(self._on_executor_change)
-        self._listen()
+        with self._lock:
+            self._listen()
 
     @property
     def is_running(self) -> bool:
@@ -218,7 +219,7 @@ class LiveParameters:
                 with self._lock:
                     self._must_describe = True  # which tells whether it is really gone
                 self._reader.wake()
-            self._take_answer(parameter, turn, _words(error), believable=False)
+            self._take_answer(parameter, turn, words_of(error), believable=False)
             return
         future.add_done_callback(functools.partial(self._on_answer, parameter, turn))
 
@@ -230,7 +231,7 @@ class LiveParameters:
         except Exception as error:
             # After an exception in a callback the node may have stored the value or not; it can be asked.
             gone = isinstance(error, (NoAnswerError, NodeGoneError))
-            self._take_answer(parameter, turn, _words(error), believable=not gone)
+            self._take_answer(parameter, turn, words_of(error), believable=not gone)
         else:
             reason = '' if result.successful else result.reason or 'The node gave no reason.'
             self._take_answer(parameter, turn, reason, believable=True)
@@ -317,7 +318,7 @@ class LiveParameters:
         except ExecutorError as error:
             self._executor = None
             self._must_describe = False
-            self._lose(_words(error))
+            self._lose(words_of(error))
             return
         self._stop_listening = [self._executor.on_parameter_event(self._on_event),
                                 self._executor.on_graph_change(self._on_graph_change)]
@@ -357,12 +358,12 @@ class LiveParameters:
         except Exception as error:  # a thread has nobody to raise to, and the learner should see it
             with self._lock:
                 if not isinstance(error, (NodeNotFoundError, NodeGoneError)):
-                    self.status = _words(error)
+                    self.status = words_of(error)
                     self._retry_at = time.monotonic() + _RETRY_PERIOD_SEC
                 elif self._incarnations or self.parameters:
                     self._lose(self._absence)  # and the graph will tell when it comes back
                 else:
-                    self._lose(_words(error))
+                    self._lose(words_of(error))
         self._show_soon()
         with self._lock:
             return self._is_outstanding()
@@ -473,7 +474,7 @@ class LiveParameters:
             if parameter.busy and time.monotonic() - parameter.asked_at > self._timeout_sec + _GRACE_SEC:
                 parameter._asked = parameter._wanted = _NOTHING
                 parameter._turn += 1
-                parameter.message = _words(NoAnswerError(self.node, 'set_parameters', self._timeout_sec))
+                parameter.message = words_of(NoAnswerError(self.node, 'set_parameters', self._timeout_sec))
                 self._answered.notify_all()
 
     def _wake_both(self) -> None:
@@ -486,6 +487,6 @@ class LiveParameters:
         self._shower.wake()
 
 
-def _words(error: BaseException) -> str:
+def words_of(error: BaseException) -> str:
     """Tell an error to a learner; one that is not ours keeps its class, since its text may be terse."""
     return str(error) if isinstance(error, ParameterToolError) else f'{type(error).__name__}: {error}'

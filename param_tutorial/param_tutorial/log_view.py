@@ -16,7 +16,7 @@ from param_tutorial.worker import Worker
 CAPACITY = 300
 _SHOW_PERIOD_SEC = 0.1
 
-_STYLE = """<style>
+STYLE = """<style>
 .param-log { border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; padding: 0;
   background: var(--jp-layout-color1, #fff); margin: 4px 0; }
 .param-log .param-log-title { margin: 0; padding: 2px 10px; line-height: 20px;
@@ -35,6 +35,9 @@ _STYLE = """<style>
 class LogView(widgets.VBox):
     """A view of what the nodes log: newest line at the bottom, following the log until it is closed."""
 
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
     def __init__(self, node: str | None = None, *, executor: background.BackgroundExecutor | None = None):
         """
         :param node: Only what this node logs; by default what all do.
@@ -49,7 +52,7 @@ class LogView(widgets.VBox):
         title = f'Log of {self._node or "all nodes"}'
         self._content = widgets.HTML()
         self._content.add_class('param-log-lines')
-        heading = widgets.HTML(f'{_STYLE}<b>{html.escape(title)}</b>')
+        heading = widgets.HTML(f'{STYLE}<b>{html.escape(title)}</b>')
         heading.add_class('param-log-title')
         self._title = title
         super().__init__([heading, self._content])
@@ -73,13 +76,17 @@ class LogView(widgets.VBox):
 
     def close(self) -> None:
         """Stop following the log and remove the view from the page."""
+        if self._closed:
+            return
         self._closed = True
         self._stop_following()
         self._stop_listening()
         self._worker.end()
-        for child in self.children:
-            child.close()
+        # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
+        parts, self.children = self.children, ()
         super().close()
+        for each in parts:
+            each.close()
 
     def _on_executor_change(self) -> None:
         if self._chosen_executor is None:

@@ -6,14 +6,14 @@ What is observed here is drawn by ``diagrams``.
 from collections.abc import Callable
 from typing import Any
 
-from rclpy.node import Node
+from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.parameter import Parameter
 
-from param_tutorial import background
+from param_tutorial import background, values
 from param_tutorial.client import ParameterClient, changes
 from param_tutorial.diagrams import NodeGraph, Step, Timeline
 from param_tutorial.errors import CallbackError, ExecutorError
-from param_tutorial.services import SERVICE_TYPES
+from param_tutorial.services import SERVICE_TYPES, nodes_in_graph
 
 # Where rclpy 7.1 keeps what is called when parameters are set; for what is on the way there is no public place.
 _CALLBACKS = {
@@ -40,7 +40,7 @@ def record_change(node: Node, name: str, value: Any, *,
     if not any(node is each for each in ros.nodes):
         raise ExecutorError(f'{node!r} is not on this stage: only a node that came from ros.add() can be recorded')
     recorder = _Recorder(node, name)
-    recorder.note('asked', f'set {name} to {value!r}', comes_from='you')
+    recorder.note('asked', f'set {name} to {values.shown(value)}', comes_from='you')
     ros.run(recorder.put_on, 'begin to record')
     try:
         result = ParameterClient(node, executor=ros).set_parameter(name, value)
@@ -62,7 +62,7 @@ class _Recorder:
 
     def note(self, what: str, told: str, **ends: str) -> None:
         stored = self._node._parameters.get(self._name)
-        self.steps.append(Step(what, told, 'nothing' if stored is None else repr(stored.value), **ends))
+        self.steps.append(Step(what, told, 'nothing' if stored is None else values.shown(stored.value), **ends))
 
     def put_on(self) -> None:
         for kind, attribute in _CALLBACKS.items():
@@ -75,13 +75,16 @@ class _Recorder:
             callbacks = getattr(self._node, attribute)
             # A callback may have added or removed others meanwhile: those are left as they are.
             callbacks[:] = [getattr(callback, 'recorded', callback) for callback in callbacks]
-        setattr(self._node, _PUBLISHER, getattr(self._node, _PUBLISHER).recorded)
+        publisher = getattr(self._node, _PUBLISHER)  # none if the node was destroyed meanwhile
+        setattr(self._node, _PUBLISHER, getattr(publisher, 'recorded', publisher))
 
-    def values(self, parameters: list[Parameter]) -> str:
+    def told(self, parameters: Any) -> str:
         """Tell proposed parameters: the value alone where it is the one that was asked for."""
+        if not isinstance(parameters, list) or not all(isinstance(each, Parameter) for each in parameters):
+            return f'{values.shown(parameters)}, which is no list of parameters'
         if [each.name for each in parameters] == [self._name]:
-            return repr(parameters[0].value)
-        return ', '.join(f'{each.name} = {each.value!r}' for each in parameters) or 'nothing'
+            return values.shown(parameters[0].value)
+        return ', '.join(f'{each.name} = {values.shown(each.value)}' for each in parameters) or 'nothing'
 
 
 class _Recorded:
@@ -90,7 +93,7 @@ class _Recorded:
 
     def __call__(self, parameters: list[Parameter]) -> Any:
         recorder, index = self._recorder, len(self._recorder.steps)
-        told = f'{_name(self.recorded)} sees {recorder.values(parameters)}'
+        told = f'{_name(self.recorded)} sees {recorder.told(parameters)}'
         recorder.note(self._kind, told)
         try:
             answer = self.recorded(parameters)
@@ -107,7 +110,7 @@ class _Recorded:
 
     def _outcome(self, answer: Any) -> str:
         if self._kind == 'pre-set':
-            return f', gives {self._recorder.values(answer)}'
+            return f', gives {self._recorder.told(answer)}'
         if self._kind == 'on-set':
             return ', accepts' if getattr(answer, 'successful', False) else ', refuses'
         return ''
@@ -132,7 +135,7 @@ class _RecordedPublisher:
         self._recorder, self.recorded = recorder, recorded
 
     def publish(self, event: Any) -> None:
-        told = ', '.join(f'{name} = {value!r}' for name, value in changes(event).items())
+        told = ', '.join(f'{name} = {values.shown(value)}' for name, value in changes(event).items())
         self._recorder.note('stored', 'the value is written')
         self.recorded.publish(event)
         self._recorder.note('event', told, goes_to='everybody')
@@ -150,14 +153,14 @@ def node_graph(*, executor: background.BackgroundExecutor | None = None) -> Node
     ros = executor or background.current()
     tool = ros.tool_node
     serves, asks = [], []
-    for name, namespace in tool.get_node_names_and_namespaces():
+    for name, namespace in nodes_in_graph(tool):
         node = _shown(name, namespace, tool)
         if node is None:
             continue
-        if _parameter_services(tool.get_service_names_and_types_by_node(name, namespace)):
+        if _parameter_services(tool.get_service_names_and_types_by_node, name, namespace):
             serves.append(node)
         asks += [(node, asked) for asked in _parameter_services(
-            tool.get_client_names_and_types_by_node(name, namespace))]
+            tool.get_client_names_and_types_by_node, name, namespace) if '/_' not in asked]
     return NodeGraph(
         serves=serves, asks=asks,
         tells=filter(None, (_shown(info.node_name, info.node_namespace, tool)
@@ -173,8 +176,16 @@ def _shown(name: str, namespace: str, tool: Node) -> str | None:
     return None if '/_' in full else full
 
 
-def _parameter_services(names_and_types: list[tuple[str, list[str]]]) -> list[str]:
-    """Give the nodes whose parameter services are among these services."""
+def _parameter_services(look: Callable[[str, str], list[tuple[str, list[str]]]], name: str, namespace: str
+                        ) -> list[str]:
+    """Give the nodes whose parameter services are among those that a node offers, or has clients for.
+
+    :param look: Gives names and types of these services.
+    """
+    try:
+        names_and_types = look(name, namespace)
+    except NodeNameNonExistentError:  # it has left since the list of nodes was made
+        return []
     found = {name.rpartition('/')[0] for name, types in names_and_types
              if name.rpartition('/')[2] in SERVICE_TYPES and types[0].startswith('rcl_interfaces/srv/')}
     return sorted(found)

@@ -133,6 +133,23 @@ def form_of(descriptor: Descriptor, value: Any) -> Form:
     return _FORMS[descriptor.type]
 
 
+def written(descriptor: Descriptor, value: Any) -> str:
+    """Write a value as its text box shows it; the text is empty if the parameter is not set."""
+    return '' if value is None else form_of(descriptor, value).write(value)
+
+
+def read(descriptor: Descriptor, text: str) -> Any:
+    """Read what a hand typed into a parameter's text box.
+
+    :raises ValueError: it is no value of the parameter's type; the message says what would be.
+    """
+    try:
+        return form_of(descriptor, None).read(text)
+    except (ValueError, KeyError, yaml.YAMLError):
+        raise ValueError(f'{text!r} cannot be read: {descriptor.name} wants '
+                         f'{form_of(descriptor, None).example}') from None
+
+
 def fit(descriptor: Descriptor, value: Any) -> Any:
     """Turn a Python value into what a hand would have entered: a double's control has no whole numbers."""
     value = values.normalise(value)
@@ -290,16 +307,12 @@ class TextEditor(Editor):
         return (_Text(continuous_update=False, **self._common),)
 
     def _read(self, widget, raw):
-        form = form_of(self.descriptor, None)
-        try:
-            return form.read(raw)
-        except (ValueError, KeyError, yaml.YAMLError):
-            raise ValueError(f'{raw!r} cannot be read: {self.descriptor.name} wants {form.example}') from None
+        return read(self.descriptor, raw)
 
     def _write(self, value):
         box = self.widgets[0]
         box.placeholder = 'not set' if value is None else ''
-        box.value = '' if value is None else form_of(self.descriptor, value).write(value)
+        box.value = written(self.descriptor, value)
 
 
 class LinesEditor(TextEditor):

@@ -29,7 +29,7 @@ from param_tutorial.services import TIMEOUT_SEC, full_name
 __all__ = ['Control', 'LogView', 'ParameterPanel']
 
 # Seldom what one came for, and of qos_overrides.… there may be dozens.
-_HOUSEKEEPING_HEADING = 'In every node'
+HOUSEKEEPING_HEADING = 'In every node'
 
 _STYLE = """<style>
 .param-panel { container-type: inline-size; box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0 0 10px;
@@ -157,7 +157,7 @@ class Control:
             widget.close()
         is_number = descriptor.type in (values.INTEGER, values.DOUBLE) and not descriptor.dynamic_typing
         (self._line.remove_class if is_number else self._line.add_class)('param-long')
-        self._help.value = _help_markup(descriptor)
+        self._help.value = help_markup(descriptor)
 
     def close(self) -> None:
         """Remove the control from the page."""
@@ -171,6 +171,9 @@ class ParameterPanel(widgets.VBox):
     Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control.
     """
 
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
     def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None,
                  executor: background.BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
         """
@@ -179,21 +182,17 @@ class ParameterPanel(widgets.VBox):
         :param executor: Carries the requests; by default whichever runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         """
-        if isinstance(node, ParameterClient):
-            node = node.node
-        elif isinstance(node, Node):
-            node = node.get_fully_qualified_name()
+        self._node = node.node if isinstance(node, ParameterClient) else full_name(node)
         self._drawing = threading.RLock()
         self._controls: dict[str, Control] = {}
         self._headings: dict[str, widgets.HTML] = {}
         self._in_order = names is not None
         self._closed = False
-        self._node = full_name(node)
         self._style, self._head = widgets.HTML(_STYLE), widgets.HTML()
         self._head.add_class('param-head')
         super().__init__([self._style, self._head])
         self.add_class('param-panel')
-        self._live = LiveParameters(node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
         self._live.first_look()
         close_with_cell(self)
 
@@ -243,9 +242,9 @@ class ParameterPanel(widgets.VBox):
 
     def close(self) -> None:
         """Stop following the node and remove the panel from the page. Twice is as good as once."""
+        if self._closed:
+            return
         with self._drawing:
-            if self._closed:
-                return
             self._closed = True
             self._live.close()
             # Emptied first: a browser cannot take a control out of a panel that is gone, and says so.
@@ -274,8 +273,8 @@ class ParameterPanel(widgets.VBox):
             return names
         first_of_group: dict[str, int] = {}
         for index, name in enumerate(names):
-            first_of_group.setdefault(_group(name), index)
-        return sorted(names, key=lambda name: (is_housekeeping(name), first_of_group[_group(name)],
+            first_of_group.setdefault(group_of(name), index)
+        return sorted(names, key=lambda name: (is_housekeeping(name), first_of_group[group_of(name)],
                                                names.index(name)))
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
@@ -286,7 +285,7 @@ class ParameterPanel(widgets.VBox):
             if control is None or control._parameter is not parameters[name]:
                 if control is not None:
                     control.close()
-                group = _group(name)
+                group = group_of(name)
                 control = Control(parameters[name], name.removeprefix(f'{group}.') if group else name, self._drawing)
                 if is_housekeeping(name):
                     control.widget.add_class('param-quiet')
@@ -299,7 +298,7 @@ class ParameterPanel(widgets.VBox):
         """Put the controls onto the page, each group under its heading."""
         children, headings, group = [self._style, self._head], {}, ''
         for name, control in self._controls.items():
-            wanted = _HOUSEKEEPING_HEADING if is_housekeeping(name) else _group(name)
+            wanted = HOUSEKEEPING_HEADING if is_housekeeping(name) else group_of(name)
             if wanted and wanted != group:
                 heading = headings.get(wanted) or self._headings.pop(wanted, None) or _heading(wanted)
                 headings[wanted] = heading
@@ -313,7 +312,7 @@ class ParameterPanel(widgets.VBox):
             self.children = children
 
 
-def _group(name: str) -> str:
+def group_of(name: str) -> str:
     return '' if is_housekeeping(name) else name.rpartition('.')[0]
 
 
@@ -333,7 +332,7 @@ def _head_markup(node: str, status: str, count: int) -> str:
     return f'<div role="status"><span class="param-node">{html.escape(node)}</span>{words}</div>'
 
 
-def _help_markup(descriptor: Descriptor) -> str:
+def help_markup(descriptor: Descriptor) -> str:
     facts = [descriptor.type.label]
     if descriptor.range:
         facts.append(f'{descriptor.range.from_value} to {descriptor.range.to_value}'

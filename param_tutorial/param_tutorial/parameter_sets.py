@@ -18,6 +18,8 @@ from rclpy.node import Node
 
 from param_tutorial import background, parameter_files, values
 from param_tutorial.client import Descriptor, ParameterClient
+from param_tutorial.errors import InvalidValueError
+from param_tutorial.markup import cells, head_row
 
 NodeLike = str | Node | ParameterClient
 # What can be compared: a snapshot, any dictionary, or a node, which is then asked.
@@ -43,11 +45,16 @@ class ParameterSet(Mapping):
         """
         :param parameters: Names and values; None for a parameter without a value.
         :param label: Says where they come from.
-        :raises InvalidValueError: a value can be no parameter.
+        :raises InvalidValueError: a name or a value can be none of a parameter.
         """
         self._parameters = {name: values.normalise(value) for name, value in parameters.items()}
-        for value in self._parameters.values():
-            values.type_of(value)
+        for name, value in self._parameters.items():
+            if not isinstance(name, str) or not name:
+                raise InvalidValueError(f'{label}: {name!r} is no name of a parameter')
+            try:
+                values.type_of(value)
+            except InvalidValueError as error:
+                raise InvalidValueError(f'{label}: {name} cannot be a parameter: {error}') from None
         self.label = label
 
     @classmethod
@@ -114,7 +121,8 @@ class _Table:
         raise NotImplementedError
 
     def __repr__(self) -> str:
-        rows = self._rows()
+        # A node's reason may have several lines, and a row has one.
+        rows = [[' '.join(word.splitlines()) for word in row] for row in self._rows()]
         if not rows:
             return self.heading
         widths = [max(map(len, column)) for column in zip(self.columns, *rows)]
@@ -123,11 +131,9 @@ class _Table:
         return '\n'.join([self.heading, '', *lines])
 
     def _repr_html_(self) -> str:
-        head = ''.join(f'<th scope="col">{html.escape(word)}</th>' for word in self.columns)
-        body = ''.join(
-            f'<tr><th scope="row">{html.escape(name)}</th>'
-            + ''.join(f'<td>{html.escape(word)}</td>' for word in words) + '</tr>' for name, *words in self._rows())
-        table = f'<thead><tr>{head}</tr></thead><tbody>{body}</tbody>' if body else ''
+        body = ''.join(f'<tr><th scope="row">{html.escape(name)}</th>{cells(words)}</tr>'
+                       for name, *words in self._rows())
+        table = f'<thead>{head_row(self.columns)}</thead><tbody>{body}</tbody>' if body else ''
         return f'{_STYLE}<table class="param-set"><caption>{html.escape(self.heading)}</caption>{table}</table>'
 
 
@@ -409,5 +415,5 @@ def _written(value: Any, kind: str = '') -> str:
     if value is None:
         return 'not set'
     if kind == 'changed type':
-        return f'{value!r} ({values.type_of(value).label})' if value != [] else '[] (array)'
-    return repr(value)
+        return f'{values.shown(value)} ({values.type_of(value).label})' if value != [] else '[] (array)'
+    return values.shown(value)

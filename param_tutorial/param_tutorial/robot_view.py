@@ -10,6 +10,7 @@ import html
 import math
 import threading
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import ipywidgets as widgets
 from rclpy.exceptions import InvalidHandle
@@ -39,7 +40,7 @@ _ROBOT_HEIGHT_M = 0.4
 _BELOW_GROUND = 34
 _ABOVE_ROBOT = 44
 
-_STYLE = """<style>
+STYLE = """<style>
 .robot-view { box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0; overflow: hidden;
   border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px;
   background: var(--jp-layout-color1, #fff); color: var(--jp-ui-font-color1, #212121); }
@@ -83,6 +84,9 @@ _STYLE = """<style>
 class RobotView(widgets.VBox):
     """A robot that moves as its parameters let it, until it is closed. Show it as the last line of a cell."""
 
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
     def __init__(self, robot: ClawbotNode | str, *, executor: background.BackgroundExecutor | None = None):
         """
         :param robot: The node, or its name; it has to be spun in this process, now or later.
@@ -103,7 +107,7 @@ class RobotView(widgets.VBox):
         self._button.on_click(lambda _: self.drive())
         self._foot = widgets.HBox([self._button, self._status])
         self._foot.add_class('robot-foot')
-        self._style_sheet = widgets.HTML(_STYLE)
+        self._style_sheet = widgets.HTML(STYLE)
         super().__init__([self._style_sheet, self._picture, self._foot])
         self.add_class('robot-view')
         self._worker = Worker(self._show, 'robot view', _SHOW_PERIOD_SEC)
@@ -136,9 +140,9 @@ class RobotView(widgets.VBox):
 
     def close(self) -> None:
         """Stop following the robot, and remove the view from the page. Twice is as good as once."""
+        if self._closed:
+            return
         with self._drawing:
-            if self._closed:
-                return
             self._closed = True
             for stop in (self._stop_following, self._stop_graph, self._stop_motion):
                 stop()
@@ -286,6 +290,39 @@ class _Animation:
                    f'animation-timing-function:{_curve(phase)}}}')
             begins_sec += phase.duration_sec
         yield f'100% {{{_LOOKS[kind](self._facts, self._motion.end)}}}'
+
+
+@dataclass(frozen=True)
+class Film:
+    """A drive, for a page that has no kernel to ask."""
+
+    picture: str
+    """HTML that moves by itself, from now on."""
+    scenes: tuple[tuple[float, str, str, str], ...]
+    """What changes in words, and after how many seconds: word, text alternative, sentence."""
+    end: str
+    """HTML of the robot at rest."""
+
+
+def still(robot: ClawbotNode) -> tuple[str, str, str]:
+    """Give the picture of a robot at this moment as HTML, its text alternative, and the sentence below it."""
+    motion, elapsed_sec = robot.motion
+    facts = _Facts(robot, motion, motion.at(elapsed_sec))
+    return _picture(facts, None), facts.text, facts.sentence
+
+
+def film(robot: ClawbotNode, name: str) -> Film:
+    """Give what a RobotView would show of the motion that the robot has just begun, up to its end.
+
+    :param name: Of the animation; must differ from those of all other pictures on the page.
+    """
+    motion, _ = robot.motion
+    starts = [sum(phase.duration_sec for phase in motion.phases[:index]) for index in range(len(motion.phases) + 1)]
+    facts = [_Facts(robot, motion, motion.at(at_sec)) for at_sec in starts]
+    animation = _Animation(name, motion, 0.0, facts[0]) if motion.phases else None
+    return Film(_picture(facts[0], animation),
+                tuple((at_sec, each.state.word, each.text, each.sentence) for at_sec, each in zip(starts, facts)),
+                _picture(facts[-1], None))
 
 
 def _curve(phase: Phase) -> str:

@@ -32,7 +32,8 @@ _ARRAYS = tuple(each for each in values.TYPES if each.is_array)
 # Of a step. 3 * 0.1 is 0.30000000000000004, and whoever sends it means 0.3.
 _TOLERANCE = Fraction(1, 10**6)
 _NUMBER = r'[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?'
-_SHOWN = 60
+# How much of a value a reason repeats.
+_LETTERS = 60
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class Rule:
         present = [values.normalise(known.get(name)) for name in self.names]
         if any(value is None for value in present):
             return ''
-        shown = ', '.join(f'{name} = {_shortened(value)}' for name, value in zip(self.names, present))
+        shown = ', '.join(f'{name} = {values.shown(value, _LETTERS)}' for name, value in zip(self.names, present))
         try:
             held = self.holds(*present)
             if held is None:
@@ -81,7 +82,12 @@ class Rules:
     """
 
     def __init__(self, node: Node):
-        """Register an on-set callback. Several Rules on one node, and further callbacks, are all asked."""
+        """Register an on-set callback. Several Rules on one node, and further callbacks, are all asked.
+
+        :raises RuleError: it is no node.
+        """
+        if not isinstance(node, Node):
+            raise RuleError(f'Rules takes the node whose parameters they are for, mostly self, and not {node!r}')
         self._node = node
         self._rules: list[Rule] = []
         node.add_on_set_parameters_callback(self._validate)
@@ -96,13 +102,14 @@ class Rules:
         """
         try:
             compiled = re.compile(pattern)
+            compiled.fullmatch('')  # which one made of bytes refuses
         except (re.error, TypeError) as error:
             raise RuleError(f'cannot state a rule for {name}: {pattern!r} is no regular expression: {error}') from None
         return self._state_for_each(name, f'must match {compiled.pattern}', compiled.fullmatch, _TEXTS, 'texts')
 
     def one_of(self, name: str, choices: Iterable[Any]) -> 'Rules':
         """State that a value, or each element of an array, is one of several, of the same type."""
-        listed = [] if isinstance(choices, (str, bytes)) else [values.normalise(choice) for choice in choices]
+        listed = [values.normalise(choice) for choice in _listed(choices)]
         if not listed:
             raise RuleError(f'cannot state a rule for {name}: give a list of at least one choice, not {choices!r}')
         wanted = self._type_of(name)
@@ -137,7 +144,7 @@ class Rules:
 
     def quantity(self, name: str, units: Iterable[str]) -> 'Rules':
         """State that a text is a number with one of several units behind it, such as '250 ms'."""
-        listed = [] if isinstance(units, str) else list(units)
+        listed = _listed(units)
         if not listed or not all(isinstance(unit, str) and unit.strip() for unit in listed):
             raise RuleError(f'cannot state a rule for {name}: give a list of at least one unit, not {units!r}')
         pattern = re.compile(f'{_NUMBER} ?({"|".join(map(re.escape, listed))})')
@@ -167,7 +174,7 @@ class Rules:
             nothing: the change may still be refused by others.
         :param sentence: What has to hold, for the one who broke it.
         """
-        listed = (names,) if isinstance(names, str) else tuple(names)
+        listed = (names,) if isinstance(names, str) else tuple(_listed(names))
         if not listed or not callable(holds) or not isinstance(sentence, str) or not sentence.strip():
             raise RuleError(f'a rule takes names, a function and a sentence; got {names!r}, {holds!r}, {sentence!r}')
         return self._state(Rule(listed, sentence, holds))
@@ -176,8 +183,10 @@ class Rules:
 
     def _type_of(self, name: str) -> values.ParameterType | None:
         """Give the type of a parameter, None if it may be any."""
+        if not isinstance(name, str):
+            raise RuleError(f'cannot state a rule for {name!r}, which is no name of a parameter')
         if not self._node.has_parameter(name):
-            raise ParameterNotDeclaredError(self._node.get_fully_qualified_name(), str(name),
+            raise ParameterNotDeclaredError(self._node.get_fully_qualified_name(), name,
                                             list(self._node.list_parameters([], 0).names))
         descriptor = self._node.describe_parameter(name)
         return None if descriptor.dynamic_typing else values.TYPES[descriptor.type]
@@ -234,6 +243,6 @@ class Rules:
         return SetParametersResult(successful=not reason, reason=reason)
 
 
-def _shortened(value: Any) -> str:
-    shown = repr(value)
-    return shown if len(shown) <= _SHOWN else f'{shown[:_SHOWN]}…'
+def _listed(things: Any) -> list[Any]:
+    """Give several things as a list, an empty one where they are none; a text is one thing and not its letters."""
+    return list(things) if isinstance(things, Iterable) and not isinstance(things, (str, bytes)) else []

@@ -6,6 +6,7 @@ mid-call. What the requests mean is in ``client``.
 
 import threading
 import time
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -20,7 +21,7 @@ from rcl_interfaces.srv import (
 )
 from rclpy.client import Client
 from rclpy.exceptions import NameValidationException
-from rclpy.node import Node
+from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.parameter_service import ParameterService
 from rclpy.task import Future
 
@@ -53,8 +54,41 @@ _REPEAT_PERIOD_SEC = 0.7
 
 
 def full_name(node: str | Node) -> str:
-    """Give a node's fully qualified name: ``talker`` is ``/talker``."""
-    return '/' + node.strip('/') if isinstance(node, str) else node.get_fully_qualified_name()
+    """Give a node's fully qualified name: ``talker`` is ``/talker``.
+
+    :raises TypeError: it is neither a name nor a node.
+    """
+    if isinstance(node, Node):
+        return node.get_fully_qualified_name()
+    if not isinstance(node, str):
+        raise TypeError(f'{node!r} is no node: give its name, such as "/talker", or the node that ros.add() returned')
+    return '/' + node.strip('/')
+
+
+def nodes_in_graph(observer: Node) -> list[tuple[str, str]]:
+    """Give the name and the namespace of each node in the graph, sorted; twice if two nodes have both.
+
+    rmw keeps the names of a process that ended while its last message on ros_discovery_info was under way: that
+    message comes after the participant's leave, and puts the names into the list again, for good (rmw_dds_common's
+    GraphCache). Such a ghost has no publisher or service any more. Every node of rclpy, and usually of rclcpp, has a
+    publisher on /parameter_events; a node that has none must have something else.
+
+    :param observer: Whose view of the graph it is.
+    """
+    listed = Counter(observer.get_node_names_and_namespaces())
+    publishing = Counter((info.node_name, info.node_namespace)
+                         for info in observer.get_publishers_info_by_topic('/parameter_events'))
+    return [node for node, count in sorted(listed.items()) if publishing[node] or _has_endpoints(observer, *node)
+            for _ in range(min(count, publishing[node] or count))]
+
+
+def _has_endpoints(observer: Node, name: str, namespace: str) -> bool:
+    try:
+        return any(endpoints_of(name, namespace) for endpoints_of in (
+            observer.get_publisher_names_and_types_by_node, observer.get_subscriber_names_and_types_by_node,
+            observer.get_service_names_and_types_by_node, observer.get_client_names_and_types_by_node))
+    except NodeNameNonExistentError:  # it has left meanwhile
+        return False
 
 
 @dataclass(eq=False)
@@ -88,8 +122,7 @@ class Services:
 
         :param hidden: Also those with a part that starts with an underscore.
         """
-        names = (f'{namespace.rstrip("/")}/{name}'
-                 for name, namespace in self._tool_node.get_node_names_and_namespaces())
+        names = (f'{namespace.rstrip("/")}/{name}' for name, namespace in nodes_in_graph(self._tool_node))
         return sorted(name for name in names if hidden or '/_' not in name)
 
     def call(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC,
@@ -172,6 +205,22 @@ class Services:
     def is_ready(self, node: str, service: str = 'set_parameters') -> bool:
         """Is the node there, so that a call now would reach it?"""
         return self._client(node, service).service_is_ready()
+
+    def forget(self, namespace: str) -> None:
+        """Destroy the clients for the nodes in a namespace, unless they wait for an answer; in the executor's thread.
+
+        Every node that is created later pays for a client that is left behind: DDS holds it against each new service,
+        and a hundred of them make it five times as long.
+        """
+        with self._lock:
+            waiting = [call.client for call in self._pending.values()]
+            unused = [key for key, client in self._clients.items()
+                      if key[0].startswith(f'{namespace}/') and not any(client is other for other in waiting)]
+            clients = [self._clients.pop(key) for key in unused]
+            for node, _ in unused:
+                self._greeted.pop(node, None)
+        for client in clients:
+            self._tool_node.destroy_client(client)
 
     def expire(self) -> None:
         """Fail the calls whose node is gone or late; the executor's thread calls this now and then."""

@@ -6,9 +6,10 @@ from concurrent.futures import ThreadPoolExecutor
 
 from rclpy.node import Node
 
-from param_tutorial import background
+from param_tutorial import background, values
 from param_tutorial.client import ParameterClient, ParameterValues
 from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
+from param_tutorial.markup import cells, head_row
 from param_tutorial.services import TIMEOUT_SEC, full_name
 
 _STYLE = """<style>
@@ -40,29 +41,28 @@ class Snapshot(dict):
         return '\n'.join(lines) or '(no nodes)'
 
     def _repr_html_(self) -> str:
-        bodies = [_body(node, [(name, repr(value)) for name, value in parameters.items()] or [('no parameters', '')])
-                  for node, parameters in self.items()]
+        bodies = [_body(node, [(name, values.shown(value)) for name, value in parameters.items()]
+                        or [('no parameters', '')]) for node, parameters in self.items()]
         bodies += [_body(node, [('no answer', str(error))]) for node, error in self.unanswered.items()]
-        heads = ''.join(f'<th scope="col">{head}</th>' for head in ('node', 'parameter', 'value'))
-        return (f'{_STYLE}<div class="param-snapshot"><table><thead><tr>{heads}</tr></thead>{"".join(bodies)}'
+        head = head_row(('node', 'parameter', 'value'))
+        return (f'{_STYLE}<div class="param-snapshot"><table><thead>{head}</thead>{"".join(bodies)}'
                 f'</table></div>' if bodies else '<p>There are no nodes.</p>')
 
 
 def _body(node: str, rows: list[tuple[str, str]]) -> str:
     head = f'<th scope="rowgroup" rowspan="{len(rows)}">{html.escape(node)}</th>'
-    lines = [''.join(f'<td>{html.escape(text)}</td>' for text in row) for row in rows]
-    return '<tbody>' + ''.join(f'<tr>{head if index == 0 else ""}{line}</tr>'
-                               for index, line in enumerate(lines)) + '</tbody>'
+    return '<tbody>' + ''.join(f'<tr>{head if index == 0 else ""}{cells(row)}</tr>'
+                               for index, row in enumerate(rows)) + '</tbody>'
 
 
-def all_parameters(nodes: Iterable[str | Node] | None = None, *, timeout_sec: float = TIMEOUT_SEC,
+def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,
                    executor: background.BackgroundExecutor | None = None) -> Snapshot:
     """Read all parameters of all nodes, each at the same time as the others.
 
     Not one moment in the life of the system: while one node is read, another may change.
 
-    :param nodes: Only these; by default all in the graph but those whose name begins with an underscore. A node in
-        another process is in the graph when it has been discovered.
+    :param nodes: Only these, or this one; by default all in the graph but those whose name begins with an underscore.
+        A node in another process is in the graph when it has been discovered.
     :param timeout_sec: How long a node may take for each answer. One that takes longer, has no parameter services,
         or leaves meanwhile is in ``unanswered``; it does not keep the others.
     :raises ExecutorError: no executor is running, or this is called from a callback.
@@ -71,6 +71,8 @@ def all_parameters(nodes: Iterable[str | Node] | None = None, *, timeout_sec: fl
     if ros.services.in_executor_thread():
         raise ExecutorError('a callback cannot wait for the answers of nodes: the executor that would have to bring '
                             'them is busy with the callback. Call all_parameters() in a cell')
+    if isinstance(nodes, (str, Node)):
+        nodes = [nodes]
     names = sorted(set(ros.services.node_names() if nodes is None else map(full_name, nodes)))
 
     def read(node: str) -> ParameterValues | NodeError:

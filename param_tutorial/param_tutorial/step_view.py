@@ -47,7 +47,11 @@ def plot_responses(responses: Mapping[str, StepResponse]) -> LinePlot:
 
     :param responses: One to three, by name.
     :raises ValueError: there is none, or there are more.
+    :raises TypeError: they are no step responses.
     """
+    if not isinstance(responses, Mapping) or not all(isinstance(each, StepResponse) for each in responses.values()):
+        raise TypeError(f'plot_responses takes a dictionary of step responses, such as '
+                        f'{{"p = 0.4": node.response()}}; got {responses!r}')
     if not 1 <= len(responses) <= 3:
         raise ValueError(f'plot_responses takes one to three responses; got {len(responses)}')
     first = next(iter(responses.values()))
@@ -68,6 +72,9 @@ class StepResponseView(widgets.VBox):
 
     Show it as the last line of a cell.
     """
+
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
 
     def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None,
                  executor: background.BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
@@ -107,9 +114,9 @@ class StepResponseView(widgets.VBox):
 
     def close(self) -> None:
         """Stop following the node and remove the view from the page. Twice is as good as once."""
+        if self._closed:
+            return
         with self._drawing:
-            if self._closed:
-                return
             self._closed = True
             self._live.close()
             # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
@@ -133,11 +140,16 @@ class StepResponseView(widgets.VBox):
             try:
                 joint = self._joint or parameters['dof_names'][0]
                 response = response_of(parameters, joint)
+                figures = str(response.figures)
             except KeyError as missing:
                 self._say(f'{self._node} has no parameter {missing.args[0]}, so there is nothing to simulate.')
                 return
+            except Exception as error:
+                # Somebody else's controller may hold whatever its author lets it.
+                self._say(f'{self._node} holds values with which nothing can be simulated: '
+                          f'{type(error).__name__}: {error}')
+                return
             gains = ', '.join(f'{name} = {parameters[f"gains.{joint}.{name}"]:g}' for name in 'pid')
-            figures = str(response.figures)
             self._text = f'{joint} with {gains}: {figures}'
             self._picture.value = (
                 f'{_head(self._node, f"{joint}: {gains}")}{plot_responses({joint: response})._repr_html_()}')

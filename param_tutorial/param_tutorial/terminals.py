@@ -96,9 +96,11 @@ class Terminal:
                                            f'what came:\n{self._text[self._read:] or "(nothing)"}')
                 self._changed.wait(0.2)
 
-    def interrupt(self, timeout_sec: float = 10.0) -> int:
+    def interrupt(self, timeout_sec: float = 20.0) -> int:
         """Press Ctrl+C and wait for the end; a command that does not end is killed.
 
+        :param timeout_sec: How long it may take. ``ros2 launch`` needs up to 10 s for nodes that ignore Ctrl+C, and
+            killed before, it would leave them running.
         :return: Its exit status; negative if a signal ended it.
         """
         self._wait_until_it_rests()

@@ -155,6 +155,18 @@ def to_python(message: Any) -> Any:
     return list(value) if parameter_type.is_array else value
 
 
+def shown(value: Any, letters: int = 200) -> str:
+    """Write a value for people, as Python does; of a long one the beginning, and how long it is.
+
+    :param letters: How many of its text stand at most before the rest is cut off.
+    """
+    text = repr(value)
+    if len(text) <= letters:
+        return text
+    unit = 'elements' if isinstance(value, list) else 'characters' if isinstance(value, str) else ''
+    return f'{text[:letters]}…' + (f' ({len(value)} {unit})' if unit else '')
+
+
 def parse(text: str) -> Any:
     """Guess the value that ``ros2 param set`` makes of a word on the command line: YAML 1.1, like ros2cli.
 

@@ -110,7 +110,7 @@ def runs(trial):
         Path(shell.home, FILE_NAME).write_text(trial.work, encoding='utf-8')
         terminal = Terminal(f'ros2 launch ./{FILE_NAME} serial:=0042', shell=shell)
         try:
-            said = terminal.read(until='robot_serial_number: 0042')
+            said = terminal.read(until='robot_serial_number: 0042', timeout_sec=60.0)
         except WaitTimeoutError:
             last = (terminal.text.strip() or 'nothing').splitlines()[-1]
             raise NotYet('the robot tells its parameters in the terminal', f'the last line is: {last}') from None

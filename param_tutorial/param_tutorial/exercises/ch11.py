@@ -279,7 +279,7 @@ def values_after_launch(text: str) -> dict[str, Any]:
         except (NodeError, WaitTimeoutError):
             pass  # it has never come, or has ended in its constructor
         finally:
-            terminal.interrupt()
+            terminal.interrupt(STARTUP_SEC)
             background.wait_until(lambda: not carts(), 'the cart to leave', STARTUP_SEC)
     lines = [line.replace(folder, '…') for line in terminal.text.splitlines()]
     reasons = [line for line in lines if 'Error' in line or 'Exception' in line]

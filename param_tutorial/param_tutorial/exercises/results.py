@@ -1,9 +1,9 @@
 """What a check answers: words first, for a terminal and a screen reader, and the same words as HTML."""
 
-import html
-import re
 import textwrap
 from dataclasses import dataclass
+
+from param_tutorial.markup import with_code
 
 _WIDTH = 110
 
@@ -33,7 +33,7 @@ class Answer:
         return _wrapped(self.text)
 
     def _repr_html_(self) -> str:
-        return f'{_STYLE}<div class="param-check"><p>{_markup(self.text)}</p></div>'
+        return f'{_STYLE}<div class="param-check"><p>{with_code(self.text)}</p></div>'
 
 
 class Hint(Answer):
@@ -100,18 +100,13 @@ class Result(Answer):
     def _repr_html_(self) -> str:
         items = ''.join(map(_item, self.findings))
         return (f'{_STYLE}<div class="param-check"><p><b>{self.heading}</b>, {self.score}</p>'
-                f'<ul class="param-findings">{items}</ul><p>{_markup(self.text)}</p></div>')
+                f'<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p></div>')
 
 
 def _item(finding: Finding) -> str:
-    details = ''.join(f'<dt>{word}</dt><dd>{_markup(text)}</dd>' for word, text in finding.details.items())
-    return (f'<li class="param-{finding.word.replace(" ", "-")}"><b>{finding.word}</b> · {_markup(finding.sentence)}'
+    details = ''.join(f'<dt>{word}</dt><dd>{with_code(text)}</dd>' for word, text in finding.details.items())
+    return (f'<li class="param-{finding.word.replace(" ", "-")}"><b>{finding.word}</b> · {with_code(finding.sentence)}'
             + (f'<dl>{details}</dl>' if details else '') + '</li>')
-
-
-def _markup(text: str) -> str:
-    """Make HTML of a text in which backquotes stand around code."""
-    return re.sub(r'`([^`]+)`', r'<code>\1</code>', html.escape(text, quote=False))
 
 
 def _wrapped(text: str, indent: str = '') -> str:

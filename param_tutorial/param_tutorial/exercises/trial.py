@@ -179,6 +179,7 @@ def stage() -> Iterator[background.BackgroundExecutor]:
     try:
         with cleared(ros):
             yield ros
+        ros.run(lambda: ros.services.forget(CORNER), 'tidy up')
     finally:
         if not borrowed:
             param_tutorial.stop()

@@ -27,30 +27,31 @@ class ParamQueryNode(Node):
         self.timer = self.create_timer(PERIOD_SEC, self.ask)
 
     def ask(self):
-        """Ask for the names; again if there was no answer in the last PERIOD_SEC seconds."""
+        """Ask for the names; again if the values have not come within PERIOD_SEC seconds."""
         if not (self.list_client.service_is_ready() and self.get_client.service_is_ready()):
             self.get_logger().info(f'{TARGET} is not there yet, waiting...')
             return
         if self.question is not None:
             self.get_logger().warning(f'{TARGET} has not answered within {PERIOD_SEC:g} s, asking again')
-            self.list_client.remove_pending_request(self.question)
+            for client in (self.list_client, self.get_client):
+                client.remove_pending_request(self.question)
         self.question = self.list_client.call_async(ListParameters.Request())
         self.question.add_done_callback(self.on_names)
 
     def on_names(self, future):
-        """Ask for the values of all the names; the timer has done its work."""
-        self.timer.cancel()
+        """Ask for the values of all the names."""
         names = list(future.result().result.names)
         self.get_logger().info(f'{TARGET} has {len(names)} parameters.')
         self.ask_values(names)
 
     def ask_values(self, names):
         """Ask for the values of some parameters."""
-        future = self.get_client.call_async(GetParameters.Request(names=names))
-        future.add_done_callback(lambda future: self.report(names, future))
+        self.question = self.get_client.call_async(GetParameters.Request(names=names))
+        self.question.add_done_callback(lambda future: self.report(names, future))
 
     def report(self, names, future):
         """Log names and values: values carry no names, but come in the order in which they were asked for."""
+        self.timer.cancel()  # the target has answered to the end
         values = future.result().values
         if not values and len(names) > 1:
             # One parameter without a value empties the whole answer: ask for each alone.

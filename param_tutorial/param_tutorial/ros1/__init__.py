@@ -15,6 +15,7 @@ from itertools import zip_longest
 from typing import Any
 
 from param_tutorial.errors import nearest
+from param_tutorial.markup import head_row
 from param_tutorial.ros1.record import RECORDING, Scene, Step, parse
 
 _LEFT, _RIGHT = 'ROS 1, recorded', 'ROS 2, now'
@@ -41,7 +42,7 @@ def scene(name: str) -> 'Recorded':
     """
     scenes = _scenes()
     if name not in scenes:
-        raise KeyError(f'there is no scene {name!r}{nearest(name, list(scenes), "The recording is empty")}')
+        raise KeyError(f'there is no scene {name!r}{nearest(str(name), list(scenes), "The recording is empty")}')
     return Recorded(scenes[name].steps)
 
 
@@ -87,7 +88,7 @@ class Recorded:
 
     def _repr_html_(self) -> str:
         rows = ''.join(f'<tr><td>{_step_html(step, step.answer)}</td></tr>' for step in self.steps)
-        return f'{_STYLE}<table class="param-ros1"><tr><th scope="col">{_LEFT}</th></tr>{rows}</table>'
+        return f'{_STYLE}<table class="param-ros1">{head_row([_LEFT])}{rows}</table>'
 
 
 class SideBySide:
@@ -110,8 +111,7 @@ class SideBySide:
         rows = ''.join(f'<tr><td>{_step_html(step, _said(step))}</td>'
                        f'<td><pre>{html.escape(answer)}</pre></td></tr>'
                        for step, answer in zip(self.steps, self.answers))
-        return (f'{_STYLE}<table class="param-ros1"><tr><th scope="col">{_LEFT}</th><th scope="col">{_RIGHT}</th></tr>'
-                f'{rows}</table>')
+        return f'{_STYLE}<table class="param-ros1">{head_row([_LEFT, _RIGHT])}{rows}</table>'
 
 
 def _answer(value: Any) -> str:

@@ -12,6 +12,7 @@ from rclpy.node import HIDDEN_NODE_PREFIX
 from param_tutorial.background import BackgroundExecutor
 from param_tutorial.errors import NodeNotFoundError, ParameterToolError
 from param_tutorial.ros2 import graph
+from param_tutorial.services import nodes_in_graph
 
 SERVICE_TIMEOUT_SEC = 5.0
 
@@ -53,7 +54,7 @@ class Session:
     def node_names(self, *, hidden: bool) -> list[NodeName]:
         """Give the nodes in the graph as far as it is known; a name twice if two nodes have it."""
         names = (NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}')
-                 for name, namespace in self.executor.tool_node.get_node_names_and_namespaces())
+                 for name, namespace in nodes_in_graph(self.executor.tool_node))
         return [each for each in names if hidden or not each.name.startswith(HIDDEN_NODE_PREFIX)]
 
     def wait_for_graph(self, args: argparse.Namespace) -> None:

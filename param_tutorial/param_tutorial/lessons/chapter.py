@@ -1,0 +1,112 @@
+"""A chapter with its recordings, as a source for Sphinx: outputs drawn, exercises with hints and solutions."""
+
+import copy
+import html
+import re
+from pathlib import Path
+from typing import Any
+
+import nbformat
+
+from param_tutorial.exercises import EXERCISES
+from param_tutorial.lessons import drawing
+from param_tutorial.lessons.run import WIDGET, cells_with_widgets
+
+# Where the site keeps the notebooks for whoever wants to run them.
+NOTEBOOKS = 'notebooks'
+# In what a cell has put out.
+_HREF = re.compile(r'<a href="(\w+)\.ipynb">(.*?)</a>', re.DOTALL)
+_LINK = re.compile(r'(?<!!)\[([^\]]*)\]\(([\w/.-]+\.(?:ipynb|md))(#[^)]*)?\)')
+
+
+def source(path: Path, recordings: dict[int, list[dict[str, Any]]], pages: set[str], *,
+           alone: bool = False) -> nbformat.NotebookNode:
+    """Give what Sphinx reads in place of a chapter.
+
+    :param recordings: For the index of each cell that shows widgets, their recordings in order.
+    :param pages: The names, without ending, of all pages of the site; links to others become words.
+    :param alone: For a file that is given away, with nothing beside it.
+    """
+    stored = nbformat.read(path, as_version=4)
+    notebook = copy.deepcopy(stored)
+    drawer = drawing.Drawer(path.stem)
+    for index, cell in cells_with_widgets(notebook):
+        remaining = iter(recordings[index])
+        for output in cell.outputs:
+            if WIDGET in output.get('data', {}):
+                output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
+    for cell in notebook.cells:
+        for output in cell.get('outputs', ()):
+            if 'text/html' in output.get('data', {}):
+                output.data['text/html'] = _HREF.sub(
+                    lambda found: f'<a href="{found[1]}.html">{found[2]}</a>' if found[1] in pages else found[2],
+                    output.data['text/html'])
+    cells = []
+    for cell in notebook.cells:
+        if cell.cell_type == 'markdown':
+            cell.source = _linked(cell.source, pages, alone=alone)
+        cells.append(cell)
+        if len(cells) == 1 and not alone:
+            cells.append(_html_cell('to-run', _to_run(path)))
+        if cell.id.startswith('check-') and (help_html := _help(cell.id.removeprefix('check-'), path)):
+            cells.append(_html_cell(f'help-{cell.id}', help_html))
+    notebook.cells = cells
+    notebook.metadata['language_info'] = {'name': 'python', 'pygments_lexer': 'ipython3'}
+    return notebook
+
+
+def title(path: Path) -> str:
+    """Give the title of a chapter."""
+    return nbformat.read(path, as_version=4).cells[0].source.splitlines()[0].removeprefix('# ')
+
+
+def anchor(heading: str) -> str:
+    """Give the name by which JupyterLab, and so a chapter's links, know a heading."""
+    return heading.strip().replace(' ', '-')
+
+
+def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
+    """Make a cell of which the page shows the output alone; without any source myst-nb would leave it out."""
+    return nbformat.v4.new_code_cell('...', id=name, execution_count=None, metadata={'tags': ['remove-input']},
+                                     outputs=[nbformat.v4.new_output('display_data', {'text/html': content})])
+
+
+def _to_run(path: Path) -> str:
+    return (f'<p class="lesson-download">Every cell on this page has been run, and what it put out stands below it. '
+            f'<a href="{NOTEBOOKS}/{path.name}" download>Download this notebook</a> to run it yourself, '
+            f'with a node that is alive.</p>')
+
+
+def _linked(text: str, pages: set[str], *, alone: bool) -> str:
+    """Lead links to where the site has what they mean."""
+    def link(found: re.Match) -> str:
+        words, target, anchor = found.groups()
+        name, folder = Path(target).stem, Path(target).parent.name
+        if name in pages and not folder:
+            return f'[{words}]({target}{anchor or ""})'
+        if name in pages and folder and not alone:
+            return f'<a href="{NOTEBOOKS}/{html.escape(target)}" download>{html.escape(words)}</a>'
+        return words
+    return _LINK.sub(link, text)
+
+
+def _help(number: str, path: Path) -> str:
+    """Give the hints and the solution of an exercise, each closed."""
+    exercise = next((each for each in EXERCISES.values() if each.number.replace('.', '-') == number), None)
+    if exercise is None:
+        return ''
+    count = len(exercise.hints)
+    parts = [drawing.details(f'Exercise {exercise.number}: hint {position} of {count}',
+                             f'<p>{drawing.inline(hint)}</p>')
+             for position, hint in enumerate(exercise.hints, 1)]
+    solved = path.parent / exercise.solutions
+    if solved.exists():
+        cells = nbformat.read(solved, as_version=4).cells
+        at = next(index for index, cell in enumerate(cells) if cell.id == f'solution-{number}')
+        words = re.sub(r'^#+ .*\n+', '', cells[at - 1].source) if cells[at - 1].cell_type == 'markdown' else ''
+        said = ''.join(output.data.get('text/html', '') for cell in cells[at:at + 2]
+                       for output in cell.get('outputs', ()) if 'data' in output)
+        paragraphs = ''.join(f'<p>{drawing.inline(each)}</p>' for each in words.split('\n\n') if each.strip())
+        parts.append(drawing.details(f'Exercise {exercise.number}: a worked solution',
+                                     f'{paragraphs}{drawing.code(cells[at].source)}{said}'))
+    return f'<div class="lesson-help">{"".join(parts)}</div>'

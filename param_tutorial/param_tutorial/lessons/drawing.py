@@ -1,0 +1,162 @@
+"""Draws recordings as HTML: native controls with labels, words beside every picture, and nothing to load.
+
+What ``recorder`` brought stands in the page, packed, beside the controls; ``site/_static/lesson.js`` unpacks it and
+answers with it. Without a script the page still shows everything as it stood.
+"""
+
+import base64
+import html
+import itertools
+import json
+import re
+import zlib
+from typing import Any
+
+from pygments import highlight
+from pygments.formatters import HtmlFormatter
+from pygments.lexers import get_lexer_by_name
+
+RUN_IT = 'run the notebook'
+_STYLE = re.compile(r'<style>.*?</style>', re.DOTALL)
+
+
+class Drawer:
+    """Draws the recordings of one page; ids count up, so that building twice gives the same page."""
+
+    def __init__(self, page: str):
+        """:param page: Begins each id, for the sake of a page that shows parts of two chapters."""
+        self._page = re.sub(r'\W+', '-', page)
+        self._numbers = itertools.count(1)
+
+    def draw(self, recording: dict[str, Any]) -> str:
+        """Give the HTML of one recorded widget."""
+        draw = {'panel': self._panel, 'robot': self._robot, 'log': self._log, 'steps': self._steps,
+                'events': self._events, 'still': self._still}
+        return draw[recording['kind']](recording, f'{self._page}-{next(self._numbers)}')
+
+    def _panel(self, recording: dict[str, Any], name: str) -> str:
+        node, count = html.escape(recording['node']), len(recording['rows'])
+        parts, group = [], ''
+        for number, row in enumerate(recording['rows']):
+            if row['group'] and row['group'] != group:
+                parts.append(f'<p class="rec-group">{html.escape(row["group"])}</p>')
+            group = row['group']
+            parts.append(_row(row, f'{name}-{number}'))
+        told = html.escape(recording['status']) or f'{count} parameter{"" if count == 1 else "s"}'
+        facts = {
+            'node': recording['node'],
+            'rows': [{key: row[key] for key in ('name', 'text', 'editor', 'positions', 'answers', 'depends',
+                                                'contexts', 'log_depends') if key in row}
+                     for row in recording['rows'] if not row['locked']],
+            'films': recording.get('films', []),
+            'pictures': recording.get('pictures', []),
+        }
+        return (
+            f'<div role="group" class="rec rec-panel" id="{name}" data-node="{node}" aria-labelledby="{name}-head">'
+            f'<div class="rec-head"><span class="rec-node" id="{name}-head">{node}</span>'
+            f'<span class="rec-count">{told}</span><span class="rec-mark">recorded</span></div>'
+            f'<noscript><p class="rec-note">The controls answer only where the page may run its script.</p></noscript>'
+            f'{"".join(parts)}'
+            f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
+            f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}</div>')
+
+    def _robot(self, recording: dict[str, Any], name: str) -> str:
+        look, node = recording['look'], html.escape(recording['node'])
+        return (
+            f'<div role="group" class="rec rec-robot robot-view" id="{name}" data-node="{node}" '
+            f'aria-label="The robot {node}">'
+            f'<div class="rec-picture">{look["picture"]}</div>'
+            f'<div class="rec-foot robot-foot"><button type="button" class="rec-drive" disabled>Drive</button>'
+            f'<div class="rec-says" role="status">{html.escape(look["sentence"])}</div></div>'
+            f'{_packed({"films": recording["films"]})}</div>')
+
+    def _log(self, recording: dict[str, Any], name: str) -> str:
+        title = html.escape(f'Log of {recording["node"]}')
+        lines = ''.join(f'{html.escape(line)}\n' for line in recording['lines'])
+        return (f'<div role="group" class="rec rec-log" id="{name}" data-node="{html.escape(recording["node"])}" '
+                f'aria-label="{title}"><p class="rec-head"><b>{title}</b><span class="rec-mark">recorded</span></p>'
+                f'<pre role="log" tabindex="0" aria-label="{title}">{lines}</pre></div>')
+
+    def _steps(self, recording: dict[str, Any], name: str) -> str:
+        node = html.escape(recording['node'])
+        # The picture is replaced, and its style has to stay.
+        style = ''.join(_STYLE.findall(recording['html']))
+        return (f'<div role="group" class="rec rec-steps" id="{name}" data-node="{node}" '
+                f'aria-label="Step response of {node}">{style}'
+                f'<div class="rec-picture">{_STYLE.sub("", recording["html"])}</div>'
+                f'<div class="rec-says" role="status"></div></div>')
+
+    def _events(self, recording: dict[str, Any], name: str) -> str:
+        node = html.escape(recording['node'])
+        return (f'<div role="group" class="rec rec-events" id="{name}" data-node="{node}" '
+                f'aria-label="Events of {node}">{recording["html"]}'
+                f'<p class="rec-note">Empty as the lesson shows it. What a panel above changes stands here as the node '
+                f'told it when the page was made.</p></div>')
+
+    def _still(self, recording: dict[str, Any], name: str) -> str:
+        shown = recording['html'] or f'<p>{html.escape(recording["text"])}</p>'
+        note = 'As it stood when the lesson ran; it is alive' if recording['html'] else 'It stands'
+        return (f'<div role="group" class="rec rec-still" id="{name}" aria-label="A view of the notebook">{shown}'
+                f'<p class="rec-note">{note} in the notebook.</p></div>')
+
+
+def _explanation(recording: dict[str, Any]) -> str:
+    if recording['status']:
+        return 'The node was not there, so it could not be asked.'
+    told = (f'No node runs in this page. These are answers that the real node gave when the page was made: it was '
+            f'asked {recording.get("asked", 0):,} times, from the state shown here. '
+            f'For what it was not asked, {RUN_IT}.')
+    if recording.get('incomplete'):
+        told += ' It did not take one value back, and was not asked any further.'
+    return told
+
+
+def _row(row: dict[str, Any], name: str) -> str:
+    label, full = html.escape(row['label']), html.escape(row['name'])
+    off = 'disabled'  # until the script is there to answer
+    help_id, data = f'{name}-help', f'data-name="{full}"'
+    common = f'id="{name}" {off} aria-describedby="{help_id} {name}-message"'
+    if row['editor'] == 'check':
+        checked = ' checked' if row['text'] == 'true' else ''
+        control = f'<input type="checkbox" class="rec-check" {common}{checked}>'
+    elif row['editor'] == 'lines':
+        control = (f'<textarea class="rec-text" rows="3" spellcheck="false" {common}>'
+                   f'{html.escape(row["text"])}</textarea>')
+    else:
+        empty = ' placeholder="not set"' if row['text'] == '' else ''
+        mode = ' inputmode="decimal"' if row['type'] == 'double' else ''
+        control = (f'<input type="text" class="rec-text" autocomplete="off" spellcheck="false" {common}{empty}{mode} '
+                   f'value="{html.escape(row["text"])}">')
+    if 'positions' in row:
+        last, at = len(row['positions']) - 1, row['positions'].index(row['text'])
+        control += (f'<input type="range" class="rec-slider" {off} min="0" max="{last}" value="{at}" '
+                    f'aria-label="{label}, slider" aria-valuetext="{html.escape(row["text"])}">')
+    kind = ' rec-quiet' if row['quiet'] else ''
+    kind += ' rec-locked' if row['locked'] else ''
+    message = (f'<span class="rec-refused"><b>Not taken:</b> {html.escape(row["message"])}</span>'
+               if row['message'] else '')
+    return (f'<div class="rec-row{kind}" {data}>'
+            f'<div class="rec-line"><label for="{name}">{label}</label>{control}</div>'
+            f'<div class="rec-help" id="{help_id}">{row["help"]}</div>'
+            f'<div class="rec-message" id="{name}-message" role="status">{message}</div></div>')
+
+
+def _packed(facts: dict[str, Any]) -> str:
+    data = zlib.compress(json.dumps(facts, ensure_ascii=False, separators=(',', ':')).encode(), 9)
+    return f'<script type="text/plain" class="rec-data">{base64.b64encode(data).decode()}</script>'
+
+
+def code(source: str) -> str:
+    """Give Python code as HTML, in the colours of the page."""
+    return highlight(source, get_lexer_by_name('ipython3'), HtmlFormatter(cssclass='highlight')).replace(
+        '<pre>', '<pre tabindex="0">', 1)
+
+
+def details(summary: str, content: str) -> str:
+    """Give something that a reader opens and closes."""
+    return f'<details class="rec-details"><summary>{html.escape(summary)}</summary><div>{content}</div></details>'
+
+
+def inline(text: str) -> str:
+    """Make HTML of a text in which backquotes stand around code."""
+    return re.sub(r'`([^`]+)`', r'<code>\1</code>', html.escape(text, quote=False))

@@ -1,0 +1,92 @@
+"""The first page of the site: a robot to try at once, the chapters, and what the lessons ran on."""
+
+import html
+import re
+from pathlib import Path
+from typing import Any
+
+from param_tutorial.lessons import drawing
+
+_ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+) *\|')
+
+_TEXT = '''# Mastering ROS 2 Parameters with Python
+
+<p class="front-lead">A robot's behaviour hangs on numbers: how fast, how far, how careful. In ROS 2 they are
+<em>parameters</em>, and you can change them while the robot runs.</p>
+
+{try_it}
+
+## The lessons
+
+Each lesson asks one question, and lets a real node of ROS 2 Jazzy answer it. Nothing is told that is not shown beside
+it.
+
+{chapters}
+
+## How to read them
+
+**Here, without installing anything.** No node runs in these pages. Every answer of a panel, and every drive of a robot,
+was recorded from the real one when the page was made; where nothing was recorded, the page says so. Your changes stay
+in the page and are gone when you close it.
+
+**In JupyterLab, with a living robot.** Each lesson begins with a link to its notebook. The course brings a panel, a
+terminal and the real rclpy, on any Linux with Python; `make lab` starts it, and nobody needs to install ROS.
+
+## When they ran
+
+{provenance}
+
+```{{toctree}}
+:hidden:
+
+{names}
+```
+'''
+
+
+def source(index: Path, recordings: dict[Path, dict[int, list[dict[str, Any]]]], facts: dict[str, str]) -> str:
+    """Give the first page, as Markdown.
+
+    :param index: The start page of the notebooks, whose table names the chapters.
+    :param facts: From which state of the course the lessons ran, and on what; see ``build.provenance``.
+    """
+    names = [path.stem for path in recordings]
+    return _TEXT.format(try_it=_try_it(recordings), chapters=_cards(index.read_text(encoding='utf-8'), names),
+                        provenance=_told(facts), names='\n'.join(names))
+
+
+def _try_it(recordings: dict[Path, dict[int, list[dict[str, Any]]]]) -> str:
+    """Give a robot and its panel, if a chapter begins with them."""
+    for path, recorded in recordings.items():
+        views = [each for found in recorded.values() for each in found]
+        robot = next((each for each in views if each['kind'] == 'robot'), None)
+        panel = next((each for each in views if robot and each['kind'] == 'panel' and each['node'] == robot['node']),
+                     None)
+        if panel:
+            drawer = drawing.Drawer('front')
+            return ('Press **Drive**. Then pull a slider, and drive again. What happens without the safety mode?\n\n'
+                    f'{_one_block(drawer.draw(robot))}\n\n{_one_block(drawer.draw(panel))}\n\n'
+                    f'What you have just seen is the beginning of [the first lesson]({path.name}).')
+    return ''
+
+
+def _one_block(markup: str) -> str:
+    """Keep Markdown from reading what is HTML: a block of it ends at an empty line."""
+    return '```{raw} html\n' + re.sub(r'\n\s*\n', '\n', markup) + '\n```'
+
+
+def _cards(text: str, names: list[str]) -> str:
+    cards = ''.join(
+        f'<li><a href="{name}.html"><span class="front-number">{number}</span> {html.escape(title)}</a>'
+        f'<p>{html.escape(question)}</p><p class="front-minutes">{minutes} minutes</p></li>'
+        for number, title, name, question, minutes in _ROW.findall(text) if name in names)
+    return f'<ul class="front-lessons">{cards}</ul>'
+
+
+def _told(facts: dict[str, str]) -> str:
+    ran = f'on Python {facts["Python"]} with rclpy {facts["rclpy"]} of ROS 2 Jazzy'
+    if 'commit' not in facts:
+        return f'The lessons of this site ran {ran}. Every output was compared with the one stored in its notebook.'
+    state = f'as of {facts["date"]} (`{facts["commit"]}`{" " + facts["changed"] if facts["changed"] else ""})'
+    return (f'The lessons of this site ran from start to end {state}, {ran}. Every output was compared with the one '
+            f'stored in its notebook; a difference would have stopped the making of this page.')

@@ -1,0 +1,292 @@
+/* What makes a lesson's page answer: it looks up what the node said when the page was made. It works nothing out.
+
+   A panel's controls hold the values that the node confirmed. A hand's change is looked up among the recorded answers;
+   one that was refused, or never asked for, springs back, with the reason beside the control. */
+'use strict';
+
+(() => {
+  // A page on a disk may not fetch another one, which the search would do to quote it.
+  if (location.protocol === 'file:' && typeof DOCUMENTATION_OPTIONS === 'object') {
+    DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
+  }
+
+  const panels = [];
+  const robots = [];
+
+  /** Give what stands packed beside a recorded view. */
+  async function unpack(section) {
+    const packed = Uint8Array.from(atob(section.querySelector('.rec-data').textContent), letter => letter.charCodeAt(0));
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
+    return JSON.parse(await new Response(stream).text());
+  }
+
+  /** Give a name for a set of changed parameters, as the recorder does. */
+  function key(changed) {
+    return Object.keys(changed).sort().map(name => `${name}=${changed[name]}`).join('\n');
+  }
+
+  /** Say that something was not recorded for a set of changed parameters. */
+  function unknown(what, changed) {
+    const values = Object.entries(changed).map(([name, text]) => `${name} = ${text}`).join(', ');
+    return `Not recorded: no ${what} with ${values}. Run the notebook to see it.`;
+  }
+
+  class Panel {
+    constructor(section, facts) {
+      this.section = section;
+      this.node = facts.node;
+      this.films = new Map(facts.films.map(film => [key(film.changed), film]));
+      this.pictures = new Map(facts.pictures.map(picture => [key(picture.changed), picture]));
+      this.rows = new Map(facts.rows.map(row => [row.name, new Row(this, row)]));
+      this.resetButton = section.querySelector('.rec-reset');
+      this.resetButton.addEventListener('click', () => this.reset());
+    }
+
+    /** What differs from the state in which the lesson shows the node. */
+    get changed() {
+      const changed = {};
+      for (const row of this.rows.values()) if (row.text !== row.shown) changed[row.name] = row.text;
+      return changed;
+    }
+
+    /** Take over what the node did to its parameters. */
+    take(texts) {
+      for (const [name, text] of Object.entries(texts)) {
+        const row = this.rows.get(name);
+        if (row) row.show(text);
+      }
+      this.resetButton.disabled = !Object.keys(this.changed).length;
+      for (const robot of robots) if (robot.node === this.node) robot.follow(this);
+      for (const view of document.querySelectorAll('.rec-steps')) if (view.dataset.node === this.node) this.draw(view);
+    }
+
+    /** Show the picture that belongs to the parameters, if there is one. */
+    draw(view) {
+      const picture = this.pictures.get(key(this.changed));
+      if (picture) view.querySelector('.rec-picture').innerHTML = picture.look;
+      view.querySelector('.rec-says').textContent = picture ? '' : unknown('picture', this.changed);
+    }
+
+    log(lines) {
+      for (const view of document.querySelectorAll('.rec-log')) {
+        if (!['all nodes', this.node].includes(view.dataset.node)) continue;
+        const list = view.querySelector('pre');
+        list.append(lines.map(line => `${line}\n`).join(''));
+        list.scrollTop = list.scrollHeight;
+      }
+    }
+
+    /** Put what the node told on /parameter_events into the tables, the newest on top. */
+    tell(events) {
+      for (const view of document.querySelectorAll('.rec-events')) {
+        if (!['all nodes', this.node].includes(view.dataset.node)) continue;
+        for (const event of events) {
+          const line = view.querySelector('tbody').insertRow(0);
+          for (const text of [this.node, ...event]) line.insertCell().textContent = text;
+        }
+      }
+    }
+
+    reset() {
+      for (const row of this.rows.values()) { row.show(row.shown); row.say(); }
+      this.take({});
+      this.section.querySelector('input:enabled, textarea:enabled').focus();
+    }
+  }
+
+  class Row {
+    constructor(panel, facts) {
+      Object.assign(this, {panel, name: facts.name, shown: facts.text, text: facts.text, facts});
+      const element = [...panel.section.querySelectorAll('.rec-row')].find(row => row.dataset.name === this.name);
+      this.box = element.querySelector('.rec-text, .rec-check');
+      this.slider = element.querySelector('.rec-slider');
+      this.message = element.querySelector('.rec-message');
+      this.box.disabled = false;
+      this.box.addEventListener('change', () => this.ask(this.facts.editor === 'check' ? String(this.box.checked) : this.box.value));
+      if (this.facts.editor === 'text') {
+        this.box.addEventListener('keydown', event => { if (event.key === 'Escape') this.show(this.text); });
+      }
+      if (this.slider) {
+        this.slider.disabled = false;
+        this.slider.addEventListener('input', () => this.ask(this.facts.positions[this.slider.value]));
+      }
+    }
+
+    /** Show a value that the node confirmed. */
+    show(text) {
+      this.text = text;
+      if (this.facts.editor === 'check') {
+        this.box.checked = text === 'true';
+      } else {
+        this.box.value = text;
+      }
+      if (this.slider) {
+        this.slider.value = this.position(text);
+        this.slider.setAttribute('aria-valuetext', text);
+      }
+    }
+
+    position(text) {
+      const exact = this.facts.positions.indexOf(text);
+      if (exact >= 0) return exact;
+      const distance = index => Math.abs(Number(this.facts.positions[index]) - Number(text));
+      return this.facts.positions.reduce((best, _, index) => distance(index) < distance(best) ? index : best, 0);
+    }
+
+    /** Look up what the node said to a value, in the state in which the panel is. */
+    ask(typed) {
+      const [answer, because] = this.lookUp(typed);
+      if (!answer) {
+        this.show(this.text);
+        this.say('rec-unknown', 'Not recorded:', because);
+        return;
+      }
+      if ('reason' in answer) {
+        this.show(this.text);
+        this.say('rec-refused', 'Not taken:', answer.reason);
+      } else {
+        this.show(answer.value);
+        const others = Object.keys(this.panel.changed).filter(name => name !== this.name);
+        this.say('rec-accepted', 'Accepted.',
+          (answer.value === this.text && this.same(typed, answer.value) ? '' : `The node has made it ${answer.value}. `)
+          + (others.length && !this.inContext() ? 'Recorded with the other values as first shown.' : ''));
+      }
+      this.panel.take(answer.also || {});
+      this.tellLog(answer);
+      this.panel.tell(answer.events || []);
+    }
+
+    same(typed, value) {
+      return typed.trim() === value || (typed.trim() !== '' && Number(typed) === Number(value));
+    }
+
+    /** The parameters that have been changed, and on which the answer depends. */
+    get inTheWay() {
+      return (this.facts.depends || []).filter(name => this.panel.rows.get(name).text !== this.panel.rows.get(name).shown);
+    }
+
+    inContext() {
+      return this.inTheWay.length > 0;
+    }
+
+    lookUp(typed) {
+      const inTheWay = this.inTheWay;
+      let answers = this.facts.answers;
+      if (inTheWay.length) {
+        const told = inTheWay.map(name => name === this.name ? 'the value that it has' : `${name}, which you have changed`);
+        const [other] = inTheWay;
+        answers = inTheWay.length === 1 && ((this.facts.contexts || {})[other] || {})[this.panel.rows.get(other).text];
+        if (!answers) {
+          return [null, `the node's answer depends on ${told.join(' and ')}. `
+            + 'Go back to the start below, or run the notebook to try it.'];
+        }
+      }
+      const text = typed in answers ? typed : Object.keys(answers).find(each => this.means(typed, each));
+      if (text !== undefined) return [answers[text]];
+      return [null, `the node was not asked for ${typed === '' ? 'an empty text' : `“${typed}”`} when this page was made. `
+        + 'Run the notebook to try it.'];
+    }
+
+    /** Did a hand write a recorded value with other signs? 7.50 is 7.5, but 7 and 7.0 may differ in type. */
+    means(typed, text) {
+      const tidy = each => each.trim().replace(/^(-?\d+\.\d*?)0+$/, '$1');
+      return /^\s*-?\d+\.\d+\s*$/.test(typed) ? tidy(typed) === tidy(text) : typed.trim() !== '' && typed.trim() === text;
+    }
+
+    tellLog(answer) {
+      const elsewhere = Object.keys(this.panel.changed).some(name => name !== this.name);
+      if (answer.log === null) return;
+      if (this.facts.log_depends && elsewhere) {
+        this.panel.log(['(not recorded: what the node logs with these values together)']);
+      } else {
+        this.panel.log(answer.log);
+      }
+    }
+
+    say(kind, word, rest) {
+      this.message.replaceChildren();
+      if (!kind) return;
+      const told = document.createElement('span');
+      const strong = document.createElement('b');
+      told.className = kind;
+      strong.textContent = word;
+      told.append(strong, ` ${rest}`);
+      this.message.append(told);
+    }
+  }
+
+  class Robot {
+    constructor(section, facts, number) {
+      Object.assign(this, {section, number, node: section.dataset.node, drives: 0, timers: []});
+      this.films = new Map(facts.films.map(film => [key(film.changed), film]));
+      this.changed = {};
+      this.picture = section.querySelector('.rec-picture');
+      this.status = section.querySelector('.rec-says');
+      this.button = section.querySelector('.rec-drive');
+      this.button.disabled = false;
+      this.button.addEventListener('click', () => this.drive());
+    }
+
+    /** Go by the parameters of a panel from now on. */
+    follow(panel) {
+      this.films = panel.films;
+      this.changed = panel.changed;
+      const film = this.films.get(key(this.changed));
+      if (this.timers.length) {
+        this.status.textContent = 'The next drive will show the change.';
+      } else if (film) {
+        this.picture.innerHTML = film.look.picture;
+        this.status.textContent = film.look.sentence;
+      } else {
+        this.status.textContent = unknown('drive', this.changed);
+      }
+    }
+
+    drive() {
+      const film = this.films.get(key(this.changed));
+      this.timers.forEach(clearTimeout);
+      this.timers = [];
+      if (!film) {
+        this.status.textContent = unknown('drive', this.changed);
+        return;
+      }
+      this.drives += 1;
+      const last = film.scenes.length - 1;
+      const end = () => {
+        this.timers = [];
+        this.picture.innerHTML = film.end;
+        this.status.textContent = film.scenes[last][3];
+      };
+      if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
+        end();
+        this.status.textContent = film.scenes.map(scene => scene[3]).join(' ');
+        return;
+      }
+      this.picture.innerHTML = film.picture.replaceAll('robot-NAME', `robot-${this.number}-${this.drives}`);
+      film.scenes.forEach(([at, word, text, sentence], index) => {
+        this.timers.push(setTimeout(() => {
+          if (index === last) { end(); return; }
+          this.picture.querySelector('.robot-word').textContent = word;
+          this.picture.querySelector('.robot-scene').setAttribute('aria-label', text);
+          this.status.textContent = sentence;
+        }, 1000 * at));
+      });
+    }
+  }
+
+  async function begin() {
+    const views = [...document.querySelectorAll('.rec-robot')];
+    for (const [number, section] of views.entries()) robots.push(new Robot(section, await unpack(section), number));
+    for (const section of document.querySelectorAll('.rec-panel')) {
+      const panel = new Panel(section, await unpack(section));
+      panels.push(panel);
+      for (const robot of robots) {
+        // The first panel of a node speaks for its robot, until a hand moves another one.
+        if (robot.node === panel.node && robot.films.size === 1) robot.films = panel.films.size ? panel.films : robot.films;
+      }
+    }
+    document.documentElement.dataset.lesson = 'ready';
+  }
+
+  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin); else begin();
+})();

@@ -1,0 +1,53 @@
+"""Sphinx's configuration of the lessons' website; see ``param_tutorial.lessons``.
+
+Nothing may come from elsewhere: no widgets' JavaScript, no fonts, no mathematics from a network of servers.
+"""
+
+project = 'Mastering ROS 2 Parameters with Python'
+author = 'the course'
+copyright = ''
+
+extensions = ['myst_nb']
+exclude_patterns = ['extra', 'static']
+language = 'en'
+
+# The notebooks have been run, and compared, when Sphinx gets them.
+nb_execution_mode = 'off'
+# By default it links two servers, for widgets; ours are drawn without them.
+nb_ipywidgets_js = {}
+nb_merge_streams = True
+myst_heading_anchors = 3
+myst_heading_slug_func = 'param_tutorial.lessons.chapter.anchor'
+
+html_theme = 'pydata_sphinx_theme'
+html_title = 'ROS 2 Parameters'
+html_baseurl = ''
+html_favicon = '_static/icon.svg'
+html_static_path = ['_static']
+templates_path = ['_templates']
+html_css_files = ['robot.css', 'lesson.css']
+html_js_files = ['lesson.js']
+html_sidebars = {'**': ['lessons.html']}
+html_copy_source = False
+html_show_sourcelink = False
+html_show_sphinx = False
+html_show_copyright = False
+html_use_index = False
+html_domain_indices = False
+html_theme_options = {
+    'logo': {'text': 'ROS 2 Parameters'},
+    'navbar_center': [],
+    'navbar_persistent': ['search-button-field'],
+    'navbar_end': ['theme-switcher'],
+    'article_header_start': [],
+    'secondary_sidebar_items': ['page-toc'],
+    'footer_start': ['about.html'],
+    'footer_end': [],
+    'show_toc_level': 1,
+    'search_bar_text': 'Search the lessons …',
+    'back_to_top_button': False,
+    'pygments_light_style': 'a11y-high-contrast-light',
+    'pygments_dark_style': 'a11y-high-contrast-dark',
+}
+# Without a word for it the theme's script complains on a reader's first visit.
+html_context = {'default_mode': 'auto'}

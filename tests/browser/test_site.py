@@ -1,0 +1,399 @@
+"""The HTML lessons in Chromium, with the network off: what a reader sees, can do, and is told.
+
+A site of two small chapters, made once for all tests; the kernels, the nodes and their answers are real. `make html`
+holds the chapters of the course to the same rules when CI builds them, see test_built_site.py.
+"""
+
+import contextlib
+import functools
+import http.server
+import json
+import re
+import shutil
+import threading
+
+import lesson
+import nbformat
+import pytest
+from lab import _CHROMIUM_FLAGS, CHROMIUM, ROOT
+from nbclient import NotebookClient
+from playwright.sync_api import expect, sync_playwright
+from site_rules import check_page, open_page
+
+from param_tutorial.lessons import build, run, single
+
+# Sphinx and its extensions tell each other, in each release, what the next one will bring.
+pytestmark = [pytest.mark.filterwarnings(f'ignore::{kind}Warning') for kind in ('Deprecation', 'PendingDeprecation')]
+
+# What a chapter with all that the pages know looks like. Its node has a rule over two parameters, a limit that a
+# callback applies, and a log.
+LIMITS = (
+    '# 1 · Limits\n\n**What does a node say?**',
+    '''import param_tutorial
+from param_tutorial import LogView, ParameterPanel
+from param_tutorial.event_view import EventView
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+
+class Heater(Node):
+    def __init__(self):
+        super().__init__('heater')
+        for name, value in (('low_c', 18), ('high_c', 22)):
+            self.declare_parameter(name, value, ParameterDescriptor(
+                description='A limit.', integer_range=[IntegerRange(from_value=0, to_value=40, step=1)]))
+        self.declare_parameter('power_w', 100)
+        self.declare_parameter('name', 'Heater')
+        self.declare_parameter('on', True)
+        self.declare_parameter('levels', [1, 2])
+        self.declare_parameter('serial', 'SN-1', ParameterDescriptor(read_only=True))
+        self.add_pre_set_parameters_callback(self.trim)
+        self.add_on_set_parameters_callback(self.judge)
+        self.add_post_set_parameters_callback(self.tell)
+
+    def trim(self, parameters):
+        return [Parameter('power_w', value=min(p.value, 300)) if p.name == 'power_w' and type(p.value) is int else p
+                for p in parameters]
+
+    def judge(self, parameters):
+        new = {p.name: p.value for p in parameters}
+        low, high = (new.get(name, self.get_parameter(name).value) for name in ('low_c', 'high_c'))
+        return SetParametersResult(successful=low < high, reason=f'{low} is not below {high}')
+
+    def tell(self, parameters):
+        for p in parameters:
+            self.get_logger().info(f'{p.name} is now {p.value}')
+
+
+ros = param_tutorial.start()
+heater = ros.add(Heater)''',
+    'Its controls:',
+    "panel = ParameterPanel('/heater')\npanel",
+    "display(LogView(node='/heater'), EventView())",
+    'What a hand does later does not show above:',
+    "panel['low_c'].value = 19\npanel.settle()\npanel['low_c'].value",
+    '## Next\n\nA table, and a link to [the other one](2_robot.ipynb), and to [none](9_none.ipynb).\n\n'
+    '| a | b |\n| --- | --- |\n| 1 | 2 |',
+    "print('the end')\n1 / 0",
+)
+ROBOT = (
+    '# 2 · A robot\n\n**Does it move?**',
+    'import param_tutorial\nfrom param_tutorial import LinePlot, ParameterPanel, RobotView\n'
+    'from param_tutorial.nodes.clawbot_node import ClawbotNode\n\n'
+    'ros = param_tutorial.start()\nrobot = ros.add(ClawbotNode)\nview = RobotView(robot)\nview',
+    'Its controls:',
+    "ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode'])",
+    'A picture:',
+    "LinePlot({'a line': [(0, 0), (1, 2)]}, x='time in s', y='speed in m/s')",
+)
+INDEX = '''# Start
+
+| | Chapter | Question | Minutes |
+| --- | --- | --- | ---: |
+| 1 | [Limits](1_limits.ipynb) | What does a node say? | 5 |
+| 2 | [A robot](2_robot.ipynb) | Does it move? | 5 |
+'''
+
+
+def write_chapter(path, cells):
+    """Write a chapter as its author saves it: run, with its outputs."""
+    lesson.write(path, cells)
+    notebook = nbformat.read(path, as_version=4)
+    if '1 / 0' in notebook.cells[-1].source:
+        notebook.cells[-1].metadata.tags = ['raises-exception']
+    NotebookClient(notebook, kernel_manager_class=run.OwnKernel, store_widget_state=False, coalesce_streams=True,
+                   resources={'metadata': {'path': str(path.parent)}}).execute()
+    nbformat.write(notebook, path)
+
+
+@pytest.fixture(scope='module')
+def made(tmp_path_factory):
+    """Make a site, and give it."""
+    folder = tmp_path_factory.mktemp('site')
+    notebooks = folder / 'notebooks'
+    notebooks.mkdir()
+    (notebooks / 'index.md').write_text(INDEX)
+    for name, cells in (('1_limits', LIMITS), ('2_robot', ROBOT)):
+        write_chapter(notebooks / f'{name}.ipynb', cells)
+    site = build.Site(notebooks, folder / 'html', folder / 'work', processes=2)
+    site.build()
+    return site
+
+
+@pytest.fixture(scope='module')
+def browser():
+    """Give Chromium, which can reach this machine and nothing else."""
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(_CHROMIUM_FLAGS))
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def page(made, browser, request):
+    """Give a chapter's page, from the disk; nothing may be requested elsewhere, or complained of."""
+    with open_page(browser, (made.target / request.param).as_uri()) as page:
+        yield page
+
+
+@contextlib.contextmanager
+def served(folder):
+    """Serve a folder as any web server does, and give its address."""
+    class Quiet(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *_):
+            pass
+
+    with http.server.ThreadingHTTPServer(('127.0.0.1', 0), functools.partial(Quiet, directory=folder)) as server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        try:
+            yield f'http://127.0.0.1:{server.server_port}'
+        finally:
+            server.shutdown()
+            thread.join()
+
+
+def files(folder):
+    return {path.relative_to(folder): path.read_bytes() for path in folder.rglob('*') if path.is_file()}
+
+
+def row(page, name):
+    return page.locator(f'.rec-row[data-name="{name}"]').first
+
+
+def box(page, name):
+    return row(page, name).get_by_label(name, exact=True)
+
+
+def message(page, name):
+    return row(page, name).get_by_role('status')
+
+
+def type_into(page, name, text):
+    box(page, name).fill(text)
+    box(page, name).press('Enter')
+
+
+limits = pytest.mark.parametrize('page', ['1_limits.html'], indirect=True)
+robot = pytest.mark.parametrize('page', ['2_robot.html'], indirect=True)
+
+
+@limits
+def test_a_value_that_the_node_took(page):
+    type_into(page, 'power_w', '150')
+    expect(message(page, 'power_w')).to_have_text('Accepted.')
+    expect(box(page, 'power_w')).to_have_value('150')
+    expect(page.get_by_role('log', name='Log of /heater')).to_contain_text('[INFO] [heater]: power_w is now 150')
+
+
+@limits
+def test_what_the_node_told_stands_in_the_table_of_events(page):
+    rows = page.get_by_role('log', name='Changes of all nodes').get_by_role('row')
+    expect(rows).to_have_count(1)
+    type_into(page, 'power_w', '150')
+    type_into(page, 'low_c', '30')  # refused, so nothing is told
+    box(page, 'on').click()
+    expect(rows).to_have_count(3)
+    expect(rows.nth(1)).to_have_text('/heaterchangedonFalse')
+    expect(rows.nth(2)).to_have_text('/heaterchangedpower_w150')
+
+
+@limits
+def test_a_value_that_the_node_refused_springs_back_with_the_nodes_reason(page):
+    type_into(page, 'low_c', '30')
+    expect(message(page, 'low_c')).to_have_text('Not taken: 30 is not below 22')
+    expect(box(page, 'low_c')).to_have_value('18')
+    expect(row(page, 'low_c').get_by_role('slider')).to_have_value('18')
+    type_into(page, 'low_c', '41')
+    expect(message(page, 'low_c')).to_contain_text('Not taken: ')
+    type_into(page, 'low_c', 'fast')
+    expect(message(page, 'low_c')).to_have_text(
+        "Not taken: 'fast' cannot be read: low_c wants a whole number, e.g. 42")
+    expect(box(page, 'low_c')).to_have_value('18')
+
+
+@limits
+def test_a_value_that_the_node_rewrote_shows_as_the_node_has_it(page):
+    type_into(page, 'power_w', '900')
+    expect(box(page, 'power_w')).to_have_value('300')
+    expect(message(page, 'power_w')).to_have_text('Accepted. The node has made it 300.')
+
+
+@limits
+def test_a_value_that_was_not_recorded_is_said_to_be(page):
+    type_into(page, 'power_w', '123456')
+    expect(message(page, 'power_w')).to_contain_text('Not recorded: the node was not asked for “123456”')
+    expect(box(page, 'power_w')).to_have_value('100')
+    type_into(page, 'name', 'Nobody thought of this')
+    expect(message(page, 'name')).to_contain_text('Not recorded')
+    expect(box(page, 'name')).to_have_value('Heater')
+
+
+@limits
+def test_an_answer_that_depends_on_another_parameter_is_not_given_for_another_state(page):
+    """21 is below 22 but not below 20: the page must not answer from the state that was first shown."""
+    recorded = page.evaluate('''async () => {
+        const packed = document.querySelector('.rec-panel .rec-data').textContent;
+        const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
+        const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+        return JSON.parse(await new Response(stream).text()) }''')
+    rows = {each['name']: each for each in recorded['rows']}
+    assert rows['low_c']['depends'] == ['high_c'] and rows['high_c']['depends'] == ['low_c']
+    assert [name for name, each in rows.items() if each.get('depends')] == ['low_c', 'high_c']
+
+    asked = rows['low_c']['contexts']['high_c']
+    known = next(text for text, answers in asked.items()
+                 if '21' in answers and 'reason' in answers['21'] and 'value' in rows['low_c']['answers']['21'])
+    unknown = next(str(each) for each in range(23, 41) if str(each) not in asked)
+    type_into(page, 'high_c', known)
+    type_into(page, 'low_c', '21')
+    expect(message(page, 'low_c')).to_have_text(f'Not taken: 21 is not below {known}')
+    page.get_by_role('button', name='Back to the start').click()
+    expect(box(page, 'high_c')).to_have_value('22')
+    type_into(page, 'high_c', unknown)
+    type_into(page, 'low_c', '17')
+    expect(message(page, 'low_c')).to_contain_text("Not recorded: the node's answer depends on high_c")
+    expect(box(page, 'low_c')).to_have_value('18')
+
+
+@limits
+def test_slider_check_box_and_array_by_keyboard(page):
+    slider = row(page, 'low_c').get_by_role('slider')
+    slider.focus()
+    page.keyboard.press('ArrowLeft')
+    expect(box(page, 'low_c')).to_have_value('17')
+    expect(slider).to_have_attribute('aria-valuetext', '17')
+    page.keyboard.press('End')
+    expect(message(page, 'low_c')).to_contain_text('40 is not below 22')
+    expect(slider).to_have_value('17')
+    box(page, 'on').focus()
+    page.keyboard.press('Space')
+    expect(box(page, 'on')).not_to_be_checked()
+    # Answers that depend on nothing hold with the others changed, and say how they were recorded.
+    expect(message(page, 'on')).to_have_text('Accepted. Recorded with the other values as first shown.')
+    type_into(page, 'levels', '[1, 2, 3]')
+    expect(message(page, 'levels')).to_contain_text('Accepted.')
+    expect(box(page, 'serial')).to_be_disabled()
+
+
+@limits
+def test_the_panel_shows_the_state_in_which_the_cell_ran(page):
+    expect(box(page, 'low_c')).to_have_value('18')
+    expect(page.locator('.cell_output').get_by_text('19', exact=True)).to_be_visible()
+
+
+@robot
+def test_the_robot_drives_as_recorded(page):
+    status = page.locator('.rec-says')
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+    assert page.evaluate('document.getAnimations().filter(each => /^robot-/.test(each.animationName)).length') > 0
+    type_into(page, 'max_speed_rpm', '300')
+    box(page, 'enable_safety_mode').uncheck()
+    page.emulate_media(reduced_motion='reduce')
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.robot-word')).to_have_text('CRASHED')
+    expect(page.get_by_role('img', name=re.compile('has run into the wall'))).to_be_visible()
+    expect(status).to_contain_text('has run into the wall at')
+    # What it says is what the node said, with these two values: v² = 2 a s = 2 · 0.5 m/s² · 4 m.
+    expect(status).to_contain_text('at 2.00 m/s')
+
+
+@robot
+def test_a_drive_that_was_not_recorded_is_said_not_to_be(page):
+    shown = page.locator('.rec-picture').inner_html()
+    type_into(page, 'max_speed_rpm', '77')
+    expect(box(page, 'max_speed_rpm')).to_have_value('77')
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.rec-says')).to_contain_text('Not recorded: no drive with max_speed_rpm = 77.')
+    assert page.locator('.rec-picture').inner_html() == shown
+
+
+@pytest.mark.parametrize('way', ['file', 'server'])
+def test_every_page_from_the_disk_and_from_a_server(made, browser, way):
+    with served(made.target) if way == 'server' else contextlib.nullcontext(made.target.as_uri()) as address:
+        for name in ('index', '1_limits', '2_robot'):
+            with open_page(browser, f'{address}/{name}.html') as page:
+                expect(page.get_by_role('navigation', name='Lessons')).to_be_visible()
+                expect(page.get_by_role('heading', level=1)).to_have_count(1)
+        with open_page(browser, f'{address}/index.html') as page:
+            page.keyboard.press('Control+k')
+            page.keyboard.type('controls')
+            page.keyboard.press('Enter')
+            expect(page.locator('#search-results li a').first).to_be_visible()
+            page.locator('#search-results li a').first.click()
+            expect(page).to_have_url(re.compile(r'/[12]_\w+\.html'))
+
+
+@pytest.mark.parametrize('scheme', ['light', 'dark'])
+@pytest.mark.parametrize('name', ['index', '1_limits', '2_robot', 'search'])
+def test_nothing_that_axe_finds(made, browser, scheme, name):
+    with open_page(browser, (made.target / f'{name}.html').as_uri(), scheme=scheme, width=390) as page:
+        assert check_page(page) == []
+
+
+def test_links_lead_where_the_site_has_something(made):
+    html = (made.target / '1_limits.html').read_text()
+    assert 'href="2_robot.html"' in html
+    assert '9_none' not in re.sub(r'<script.*?</script>', '', html, flags=re.DOTALL)
+    assert (made.target / 'notebooks/1_limits.ipynb').read_bytes() == (made.notebooks / '1_limits.ipynb').read_bytes()
+    assert 'href="notebooks/1_limits.ipynb"' in html
+
+
+def test_building_again_changes_nothing_and_runs_nothing(made, capsys):
+    before = files(made.target)
+    made.build()
+    assert '2 of 2 chapters have not changed' in capsys.readouterr().out
+    assert files(made.target) == before
+
+
+def test_recording_again_gives_the_same_answers(made):
+    kept = json.loads((made.work / 'recordings' / '1_limits.json').read_text())['recordings']
+    part = min(kept, key=int)
+    assert run.run_part(made.notebooks / '1_limits.ipynb', int(part)) == kept[part]
+
+
+def test_a_page_that_sphinx_warns_of_stops_the_build(made, tmp_path):
+    (tmp_path / 'source').mkdir()
+    (tmp_path / 'source' / 'index.md').write_text('# Start\n\n[nowhere](nowhere.ipynb)\n')
+    build.write_static(tmp_path / 'source')
+    with pytest.raises(build.BuildError, match='nowhere'):
+        build.sphinx(tmp_path / 'source', tmp_path / 'html', tmp_path / 'doctrees')
+
+
+def test_a_chapter_that_fails_stops_the_build_and_the_old_site_stays(made, tmp_path):
+    before = files(made.target)
+    notebooks = tmp_path / 'notebooks'
+    shutil.copytree(made.notebooks, notebooks)
+    nbformat.write(nbformat.v4.new_notebook(cells=[
+        nbformat.v4.new_markdown_cell('# 3 · Broken'),
+        nbformat.v4.new_code_cell('undefined', execution_count=1)]), notebooks / '3_broken.ipynb')
+    with pytest.raises(run.ChapterError, match=r'3_broken\.ipynb, cell 2 \(undefined\): it ends in NameError'):
+        build.Site(notebooks, made.target, made.work).build()
+    assert files(made.target) == before
+
+
+def test_one_lesson_as_one_file(made, browser, tmp_path):
+    site = build.Site(made.notebooks, made.target, made.work, ['1'])
+    alone = tmp_path / 'lesson.html'
+    shutil.move(single.build(site), alone)
+    with open_page(browser, alone.as_uri()) as page:
+        type_into(page, 'low_c', '30')
+        expect(message(page, 'low_c')).to_have_text('Not taken: 30 is not below 22')
+        assert check_page(page) == []
+        assert page.locator('a[href$=".ipynb"], a[href="2_robot.html"]').count() == 0
+        loaded = page.evaluate("performance.getEntriesByType('resource').map(each => each.name)"
+                               '.filter(name => !/^(data|blob):/.test(name))')
+    assert loaded == []
+
+
+def test_a_chapter_that_is_not_there(made, tmp_path):
+    with pytest.raises(build.BuildError, match=r'there is no chapter 7 in .*1_limits, 2_robot'):
+        build.Site(made.notebooks, tmp_path, tmp_path, ['7'])
+    with pytest.raises(build.BuildError, match='more than one chapter: 1_limits, 2_robot'):
+        single.build(build.Site(made.notebooks, tmp_path, tmp_path, ['1', '2']))
+
+
+def test_the_course_itself_is_what_is_built_by_default():
+    assert build.ROOT == ROOT
