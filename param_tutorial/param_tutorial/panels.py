@@ -36,7 +36,7 @@ _STYLE = """<style>
   border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; overflow: hidden;
   background: var(--jp-layout-color1, #fff); color: var(--jp-ui-font-color1, #212121); }
 .param-panel .widget-html, .param-panel .widget-html-content { line-height: 1.4; height: auto; margin: 0;
-  min-height: 0; width: auto; overflow: visible; }
+  min-height: 0; width: auto; overflow: visible; overflow-wrap: anywhere; }
 .param-panel .param-head { padding: 6px 14px; margin: 0 0 6px;
   border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); background: var(--jp-layout-color2, #eee); }
 .param-panel .param-node { font-family: var(--jp-code-font-family, monospace); font-weight: 600; }
@@ -76,7 +76,7 @@ _STYLE = """<style>
 .param-panel .param-quiet .param-note { font-size: 12px; }
 .param-panel input:disabled, .param-panel textarea:disabled { opacity: .75; border-style: dashed; }
 @container (max-width: 620px) {
-  .param-panel .widget-label, .param-panel .widget-checkbox span { flex: 0 0 auto; width: auto; max-width: 100%; }
+  .param-panel .widget-label, .param-panel .widget-checkbox span { flex: 0 1 auto; width: auto; max-width: 100%; }
   .param-panel .widget-text .widget-label, .param-panel .widget-textarea .widget-label { flex-basis: 100%; }
   .param-panel .widget-text, .param-panel .widget-textarea, .param-panel .param-long .widget-text,
   .param-panel .param-long .widget-textarea { flex: 1 1 100%; flex-wrap: wrap; }

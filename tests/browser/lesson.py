@@ -53,6 +53,25 @@ arm = executor.add(Arm)''',
 )
 
 
+# Names and descriptions that no line can hold, with nothing in them at which it could break.
+LONG_NAMES = (
+    '# Long names',
+    '''import param_tutorial
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor as D
+from rclpy.node import Node
+
+class Long(Node):
+    def __init__(self):
+        super().__init__('long' * 12, namespace='/name' * 12)
+        self.declare_parameter('check' * 12, True, D(description='x' * 200))
+        self.declare_parameter('text' * 20, 'word ' * 200, D(read_only=True))
+        self.declare_parameter('group.' * 20 + 'number' * 12, 0.5, D(
+            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0)]))
+
+param_tutorial.ParameterPanel(param_tutorial.start().add(Long))''',
+)
+
+
 def write(path: Path, cells: tuple[str, ...] = LESSON) -> Path:
     """Write a notebook, not executed: text that starts like a sentence is Markdown, the rest code."""
     notebook = new_notebook(cells=[

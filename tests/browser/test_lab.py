@@ -23,6 +23,14 @@ KNOWN_ERRORS = (
 )
 CHAPTER = ROOT / 'notebooks' / '05_2_with_a_callback.ipynb'
 NODE = '/simple_param_node'
+# Texts and controls that are cut off at the edge of their panel; a range is measured, since a text is wider than its
+# element where it overflows.
+OUTSIDE = """() => [...document.querySelectorAll('.param-panel')].flatMap(panel => {
+    const edge = panel.getBoundingClientRect().right, range = document.createRange();
+    return [...panel.querySelectorAll('span, div, input, label')].filter(each => each.childElementCount === 0 &&
+        (range.selectNode(each), Math.max(range.getBoundingClientRect().right,
+            (range.selectNodeContents(each), range.getBoundingClientRect().right)) > edge))
+        .map(each => each.textContent || each.tagName)})"""
 
 
 @pytest.fixture(scope='module')
@@ -176,6 +184,16 @@ def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Second')
     expect(page.box('robot_name')).to_have_value('Second')
     assert terminal(lab, 'param', 'get', NODE, 'max_acceleration_mps2') == 'Double value is: 0.123456'
+
+
+def test_nothing_of_a_panel_stands_outside_it_however_long_the_names(open_notebook, tmp_path):
+    _, page = open_notebook(lesson.write(tmp_path / 'long.ipynb', lesson.LONG_NAMES))
+    page.run_all()
+    check_box = page.page.get_by_role('checkbox', name='check' * 12)
+    for width in (1280, 480):
+        page.page.set_viewport_size({'width': width, 'height': 900})
+        expect(check_box).to_be_visible()
+        lab_module.wait_for(lambda: not page.page.evaluate(OUTSIDE), f'all to fit at a width of {width}', 20)
 
 
 def test_the_log_and_the_panel_after_running_all_cells_again(open_lesson):
