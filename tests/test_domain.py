@@ -1,12 +1,14 @@
 """domain: a ROS domain for each process, unless the user chose one."""
 
 import os
+import socket
 import subprocess
 import sys
 
 import pytest
 
 from param_tutorial import domain
+from param_tutorial.errors import ExecutorError
 
 CHOOSE = 'import os; from param_tutorial import domain; print(domain.choose(), os.environ.get("{0}"))'
 
@@ -52,9 +54,12 @@ def test_nonsense_is_refused(wrong):
     assert f"ROS_DOMAIN_ID is '{wrong}': it must be a whole number" in choose(ROS_DOMAIN_ID=wrong).stderr
 
 
-def test_a_domain_that_a_stranger_uses_is_passed_over(monkeypatch):
-    monkeypatch.setattr(domain, 'DOMAIN_IDS', range(5000, 5002))
-    monkeypatch.setattr(domain, '_in_use_by_others', lambda domain_id: domain_id == 5000)
+@pytest.mark.parametrize('participant', [0, 1, 7])
+def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant):
     domain_id, descriptor = domain._claim_free_domain()
-    os.close(descriptor)
-    assert domain_id == 5001
+    monkeypatch.setattr(domain, 'DOMAIN_IDS', range(domain_id, domain_id + 1))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+        stranger.bind(('127.0.0.1', 7400 + 250 * domain_id + 10 + 2 * participant))
+        os.close(descriptor)
+        with pytest.raises(ExecutorError, match='are in use on this machine'):
+            domain._claim_free_domain()

@@ -4,6 +4,7 @@ DDS keeps domains apart by UDP port numbers. Nothing in ROS hands domains out: w
 is in the same graph, and two nodes of one name in one graph both obey every ``param set``.
 """
 
+import contextlib
 import os
 import socket
 from pathlib import Path
@@ -62,7 +63,8 @@ def _claim_free_domain() -> tuple[int, int]:
         except OSError:
             claim.close()
             continue
-        if _in_use_by_others(domain_id):
+        # A program that knows nothing of claims, or a node that has outlived the kernel that started it.
+        if participant_ports(domain_id):
             claim.close()
             continue
         return domain_id, claim.detach()
@@ -70,14 +72,15 @@ def _claim_free_domain() -> tuple[int, int]:
                         'one, or shut down kernels that are no longer needed')
 
 
-def _in_use_by_others(domain_id: int) -> bool:
-    """Does a ROS program that knows nothing of claims live in this domain?
+def participant_ports(domain_id: int) -> set[int]:
+    """Give the UDP ports of this machine on which participants of a domain listen for discovery.
 
-    The first participant of a domain listens on port 7400 + 250 * domain + 10 (RTPS specification, 9.6.1.1).
+    Participant number n of a domain listens on port 7400 + 250 * domain + 10 + 2 * n (RTPS specification, 9.6.1.1).
     """
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.bind(('', 7400 + 250 * domain_id + 10))
-        except OSError:
-            return True
-    return False
+    first = 7400 + 250 * domain_id + 10
+    open_ports = set()
+    for table in ('/proc/net/udp', '/proc/net/udp6'):
+        with contextlib.suppress(OSError, StopIteration), open(table) as lines:
+            next(lines)
+            open_ports |= {int(line.split()[1].rpartition(':')[2], 16) for line in lines}
+    return open_ports & set(range(first, first + 240, 2))

@@ -4,8 +4,8 @@ A process that has just joined learns of the others one by one, in a tenth of a 
 seconds on a busy one. To wait a fixed time, as the genuine ``ros2`` does, is too long on most days and too
 short on some. But how much there is to discover on this machine can be known:
 
-- Every DDS participant listens on a UDP port of its own, whose number follows from the domain (RTPS
-  specification, 9.6.1.1). Linux lists all open ports, so it tells how many participants there are.
+- Every DDS participant listens on a UDP port of its own, whose number follows from the domain. Linux lists all open
+  ports, so it tells how many participants there are.
 - Every participant of ROS announces its nodes on the topic ros_discovery_info, and every node publishes on
   /parameter_events or /rosout. The graph tells which of them have been heard, and whose nodes are known.
 
@@ -19,6 +19,7 @@ from collections.abc import Callable
 
 from rclpy.node import Node
 
+from param_tutorial import domain
 from param_tutorial.background import BackgroundExecutor
 
 # A port may belong to a process that is suspended or to no ROS program at all: don't wait for it for ever.
@@ -51,7 +52,7 @@ def wait_for(condition: Callable[[], bool], executor: BackgroundExecutor, at_lea
 def is_complete(executor: BackgroundExecutor) -> bool:
     """Have all participants on this machine been heard, and has each told its nodes?"""
     heard, told = _participants(executor.tool_node)
-    return len(heard) >= _participant_ports(executor.domain_id) and heard <= told
+    return len(heard) >= len(domain.participant_ports(executor.domain_id)) and heard <= told
 
 
 def is_limited_to_this_host() -> bool:
@@ -69,17 +70,3 @@ def _participants(node: Node) -> tuple[set[bytes], set[bytes]]:
         for info in node.get_publishers_info_by_topic(topic):
             named[info.node_name != _UNKNOWN].add(bytes(info.endpoint_gid[:12]))
     return heard, named[True] - named[False]
-
-
-def _participant_ports(domain_id: int) -> int:
-    """Count the ports on which participants of a domain listen for discovery, on this machine."""
-    first = 7400 + 250 * domain_id + 10
-    open_ports = set()
-    for table in ('/proc/net/udp', '/proc/net/udp6'):
-        try:
-            with open(table) as lines:
-                next(lines)
-                open_ports |= {int(line.split()[1].rpartition(':')[2], 16) for line in lines}
-        except (OSError, StopIteration):
-            continue
-    return len(open_ports & set(range(first, first + 240, 2)))
