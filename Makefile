@@ -25,7 +25,7 @@ lab: setup  ## start JupyterLab on the course, after the set-up if needed
 test: export IPYTHONDIR := $(CURDIR)/.venv/jupyter/ipython
 test: setup lint  ## run the whole test suite, as CI does
 	@mkdir -p "$$IPYTHONDIR"
-	@$(VENV) -m pytest -n 3 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
+	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
 html: setup  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.lessons $(ARGS)
