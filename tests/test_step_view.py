@@ -152,8 +152,8 @@ def test_still_it_has_no_thread(view):
 def test_it_follows_a_controller_that_is_restarted_and_survives_one_that_is_gone(ros, view, controller):
     ros.remove(controller)
     shows(view, '/pid_controller_node is not running')
-    assert 'is not running' in markup(view)[1]
-    assert '<svg' not in markup(view)[0]
+    # The words for a screen reader are there first.
+    wait_until(lambda: 'is not running' in markup(view)[1] and '<svg' not in markup(view)[0], 'the picture to go')
     ros.add(PidControllerNode, ros_args=['-p', f'{KP}:=0.4'])
     shows(view, 'p = 0.4')
 
