@@ -4,27 +4,10 @@
 and a word that the check has to find.
 """
 
-from wrong_answers import (
-    ch01,
-    ch02,
-    ch03,
-    ch04,
-    ch05_1,
-    ch05_2,
-    ch05_3,
-    ch06,
-    ch07_1,
-    ch07_2,
-    ch07_3,
-    ch08,
-    ch09,
-    ch10_1,
-    ch10_2,
-    ch10_3,
-    ch10_4,
-    ch11,
-)
+from importlib import import_module
 
-_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
-             ch10_3, ch10_4, ch11)
-WRONG = {number: cases for module in _CHAPTERS for number, cases in module.WRONG.items()}
+from param_tutorial.exercises import CHAPTERS
+
+# As a chapter's exercises, so its wrong answers: param_tutorial.exercises.ch08 and wrong_answers.ch08.
+_MODULES = [import_module(f'wrong_answers.{chapter.__name__.rpartition(".")[2]}') for chapter in CHAPTERS]
+WRONG = {number: cases for module in _MODULES for number, cases in module.WRONG.items()}

@@ -37,9 +37,9 @@ from param_tutorial.exercises import (
 )
 from param_tutorial.exercises.results import Answer, Hint, Result
 
-_CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
-             ch10_3, ch10_4, ch11)
-EXERCISES = {each.number: each for module in _CHAPTERS for each in module.EXERCISES}
+CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
+            ch10_3, ch10_4, ch11)
+EXERCISES = {each.number: each for module in CHAPTERS for each in module.EXERCISES}
 
 _hints_given: dict[str, int] = {}
 
@@ -73,4 +73,4 @@ def _unknown(number: Any) -> Answer:
     return Answer(f'There is no exercise {number!r}{nearest(str(number), list(EXERCISES), "There are none")}')
 
 
-__all__ = ['EXERCISES', 'Answer', 'Hint', 'Result', 'check', 'hint']
+__all__ = ['CHAPTERS', 'EXERCISES', 'Answer', 'Hint', 'Result', 'check', 'hint']
