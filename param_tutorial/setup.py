@@ -13,7 +13,7 @@ setup(
     name=PACKAGE,
     version='0.1.0',
     packages=find_packages(include=[PACKAGE, f'{PACKAGE}.*']),
-    package_data={PACKAGE: ['fastdds.xml', 'ros1/recording.txt']},
+    package_data={PACKAGE: ['fastdds.xml', 'fastdds_this_host.xml', 'ros1/recording.txt']},
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
@@ -22,7 +22,7 @@ setup(
         (f'share/{PACKAGE}/config', glob('../config/*.yaml')),
     ],
     install_requires=['setuptools'],
-    zip_safe=False,  # Fast DDS opens fastdds.xml by its path
+    zip_safe=False,  # Fast DDS opens fastdds.xml and fastdds_this_host.xml by their paths
     description="The nodes, panel and tools of the course 'Mastering ROS 2 Parameters with Python'",
     license='Apache-2.0',
     entry_points={

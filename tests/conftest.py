@@ -6,6 +6,7 @@ import hypothesis
 import pytest
 
 import param_tutorial
+from param_tutorial import terminals
 
 # By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside.
 hypothesis.settings.register_profile('no deadline', deadline=None)
@@ -23,9 +24,10 @@ LONG_FILES = (
 
 @pytest.fixture
 def ros():
-    """Give a BackgroundExecutor with an empty stage; it is cleared again afterwards."""
+    """Give a BackgroundExecutor with an empty stage; it is cleared again afterwards, and all terminals are ended."""
     executor = param_tutorial.start()
     yield executor
+    terminals.end_all()
     executor.remove_all()
 
 

@@ -76,7 +76,7 @@ def test_the_package_is_imported_from_the_workspace_and_brings_its_data(workspac
     module = workspace.where_is(NAME)
     home = workspace.shell.home / 'ws'
     assert module.is_relative_to(home / ('src' if workspace.links else 'install'))
-    assert module.with_name('fastdds.xml').exists()
+    assert module.with_name('fastdds.xml').exists() and module.with_name('fastdds_this_host.xml').exists()
 
 
 def test_a_node_runs_from_the_install_space(workspace, ros):

@@ -4,7 +4,9 @@ import os
 import socket
 import subprocess
 import sys
+from pathlib import Path
 
+import psutil
 import pytest
 
 from param_tutorial import domain
@@ -39,14 +41,44 @@ def test_living_processes_have_different_domains():
     assert set(chosen) <= set(domain.DOMAIN_IDS)
 
 
-def test_a_claimed_domain_stays_on_this_host():
-    assert choose().stdout.split()[1] == 'LOCALHOST'
+def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memory():
+    source = 'import param_tutorial; param_tutorial.start(); print(flush=True); input()'
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
+    with subprocess.Popen([sys.executable, '-c', source], env=environment, text=True,
+                          stdin=subprocess.PIPE, stdout=subprocess.PIPE) as child:
+        child.stdout.readline()
+        sockets = {socket.laddr.ip for socket in psutil.Process(child.pid).net_connections('udp')}
+        maps = Path(f'/proc/{child.pid}/maps').read_text()
+        child.communicate('\n', timeout=30)
+    assert sockets == {'127.0.0.1'}
+    assert 'fastrtps' in maps  # its library
+    assert '/dev/shm/fastrtps' not in maps
+
+
+def test_what_is_limited_to_this_host(monkeypatch):
+    assert domain.is_limited_to_this_host()
+    monkeypatch.setenv('ROS_STATIC_PEERS', '192.0.2.1')
+    assert not domain.is_limited_to_this_host()
+    monkeypatch.delenv('ROS_STATIC_PEERS')
+    monkeypatch.setenv('FASTRTPS_DEFAULT_PROFILES_FILE', '/x')
+    assert not domain.is_limited_to_this_host()
+    monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
+    assert domain.is_limited_to_this_host()
 
 
 def test_what_the_user_chose_is_kept():
     assert choose(ROS_DOMAIN_ID='42').stdout.split() == ['42', 'None']
     assert choose(ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout.split()[1] == 'SUBNET'
     assert choose('FASTRTPS_DEFAULT_PROFILES_FILE', FASTRTPS_DEFAULT_PROFILES_FILE='/x').stdout.split()[1] == '/x'
+
+
+def test_a_profile_of_the_users_is_limited_to_this_host_by_other_means():
+    assert choose(FASTRTPS_DEFAULT_PROFILES_FILE='/x').stdout.split()[1] == 'LOCALHOST'
+
+
+def test_a_network_that_the_user_chose_is_not_narrowed():
+    for own in ({'ROS_DOMAIN_ID': '42'}, {'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}):
+        assert choose('FASTRTPS_DEFAULT_PROFILES_FILE', **own).stdout.split()[1].endswith('/fastdds.xml')
 
 
 @pytest.mark.parametrize('wrong', ['-1', '233', '1.5', 'seven', '²'])

@@ -14,7 +14,8 @@ from param_tutorial.errors import ExecutorError
 # Above 101 the ports of a domain reach into Linux's ephemeral range, and 0 is what everybody else is in.
 DOMAIN_IDS = range(1, 102)
 
-_PROFILE = Path(__file__).with_name('fastdds.xml')
+_ANY_NETWORK = Path(__file__).with_name('fastdds.xml')
+_THIS_HOST = Path(__file__).with_name('fastdds_this_host.xml')
 # Domain, and the file descriptor that holds its claim. A socket object would complain at exit that it was left open.
 _claim: tuple[int, int] | None = None
 
@@ -29,11 +30,13 @@ def choose() -> int:
     :raises ExecutorError: ROS_DOMAIN_ID is no domain, or all domains are taken.
     """
     global _claim
-    # Fast DDS 2.14 knows this name only; from 3.0 on it is FASTDDS_DEFAULT_PROFILES_FILE.
-    os.environ.setdefault('FASTRTPS_DEFAULT_PROFILES_FILE', str(_PROFILE))
-    if _claim is not None and os.environ.get('ROS_DOMAIN_ID') == str(_claim[0]):
-        return _claim[0]
     chosen = os.environ.get('ROS_DOMAIN_ID')
+    if _claim is not None and chosen == str(_claim[0]):
+        return _claim[0]
+    # Fast DDS 2.14 knows this name only; from 3.0 on it is FASTDDS_DEFAULT_PROFILES_FILE.
+    if not os.environ.get('FASTRTPS_DEFAULT_PROFILES_FILE'):
+        own_network = chosen or os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE')
+        os.environ['FASTRTPS_DEFAULT_PROFILES_FILE'] = str(_ANY_NETWORK if own_network else _THIS_HOST)
     if chosen:
         if not (chosen.isascii() and chosen.isdigit() and int(chosen) <= 232):
             raise ExecutorError(f'ROS_DOMAIN_ID is {chosen!r}: it must be a whole number from 0 to 232, or unset')
@@ -41,11 +44,20 @@ def choose() -> int:
     if _claim is None:
         _claim = _claim_free_domain()
     os.environ['ROS_DOMAIN_ID'] = str(_claim[0])
-    os.environ.setdefault('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
-    # Shared memory between processes is a little faster, but a kernel that is killed leaves its segments in
-    # /dev/shm, and one user cannot open another's.
-    os.environ.setdefault('FASTDDS_BUILTIN_TRANSPORTS', 'UDPv4')
+    # LOCALHOST would listen on all interfaces, and add shared memory to whatever a profile says.
+    own_profile = Path(os.environ['FASTRTPS_DEFAULT_PROFILES_FILE']).name == _THIS_HOST.name
+    os.environ.setdefault('ROS_AUTOMATIC_DISCOVERY_RANGE', 'SYSTEM_DEFAULT' if own_profile else 'LOCALHOST')
     return _claim[0]
+
+
+def is_limited_to_this_host() -> bool:
+    """Does discovery leave other machines alone, as the environment of this process has it?"""
+    if os.environ.get('ROS_STATIC_PEERS'):
+        return False
+    discovery_range = os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper()
+    profile = Path(os.environ.get('FASTRTPS_DEFAULT_PROFILES_FILE', ''))
+    return discovery_range in ('LOCALHOST', 'OFF') or (
+        discovery_range == 'SYSTEM_DEFAULT' and profile.name == _THIS_HOST.name)
 
 
 def _claim_free_domain() -> tuple[int, int]:

@@ -233,7 +233,7 @@ def terminal_hint() -> Any:
 def terminal_line() -> str:
     """Give the line of shell that makes a terminal join the ROS domain of this process."""
     domain.choose()
-    names = ('ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'FASTDDS_BUILTIN_TRANSPORTS')
+    names = ('ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'FASTRTPS_DEFAULT_PROFILES_FILE')
     settings = ' '.join(f'{name}={shlex.quote(os.environ[name])}' for name in names if name in os.environ)
     if genuine.path() is not None:
         return f'export {settings}'

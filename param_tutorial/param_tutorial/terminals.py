@@ -147,6 +147,7 @@ class Terminal:
 
 
 @atexit.register
-def _end_all() -> None:
+def end_all() -> None:
+    """End all commands that still run."""
     for terminal in list(_open):
         terminal.interrupt(3.0)

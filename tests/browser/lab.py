@@ -8,6 +8,7 @@ Waits only for conditions, each with a deadline. Nothing leaves the machine: the
 Chromium resolves no other name.
 """
 
+import ast
 import contextlib
 import json
 import os
@@ -48,7 +49,7 @@ class Lab:
         self.token = os.urandom(16).hex()
         # Each test's kernels choose a domain of their own, as a learner's do.
         inherited = {name: value for name, value in os.environ.items()
-                     if not name.startswith(('JUPYTER', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'PYTEST'))}
+                     if not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST'))}
         self._environment = {
             **inherited,
             'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
@@ -142,8 +143,9 @@ class Lab:
 
     def ros_environment(self) -> dict[str, str]:
         """Give the environment of a process that shall meet the kernel's nodes."""
-        domain = self.ask_kernel("__import__('os').environ['ROS_DOMAIN_ID']").strip("'")
-        return {**self._environment, 'ROS_DOMAIN_ID': domain, 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}
+        environment = ast.literal_eval(self.ask_kernel("dict(__import__('os').environ)"))
+        return {**self._environment, **{name: value for name, value in environment.items()
+                                        if name.startswith(('ROS_', 'FASTRTPS_'))}}
 
 
 class LabPage:

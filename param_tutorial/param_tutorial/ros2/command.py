@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, NoReturn, TextIO
 
 from rclpy.node import HIDDEN_NODE_PREFIX
 
+from param_tutorial import domain
 from param_tutorial.background import BackgroundExecutor
 from param_tutorial.errors import NodeNotFoundError, ParameterToolError
 from param_tutorial.ros2 import graph
@@ -90,7 +91,7 @@ class Session:
     def _patience(self, args: argparse.Namespace) -> float:
         if args.spin_time is not None:
             return args.spin_time
-        return 0.0 if self.in_notebook or graph.is_limited_to_this_host() else graph.NETWORK_SEC
+        return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
         """Call a parameter service of a node that has been found."""

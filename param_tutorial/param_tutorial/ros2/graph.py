@@ -13,7 +13,6 @@ When as many participants have been heard as there are ports, and each has told 
 What this cannot know is other machines: unless discovery is limited to this one, it is given time besides.
 """
 
-import os
 import time
 from collections.abc import Callable
 
@@ -53,12 +52,6 @@ def is_complete(executor: BackgroundExecutor) -> bool:
     """Have all participants on this machine been heard, and has each told its nodes?"""
     heard, told = _participants(executor.tool_node)
     return len(heard) >= len(domain.participant_ports(executor.domain_id)) and heard <= told
-
-
-def is_limited_to_this_host() -> bool:
-    """Does discovery leave other machines alone?"""
-    return os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper() in ('LOCALHOST', 'OFF') \
-        and not os.environ.get('ROS_STATIC_PEERS')
 
 
 def _participants(node: Node) -> tuple[set[bytes], set[bytes]]:
