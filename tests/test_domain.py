@@ -56,6 +56,7 @@ def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memo
 
 
 def test_what_is_limited_to_this_host(monkeypatch):
+    domain.choose()
     assert domain.is_limited_to_this_host()
     monkeypatch.setenv('ROS_STATIC_PEERS', '192.0.2.1')
     assert not domain.is_limited_to_this_host()

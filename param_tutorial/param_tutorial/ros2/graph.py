@@ -25,8 +25,8 @@ from param_tutorial.background import BackgroundExecutor
 PATIENCE_SEC = 10.0
 # What the genuine command gives discovery, which is enough for an idle network.
 NETWORK_SEC = 0.5
-# How long after its name the services of a node may come.
-SERVICES_SEC = 2.0
+# How long after its name the services of a node may come: Fast DDS repeats lost news of them every 3 s.
+SERVICES_SEC = 4.0
 _UNKNOWN = '_NODE_NAME_UNKNOWN_'
 _LOOK_PERIOD_SEC = 0.01
 
