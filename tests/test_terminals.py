@@ -1,7 +1,5 @@
 """terminals: commands in processes of their own, and their end."""
 
-import os
-import signal
 import sys
 
 import psutil
@@ -31,16 +29,6 @@ def test_two_nodes_talk_and_both_end_in_good_order(ros):
     robot.read(until='max_acceleration_mps2 is now 0.6')
     assert (setter.interrupt(), robot.interrupt()) == (0, 0)
     assert 'Traceback' not in robot.text + setter.text
-
-
-def test_a_node_that_takes_the_place_of_a_killed_one_answers(ros):
-    """The killed one is named for some seconds still; with shared memory the new one was not heard meanwhile."""
-    for speed in (1, 2, 3):
-        terminal = Terminal(f'ros2 run param_tutorial simple_param_node --ros-args -p max_speed_rpm:={speed}')
-        terminal.read(until='robot_serial_number')
-        assert ParameterClient('/simple_param_node').get_parameter('max_speed_rpm') == speed
-        os.killpg(terminal._process.pid, signal.SIGKILL)
-        assert terminal.interrupt() == -signal.SIGKILL
 
 
 def test_output_that_does_not_come_is_an_error_that_shows_what_came():
