@@ -25,9 +25,10 @@ import param_tutorial
 from param_tutorial import EventView, RobotView, StepResponseView, background, cells, panel_editors, values
 from param_tutorial.client import Descriptor, ParameterClient, Range
 from param_tutorial.errors import ExecutorError, ParameterNotDeclaredError, WaitTimeoutError
+from param_tutorial.log_view import LogView
 from param_tutorial.nodes.pid_controller_node import PidControllerNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.panels import LogView, ParameterPanel
+from param_tutorial.panels import ParameterPanel
 
 NODE = '/arm'
 INT64_MAX = 2**63 - 1

@@ -5,7 +5,7 @@ of any node, ``ParameterPanel`` shows them as controls. The layers, top to botto
 "Architecture", says what each of them does, and a test compares):
 
     lessons
-    panels, panel_editors, robot_view, step_view, event_view, log_view, cells, magics
+    panels, panel_editors, robot_view, step_view, event_view, log_view, views, cells, magics
     exercises
     ros2, shell, terminals
     observe, snapshot

@@ -6,19 +6,14 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import ipywidgets as widgets
 from rcl_interfaces.msg import ParameterEvent
 
 from param_tutorial import background, values
-from param_tutorial.cells import close_with_cell
-from param_tutorial.errors import ExecutorError
 from param_tutorial.markup import cells, head_row
-from param_tutorial.services import full_name
-from param_tutorial.worker import Worker
+from param_tutorial.views import FeedView
 
 # What fits on a few screens; older ones are forgotten.
 CAPACITY = 200
-_SHOW_PERIOD_SEC = 0.1
 
 _STYLE = """<style>
 .param-events { border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; padding: 0; margin: 4px 0;
@@ -53,11 +48,8 @@ def told_by(event: ParameterEvent) -> list[Change]:
             for each in parameters]
 
 
-class EventView(widgets.VBox):
+class EventView(FeedView):
     """A table of what is told on /parameter_events from now on, the newest on top, until it is closed."""
-
-    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
-    _closed = True
 
     def __init__(self, node: str | None = None, *, executor: background.BackgroundExecutor | None = None):
         """
@@ -65,27 +57,10 @@ class EventView(widgets.VBox):
             underscore.
         :param executor: By default whichever runs in the background, also after a stop and a new start.
         """
-        self._node = None if node is None else full_name(node)
-        self._chosen_executor = executor
-        self._closed = False
         self._lock = threading.Lock()
         self._changes: deque[Change] = deque(maxlen=CAPACITY)
-        self._stop_listening: Callable[[], None] = lambda: None
-        self._title = f'Changes of {self._node or "all nodes"}'
-        self._content = widgets.HTML()
-        self._content.add_class('param-events-rows')
-        heading = widgets.HTML(f'{_STYLE}<b>{html.escape(self._title)}</b>')
-        heading.add_class('param-events-title')
-        super().__init__([heading, self._content])
-        self.add_class('param-events')
-        self._worker = Worker(self._show, 'event view', _SHOW_PERIOD_SEC)
-        self._stop_following = background.on_change(self._on_executor_change)
-        self._listen()
-        self._worker.call_now(1.0)
-        close_with_cell(self)
-
-    def __repr__(self) -> str:
-        return f'<EventView: {self._node or "all nodes"}>'
+        super().__init__(node, executor, subject='Changes', css_class='param-events',
+                         content_class='param-events-rows', style=_STYLE)
 
     @property
     def changes(self) -> list[Change]:
@@ -93,30 +68,8 @@ class EventView(widgets.VBox):
         with self._lock:
             return list(self._changes)
 
-    def close(self) -> None:
-        """Stop listening and remove the table from the page. Twice is as good as once."""
-        if self._closed:
-            return
-        self._closed = True
-        self._stop_following()
-        self._stop_listening()
-        self._worker.end()
-        # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
-        parts, self.children = self.children, ()
-        super().close()
-        for each in parts:
-            each.close()
-
-    def _on_executor_change(self) -> None:
-        if self._chosen_executor is None:
-            self._listen()
-
-    def _listen(self) -> None:
-        self._stop_listening()
-        try:
-            self._stop_listening = (self._chosen_executor or background.current()).on_parameter_event(self._on_event)
-        except ExecutorError:  # stopped: what was told before stays readable
-            self._stop_listening = lambda: None
+    def _subscribe(self, executor: background.BackgroundExecutor) -> Callable[[], None]:
+        return executor.on_parameter_event(self._on_event)
 
     def _on_event(self, event: ParameterEvent) -> None:
         if event.node == self._node or (self._node is None and '/_' not in event.node):
@@ -124,14 +77,11 @@ class EventView(widgets.VBox):
                 self._changes.extend(told_by(event))
             self._worker.wake()
 
-    def _show(self) -> bool:
-        if self._closed:
-            return False
+    def _markup(self) -> str:
         rows = ''.join(_row(change) for change in reversed(self.changes))
         head = head_row(('node', 'what', 'parameter', 'value'))
-        self._content.value = (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
-                               f'<table><thead>{head}</thead><tbody>{rows}</tbody></table></div>')
-        return False
+        return (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
+                f'<table><thead>{head}</thead><tbody>{rows}</tbody></table></div>')
 
 
 def _row(change: Change) -> str:

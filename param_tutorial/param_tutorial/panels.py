@@ -22,11 +22,9 @@ from param_tutorial.cells import close_with_cell
 from param_tutorial.client import Descriptor, ParameterClient, is_housekeeping
 from param_tutorial.errors import ParameterNotDeclaredError
 from param_tutorial.live import LiveParameter, LiveParameters
-from param_tutorial.log_view import LogView
 from param_tutorial.panel_editors import Editor, editor_class, fit
 from param_tutorial.services import TIMEOUT_SEC, full_name
-
-__all__ = ['Control', 'LogView', 'ParameterPanel']
+from param_tutorial.views import View
 
 # Seldom what one came for, and of qos_overrides.… there may be dozens.
 HOUSEKEEPING_HEADING = 'In every node'
@@ -165,14 +163,11 @@ class Control:
             widget.close()
 
 
-class ParameterPanel(widgets.VBox):
+class ParameterPanel(View):
     """The parameters of a node as controls, as long as it is not closed.
 
     Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control.
     """
-
-    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
-    _closed = True
 
     def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None,
                  executor: background.BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
@@ -183,15 +178,12 @@ class ParameterPanel(widgets.VBox):
         :param timeout_sec: How long the node may take for each answer.
         """
         self._node = node.node if isinstance(node, ParameterClient) else full_name(node)
-        self._drawing = threading.RLock()
         self._controls: dict[str, Control] = {}
         self._headings: dict[str, widgets.HTML] = {}
         self._in_order = names is not None
-        self._closed = False
         self._style, self._head = widgets.HTML(_STYLE), widgets.HTML()
         self._head.add_class('param-head')
-        super().__init__([self._style, self._head])
-        self.add_class('param-panel')
+        super().__init__([self._style, self._head], 'param-panel')
         self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
         self._live.first_look()
         close_with_cell(self)
@@ -240,18 +232,8 @@ class ParameterPanel(widgets.VBox):
         """
         self._live.settle(timeout_sec)
 
-    def close(self) -> None:
-        """Stop following the node and remove the panel from the page. Twice is as good as once."""
-        if self._closed:
-            return
-        with self._drawing:
-            self._closed = True
-            self._live.close()
-            # Emptied first: a browser cannot take a control out of a panel that is gone, and says so.
-            self.children = ()
-            super().close()
-            for each in (*self._controls.values(), *self._headings.values(), self._style, self._head):
-                each.close()
+    def _end(self) -> None:
+        self._live.close()
 
     def _show(self) -> None:
         with self._drawing:

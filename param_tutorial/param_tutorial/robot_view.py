@@ -8,7 +8,6 @@ when the robot begins to do something else, or when a parameter changes; while i
 
 import html
 import math
-import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
@@ -21,6 +20,7 @@ from param_tutorial.cells import close_with_cell
 from param_tutorial.errors import ExecutorError, NodeNotFoundError
 from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, ClawbotNode, Motion, Phase, Settings, State
 from param_tutorial.services import full_name
+from param_tutorial.views import View, nothing
 from param_tutorial.worker import Worker
 
 _SHOW_PERIOD_SEC = 0.05
@@ -40,7 +40,7 @@ _ROBOT_HEIGHT_M = 0.4
 _BELOW_GROUND = 34
 _ABOVE_ROBOT = 44
 
-STYLE = """<style>
+_STYLE = """<style>
 .robot-view { box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0; overflow: hidden;
   border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px;
   background: var(--jp-layout-color1, #fff); color: var(--jp-ui-font-color1, #212121); }
@@ -81,11 +81,8 @@ STYLE = """<style>
 </style>"""
 
 
-class RobotView(widgets.VBox):
+class RobotView(View):
     """A robot that moves as its parameters let it, until it is closed. Show it as the last line of a cell."""
-
-    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
-    _closed = True
 
     def __init__(self, robot: ClawbotNode | str, *, executor: background.BackgroundExecutor | None = None):
         """
@@ -97,22 +94,18 @@ class RobotView(widgets.VBox):
         self._executor: background.BackgroundExecutor | None = None
         self._robot: ClawbotNode | None = None
         self._looks_left = 0
-        self._closed = False
-        self._drawing = threading.RLock()
         self._count = 0
         self._text = ''
         self._shown: tuple = ()
         self._picture, self._status = widgets.HTML(), widgets.HTML()
         self._button = widgets.Button(description='Drive', tooltip='Put the robot back to the start, and let it go')
         self._button.on_click(lambda _: self.drive())
-        self._foot = widgets.HBox([self._button, self._status])
-        self._foot.add_class('robot-foot')
-        self._style_sheet = widgets.HTML(STYLE)
-        super().__init__([self._style_sheet, self._picture, self._foot])
-        self.add_class('robot-view')
+        foot = widgets.HBox([self._button, self._status])
+        foot.add_class('robot-foot')
+        super().__init__([widgets.HTML(_STYLE), self._picture, foot], 'robot-view')
         self._worker = Worker(self._show, 'robot view', _SHOW_PERIOD_SEC)
-        self._stop_graph: Callable[[], None] = _nothing
-        self._stop_motion: Callable[[], None] = _nothing
+        self._stop_graph: Callable[[], None] = nothing
+        self._stop_motion: Callable[[], None] = nothing
         self._stop_following = background.on_change(self._on_executor_change)
         self._on_executor_change()
         self._worker.call_now(1.0)
@@ -138,19 +131,9 @@ class RobotView(widgets.VBox):
                                     if self._executor else [])
         robot.drive()
 
-    def close(self) -> None:
-        """Stop following the robot, and remove the view from the page. Twice is as good as once."""
-        if self._closed:
-            return
-        with self._drawing:
-            self._closed = True
-            for stop in (self._stop_following, self._stop_graph, self._stop_motion):
-                stop()
-            # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
-            self.children = self._foot.children = ()
-            super().close()
-            for each in (self._style_sheet, self._picture, self._status, self._button, self._foot):
-                each.close()
+    def _end(self) -> None:
+        for stop in (self._stop_following, self._stop_graph, self._stop_motion, self._worker.end):
+            stop()
 
     # -- following the node ------------------------------------------------------------------------------
 
@@ -160,7 +143,7 @@ class RobotView(widgets.VBox):
             self._executor = self._chosen_executor or background.current()
             self._stop_graph = self._executor.on_graph_change(self._on_graph_change)
         except ExecutorError:
-            self._executor, self._stop_graph = None, _nothing
+            self._executor, self._stop_graph = None, nothing
         self._on_graph_change()
 
     def _on_graph_change(self) -> None:
@@ -174,7 +157,7 @@ class RobotView(widgets.VBox):
         if robot is not self._robot:
             self._stop_motion()
             self._robot = robot
-            self._stop_motion = robot.on_motion(self._worker.wake) if robot else _nothing
+            self._stop_motion = robot.on_motion(self._worker.wake) if robot else nothing
         return robot
 
     # -- drawing: the worker's thread -------------------------------------------------------------------
@@ -439,7 +422,3 @@ def _is_robot(node: Node, name: str) -> bool:
         return isinstance(node, ClawbotNode) and node.get_fully_qualified_name() == name
     except InvalidHandle:  # destroyed after the list of nodes was made
         return False
-
-
-def _nothing() -> None:
-    pass

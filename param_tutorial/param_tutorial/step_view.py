@@ -6,7 +6,6 @@ controller in another process, and what it shows is what the node has confirmed.
 
 import html
 import math
-import threading
 from collections.abc import Mapping
 from typing import Any
 
@@ -20,6 +19,7 @@ from param_tutorial.live import LiveParameters
 from param_tutorial.nodes.pid_controller_node import StepResponse, response_of
 from param_tutorial.plots import LinePlot
 from param_tutorial.services import TIMEOUT_SEC, full_name
+from param_tutorial.views import View
 
 # More points than this would fall upon one another.
 _MAX_POINTS = 200
@@ -67,14 +67,11 @@ def _thinned(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
     return [*points[:-1:every], points[-1]]
 
 
-class StepResponseView(widgets.VBox):
+class StepResponseView(View):
     """The step response of a PidControllerNode, drawn anew whenever its parameters change, until it is closed.
 
     Show it as the last line of a cell.
     """
-
-    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
-    _closed = True
 
     def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None,
                  executor: background.BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
@@ -86,13 +83,10 @@ class StepResponseView(widgets.VBox):
         """
         self._node = node.node if isinstance(node, ParameterClient) else full_name(node)
         self._joint = joint
-        self._closed = False
-        self._drawing = threading.RLock()
         self._shown: tuple[str, dict[str, Any]] | None = None
         self._text = ''
-        self._style_sheet, self._picture, self._figures = widgets.HTML(_STYLE), widgets.HTML(), widgets.HTML()
-        super().__init__([self._style_sheet, self._picture, self._figures])
-        self.add_class('step-view')
+        self._picture, self._figures = widgets.HTML(), widgets.HTML()
+        super().__init__([widgets.HTML(_STYLE), self._picture, self._figures], 'step-view')
         self._live = LiveParameters(self._node, self._show, executor=executor, timeout_sec=timeout_sec)
         self._live.first_look()
         close_with_cell(self)
@@ -112,18 +106,8 @@ class StepResponseView(widgets.VBox):
         """
         self._live.settle(timeout_sec)
 
-    def close(self) -> None:
-        """Stop following the node and remove the view from the page. Twice is as good as once."""
-        if self._closed:
-            return
-        with self._drawing:
-            self._closed = True
-            self._live.close()
-            # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
-            self.children = ()
-            super().close()
-            for each in (self._style_sheet, self._picture, self._figures):
-                each.close()
+    def _end(self) -> None:
+        self._live.close()
 
     def _show(self) -> None:
         with self._drawing:
