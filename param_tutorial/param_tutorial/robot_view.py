@@ -40,7 +40,7 @@ _ROBOT_HEIGHT_M = 0.4
 _BELOW_GROUND = 34
 _ABOVE_ROBOT = 44
 
-_STYLE = """<style>
+STYLE = """<style>
 .robot-view { box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0; overflow: hidden;
   border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px;
   background: var(--jp-layout-color1, #fff); color: var(--jp-ui-font-color1, #212121); }
@@ -102,7 +102,7 @@ class RobotView(View):
         self._button.on_click(lambda _: self.drive())
         foot = widgets.HBox([self._button, self._status])
         foot.add_class('robot-foot')
-        super().__init__([widgets.HTML(_STYLE), self._picture, foot], 'robot-view')
+        super().__init__([widgets.HTML(STYLE), self._picture, foot], 'robot-view')
         self._worker = Worker(self._show, 'robot view', _SHOW_PERIOD_SEC)
         self._stop_graph: Callable[[], None] = nothing
         self._stop_motion: Callable[[], None] = nothing
