@@ -11,7 +11,6 @@ from param_tutorial.client import changes
 from param_tutorial.errors import CallbackError, ExecutorError, InvalidValueError, NodeGoneError
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from param_tutorial.nodes.param_query_node import ParamQueryNode
-from param_tutorial.observe import _parameter_services
 
 
 class Ladder(Node):
@@ -207,9 +206,3 @@ def test_a_hidden_node_is_not_missed_either(ros, ladder):
     ros.add(Node, '_corner')
     ParameterClient('/_corner').list_parameters()
     assert '_corner' not in repr(node_graph())
-
-
-def test_a_node_that_has_left_since_it_was_listed_has_no_services(ros):
-    tool = ros.tool_node
-    for look in (tool.get_service_names_and_types_by_node, tool.get_client_names_and_types_by_node):
-        assert _parameter_services(look, 'left_already', '/') == []

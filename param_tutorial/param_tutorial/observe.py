@@ -3,17 +3,19 @@
 What is observed here is drawn by ``diagrams``.
 """
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterator
 from typing import Any
 
-from rclpy.node import Node, NodeNameNonExistentError
+from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 from param_tutorial import background, values
 from param_tutorial.client import ParameterClient, changes
 from param_tutorial.diagrams import NodeGraph, Step, Timeline
 from param_tutorial.errors import CallbackError, ExecutorError
-from param_tutorial.services import SERVICE_TYPES, nodes_in_graph
+from param_tutorial.services import SERVICE_TYPES
 
 # Where rclpy 7.1 keeps what is called when parameters are set; for what is on the way there is no public place.
 _CALLBACKS = {
@@ -23,6 +25,9 @@ _CALLBACKS = {
 }
 _PUBLISHER = '_parameter_event_publisher'
 _NOTEBOOK = 'this notebook'
+# The DDS topic on which the requests for a parameter service travel (https://design.ros2.org/articles/
+# topic_and_service_names.html): a client publishes on it, the server subscribes to it.
+_REQUESTS = re.compile(rf'rq(/.+)/(?:{"|".join(SERVICE_TYPES)})Request')
 
 
 def record_change(node: Node, name: str, value: Any, *,
@@ -153,39 +158,25 @@ def node_graph(*, executor: background.BackgroundExecutor | None = None) -> Node
     ros = executor or background.current()
     tool = ros.tool_node
     serves, asks = [], []
-    for name, namespace in nodes_in_graph(tool):
-        node = _shown(name, namespace, tool)
-        if node is None:
+    for topic, types in tool.get_topic_names_and_types(no_demangle=True):
+        requests = _REQUESTS.fullmatch(topic)
+        if requests is None or not types[0].startswith('rcl_interfaces::srv::'):
             continue
-        if _parameter_services(tool.get_service_names_and_types_by_node, name, namespace):
-            serves.append(node)
-        asks += [(node, asked) for asked in _parameter_services(
-            tool.get_client_names_and_types_by_node, name, namespace) if '/_' not in asked]
-    return NodeGraph(
-        serves=serves, asks=asks,
-        tells=filter(None, (_shown(info.node_name, info.node_namespace, tool)
-                            for info in tool.get_publishers_info_by_topic('/parameter_events'))),
-        listens=filter(None, (_shown(info.node_name, info.node_namespace, tool)
-                              for info in tool.get_subscriptions_info_by_topic('/parameter_events'))))
+        # By topic, and not by node: rmw would look for the node by its name, and may find one that has ended.
+        serves += _shown(tool.get_subscriptions_info_by_topic(topic, no_mangle=True), tool)
+        if '/_' not in requests[1]:
+            asks += [(asker, requests[1])
+                     for asker in _shown(tool.get_publishers_info_by_topic(topic, no_mangle=True), tool)]
+    return NodeGraph(serves=serves, asks=asks,
+                     tells=_shown(tool.get_publishers_info_by_topic('/parameter_events'), tool),
+                     listens=_shown(tool.get_subscriptions_info_by_topic('/parameter_events'), tool))
 
 
-def _shown(name: str, namespace: str, tool: Node) -> str | None:
-    full = f'{namespace.rstrip("/")}/{name}'
-    if full == tool.get_fully_qualified_name():
-        return _NOTEBOOK
-    return None if '/_' in full else full
-
-
-def _parameter_services(look: Callable[[str, str], list[tuple[str, list[str]]]], name: str, namespace: str
-                        ) -> list[str]:
-    """Give the nodes whose parameter services are among those that a node offers, or has clients for.
-
-    :param look: Gives names and types of these services.
-    """
-    try:
-        names_and_types = look(name, namespace)
-    except NodeNameNonExistentError:  # it has left since the list of nodes was made
-        return []
-    found = {name.rpartition('/')[0] for name, types in names_and_types
-             if name.rpartition('/')[2] in SERVICE_TYPES and types[0].startswith('rcl_interfaces/srv/')}
-    return sorted(found)
+def _shown(endpoints: list[TopicEndpointInfo], tool: Node) -> Iterator[str]:
+    """Give the names under which the nodes of some endpoints are shown."""
+    for endpoint in endpoints:
+        name = f'{endpoint.node_namespace.rstrip("/")}/{endpoint.node_name}'
+        if name == tool.get_fully_qualified_name():
+            yield _NOTEBOOK
+        elif '/_' not in name:  # as _NODE_NAME_UNKNOWN_ has it
+            yield name
