@@ -294,7 +294,7 @@ def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
 
 
 def test_a_node_in_another_process(ros, remote_node):
-    client = ParameterClient('/remote')
+    client = ParameterClient('/remote', timeout_sec=30)
     assert client.set_parameter('max_speed_rpm', 42).successful
     assert client.get_parameter('max_speed_rpm') == 42
     assert client.set_parameter('max_speed_rpm', -1).kind == 'refused by the node'
@@ -332,7 +332,7 @@ def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatc
 
 
 def test_a_node_that_does_not_answer(ros, remote_node):
-    ParameterClient('/remote').list_parameters()
+    ParameterClient('/remote', timeout_sec=30).list_parameters()
     client = ParameterClient('/remote', timeout_sec=0.3)
     remote_node.send_signal(signal.SIGSTOP)
     with pytest.raises(NoAnswerError, match=r'/remote did not answer list_parameters within 0\.3 s'):
@@ -341,7 +341,7 @@ def test_a_node_that_does_not_answer(ros, remote_node):
     param_tutorial.wait_until(future.done, 'the call to expire')
     assert isinstance(future.exception(), NoAnswerError)
     remote_node.send_signal(signal.SIGCONT)
-    assert ParameterClient('/remote').get_parameter('robot_name') == 'Clawbot'
+    assert ParameterClient('/remote', timeout_sec=30).get_parameter('robot_name') == 'Clawbot'
     assert ros.services._pending == {}
 
 

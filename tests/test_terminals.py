@@ -12,7 +12,7 @@ from param_tutorial.errors import WaitTimeoutError
 def test_a_node_runs_is_reached_and_ends_in_good_order(ros):
     terminal = Terminal('ros2 run param_tutorial simple_param_node --ros-args -p max_speed_rpm:=7')
     assert terminal.read(until='max_speed_rpm').splitlines()[-1] == '[INFO] [simple_param_node]:   max_speed_rpm: 7'
-    assert ParameterClient('/simple_param_node').get_parameter('max_speed_rpm') == 7
+    assert ParameterClient('/simple_param_node', timeout_sec=30).get_parameter('max_speed_rpm') == 7
     assert 'running' in repr(terminal)
     terminal.read(until='robot_serial_number')
     assert terminal.interrupt() == 0
