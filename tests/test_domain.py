@@ -15,11 +15,14 @@ from param_tutorial.errors import ExecutorError
 CHOOSE = 'import os; from param_tutorial import domain; print(domain.choose(), os.environ.get("{0}"))'
 
 
+def nothing_chosen():
+    """Give the environment of somebody who has chosen neither a domain nor a network."""
+    return {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
+
+
 def choose(variable='ROS_AUTOMATIC_DISCOVERY_RANGE', **environment):
     """Let a process of its own choose; give what it prints, or raise."""
-    own = {name: value for name, value in os.environ.items()
-           if not name.startswith(('ROS_DOMAIN', 'ROS_AUTO', 'FAST'))}
-    return subprocess.run([sys.executable, '-c', CHOOSE.format(variable)], env={**own, **environment},
+    return subprocess.run([sys.executable, '-c', CHOOSE.format(variable)], env={**nothing_chosen(), **environment},
                           capture_output=True, text=True, timeout=60, check=False)
 
 
@@ -43,8 +46,7 @@ def test_living_processes_have_different_domains():
 
 def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memory():
     source = 'import param_tutorial; param_tutorial.start(); print(flush=True); input()'
-    environment = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
-    with subprocess.Popen([sys.executable, '-c', source], env=environment, text=True,
+    with subprocess.Popen([sys.executable, '-c', source], env=nothing_chosen(), text=True,
                           stdin=subprocess.PIPE, stdout=subprocess.PIPE) as child:
         child.stdout.readline()
         sockets = {socket.laddr.ip for socket in psutil.Process(child.pid).net_connections('udp')}

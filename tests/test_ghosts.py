@@ -34,6 +34,7 @@ def test_a_ghost_is_no_node(haunted):
     assert haunted.services.node_names() == []
     assert '/ghost' not in haunted.services.node_names(hidden=True)
     assert shown(haunted, 'node', 'list') == ''
+    assert shown(haunted, 'param', 'get', '/ghost', 'x') == 'Node not found\n'
     assert observe.node_graph().serves == []
 
 

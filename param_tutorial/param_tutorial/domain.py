@@ -45,8 +45,7 @@ def choose() -> int:
         _claim = _claim_free_domain()
     os.environ['ROS_DOMAIN_ID'] = str(_claim[0])
     # LOCALHOST would listen on all interfaces, and add shared memory to whatever a profile says.
-    own_profile = Path(os.environ['FASTRTPS_DEFAULT_PROFILES_FILE']).name == _THIS_HOST.name
-    os.environ.setdefault('ROS_AUTOMATIC_DISCOVERY_RANGE', 'SYSTEM_DEFAULT' if own_profile else 'LOCALHOST')
+    os.environ.setdefault('ROS_AUTOMATIC_DISCOVERY_RANGE', 'SYSTEM_DEFAULT' if _on_loopback() else 'LOCALHOST')
     return _claim[0]
 
 
@@ -55,9 +54,12 @@ def is_limited_to_this_host() -> bool:
     if os.environ.get('ROS_STATIC_PEERS'):
         return False
     discovery_range = os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper()
-    profile = Path(os.environ.get('FASTRTPS_DEFAULT_PROFILES_FILE', ''))
-    return discovery_range in ('LOCALHOST', 'OFF') or (
-        discovery_range == 'SYSTEM_DEFAULT' and profile.name == _THIS_HOST.name)
+    return discovery_range in ('LOCALHOST', 'OFF') or (discovery_range == 'SYSTEM_DEFAULT' and _on_loopback())
+
+
+def _on_loopback() -> bool:
+    """Is the profile that of this host: this package's, or that of a copy of it, which has another path?"""
+    return Path(os.environ.get('FASTRTPS_DEFAULT_PROFILES_FILE', '')).name == _THIS_HOST.name
 
 
 def _claim_free_domain() -> tuple[int, int]:

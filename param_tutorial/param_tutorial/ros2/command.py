@@ -78,8 +78,7 @@ class Session:
             # A node's services may be known before its name.
             try:
                 return self.executor.services.is_ready(node) or node in {
-                    f'{namespace.rstrip("/")}/{name}'
-                    for name, namespace in self.executor.tool_node.get_node_names_and_namespaces()}
+                    each.full_name for each in self.node_names(hidden=True)}
             except NodeNotFoundError:  # this cannot be the name of any node
                 return False
 
