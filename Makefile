@@ -35,11 +35,11 @@ lesson: setup  ## make one lesson as one file: make lesson CHAPTER=06
 	@$(VENV) -m param_tutorial.lessons --lesson "$(CHAPTER)" $(ARGS)
 
 bench: setup  ## run the benchmarks
-	@$(VENV) tests/bench.py $(ARGS)
+	@$(VENV) -m tests.tools.bench $(ARGS)
 
 lint: setup  ## check code and notebooks without running them
 	@$(VENV) -m ruff check .
-	@$(VENV) tests/notebook_lint.py notebooks
+	@$(VENV) -m tests.tools.notebook_lint notebooks
 
 lock: setup  ## work out environment/requirements.lock anew
 	@test -x build/uv/bin/uv || $(VENV) -m pip install --quiet --target build/uv uv

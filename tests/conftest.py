@@ -6,7 +6,7 @@ import hypothesis
 import pytest
 
 import param_tutorial
-from param_tutorial import terminals
+from param_tutorial.notebook import terminal
 
 # By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside.
 hypothesis.settings.register_profile('no deadline', deadline=None)
@@ -15,11 +15,12 @@ hypothesis.settings.load_profile('no deadline')
 # The files that take longest, from 80 s down to 10 s on two idle cores. A file stays on one worker, so a long one that
 # begins late is waited for by all: these begin first.
 LONG_FILES = (
-    'tests/test_exercises.py', 'tests/browser/test_lab.py', 'notebooks/07_2_launch_files.ipynb',
-    'tests/browser/test_robot_moves.py', 'notebooks/02_workspace.ipynb', 'tests/test_colcon.py', 'tests/test_panels.py',
-    'tests/test_background.py', 'tests/test_kernel.py', 'tests/test_nodes.py', 'tests/test_ros2.py',
-    'notebooks/01_what_are_parameters.ipynb', 'notebooks/05_3_from_another_node.ipynb', 'tests/test_launch.py',
-    'tests/test_client.py', 'tests/test_ros1.py')
+    'tests/exercises/test_exercises.py', 'tests/browser/test_lab.py', 'notebooks/07_2_launch_files.ipynb',
+    'tests/browser/test_robot_moves.py', 'notebooks/02_workspace.ipynb', 'tests/environment/test_colcon.py',
+    'tests/widgets/test_panel.py', 'tests/runtime/test_executor.py', 'tests/runtime/test_kernel.py',
+    'tests/nodes/test_nodes.py', 'tests/ros2/test_ros2.py', 'notebooks/01_what_are_parameters.ipynb',
+    'notebooks/05_3_from_another_node.ipynb', 'tests/ros2/test_launch.py', 'tests/parameters/test_client.py',
+    'tests/ros1/test_ros1.py')
 
 
 @pytest.fixture
@@ -27,7 +28,7 @@ def ros():
     """Give a BackgroundExecutor with an empty stage; it is cleared again afterwards, and all terminals are ended."""
     executor = param_tutorial.start()
     yield executor
-    terminals.end_all()
+    terminal.end_all()
     executor.remove_all()
 
 

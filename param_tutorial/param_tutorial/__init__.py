@@ -1,63 +1,67 @@
 """Mastering ROS 2 Parameters with Python: the package of the course.
 
-``start()`` puts a ROS executor into the background of a notebook, ``ParameterClient`` talks to the parameters
-of any node, ``ParameterPanel`` shows them as controls. The layers, top to bottom; imports go downward only (README.md,
-"Architecture", says what each of them does, and a test compares):
+``start()`` runs a ROS executor in the background of a notebook, ``ParameterClient`` talks to the parameters of any
+node, ``ParameterPanel`` shows them as controls. The rooms of the package, top to bottom; imports go downward only
+(README.md, "Architecture", says what each room is for, and a test holds both against the code):
 
     lessons
-    panels, panel_editors, robot_view, step_view, event_view, log_view, views, cells, magics
     exercises
-    ros2, shell, terminals
-    observe, snapshot
-    rules, aliases, parameter_sets
-    live, worker
-    client, parameter_files
-    background, services, node_log
-    plots, diagrams, svg
-    ros1, glossary
-    values, domain, markup, errors
+    notebook
+    widgets
+    ros2
+    parameters
+    runtime
+    ros1
+    pictures
     nodes
+    errors
 """
 
 import importlib
+from typing import Any
 
 # Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
 _HOMES = {
-    'Aliases': 'aliases',
-    'BackgroundExecutor': 'background',
-    'EventView': 'event_view',
-    'LinePlot': 'plots',
-    'LogView': 'log_view',
-    'ParameterClient': 'client',
-    'ParameterHistory': 'parameter_sets',
-    'ParameterPanel': 'panels',
-    'ParameterSet': 'parameter_sets',
-    'RobotView': 'robot_view',
-    'Rules': 'rules',
-    'Shell': 'shell',
-    'StepResponseView': 'step_view',
-    'Terminal': 'terminals',
-    'all_parameters': 'snapshot',
-    'compare': 'parameter_sets',
-    'load_ipython_extension': 'magics',
-    'node_graph': 'observe',
-    'plot_responses': 'step_view',
-    'record_change': 'observe',
-    'restore': 'parameter_sets',
-    'start': 'background',
-    'stop': 'background',
-    'wait_until': 'background',
+    'Aliases': 'parameters.aliases',
+    'BackgroundExecutor': 'runtime.executor',
+    'EventView': 'widgets.events',
+    'LinePlot': 'pictures.plots',
+    'LogView': 'widgets.log',
+    'ParameterClient': 'parameters.client',
+    'ParameterHistory': 'parameters.history',
+    'ParameterPanel': 'widgets.panel',
+    'ParameterSet': 'parameters.sets',
+    'RobotView': 'widgets.robot',
+    'Rules': 'parameters.rules',
+    'Shell': 'notebook.shell',
+    'StepResponseView': 'widgets.step_response',
+    'Terminal': 'notebook.terminal',
+    'all_parameters': 'parameters.snapshot',
+    'compare': 'parameters.sets',
+    'load_ipython_extension': 'notebook.magics',
+    'node_graph': 'runtime.stage',
+    'plot_responses': 'widgets.step_response',
+    'record_change': 'parameters.recording',
+    'restore': 'parameters.sets',
+    'start': 'runtime.stage',
+    'stop': 'runtime.stage',
+    'wait_until': 'runtime.waiting',
 }
+# And modules that the lessons name: `from param_tutorial import parameter_files`.
+_MODULES = {'parameter_files': 'parameters.files'}
 __all__ = sorted(_HOMES)
 
 
-def __getattr__(name: str):
-    if name not in _HOMES:
+def __getattr__(name: str) -> Any:
+    if name in _MODULES:
+        value = importlib.import_module(f'{__name__}.{_MODULES[name]}')
+    elif name in _HOMES:
+        value = getattr(importlib.import_module(f'{__name__}.{_HOMES[name]}'), name)
+    else:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    value = getattr(importlib.import_module(f'{__name__}.{_HOMES[name]}'), name)
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOMES})
+    return sorted({*globals(), *_HOMES, *_MODULES})

@@ -12,9 +12,10 @@ def main() -> int:
     if not os.environ.get('ROS_DOMAIN_ID'):
         os.environ['ROS_DOMAIN_ID'] = '0'
     try:
-        from param_tutorial import background, ros2
+        from param_tutorial.ros2 import command
+        from param_tutorial.runtime import stage
 
-        return ros2.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=background.start)
+        return command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=stage.start)
     except KeyboardInterrupt:
         return signal.SIGINT
     except BrokenPipeError:  # e.g. `| head -1`

@@ -1,14 +1,10 @@
 """What all browser tests need."""
 
 import os
-import sys
-from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-
-import lab
+from tests.support import lab
 
 
 @pytest.fixture(scope='session', autouse=True)

@@ -7,12 +7,13 @@ import re
 import subprocess
 import sys
 
-import lab as lab_module
-import lesson
 import nbformat
 import pytest
-from lab import ROOT, TIMEOUT_SEC, Lab, LabPage
 from playwright.sync_api import expect
+
+from tests.support import lab as lab_module
+from tests.support import lesson
+from tests.support.lab import ROOT, TIMEOUT_SEC, Lab, LabPage
 
 # What JupyterLab itself complains of in a browser without a way to the world; nothing of ours.
 KNOWN_ERRORS = (
@@ -209,5 +210,5 @@ def test_the_log_and_the_panel_after_running_all_cells_again(open_lesson):
     page.box('robot_name').press('Enter')
     expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Max')
     count = lab.ask_kernel("sum('ParameterPanel' in repr(each) or 'LiveParameters' in repr(each) for each in "
-                           "__import__('param_tutorial').start.__globals__['_current']._event_listeners)")
+                           "__import__('param_tutorial').start.__globals__['_current']._event_listeners._listeners)")
     assert count == '1'

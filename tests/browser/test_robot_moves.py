@@ -1,9 +1,10 @@
 """The robot in the real JupyterLab: it moves by itself, arrives where the node says, and then all is quiet."""
 
-import lesson
 import pytest
-from lab import Lab, LabPage, wait_for
 from playwright.sync_api import expect
+
+from tests.support import lesson
+from tests.support.lab import Lab, LabPage, wait_for
 
 CELLS = (
     '# A robot\nOn the stage:',

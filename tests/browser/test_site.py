@@ -12,15 +12,15 @@ import re
 import shutil
 import threading
 
-import lesson
 import nbformat
 import pytest
-from lab import _CHROMIUM_FLAGS, CHROMIUM, ROOT
 from nbclient import NotebookClient
 from playwright.sync_api import expect, sync_playwright
-from site_rules import check_page, open_page
 
 from param_tutorial.lessons import build, run, single
+from tests.support import lesson
+from tests.support.lab import _CHROMIUM_FLAGS, CHROMIUM, ROOT
+from tests.tools.site_rules import check_page, open_page
 
 # Sphinx and its extensions tell each other, in each release, what the next one will bring.
 pytestmark = [pytest.mark.filterwarnings(f'ignore::{kind}Warning') for kind in ('Deprecation', 'PendingDeprecation')]
@@ -31,7 +31,7 @@ LIMITS = (
     '# 1 · Limits\n\n**What does a node say?**',
     '''import param_tutorial
 from param_tutorial import LogView, ParameterPanel
-from param_tutorial.event_view import EventView
+from param_tutorial import EventView
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter

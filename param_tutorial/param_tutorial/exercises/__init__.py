@@ -15,7 +15,7 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
 from typing import Any
 
 from param_tutorial.errors import nearest
-from param_tutorial.exercises import (
+from param_tutorial.exercises.chapters import (
     ch01,
     ch02,
     ch03,

@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 
 from rclpy.node import Node
 
-from param_tutorial import values
 from param_tutorial.errors import ExecutorError, NoAnswerError
 from param_tutorial.exercises.results import Finding, Hint, Result
-from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, cleared, expect, stage, told
+from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, borrowed_stage, cleared, expect, told
+from param_tutorial.parameters import values
 
 
 class Kind(NamedTuple):
@@ -95,7 +95,7 @@ class Exercise:
         findings: list[Finding] = []
         names: set[str] = set()
         try:
-            with stage() as ros:
+            with borrowed_stage() as ros:
                 for requirement in self.requirements:
                     trial = Trial(ros, work)
                     try:

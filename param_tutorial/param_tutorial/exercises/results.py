@@ -3,7 +3,7 @@
 import textwrap
 from dataclasses import dataclass
 
-from param_tutorial.markup import with_code
+from param_tutorial.pictures.markup import with_code
 
 _WIDTH = 110
 

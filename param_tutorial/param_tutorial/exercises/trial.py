@@ -14,11 +14,13 @@ from typing import Any
 
 from rclpy.node import Node
 
-import param_tutorial
-from param_tutorial import background, ros2
-from param_tutorial.client import ParameterClient
 from param_tutorial.errors import CallbackError, ExecutorError, ParameterToolError, WaitTimeoutError
-from param_tutorial.services import SERVICE_TYPES
+from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.ros2 import command
+from param_tutorial.runtime import stage
+from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.services import SERVICE_TYPES
+from param_tutorial.runtime.waiting import wait_until
 
 # A node of the learner's own, of the same name, may be on the stage: ROS keeps the two apart by this namespace. It
 # begins with an underscore, so tools do not list what is in it.
@@ -68,7 +70,7 @@ class TooLong(BaseException):
 class Trial:
     """One attempt with a learner's work, for one requirement."""
 
-    def __init__(self, ros: background.BackgroundExecutor, work: Any):
+    def __init__(self, ros: BackgroundExecutor, work: Any):
         self.ros = ros
         self.work = work
         self.names: list[str] = []
@@ -124,7 +126,7 @@ class Trial:
     def ros2(self, *words: str) -> str:
         """Type a command, as in a notebook, and give what it prints."""
         printed = io.StringIO()
-        ros2.main(words, stdout=printed, stderr=printed, get_executor=lambda: self.ros, in_notebook=True)
+        command.main(words, stdout=printed, stderr=printed, get_executor=lambda: self.ros, in_notebook=True)
         return printed.getvalue().strip()
 
     def call(self, what: str, function: Callable, *args: Any) -> Any:
@@ -156,7 +158,7 @@ class Trial:
         :param happened: Tells what is so instead.
         """
         try:
-            background.wait_until(condition, expected, TIME_LIMIT_SEC)
+            wait_until(condition, expected, TIME_LIMIT_SEC)
         except WaitTimeoutError:
             raise NotYet(expected, f'{happened()}, after {TIME_LIMIT_SEC:g} s{self.raised()}') from None
 
@@ -167,26 +169,26 @@ class Trial:
 
 
 @contextlib.contextmanager
-def stage() -> Iterator[background.BackgroundExecutor]:
+def borrowed_stage() -> Iterator[BackgroundExecutor]:
     """Give the executor in the background, or one for the time being, and clear it of what was added.
 
     :raises ExecutorError: there can be none.
     """
     try:
-        ros, borrowed = background.current(), True
+        ros, borrowed = stage.current(), True
     except ExecutorError:
-        ros, borrowed = param_tutorial.start(), False
+        ros, borrowed = stage.start(), False
     try:
         with cleared(ros):
             yield ros
         ros.run(lambda: ros.services.forget(CORNER), 'tidy up')
     finally:
         if not borrowed:
-            param_tutorial.stop()
+            stage.stop()
 
 
 @contextlib.contextmanager
-def cleared(ros: background.BackgroundExecutor) -> Iterator[None]:
+def cleared(ros: BackgroundExecutor) -> Iterator[None]:
     """Take away the nodes that are added in this block."""
     before = ros.nodes
     try:

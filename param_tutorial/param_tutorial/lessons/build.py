@@ -8,7 +8,6 @@ is written beside the old one and takes its place when it is whole; whatever goe
 it was.
 """
 
-import argparse
 import concurrent.futures
 import hashlib
 import json
@@ -28,15 +27,15 @@ import nbformat
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace
 
-import param_tutorial
-from param_tutorial import robot_view
 from param_tutorial.lessons import chapter, front_page, run
+from param_tutorial.widgets import robot
 
 SITE = Path(__file__).parent / 'site'
-PACKAGE_ROOT = Path(param_tutorial.__file__).parents[1]
+PACKAGE_ROOT = Path(__file__).parents[2]
 ROOT = PACKAGE_ROOT.parent
 # What a run cannot depend on: how its recording is drawn.
-_DRAWN_BY = ('build.py', 'chapter.py', 'drawing.py', 'front_page.py', 'single.py', '__init__.py', '__main__.py')
+_DRAWN_BY = ('build.py', 'chapter.py', 'command.py', 'drawing.py', 'front_page.py', 'single.py', '__init__.py',
+             '__main__.py')
 _COLOUR = re.compile(r'\x1b\[[0-9;]*m')
 VERSIONS = ('ros-jazzy-rclpy', 'ipykernel', 'ipywidgets')
 
@@ -163,7 +162,7 @@ def write_static(source: Path) -> None:
     """Write, beside Sphinx's sources, the styles that the notebook's own views bring along."""
     (source / 'static').mkdir(exist_ok=True)
     (source / 'static' / 'robot.css').write_text(
-        robot_view.STYLE.replace('<style>', '').replace('</style>', '').strip() + '\n', encoding='utf-8')
+        robot.STYLE.replace('<style>', '').replace('</style>', '').strip() + '\n', encoding='utf-8')
 
 
 def counted(recorded: dict[int, list]) -> str:
@@ -256,32 +255,3 @@ def shown(path: Path) -> str:
 def say(text: str) -> None:
     """Print progress at once."""
     print(text, flush=True)
-
-
-def main(arguments: list[str] | None = None) -> int:
-    """Read the command line, and build.
-
-    :return: The exit status.
-    """
-    parser = argparse.ArgumentParser(prog='python -m param_tutorial.lessons', description='Make the HTML lessons.')
-    parser.add_argument('--notebooks', type=Path, default=ROOT / 'notebooks', help='the folder of the chapters')
-    parser.add_argument('--only', nargs='+', metavar='CHAPTER', help='chapters, by what their names begin with')
-    parser.add_argument('--target', type=Path, default=ROOT / 'build' / 'html', help='where the site shall be')
-    parser.add_argument('--work', type=Path, default=ROOT / 'build' / 'lessons', help='what is kept between builds')
-    parser.add_argument('--lesson', metavar='CHAPTER', help='make one file of one chapter instead')
-    options = parser.parse_args(arguments)
-    try:
-        names = [options.lesson] if options.lesson else options.only
-        site = Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names)
-        if options.lesson:
-            from param_tutorial.lessons import single
-            single.build(site)
-        else:
-            site.build()
-    except (run.ChapterError, BuildError) as error:
-        print(f'{error}\nNo site was made; the one that was there before stays.', file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print('\nStopped; the site that was there before stays.', file=sys.stderr)
-        return 130
-    return 0

@@ -20,27 +20,28 @@ import ipywidgets as widgets
 from rcl_interfaces.msg import ParameterEvent
 from rclpy.node import Node
 
-from param_tutorial import background, robot_view, values
-from param_tutorial.client import Descriptor, ParameterClient, is_housekeeping
 from param_tutorial.errors import ParameterToolError
-from param_tutorial.event_view import EventView, told_by
-from param_tutorial.live import words_of
-from param_tutorial.log_view import LogView
-from param_tutorial.node_log import LogLine
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.nodes.pid_controller_node import PidControllerNode
-from param_tutorial.panel_editors import (
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import Descriptor, ParameterClient, is_housekeeping
+from param_tutorial.parameters.live import words_of
+from param_tutorial.parameters.text import format_value, parse_value
+from param_tutorial.runtime import stage
+from param_tutorial.runtime.node_log import LogLine
+from param_tutorial.widgets.editors import (
     CheckBoxEditor,
     DoubleSliderEditor,
     IntegerSliderEditor,
     LinesEditor,
     Positions,
     editor_class,
-    read,
-    written,
 )
-from param_tutorial.panels import HOUSEKEEPING_HEADING, ParameterPanel, group_of, help_markup
-from param_tutorial.step_view import StepResponseView
+from param_tutorial.widgets.events import EventView, told_by
+from param_tutorial.widgets.log import LogView
+from param_tutorial.widgets.panel import HOUSEKEEPING_HEADING, ParameterPanel, group_of, help_markup
+from param_tutorial.widgets.robot import RobotView, film, still
+from param_tutorial.widgets.step_response import StepResponseView
 
 # How many positions of a slider are asked for; beyond that, a spread with both ends.
 _POSITIONS = 201
@@ -87,7 +88,7 @@ def record(model_id: str, literals: Iterable[Any], *, events: bool = False) -> d
     widget = widgets.widget._instances[model_id]
     if isinstance(widget, ParameterPanel):
         return PanelRecorder(widget, list(literals), events=events).record()
-    if isinstance(widget, robot_view.RobotView):
+    if isinstance(widget, RobotView):
         return record_robot(widget)
     if isinstance(widget, LogView):
         return record_log(widget)
@@ -123,7 +124,7 @@ class NodeLogTap:
         self._node = node
         self._lines: list[LogLine] = []
         self._arrived = threading.Event()
-        self.stop = background.current().node_log.on_line(self._take)
+        self.stop = stage.current().node_log.on_line(self._take)
 
     def _take(self, line: LogLine) -> None:
         if line.logger != self._node.get_logger().name:
@@ -151,7 +152,7 @@ class EventTap:
         self._node = node
         self._events: list[ParameterEvent] = []
         self._arrived = threading.Condition()
-        self.stop = background.current().on_parameter_event(self._take)
+        self.stop = stage.current().on_parameter_event(self._take)
 
     def _take(self, event: ParameterEvent) -> None:
         if event.node == self._node:
@@ -171,19 +172,19 @@ class EventTap:
 
 def node_here(name: str) -> Node | None:
     """Give the node of this process that has a full name, if there is one."""
-    return next((node for node in background.current().nodes if node.get_fully_qualified_name() == name), None)
+    return next((node for node in stage.current().nodes if node.get_fully_qualified_name() == name), None)
 
 
 def record_log(view: LogView) -> dict[str, Any]:
     """Record the lines that a log view shows, when all that the nodes have logged so far has arrived."""
-    for node in background.current().nodes:
+    for node in stage.current().nodes:
         tap = NodeLogTap(node)
         tap.lines()
         tap.stop()
     return {'kind': 'log', 'node': name_in(view), 'lines': [line for line in view.lines if _MARK not in line]}
 
 
-def record_robot(view: robot_view.RobotView) -> dict[str, Any]:
+def record_robot(view: RobotView) -> dict[str, Any]:
     """Record the robot as it stands, and its drive."""
     name = name_in(view)
     robot = node_here(name)
@@ -199,16 +200,16 @@ Film = dict[str, Any]
 
 def look_of(robot: ClawbotNode) -> dict[str, str]:
     """Give the robot as it stands."""
-    picture, text, sentence = robot_view.still(robot)
+    picture, text, sentence = still(robot)
     return {'picture': picture, 'text': text, 'sentence': sentence}
 
 
 def drive(robot: ClawbotNode) -> Film:
     """Let the robot drive with the parameters that it has, and give what there is to see; it is at its goal then."""
     robot.drive()
-    film = robot_view.film(robot, 'robot-NAME')
+    seen = film(robot, 'robot-NAME')
     robot.step(math.inf)
-    return {'picture': film.picture, 'end': film.end, 'scenes': [list(scene) for scene in film.scenes]}
+    return {'picture': seen.picture, 'end': seen.end, 'scenes': [list(scene) for scene in seen.scenes]}
 
 
 class CannotRestoreError(Exception):
@@ -294,7 +295,7 @@ class PanelRecorder:
         self._asked += 1
         descriptor = self._descriptors[name]
         try:
-            value = read(descriptor, text)
+            value = parse_value(descriptor, text)
         except ValueError as error:
             return {'reason': str(error), 'log': []}
         try:
@@ -303,8 +304,8 @@ class PanelRecorder:
         except ParameterToolError as error:
             reason = words_of(error)
         after = self._read()
-        answer: dict[str, Any] = {'reason': reason} if reason else {'value': written(descriptor, after[name])}
-        also = {other: written(self._descriptors[other], after[other]) for other in self._descriptors
+        answer: dict[str, Any] = {'reason': reason} if reason else {'value': format_value(descriptor, after[name])}
+        also = {other: format_value(self._descriptors[other], after[other]) for other in self._descriptors
                 if (other != name or reason) and not values.same(state[other], after[other])}
         if also:
             answer['also'] = also
@@ -334,7 +335,7 @@ class PanelRecorder:
     def _enter(self, changed: dict[str, str]) -> dict[str, Any]:
         """Bring the node into another state, and give it."""
         for name, text in changed.items():
-            self._client.set_parameter(name, read(self._descriptors[name], text))
+            self._client.set_parameter(name, parse_value(self._descriptors[name], text))
         if self._tap:
             self._tap.lines()
         if self._events:
@@ -349,12 +350,12 @@ class PanelRecorder:
         editor, group = editor_class(descriptor, value), group_of(name)
         row = {'name': name, 'label': name.removeprefix(f'{group}.') if group else name,
                'group': HOUSEKEEPING_HEADING if is_housekeeping(name) else group, 'quiet': is_housekeeping(name),
-               'help': help_markup(descriptor), 'text': written(descriptor, value), 'message': control.message,
+               'help': help_markup(descriptor), 'text': format_value(descriptor, value), 'message': control.message,
                'type': descriptor.type.label, 'locked': descriptor.read_only or bool(self._panel.status),
                'editor': 'check' if editor is CheckBoxEditor else 'lines' if editor is LinesEditor else 'text'}
         if issubclass(editor, IntegerSliderEditor):
             many = sum(self._panel[each].descriptor.range is not None for each in self._panel.names) > _MANY_SLIDERS
-            row['positions'] = [written(descriptor, each) for each in
+            row['positions'] = [format_value(descriptor, each) for each in
                                 positions(descriptor, value, issubclass(editor, DoubleSliderEditor),
                                           _POSITIONS_OF_MANY if many else _POSITIONS)]
         return row
@@ -369,7 +370,7 @@ class PanelRecorder:
                  *_TYPED[values.NOT_SET if descriptor.dynamic_typing else descriptor.type]]
         texts += [text for literal in self._literals if (text := _as_typed(descriptor, literal)) is not None]
         if isinstance(value, list) and value:
-            texts += [written(descriptor, each) for each in (value[:-1], [*value, value[-1]], value[::-1])]
+            texts += [format_value(descriptor, each) for each in (value[:-1], [*value, value[-1]], value[::-1])]
         return list(dict.fromkeys(texts))
 
     # -- does it depend on the others? -----------------------------------------------------------------
@@ -495,7 +496,7 @@ def _near_the_ends(descriptor: Descriptor) -> list[str]:
         near = [math.floor(each) for each in near]
     else:
         near = [round(float(each), 9) for each in near]
-    return [written(descriptor, each) for each in near]
+    return [format_value(descriptor, each) for each in near]
 
 
 def _as_typed(descriptor: Descriptor, literal: Any) -> str | None:
@@ -506,7 +507,7 @@ def _as_typed(descriptor: Descriptor, literal: Any) -> str | None:
         normal = values.normalise(literal)
         if values.type_of(normal) is not descriptor.type and not descriptor.dynamic_typing:
             return None
-        return written(descriptor, normal)
+        return format_value(descriptor, normal)
     except Exception:  # whatever it is that the lesson speaks of, it is no value
         return None
 

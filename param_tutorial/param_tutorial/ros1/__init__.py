@@ -15,7 +15,7 @@ from itertools import zip_longest
 from typing import Any
 
 from param_tutorial.errors import nearest
-from param_tutorial.markup import head_row
+from param_tutorial.pictures.markup import head_row
 from param_tutorial.ros1.record import RECORDING, Scene, Step, parse
 
 _LEFT, _RIGHT = 'ROS 1, recorded', 'ROS 2, now'

@@ -1,20 +1,15 @@
 """The embedded ``ros2``: the verbs that the course teaches, for machines without an installed ROS.
 
 ros2cli is not on PyPI. These commands take the options of ros2cli 0.32.2 (Jazzy) and print what it prints, byte
-for byte where tests/data/ros2_transcripts says so. Two differences are meant: a call that the node never
+for byte where tests/ros2/transcripts says so. Two differences are meant: a call that the node never
 answers ends with a sentence after some seconds, and "Node not found" is said only when discovery has finished.
 
-    main     one command, in this process
+    command  one command, in this process
     param    param list, get, set, describe, dump, load, delete
     node     node list
     run      run: the nodes of the course, and the programs of packages that colcon has built
     pkg      pkg create: a new Python package
     launch   launch: what a launch file describes
-    graph    when is discovery finished?
-    command  what the verbs share
+    session  what the verbs share
     genuine  the installed ros2, where there is one
 """
-
-from param_tutorial.ros2.command import main
-
-__all__ = ['main']

@@ -1,172 +1,22 @@
-"""What the verbs of the embedded ``ros2`` share: arguments, streams, finding a node, calling its services."""
+"""The embedded ``ros2`` as a function: read the words of one command, and run its verb."""
 
-import argparse
 import functools
-import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple, NoReturn, TextIO
+from typing import TextIO
 
-from rclpy.node import HIDDEN_NODE_PREFIX
-
-from param_tutorial import domain
-from param_tutorial.background import BackgroundExecutor
-from param_tutorial.errors import NodeNotFoundError, ParameterToolError
-from param_tutorial.ros2 import graph
-from param_tutorial.services import nodes_in_graph
-
-SERVICE_TIMEOUT_SEC = 5.0
-
-
-class NodeName(NamedTuple):
-    """The name of a node; sorted as the genuine command sorts, by the last part first."""
-
-    name: str
-    namespace: str
-    full_name: str
-
-
-class CommandFailed(Exception):
-    """The command cannot be done; the message goes to standard error, and the exit status is 1."""
-
-
-@dataclass
-class Session:
-    """Where a command writes, and what carries its calls."""
-
-    stdout: TextIO
-    stderr: TextIO
-    get_executor: Callable[[], BackgroundExecutor]
-    in_notebook: bool
-    """Is the executor a standing one, and must the command not block for ever?"""
-
-    @functools.cached_property
-    def executor(self) -> BackgroundExecutor:
-        return self.get_executor()
-
-    def print(self, *words: Any, sep: str = ' ') -> None:
-        """Print to standard output."""
-        print(*words, sep=sep, file=self.stdout)
-
-    def complain(self, *words: Any) -> None:
-        """Print to standard error."""
-        print(*words, file=self.stderr)
-
-    def node_names(self, *, hidden: bool) -> list[NodeName]:
-        """Give the nodes in the graph as far as it is known; a name twice if two nodes have it."""
-        tool = self.executor.tool_node
-        # Ghosts gather in a process that lives long. One that has just joined has none, and hears of a node's name
-        # before it hears of what shows that it is no ghost.
-        known = nodes_in_graph(tool) if self.in_notebook else tool.get_node_names_and_namespaces()
-        names = (NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}') for name, namespace in known)
-        return [each for each in names if hidden or not each.name.startswith(HIDDEN_NODE_PREFIX)]
-
-    def wait_for_graph(self, args: argparse.Namespace) -> None:
-        """Wait until all nodes are known."""
-        graph.wait_for(lambda: False, self.executor, self._patience(args))
-
-    def find(self, args: argparse.Namespace) -> str:
-        """Give the fully qualified name of the node that was named, once it is there.
-
-        :raises CommandFailed: there is no such node.
-        """
-        node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
-        # A hidden node is not looked at without the option; nothing can be waited for then.
-        hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
-
-        def is_there():
-            # A node's services may be known before its name.
-            try:
-                return self.executor.services.is_ready(node) or node in {
-                    each.full_name for each in self.node_names(hidden=True)}
-            except NodeNotFoundError:  # this cannot be the name of any node
-                return False
-
-        at_least = max(self._patience(args), getattr(args, 'timeout', None) or 0.0)
-        if (hidden and not args.include_hidden_nodes) or not graph.wait_for(is_there, self.executor, at_least):
-            raise CommandFailed('Node not found')
-        return node
-
-    def _patience(self, args: argparse.Namespace) -> float:
-        if args.spin_time is not None:
-            return args.spin_time
-        return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
-
-    def call(self, node: str, service: str, request: Any) -> Any:
-        """Call a parameter service of a node that has been found."""
-        self.wait_for_service(node, service)
-        return self.executor.services.call(
-            node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC, discovery_timeout_sec=0.0)
-
-    def wait_for_service(self, node: str, service: str) -> None:
-        """Wait until a service of a node that has been found can be called, or probably never will."""
-        graph.wait_for(lambda: self.executor.services.is_ready(node, service), self.executor, SERVICE_TIMEOUT_SEC)
-
-    def call_all(self, nodes: Sequence[str], service: str, request: Any) -> dict[str, Any]:
-        """Call the same service of several nodes at once.
-
-        :return: For each node its answer, or the ParameterToolError that came instead.
-        """
-        answers: dict[str, Any] = {}
-        finished = threading.Semaphore(0)
-        futures = {}
-        for node in nodes:
-            try:
-                futures[node] = self.executor.services.call_async(
-                    node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)
-                futures[node].add_done_callback(lambda _: finished.release())
-            except ParameterToolError as error:
-                answers[node] = error
-        # Each call has a time limit of its own, so each finishes.
-        for _ in futures:
-            finished.acquire()
-        return answers | {node: future.exception() or future.result() for node, future in futures.items()}
-
-
-class _Printed(Exception):
-    """argparse has something to say and no more to do."""
-
-    def __init__(self, text: str, status: int):
-        super().__init__(text)
-        self.status = status
-
-
-class Parser(argparse.ArgumentParser):
-    """Says what it has to say by an exception: the streams of a command are not always those of the process."""
-
-    def error(self, message: str) -> NoReturn:
-        raise _Printed(f'{self.format_usage()}{self.prog}: error: {message}\n', 2)
-
-    def print_help(self, file: Any = None) -> NoReturn:
-        raise _Printed(self.format_help(), 0)
-
-
-def add_discovery_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that all verbs about nodes have."""
-    parser.add_argument(
-        '--spin-time', type=float, metavar='N',
-        help='look for nodes for at least N seconds (default: until all on this machine are known)')
-    parser.add_argument('-s', '--use-sim-time', action='store_true', help='accepted; makes no difference here')
-    parser.add_argument('--no-daemon', action='store_true', help='accepted; there is no daemon here')
-
-
-def add_node_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options and the argument that all verbs about one node have."""
-    add_discovery_options(parser)
-    parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
-    parser.add_argument('--timeout', type=float, metavar='N', help='wait up to N seconds for the node to appear')
-    parser.add_argument('node_name', help='name of the node')
+from param_tutorial.errors import ParameterToolError
+from param_tutorial.ros2 import node, param, pkg, run
+from param_tutorial.ros2.launch import verb
+from param_tutorial.ros2.session import CommandFailed, Parser, Printed, Session
+from param_tutorial.runtime.executor import BackgroundExecutor
 
 
 @functools.cache
 def _parser() -> Parser:
-    from param_tutorial.ros2 import node, param, pkg, run
-    from param_tutorial.ros2.launch import verb as launch
-
     parser = Parser(prog='ros2', description="The course's own ros2: the commands that the lessons use.", epilog=(
         'All other commands come with an installation of ROS 2; environment/README.md says how to get one.'))
     commands = parser.add_subparsers(metavar='command', title='commands')
-    for module in (node, param, pkg, run, launch):
+    for module in (node, param, pkg, run, verb):
         module.add_to(commands)
     return parser
 
@@ -187,7 +37,7 @@ def main(argv: Sequence[str], *, stdout: TextIO, stderr: TextIO, get_executor: C
         if not hasattr(args, 'verb'):
             getattr(args, 'help_of', parser).print_help()
         return args.verb(session, args) or 0
-    except _Printed as printed:
+    except Printed as printed:
         (stderr if printed.status else stdout).write(str(printed))
         return printed.status
     except (CommandFailed, ParameterToolError) as error:

@@ -2,7 +2,7 @@
 
 import argparse
 
-from param_tutorial.ros2.command import Session, add_discovery_options
+from param_tutorial.ros2.session import Session, add_discovery_options
 
 
 def add_to(commands) -> None:

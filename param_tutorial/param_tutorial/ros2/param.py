@@ -14,11 +14,11 @@ from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters
 from rclpy.node import HIDDEN_NODE_PREFIX
 from rclpy.parameter import parameter_dict_from_yaml_file
 
-from param_tutorial import values
-from param_tutorial.background import TOOL_NODE_NAME
-from param_tutorial.client import to_message
-from param_tutorial.ros2 import graph
-from param_tutorial.ros2.command import CommandFailed, Session, add_discovery_options, add_node_options
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import to_message
+from param_tutorial.ros2.session import CommandFailed, Session, add_discovery_options, add_node_options
+from param_tutorial.runtime import graph
+from param_tutorial.runtime.executor import TOOL_NODE_NAME
 
 
 def add_to(commands) -> None:
@@ -103,7 +103,7 @@ def _with_parameters(session: Session, args: argparse.Namespace) -> list[str]:
         return {each for each in nodes if session.executor.services.is_ready(each.full_name, 'list_parameters')}
 
     # Names and services of a node are announced apart. A few nodes have no services, so the wait has an end.
-    graph.wait_for(lambda: ready() == nodes, session.executor, graph.SERVICES_SEC)
+    graph.wait_for(lambda: ready() == nodes, session.executor.tool_node, graph.SERVICES_SEC)
     return [each.full_name for each in sorted(ready())]
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
 
-from param_tutorial.ros2.command import CommandFailed, Session
+from param_tutorial.ros2.session import CommandFailed, Session
 
 BUILD_TYPE = 'ament_python'
 # The names for which the genuine command writes a LICENSE file.

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from param_tutorial import nodes
-from param_tutorial.ros2.command import CommandFailed, Session
+from param_tutorial.ros2.session import CommandFailed, Session
 
 PACKAGE = 'param_tutorial'
 

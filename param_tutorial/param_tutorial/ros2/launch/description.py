@@ -11,8 +11,8 @@ from typing import Any
 
 import yaml
 
-from param_tutorial.ros2.command import CommandFailed
 from param_tutorial.ros2.launch import index
+from param_tutorial.ros2.session import CommandFailed
 
 FULL_INSTALLATION = 'A full installation knows more: environment/README.md says how to get one'
 

@@ -6,7 +6,6 @@ import os
 import tempfile
 from pathlib import Path
 
-import param_tutorial
 from param_tutorial.ros2.run import PACKAGE
 
 
@@ -41,7 +40,7 @@ def _prefixes() -> list[str]:
 
 def _checkout() -> Path | None:
     """Give the folder of the course, if this package is used where it lies."""
-    root = Path(param_tutorial.__file__).parents[2]
+    root = Path(__file__).parents[4]
     return root if (root / PACKAGE / 'package.xml').exists() else None
 
 

@@ -4,7 +4,6 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from param_tutorial.ros2.command import CommandFailed, Session
 from param_tutorial.ros2.launch import index
 from param_tutorial.ros2.launch.description import (
     Context,
@@ -17,6 +16,7 @@ from param_tutorial.ros2.launch.description import (
 from param_tutorial.ros2.launch.processes import Launcher, Program
 from param_tutorial.ros2.launch.reading import read
 from param_tutorial.ros2.run import find_program, keeps_busy
+from param_tutorial.ros2.session import CommandFailed, Session
 
 
 def add_to(commands) -> None:

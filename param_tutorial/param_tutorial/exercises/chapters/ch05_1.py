@@ -1,0 +1,99 @@
+"""Exercises of chapter 5.1: spell values for the command line, and predict what becomes of them."""
+
+import shlex
+
+from rclpy.node import Node
+
+from param_tutorial.exercises.exercise import DICTIONARY, Exercise
+from param_tutorial.exercises.trial import CORNER, NotYet, Trial, expect
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.parameters import values
+
+CHAPTER = '05_1_from_the_command_line'
+SPELLING = 'Break it: which type did you mean?'
+REFUSALS = 'Break it: refusals and mistakes'
+
+
+class Gripper(Node):
+    """Waits for what is typed; it holds one value of each type that is easily missed."""
+
+    def __init__(self):
+        super().__init__('gripper')
+        self.declare_parameters('', [
+            ('speed_mps', 0.25), ('tolerance_m', 0.5), ('retries', 3), ('label', 'none'), ('mode', 'auto'),
+            ('weights', [0.5, 0.5])])
+
+
+def type_in(trial: Trial, node: Node, words: str) -> str:
+    """Type ``ros2 param set NODE`` and some words, as in a terminal, and give what it prints."""
+    return trial.ros2('param', 'set', f'{CORNER}/{node.get_name()}', *shlex.split(words))
+
+
+spell = Exercise('5.1a', CHAPTER, DICTIONARY, hints=(
+    'Ask which type is wanted: a double wants its dot, an integer must not have one, a text that looks like '
+    'something else needs quotes.',
+    'The shell takes one pair of quotes away and YAML reads what is left: two pairs around a text, as in `"\'42\'"`.',
+    'YAML 1.1 wants a dot in a number with an exponent: `1.0e-3`. All elements of a list are of one type.'))
+
+# Parameter, the value it should hold, and what to think of where another one comes out.
+GOALS = (
+    ('speed_mps', 1.0, 'A double wants its dot'),
+    ('tolerance_m', 0.001, 'Without a dot, YAML 1.1 takes a number with an exponent for a text'),
+    ('retries', 10, 'An integer must not have a dot, and no zero in front, which would make it octal'),
+    ('label', '42', 'A text that looks like a number needs two pairs of quotes, one for the shell and one for YAML'),
+    ('mode', 'off', 'To YAML 1.1 this word means false, unless two pairs of quotes make it a text'),
+    ('weights', [1.0, 2.5], 'All elements need one type; and where blanks are in it, the list needs quotes around it'),
+)
+
+
+def require_spelling(name: str, goal: object, because: str) -> None:
+    """Add the requirement that a word makes a parameter hold a value."""
+    label = values.type_of(goal).label
+
+    @spell.require(f'`{name}` becomes the {label} `{goal!r}`', see=SPELLING)
+    def arrives(trial):
+        word = trial.work.get(name)
+        expect(isinstance(word, str), 'a text, in quotes, as you would type it', f'there is `{word!r}`')
+        expect(word.strip(), '', 'there is nothing to type yet')
+        gripper = trial.start(Gripper)
+        try:
+            answer = type_in(trial, gripper, f'{name} {word}')
+        except ValueError as error:
+            raise NotYet('words that a shell can take apart', f'`{word}`: {error}') from None
+        holds = trial.client(gripper).get_parameter(name)
+        expect(values.same(holds, goal), f'`{name}` holds `{goal!r}`',
+               f'it holds `{holds!r}`, and the command said: {answer.splitlines()[0]}. {because}')
+
+
+for each in GOALS:
+    require_spelling(*each)
+
+
+foresee = Exercise('5.1b', CHAPTER, DICTIONARY, hints=(
+    'Two questions for each line: what does YAML make of the word, and does the robot take a value of that type?',
+    'A robot that refuses keeps the value it has. `%ros2 param describe` shows types and limits.',
+    'The table in the section “Break it: which type did you mean?” shows what YAML 1.1 makes of `off` and `12:30`.'))
+
+
+def require_foresight(words: str, because: dict[object, str], see: str = SPELLING) -> None:
+    """Add the requirement to know what the robot holds after a command."""
+    @foresee.require_prediction(words, see=see, because=because)
+    def holds(trial):
+        robot = trial.start(SimpleParamNode)
+        type_in(trial, robot, words)
+        return trial.client(robot).get_parameter(words.split()[0])
+
+
+require_foresight('max_speed_rpm 12:30', {
+    100: 'It was not refused: YAML 1.1 counts in sixties', 12.5: 'A time of day becomes an integer',
+    '12:30': 'It would have been refused as a text; YAML 1.1 reads a number'})
+require_foresight('enable_safety_mode off', {
+    True: 'It was not refused: YAML 1.1 has more words for false', 'off': 'A boolean never holds a text'})
+require_foresight('max_acceleration_mps2 1', {
+    1.0: 'ROS converts nothing: an integer is refused, and the old value stays'})
+require_foresight('max_acceleration_mps2 2.0', {0.5: 'The ends of a range belong to it'}, REFUSALS)
+require_foresight('robot_name 007', {
+    '007': 'YAML reads a number, so it was refused, and the old value stays',
+    7: 'A text never holds a number: it is refused, and the old value stays'})
+
+EXERCISES = (spell, foresee)

@@ -1,0 +1,132 @@
+"""Exercises of chapter 5.3: set two parameters of another node together, and read an answer."""
+
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
+from rcl_interfaces.srv import SetParameters
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
+from param_tutorial.exercises.expectations import without_deadlock
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.parameters.client import ParameterValues
+
+CHAPTER = '05_3_from_another_node'
+HOW = 'How it works'
+ATOMIC = 'Change it: all or nothing'
+ONE_BY_ONE = 'Change it: one of four is wrong'
+WAITING = 'Break it: waiting in the wrong place'
+
+
+class Rover(Node):
+    """The robot that is to be slowed down."""
+
+    def __init__(self, gentlest_mps2: float = 0.1):
+        """:param gentlest_mps2: The smallest acceleration that it accepts, in m/s^2."""
+        super().__init__('rover')
+        self.declare_parameter('max_speed_rpm', 100)
+        self.declare_parameter('max_acceleration_mps2', 1.0, ParameterDescriptor(
+            floating_point_range=[FloatingPointRange(from_value=gentlest_mps2, to_value=2.0)]))
+
+
+class StubbornRover(Rover):
+    """Refuses to accelerate as gently as the supervisor wants it to."""
+
+    def __init__(self):
+        super().__init__(gentlest_mps2=0.5)
+
+
+OLD = ParameterValues(max_speed_rpm=100, max_acceleration_mps2=1.0)
+NEW = ParameterValues(max_speed_rpm=40, max_acceleration_mps2=0.2)
+
+supervise = Exercise('5.3a', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
+    'A client is made once, in the constructor: `self.create_client(TYPE, NAME)`. Which of the six services takes a '
+    'list as one wish?',
+    'The service is `/rover/set_parameters_atomically`, of the type `SetParametersAtomically`. Make its request as '
+    'the section “How it works” does, and send it with `call_async`.',
+    '`call_async` gives a future, and `future.add_done_callback(self.on_answer)` has your method called with it. '
+    '`future.result().result` is the one result, and it has a `reason`.'))
+
+
+def slow_down(trial: Trial, rover_class: type[Node]) -> tuple[Node, Node]:
+    """Put a rover and the learner's supervisor on the stage, and press the supervisor's button."""
+    rover = trial.start(rover_class)
+    supervisor = trial.start(without_deadlock(trial.work))
+    expect(list(supervisor.clients), 'the supervisor has a client for a service of `/rover`', 'it has none')
+    for client in supervisor.clients:
+        try:
+            trial.wait(client.service_is_ready, 'the client finds its service',
+                       lambda client=client: f'nobody offers a service `{client.srv_name}`, of that type')
+        except NotYet as error:
+            raise NoUse(error.expected, error.happened) from None
+    trial.press('`slow_down()`', supervisor.slow_down)
+    return rover, supervisor
+
+
+@supervise.require('`slow_down()` sends both values, and does not wait for the answer', see=HOW)
+def both(trial):
+    rover, _ = slow_down(trial, Rover)
+    client = trial.client(rover)
+    trial.wait(lambda: client.get_parameters(NEW) == NEW, 'the rover holds 40 rpm and 0.2 m/s²',
+               lambda: f'it holds {" and ".join(map(str, client.get_parameters(NEW).values()))}')
+
+
+@supervise.require('`self.refusal` is the reason of a rover that refuses', see=HOW)
+def reason(trial):
+    _, supervisor = slow_down(trial, StubbornRover)
+    trial.wait(lambda: 'out of range' in str(supervisor.refusal), 'the reason is in `self.refusal`',
+               lambda: f'`self.refusal` is `{supervisor.refusal!r}`')
+
+
+@supervise.require('both are set or neither: a rover that refuses one keeps the other', see=ATOMIC)
+def neither(trial):
+    both(trial)
+    rover, supervisor = slow_down(trial, StubbornRover)
+    trial.wait(lambda: supervisor.refusal, 'the answer has come', lambda: 'there is no reason in `self.refusal`')
+    kept = trial.client(rover).get_parameters(OLD)
+    expect(kept == OLD, 'the rover keeps 100 rpm when it refuses the acceleration',
+           f'it drives at {kept["max_speed_rpm"]} rpm. `set_parameters` decides each parameter for itself')
+
+
+read = Exercise('5.3b', CHAPTER, FUNCTION, hints=(
+    'A result has `successful` and `reason`, and no name.',
+    'The results come in the order of the request, so `zip(parameters, results)` gives the pairs.',
+    'A dictionary grows by `reasons[parameter.name] = result.reason`; return it behind the loop, not in it.'))
+
+
+def answer_to(trial: Trial, *parameters: Parameter) -> tuple[object, dict[str, str]]:
+    """Ask a rover to set parameters one by one; give what the learner's function makes of it, and what is true."""
+    rover = trial.start(Rover)
+    request = SetParameters.Request(parameters=[each.to_parameter_msg() for each in parameters])
+    results = trial.ros.services.call(rover.get_fully_qualified_name(), 'set_parameters', request).results
+    try:
+        given = trial.call('the function', trial.work, list(parameters), list(results))
+    except NotYet as error:
+        if 'AttributeError' in error.happened:
+            raise NotYet(error.expected, f'{error.happened}. A result has no name: results come in the order of the '
+                                         f'request') from None
+        raise
+    return given, {each.name: result.reason for each, result in zip(parameters, results) if not result.successful}
+
+
+@read.require('one refusal among three: its name, and the reason', see=HOW)
+def one(trial):
+    given, true = answer_to(trial, Parameter('max_speed_rpm', value=50), Parameter('max_acceleration_mps2', value=9.0),
+                            Parameter('use_sim_time', value=False))
+    expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')
+
+
+@read.require('two refusals: both of them', see=ONE_BY_ONE)
+def two(trial):
+    given, true = answer_to(trial, Parameter('max_speed_rpm', value='fast'), Parameter('use_sim_time', value=False),
+                            Parameter('max_acceleration_mps2', value=9.0))
+    expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`' + (
+        '. Does it return before the loop has ended?' if given else ''))
+
+
+@read.require('no refusal: an empty dictionary', see=HOW)
+def none(trial):
+    given, true = answer_to(trial, Parameter('max_speed_rpm', value=50))
+    expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')
+
+
+EXERCISES = (supervise, read)

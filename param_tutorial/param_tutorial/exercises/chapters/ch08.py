@@ -1,0 +1,185 @@
+"""Exercises of chapter 8: repair a node, and find the practice that would have prevented a complaint."""
+
+from collections.abc import Callable
+
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from param_tutorial.exercises.expectations import expect_accepted, expect_follows, expect_left_alone, expect_refused
+from param_tutorial.exercises.trial import NoUse, Trial, expect
+
+CHAPTER = '08_best_practices'
+DECLARE = 'Practice 1: declare everything, with a default that works'
+DESCRIBE = 'Practice 2: let the descriptor do the checking'
+JUDGE = 'Practice 3: judge first, act afterwards'
+GROUP = 'Practice 4: group names with dots'
+
+SPEED, GAP = 'belt.speed_mps', 'belt.gap_m'
+
+repair = Exercise('8a', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
+    'Begin with the declarations: new names with a dot, defaults with a dot, a range and a description for each. Only '
+    'then look at the callback.',
+    "In the callback, hold what would be stored against the rule: `new = {p.name: p.value for p in parameters}`, then "
+    "`new.get('belt.gap_m', stored)`. It changes nothing.",
+    "The line that moves the motor goes into a callback that is registered with `add_post_set_parameters_callback`, "
+    "and reads `get_parameter('belt.speed_mps')` there."))
+
+
+@repair.require('it starts without a file, and the belt stands', see=DECLARE)
+def starts_alone(trial):
+    conveyor = trial.start()
+    motor = getattr(conveyor, 'motor_mps', None)
+    expect(motor == 0.0, '`self.motor_mps` is `0.0`', f'it is `{motor!r}`')
+
+
+@repair.require('the group `belt` holds `speed_mps` and `gap_m`, both doubles', see=GROUP)
+def grouped(trial):
+    client = trial.client(trial.start())
+    found = client.get_parameters(client.list_parameters(['belt']))
+    expect(dict(found) == {SPEED: 0.0, GAP: 0.5}, f'`{SPEED}` with 0.0 and `{GAP}` with 0.5',
+           f'the group holds `{dict(found)}`')
+    for name, each in client.describe_parameters(found).items():
+        expect(each.type.label == 'double', f'`{name}` is a double',
+               f'it is of type {each.type.label}: the default decides, whatever the descriptor says')
+
+
+@repair.require('values outside of 0 to 2 and 0 to 1 are refused by a range', see=DESCRIBE)
+def limited(trial):
+    conveyor = trial.start()
+    for name, highest in ((SPEED, 2.0), (GAP, 1.0)):
+        expect_accepted(trial, conveyor, {name: highest})
+        for bad in (-0.5, highest + 0.5):
+            expect_refused(trial, conveyor, {name: bad})
+        limits = trial.client(conveyor).describe_parameter(name).range
+        found = limits and (limits.from_value, limits.to_value)
+        expect(found == (0.0, highest), f'the descriptor of `{name}` has a range from 0.0 to {highest}',
+               f'it has {"no range" if found is None else found}: a callback refuses, but no panel can know')
+
+
+@repair.require('the serial number is fixed, and each parameter is described', see=DESCRIBE)
+def described(trial):
+    conveyor = trial.start()
+    names = ['serial_number', SPEED, GAP]
+    told = trial.client(conveyor).describe_parameters(names)
+    expect(told['serial_number'].read_only, '`serial_number` is read only', 'anybody can change it')
+    silent = [name for name in names if not told[name].description.strip()]
+    expect(not silent, 'a description for each', f'there is none for {", ".join(f"`{name}`" for name in silent)}')
+
+
+@repair.require('above 1 m/s a gap below 0.3 m is refused, with a reason', see=JUDGE)
+def judges(trial):
+    conveyor = trial.start()
+    expect_refused(trial, conveyor, {SPEED: 1.5, GAP: 0.1})
+    expect_accepted(trial, conveyor, {SPEED: 1.0, GAP: 0.1})
+    expect_refused(trial, conveyor, {SPEED: 1.5})
+    expect_accepted(trial, conveyor, {SPEED: 1.5, GAP: 0.3}, '. Both are proposed together, so judge them together')
+    expect_refused(trial, conveyor, {GAP: 0.2})
+
+
+@repair.require('the motor follows what is stored, and only that', see=JUDGE)
+def acts_late(trial):
+    conveyor = expect_follows(trial, 'motor_mps', [
+        ({SPEED: 0.5}, 0.5), ({GAP: 0.4}, 0.5), ({SPEED: 0.6, GAP: 0.5}, 0.6)])
+    expect_left_alone(trial, conveyor, 'motor_mps', {SPEED: 0.8})
+
+
+def belt(follows: int) -> type[Node]:
+    """Derive a class of belts that follow one of the seven practices, and no other."""
+    class Belt(Node):
+        def __init__(self):
+            super().__init__('belt')
+            limits = ParameterDescriptor()
+            if follows == 2:
+                limits.floating_point_range = [FloatingPointRange(from_value=0.0, to_value=2.0)]
+            self.declare_parameter('speed_mps', 0.5 if follows == 1 else Parameter.Type.DOUBLE, limits)
+            self.declare_parameters('controller' if follows == 4 else '', [('kp', 2.0), ('ki', 0.1)])
+            if follows != 7:
+                self.declare_parameter('gravity_mps2', 9.81)
+            self.motor_mps = self.get_parameter('speed_mps').value
+            self.add_on_set_parameters_callback(self.validate)
+            self.add_post_set_parameters_callback(self.react)
+
+        def validate(self, parameters):
+            for parameter in parameters:
+                if parameter.name == 'speed_mps' and follows != 3:
+                    self.motor_mps = parameter.value
+                if parameter.name == 'kp' and parameter.value < 0.0:
+                    return SetParametersResult(successful=False, reason='kp must not be negative')
+            return SetParametersResult(successful=True)
+
+        def react(self, _):
+            self.motor_mps = self.get_parameter('speed_mps').value
+
+    return Belt
+
+
+find = Exercise('8b', CHAPTER, DICTIONARY, hints=(
+    'Write a number from 1 to 7 in place of the dots. A wrong guess costs nothing: the check tries it out.',
+    'Each complaint belongs to another practice, and 5 and 6 are not among them.',
+    'Ask of each: when did it hurt? At the start, at a wrong value, at a refusal, in a list, or at a knob that should '
+    'not be there?'))
+
+
+def require_practice(complaint: str) -> Callable:
+    """Add the requirement to name the practice with which a complaint would not have come up.
+
+    The decorated function does again what the complaint is about, on a belt that follows one practice, and tells how
+    that went if the complaint still holds.
+    """
+    def add(still: Callable[[Trial, type[Node]], str]) -> Callable[[Trial, type[Node]], str]:
+        # The section of the practice would be the answer.
+        @find.require(f'“{complaint}”', see='What you can do now')
+        def examine(trial):
+            given = trial.work.get(complaint, ...)
+            expect(given is not ..., '', 'there is no answer yet')
+            expect(type(given) is int and 1 <= given <= 7, 'the number of a practice, 1 to 7', f'there is `{given!r}`')
+            words = still(trial, belt(given))
+            expect(not words, 'a practice with which that does not happen',
+                   f'a belt that follows practice {given}, and no other: {words}')
+        return still
+    return add
+
+
+def started(trial: Trial, belt_class: type[Node]) -> Node:
+    """Start a belt as its author does, with what the file holds."""
+    return trial.start(belt_class, ros_args=['-p', 'speed_mps:=0.5'])
+
+
+@require_practice('Without its parameter file the belt does not even start.')
+def does_not_start(trial, belt_class):
+    try:
+        trial.start(belt_class)
+    except NoUse as error:
+        return error.happened
+    return ''
+
+
+@require_practice('I typed 50.0 and meant 0.5, and the belt took it.')
+def takes_everything(trial, belt_class):
+    client = trial.client(started(trial, belt_class))
+    return 'it accepted 50.0 m/s' if client.set_parameter('speed_mps', 50.0).successful else ''
+
+
+@require_practice('My request was refused, and the belt sped up all the same.')
+def acts_on_proposals(trial, belt_class):
+    node = started(trial, belt_class)
+    gain = next(name for name in ('kp', 'controller.kp') if node.has_parameter(name))
+    trial.client(node).set_parameters_atomically({'speed_mps': 1.5, gain: -1.0})
+    return f'the motor runs at {node.motor_mps} m/s, and the parameter says 0.5' if node.motor_mps != 0.5 else ''
+
+
+@require_practice('I wanted a list of just the controller gains, and got none.')
+def has_no_groups(trial, belt_class):
+    names = trial.client(started(trial, belt_class)).list_parameters(['controller'])
+    return '' if names else 'the list of names that begin with `controller.` is empty'
+
+
+@require_practice('Somebody set gravity to 0, and now the load weighs nothing.')
+def has_gravity(trial, belt_class):
+    client = trial.client(started(trial, belt_class))
+    return 'it accepted a gravity of 0' if client.set_parameter('gravity_mps2', 0.0).successful else ''
+
+
+EXERCISES = (repair, find)

@@ -1,0 +1,203 @@
+"""Exercises of chapter 10.1: keep a journal of another node's parameters, and predict how many events there are."""
+
+from collections.abc import Callable
+from typing import Any
+
+from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from param_tutorial.exercises.trial import CORNER, NoUse, Trial, expect
+from param_tutorial.parameters import values
+from param_tutorial.runtime.waiting import wait_until
+
+CHAPTER = '10_1_parameter_events'
+LISTENER = 'Build it: a listener'
+WHAT_IS_TOLD = 'Change it: what is told, and how often'
+BURST = 'Break it: a burst'
+TOPIC = '/parameter_events'
+BURST_LENGTH = 200
+
+
+class Rover(Node):
+    """The robot that is listened to; `last` is set to mark the end of an experiment."""
+
+    def __init__(self):
+        super().__init__('rover')
+        self.declare_parameters('', [
+            ('speed', 1), ('offset', 0.5), ('label', 'rover'), ('enabled', True), ('gains', [1.0, 2.0]), ('last', 0)])
+
+
+class Gripper(Node):
+    """Another node, which has nothing to do with it."""
+
+    def __init__(self):
+        super().__init__('gripper')
+        self.declare_parameter('speed', 1)
+
+
+def in_the_corner(node_class: type[Node]) -> type[Node]:
+    """Derive a class that hears of the nodes in the corner only, under the names that they have for the learner."""
+    class InTheCorner(node_class):
+        def create_subscription(self, msg_type, topic, callback, *args, **options):
+            def hear(message):
+                if not isinstance(message, ParameterEvent):
+                    callback(message)
+                elif message.node.startswith(f'{CORNER}/'):
+                    message.node = message.node.removeprefix(CORNER)
+                    try:
+                        callback(message)
+                    finally:
+                        self.events_heard = [*getattr(self, 'events_heard', ()), message]
+
+            return super().create_subscription(msg_type, topic, hear, *args, **options)
+
+    return InTheCorner
+
+
+keep = Exercise('10.1a', CHAPTER, NODE_CLASS, node_name='journal', hints=(
+    'Subscribe in the constructor, as the node of the package does, and look at `event.node` in the callback.',
+    'Go through the three lists of the message one after the other. `parameter_value_to_python(parameter.value)` '
+    'is the value, also where it is 0.',
+    'For the burst, the last argument of `create_subscription` has to be `qos_profile_parameter_events`.'))
+
+
+def begin(trial: Trial) -> tuple[Node, Node]:
+    """Put a rover and the learner's journal on the stage."""
+    rover = trial.start(Rover)
+    journal = trial.start(in_the_corner(trial.work))
+    if TOPIC not in [subscription.topic_name for subscription in journal.subscriptions]:
+        raise NoUse(f'the journal subscribes to `{TOPIC}`', 'it does not')
+    return rover, journal
+
+
+def pages_after(trial: Trial, rover: Node, journal: Node, action: Callable[[], Any]) -> list:
+    """Let something happen, and give what the journal has written down when it has heard of the end of it."""
+    before = len(journal.pages)
+    action()
+    trial.client(rover).set_parameter('last', 1)
+    trial.wait(lambda: 'last' in [each.name for event in getattr(journal, 'events_heard', ())
+                                  for each in event.changed_parameters],
+               'the events reach the journal', lambda: 'they do not')
+    return [page for page in journal.pages[before:] if not (isinstance(page, tuple) and page[1:2] == ('last',))]
+
+
+def expect_pages(trial: Trial, pages: list, wanted: list[tuple[str, str, Any]]) -> None:
+    """Expect these pages, each value of the right type; numbers of pages first."""
+    for page in wanted:
+        alike = [each for each in pages if isinstance(each, tuple) and len(each) == 3 and each[:2] == page[:2]]
+        expect(any(values.same(values.normalise(each[2]), page[2]) for each in alike),
+               f'a page `{page!r}`', (f'there is `{alike[0]!r}`' if alike else f'the pages are `{pages!r}`')
+               + trial.raised())
+    expect(len(pages) == len(wanted), f'{len(wanted)} pages', f'there are {len(pages)}')
+
+
+@keep.require('every changed value is written down as it is', see=LISTENER)
+def changed(trial):
+    rover, journal = begin(trial)
+    new = {'speed': 7, 'offset': 0.0, 'label': '', 'gains': [0.5, 0.0], 'enabled': False}
+    pages = pages_after(trial, rover, journal, lambda: trial.client(rover).set_parameters_atomically(new))
+    expect_pages(trial, pages, [('changed', name, value) for name, value in new.items()])
+
+
+@keep.require('new and deleted parameters are told from changed ones', see=WHAT_IS_TOLD)
+def kinds(trial):
+    rover, journal = begin(trial)
+
+    def come_and_go():
+        lamp = ParameterDescriptor(dynamic_typing=True)
+        trial.ros.run(lambda: rover.declare_parameter('lamp', 0, lamp), 'declare a parameter')
+        trial.client(rover).delete_parameter('lamp')
+
+    expect_pages(trial, pages_after(trial, rover, journal, come_and_go),
+                 [('new', 'lamp', 0), ('deleted', 'lamp', None)])
+
+
+@keep.require('only the rover is in it', see=LISTENER)
+def rover_only(trial):
+    rover, journal = begin(trial)
+    gripper = trial.start(Gripper)
+
+    def both():
+        trial.client(gripper).set_parameter('speed', 3)
+        trial.client(rover).set_parameter('speed', 5)
+
+    pages = pages_after(trial, rover, journal, both)
+    expect(('changed', 'speed', 5) in pages, "a page `('changed', 'speed', 5)` of the rover",
+           f'the pages are `{pages!r}`{trial.raised()}')
+    expect(len(pages) == 1, 'no page of the gripper', f'the pages are `{pages!r}`')
+
+
+@keep.require(f'a burst of {BURST_LENGTH} changes is complete', see=BURST)
+def burst(trial):
+    rover, journal = begin(trial)
+
+    def hurry():
+        for speed in range(1, BURST_LENGTH + 1):
+            rover.set_parameters([Parameter('speed', value=speed)])
+
+    pages = pages_after(trial, rover, journal, lambda: trial.ros.run(hurry, 'set the speed in a burst'))
+    speeds = {page[2] for page in pages if isinstance(page, tuple) and len(page) == 3 and page[1] == 'speed'}
+    expect(speeds.issuperset(range(1, BURST_LENGTH + 1)), f'{BURST_LENGTH} pages',
+           f'{len(speeds)} of the speeds are in it{trial.raised()}')
+
+
+count = Exercise('10.1b', CHAPTER, DICTIONARY, hints=(
+    'An event tells of what was stored at one go. `set_parameters` stores its parameters one by one.',
+    'What is refused is not stored. Which part of a request is refused along with one parameter of it?',
+    'The table in the section “Change it: what is told, and how often” has most of the numbers.'))
+
+
+def require_count(what: str, action: Callable[[Trial, Node], Any], because: dict[int, str]) -> None:
+    """Add the requirement to know how many events there are when something is done to a rover."""
+    @count.require_prediction(what, see=WHAT_IS_TOLD, because=because)
+    def counted(trial):
+        rover = trial.start(Rover)
+        heard: list[ParameterEvent] = []
+        stop_listening = trial.ros.on_parameter_event(
+            lambda event: heard.append(event) if event.node == rover.get_fully_qualified_name() else None)
+        try:
+            trial.client(rover).set_parameter('last', 1)
+            _wait_for_last(heard, 1)
+            action(trial, rover)
+            trial.client(rover).set_parameter('last', 2)
+            return _wait_for_last(heard, 2)
+        finally:
+            stop_listening()
+
+
+def _wait_for_last(heard: list[ParameterEvent], value: int) -> int:
+    """Wait for the mark at the end, and give how many events have come since the mark before."""
+    def marks():
+        return [index for index, event in enumerate(heard) if event.changed_parameters
+                and event.changed_parameters[0].name == 'last']
+    wait_until(lambda: len(marks()) >= value, 'the last event')
+    return marks()[-1] - marks()[-2] - 1 if value > 1 else 0
+
+
+TWO = {'speed': 3, 'label': 3}
+THREE = {'speed': 3, 'offset': 0.25, 'enabled': False}
+
+require_count('set_parameters with three parameters', lambda trial, rover: trial.client(rover).set_parameters(THREE),
+              {1: 'It stores one after the other, and tells of each'})
+require_count('set_parameters_atomically with three parameters',
+              lambda trial, rover: trial.client(rover).set_parameters_atomically(THREE),
+              {3: 'It stores them at one go, and tells of them at one go'})
+require_count('set_parameters with two, of which one is refused',
+              lambda trial, rover: trial.client(rover).set_parameters(TWO),
+              {0: 'Each is decided for itself: the other one is stored', 2: 'What is refused is not told'})
+require_count('set_parameters_atomically with two, of which one is refused',
+              lambda trial, rover: trial.client(rover).set_parameters_atomically(TWO),
+              {1: 'All or nothing: no parameter of the request is stored'})
+require_count('the value that it has already', lambda trial, rover: trial.client(rover).set_parameter('speed', 1),
+              {0: 'A node does not compare: what is stored is told'})
+require_count('declare_parameters with two parameters',
+              lambda trial, rover: trial.ros.run(
+                  lambda: rover.declare_parameters('', [('x', 1), ('y', 2)]), 'declare two parameters'),
+              {0: 'A declaration stores a value too', 1: 'It declares one after the other'})
+require_count('undeclare_parameter',
+              lambda trial, rover: trial.ros.run(lambda: rover.undeclare_parameter('label'), 'undeclare'),
+              {1: 'Nobody is told that a parameter is gone, but for a dynamic one that is set to nothing'})
+
+EXERCISES = (keep, count)

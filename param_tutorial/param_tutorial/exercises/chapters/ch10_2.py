@@ -1,0 +1,159 @@
+"""Exercises of chapter 10.2: read all parameters of another node, and find a parameter in all nodes."""
+
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
+from param_tutorial.exercises.expectations import without_deadlock
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.parameters import values
+from param_tutorial.parameters.snapshot import Snapshot, all_parameters
+
+CHAPTER = '10_2_asking_another_node'
+BY_NAME = 'Ask by name'
+UNKNOWN = 'Break it: a name too many'
+LIST_FIRST = 'Build it: first the names, then the values'
+ALL = 'All parameters of all nodes'
+
+
+class Rover(Node):
+    """The robot that is inspected, with values that are easily missed."""
+
+    def __init__(self):
+        super().__init__('rover')
+        self.declare_parameters('', [
+            ('speed', 0), ('offset', 0.0), ('label', ''), ('enabled', False), ('gains', [0.5, 0.0])])
+
+
+class Sleigh(Node):
+    """Has the same name as the rover, and other parameters."""
+
+    def __init__(self):
+        super().__init__('rover')
+        self.declare_parameters('', [('reindeer', 9), ('bells.count', 12)])
+
+
+class Uncalibrated(Node):
+    """A rover with a parameter that has no value."""
+
+    def __init__(self):
+        super().__init__('rover')
+        self.declare_parameter('speed', 3)
+        self.declare_parameter('calibration', Parameter.Type.DOUBLE)
+
+
+inspect = Exercise('10.2a', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
+    'Two clients, made in the constructor, and two questions: `list_parameters` for the names, and when they are '
+    'there, `get_parameters` for the values. `ParamQueryNode` does it.',
+    '`call_async` gives a future, and `future.add_done_callback(self.on_names)` has your method called with it. The '
+    'names are in `future.result().result.names`; `zip` puts names and values together.',
+    'An answer without values means that one of the names has none: ask again, for each name alone.'))
+
+
+def noting_questions(node_class: type[Node]) -> type[Node]:
+    """Derive a class that keeps the futures of all that it asks, so that one can tell when it has done its work."""
+    class NotingQuestions(node_class):
+        def create_client(self, *args, **options):
+            client = super().create_client(*args, **options)
+            call_async = client.call_async
+
+            def note(request):
+                self.questions = [*getattr(self, 'questions', ()), call_async(request)]
+                return self.questions[-1]
+
+            client.call_async = note
+            return client
+
+    return NotingQuestions
+
+
+def is_done(trial: Trial, inspector: Node) -> bool:
+    """Are all questions answered, and all answers heard, and has nothing more been asked because of them?"""
+    questions = list(getattr(inspector, 'questions', ()))
+    if not all(future.done() for future in questions):
+        return False
+    # The executor has set the last future when the first is over, and has called what waited for it after the second.
+    for _ in range(2):
+        trial.ros.run(lambda: None, 'let the executor come round')
+    return len(questions) == len(getattr(inspector, 'questions', ()))
+
+
+def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...] = ()) -> None:
+    """Put a rover and the learner's inspector on the stage, let it inspect, and expect it to find everything.
+
+    :param left_out: Names that may be there, with the value None, or not.
+    """
+    rover = trial.start(rover_class)
+    inspector = trial.start(noting_questions(without_deadlock(trial.work)))
+    expect(list(inspector.clients), 'the inspector has clients for services of `/rover`', 'it has none')
+    for client in inspector.clients:
+        try:
+            trial.wait(client.service_is_ready, 'the client finds its service',
+                       lambda client=client: f'nobody offers a service `{client.srv_name}`, of that type')
+        except NotYet as error:
+            raise NoUse(error.expected, error.happened) from None
+    wanted = {name: value for name, value in trial.client(rover).get_parameters().items() if name not in left_out}
+    trial.press('`inspect()`', inspector.inspect)
+
+    trial.wait(lambda: is_done(trial, inspector), 'all questions are answered', lambda: 'one is not')
+    found = {name: values.normalise(value) for name, value in dict(inspector.found).items()
+             if not (name in left_out and value is None)}
+    expect(found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted),
+           f'`self.found` is `{dict(wanted)!r}`', f'it is `{inspector.found!r}`{trial.raised()}')
+
+
+@inspect.require('`self.found` holds every parameter with its value, and `inspect()` does not wait', see=BY_NAME)
+def everything(trial):
+    found_in(trial, Rover)
+
+
+@inspect.require('whatever the parameters are called', see=LIST_FIRST)
+def any_names(trial):
+    found_in(trial, Sleigh)
+
+
+@inspect.require('one parameter without a value does not hide the others', see=UNKNOWN)
+def unset(trial):
+    found_in(trial, Uncalibrated, left_out=('calibration',))
+
+
+who = Exercise('10.2b', CHAPTER, FUNCTION, hints=(
+    'A snapshot is a dictionary: `for node, parameters in snapshot.items()`. And `parameters` is one, too.',
+    '`name in parameters` asks whether the node has the parameter; its value may be 0, and it is still there.',
+    'Gather the answer in a dictionary, `found[node] = parameters[name]`, and return it behind the loop.'))
+
+
+class Gripper(Node):
+    """Has a speed as well."""
+
+    def __init__(self):
+        super().__init__('gripper')
+        self.declare_parameters('', [('speed', 4), ('grip', True)])
+
+
+def census(trial: Trial, name: str) -> None:
+    """Take a snapshot of two nodes, and expect the learner's function to find a parameter in it."""
+    snapshot: Snapshot = all_parameters([trial.start(Rover), trial.start(Gripper)], executor=trial.ros)
+    wanted = {node: parameters[name] for node, parameters in snapshot.items() if name in parameters}
+    given = trial.call('the function', trial.work, snapshot, name)
+    expect(isinstance(given, dict) and given.keys() == wanted.keys()
+           and all(values.same(given[node], wanted[node]) for node in wanted),
+           f'for `{name}`: `{wanted!r}`', f'the function gave `{given!r}`')
+
+
+@who.require('a parameter that one node has', see=ALL)
+def one(trial):
+    census(trial, 'grip')
+
+
+@who.require('a parameter that both have, one of them with the value 0', see=ALL)
+def both(trial):
+    census(trial, 'speed')
+
+
+@who.require('a parameter that nobody has: an empty dictionary', see=ALL)
+def nobody(trial):
+    census(trial, 'wings')
+
+
+EXERCISES = (inspect, who)

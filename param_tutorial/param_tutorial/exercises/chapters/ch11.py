@@ -1,0 +1,387 @@
+"""Exercises of chapter 11, the capstone: a warehouse cart, declared, judged, acting, saved, launched and tuned.
+
+What the learner builds in the first three is held against requirements only. From the fourth on the cart of the
+package plays along, so that a fault in an earlier step does not follow the learner.
+"""
+
+import functools
+import math
+import tempfile
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from rclpy.node import Node
+
+from param_tutorial.errors import NodeError, ParameterFileError, WaitTimeoutError
+from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
+from param_tutorial.exercises.expectations import (
+    client_for,
+    expect_accepted,
+    expect_answer,
+    expect_declared,
+    expect_left_alone,
+    expect_refused,
+    with_second_judge,
+)
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.nodes.cart_node import AISLE_M, CartNode
+from param_tutorial.notebook.terminal import Terminal
+from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.values import DOUBLE, STRING
+from param_tutorial.runtime import stage
+from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.waiting import wait_until
+
+CHAPTER = '11_conclusion'
+DECLARE = 'Declare'
+ASK = 'Ask, and be answered'
+JUDGE = 'Judge, and act'
+SAVE = 'Save, and load'
+START = 'Start, and launch'
+TUNE = 'Tune'
+
+
+def settings(speed_mps: float, acceleration_mps2: float) -> dict[str, float]:
+    return {'max_speed_mps': speed_mps, 'max_acceleration_mps2': acceleration_mps2}
+
+
+def overrides(speed_mps: float, acceleration_mps2: float) -> list[str]:
+    """Give the words that make a cart start with these."""
+    return [word for name, value in settings(speed_mps, acceleration_mps2).items()
+            for word in ('-p', f'{name}:={value}')]
+
+
+# -- 11a ----------------------------------------------------------------------------------------------------
+
+declare = Exercise('11a', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
+    'One `self.declare_parameter(name, default, descriptor)` for each. The default decides the type, the descriptor '
+    'says the rest.',
+    'A double takes its limits from `floating_point_range=[FloatingPointRange(from_value=..., to_value=...)]`, and a '
+    'lock is `read_only=True`.',
+    'Everything said in a descriptor goes into one: `ParameterDescriptor(description=..., read_only=True)`. Make a new '
+    'one for each declaration.'))
+
+
+@declare.require('`cart_id` is a string, `CART-01`, and nobody can change it', see=DECLARE)
+def cart_id(trial):
+    expect_declared(trial, 'cart_id', STRING, 'CART-01')
+    expect_answer(trial, 'cart_id', 'CART-02', 'read only', 'A lock is a field of the descriptor, `read_only`')
+
+
+def expect_limits(trial: Trial, name: str, start: float) -> None:
+    """Expect a double from 0.1 to 2.0."""
+    expect_declared(trial, name, DOUBLE, start)
+    for end in (0.1, 2.0):
+        expect_answer(trial, name, end, 'accepted')
+    for beyond in (0.05, 2.1):
+        expect_answer(trial, name, beyond, 'out of range', 'A double has its `floating_point_range`')
+
+
+@declare.require('`max_speed_mps` is a double, starts at 1.0, and goes from 0.1 to 2.0', see=DECLARE)
+def speed(trial):
+    expect_limits(trial, 'max_speed_mps', 1.0)
+
+
+@declare.require('`max_acceleration_mps2` is a double, starts at 0.5, and goes from 0.1 to 2.0', see=DECLARE)
+def acceleration(trial):
+    expect_limits(trial, 'max_acceleration_mps2', 0.5)
+
+
+@declare.require('each of the three has a description', see=DECLARE)
+def described(trial):
+    for name in ('cart_id', 'max_speed_mps', 'max_acceleration_mps2'):
+        expect(client_for(trial, name).describe_parameter(name).description.strip(), f'`{name}` has a description',
+               'it has none: whoever opens a panel has to guess its unit')
+
+
+# -- 11b ----------------------------------------------------------------------------------------------------
+
+judge = Exercise('11b', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
+    'Write the rule once, as a method that takes a speed and an acceleration and gives the reason against them, or an '
+    'empty text. The callback and the constructor both use it.',
+    'The callback judges what would be stored: begin with the stored values, and let the proposed ones replace them. '
+    '`{p.name: p.value for p in parameters}` is what is proposed.',
+    'An on-set callback that is registered after the declarations is not asked about start values. Call the rule in '
+    'the constructor too, and `raise ValueError(reason)` if there is one.'))
+
+
+def start_cart(trial: Trial, *values: float, node_class: type[Node] | None = None) -> Node:
+    """Start the learner's cart, perhaps with other values than its own, and expect what was declared before.
+
+    :raises NoUse: it lacks a parameter.
+    """
+    cart = trial.start(node_class, ros_args=overrides(*values) if values else [])
+    missing = [name for name in settings(1.0, 0.5) if not cart.has_parameter(name)]
+    if missing:
+        raise NoUse(f'a parameter `{missing[0]}`, from 11a', 'the node has none of that name')
+    return cart
+
+
+@judge.require('values with which the cart could not stop within 2 m are refused, with a reason', see=JUDGE)
+def sight(trial):
+    cart = start_cart(trial)
+    expect_accepted(trial, cart, {'max_speed_mps': 1.4}, '. 1.4 m/s and 0.5 m/s² make 1.96 m')
+    for bad in ({'max_speed_mps': 2.0}, {'max_acceleration_mps2': 0.4}):
+        expect_refused(trial, cart, bad)
+
+
+@judge.require('both in one request are judged together', see=JUDGE)
+def together(trial):
+    cart = start_cart(trial)
+    expect_accepted(trial, cart, settings(2.0, 1.0),
+                    '. The proposed speed has to be held against the proposed acceleration, and 2.0 m are just allowed')
+    expect_refused(trial, cart, settings(2.0, 0.9))
+
+
+@judge.require('a cart that is given such values at its start does not start', see=JUDGE)
+def start_values(trial):
+    start_cart(trial, 1.5, 1.0)
+    try:
+        start_cart(trial, 2.0, 0.5)
+    except NoUse:
+        return
+    raise NotYet('a cart with 2.0 m/s and 0.5 m/s² ends in its constructor', 'it has started. An on-set callback that '
+                 'is registered after the declarations is not asked about start values')
+
+
+# -- 11c ----------------------------------------------------------------------------------------------------
+
+act = Exercise('11c', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
+    'Something has to happen when values are stored, and not before: which of the three callbacks is that?',
+    'Register it with `add_post_set_parameters_callback`, and work out `self.trip_sec` in it from `get_parameter`.',
+    'The constructor calls the same method once, after `super().__init__()`: there the start values are stored.'))
+
+
+def expect_trip(cart: Node, speed_mps: float, acceleration_mps2: float, when: str) -> None:
+    """Expect `self.trip_sec` to be right."""
+    wanted, found = AISLE_M / speed_mps + speed_mps / acceleration_mps2, getattr(cart, 'trip_sec', None)
+    expect(isinstance(found, (int, float)) and math.isclose(found, wanted), f'`self.trip_sec` is {wanted:g} {when}',
+           f'it is `{found!r}`')
+
+
+@act.require('`self.trip_sec` is right from the start, whatever the cart starts with', see=JUDGE)
+def from_the_start(trial):
+    expect_trip(start_cart(trial), 1.0, 0.5, 'with 1.0 m/s and 0.5 m/s²')
+    expect_trip(start_cart(trial, 1.5, 1.0), 1.5, 1.0, 'in a cart that was started with 1.5 m/s and 1.0 m/s²')
+
+
+@act.require('it follows what is stored', see=JUDGE)
+def follows(trial):
+    cart = start_cart(trial)
+    expect_accepted(trial, cart, {'max_speed_mps': 1.2})
+    expect_trip(cart, 1.2, 0.5, 'once 1.2 m/s is stored')
+    expect_accepted(trial, cart, settings(2.0, 1.0))
+    expect_trip(cart, 2.0, 1.0, 'once 2.0 m/s and 1.0 m/s² are stored')
+
+
+@act.require('it stays as it is when a change is refused in the end', see=JUDGE)
+def acts_late(trial):
+    cart = start_cart(trial, node_class=with_second_judge(trial.work))
+    expect_accepted(trial, cart, {'max_speed_mps': 1.2})
+    expect_trip(cart, 1.2, 0.5, 'once 1.2 m/s is stored')
+    expect_left_alone(trial, cart, 'trip_sec', {'max_speed_mps': 0.6})
+
+
+# -- 11d ----------------------------------------------------------------------------------------------------
+
+save = Exercise('11d', CHAPTER, FUNCTION, hints=(
+    "Two things in a cart's dump are not for other carts: its first line, and its `cart_id`.",
+    'The first line may be `/**:`, which is for every node. The file needs the two numbers and nothing else.',
+    '`client.get_parameters([...])` gives the two, and `parameter_files.render(node, values)` makes the text of them, '
+    'which has a method `save(path)`.'))
+TUNED = settings(2.0, 1.0)
+
+
+def other_cart(trial: Trial, *ros_args: str) -> ParameterClient:
+    """Put a second cart on the stage, with another name and another id."""
+    return trial.client(trial.start(CartNode, ros_args=[
+        '-r', '__node:=second_cart', '-p', 'cart_id:=CART-02', *ros_args]))
+
+
+def saved_file(trial: Trial, folder: str) -> Path:
+    """Let the learner's function save the values of a tuned cart."""
+    path = Path(folder) / 'fleet.yaml'
+    source = trial.client(start_cart(trial, *TUNED.values(), node_class=CartNode))
+    trial.call('`save_for_all(client, path)`', trial.work, source, path)
+    if not path.exists():
+        raise NoUse('a file at `path`', 'there is none')
+    return path
+
+
+def expect_held(client: ParameterClient, wanted: dict[str, Any], because: str = '') -> None:
+    """Expect a cart to hold values."""
+    held = dict(client.get_parameters(wanted))
+    expect(held == wanted, ', '.join(f'`{name} = {value!r}`' for name, value in wanted.items()),
+           ', '.join(f'`{name} = {value!r}`' for name, value in held.items()) + because)
+
+
+@save.require('a cart of another name that is started with the file has the values', see=SAVE)
+def starts_with_it(trial):
+    with tempfile.TemporaryDirectory() as folder:
+        second = other_cart(trial, '--params-file', str(saved_file(trial, folder)))
+    expect_held(second, TUNED, '. A file reaches the nodes that its first line names, and is silent to all others')
+
+
+@save.require('and keeps its own `cart_id`', see=SAVE)
+def keeps_its_id(trial):
+    with tempfile.TemporaryDirectory() as folder:
+        second = other_cart(trial, '--params-file', str(saved_file(trial, folder)))
+    expect_held(second, {**TUNED, 'cart_id': 'CART-02'},
+                '. At a start, a file gives values to read-only parameters, too')
+
+
+@save.require('a running cart of another name loads it', see=SAVE)
+def loads_it(trial):
+    second = other_cart(trial)
+    with tempfile.TemporaryDirectory() as folder:
+        path = saved_file(trial, folder)
+        try:
+            # Together: one by one, a new speed would be held against the old acceleration.
+            results = second.load(path, atomically=True)
+        except ParameterFileError as error:
+            raise NotYet('the file can be loaded into `/second_cart`', str(error).replace(f'{path}', path.name)
+                         ) from None
+    expect(results.successful, 'the second cart accepts all that is in the file', f'{results}')
+    expect_held(second, TUNED)
+
+
+# -- 11e ----------------------------------------------------------------------------------------------------
+
+launch = Exercise('11e', CHAPTER, TEXT, hints=(
+    'The launch files in `param_tutorial/launch` show the frame: a function that returns a `LaunchDescription` with a '
+    '`Node` in it. This one has a `namespace=` too.',
+    'The parameter file is `os.path.join(get_package_share_directory("param_tutorial"), "config", '
+    '"cart_config.yaml")`. It is the first in the list `parameters`, and a dictionary comes after it.',
+    'Above 0.4 m/s² or so the cart could not stop from 1.5 m/s. So the dictionary has two values: '
+    '`{"max_speed_mps": 1.5, "max_acceleration_mps2": 0.6}`.'))
+LAUNCHED = '/aisle_3/cart_node'
+STARTUP_SEC = 30.0
+
+
+@functools.lru_cache(maxsize=8)
+def values_after_launch(text: str) -> dict[str, Any]:
+    """Launch a text as a process of its own, and give the values of the cart that it starts in the aisle.
+
+    The requirements ask for the same launch one after the other; one that went well need not be repeated.
+
+    :raises NoUse: there came no such cart.
+    """
+    ros = stage.current()
+    before = Counter(ros.services.node_names())
+
+    def carts() -> Counter:
+        """The carts that were not there before."""
+        return Counter(name for name in ros.services.node_names() if name.endswith('/cart_node')) - before
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / 'cart_launch.py'
+        path.write_text(text)
+        terminal = Terminal(f'ros2 launch {path}')
+        try:
+            wait_until(lambda: carts() or not terminal.is_running, 'a cart', STARTUP_SEC)
+            if carts() and LAUNCHED not in carts():
+                raise NoUse(f'a node `{LAUNCHED}`', f'there came a `{min(carts())}`')
+            wait_until(lambda: is_there(ros) or not terminal.is_running, LAUNCHED, STARTUP_SEC)
+            return dict(ParameterClient(LAUNCHED, timeout_sec=STARTUP_SEC).get_parameters(
+                ['cart_id', *settings(1.5, 0.6)]))
+        except (NodeError, WaitTimeoutError):
+            pass  # it has never come, or has ended in its constructor
+        finally:
+            terminal.interrupt(STARTUP_SEC)
+            wait_until(lambda: not carts(), 'the cart to leave', STARTUP_SEC)
+    lines = [line.replace(folder, '…') for line in terminal.text.splitlines()]
+    reasons = [line for line in lines if 'Error' in line or 'Exception' in line]
+    raise NoUse(f'a node `{LAUNCHED}`', 'none came' + ''.join(
+        f'. The launch says: {line}' for line in [*lines, *reasons][-1:]))
+
+
+def is_there(ros: BackgroundExecutor) -> bool:
+    return ros.services.is_ready(LAUNCHED, 'get_parameters')
+
+
+def expect_launched(trial: Trial) -> dict[str, Any]:
+    """Launch the learner's text, and expect a cart in the aisle."""
+    if 'def generate_launch_description' not in trial.work:
+        raise NoUse('the text of a launch file', 'there is no function `generate_launch_description` in it yet')
+    if is_there(trial.ros):
+        raise NoUse('no cart of this name before the launch', f'there is a `{LAUNCHED}` already: end it first')
+    return values_after_launch(trial.work)
+
+
+@launch.require('`ros2 launch` starts the cart as `/aisle_3/cart_node`', see=START)
+def in_the_aisle(trial):
+    expect_launched(trial)
+
+
+@launch.require('it drives at 1.5 m/s and accelerates with 0.6 m/s², whatever the file says', see=START)
+def with_overrides(trial):
+    found = expect_launched(trial)
+    wanted = settings(1.5, 0.6)
+    expect({name: found[name] for name in wanted} == wanted, '1.5 and 0.6',
+           f'{found["max_speed_mps"]} and {found["max_acceleration_mps2"]}. Of two sources, which one wins?')
+
+
+@launch.require('what the launch file does not say comes from `config/cart_config.yaml`', see=START)
+def with_the_file(trial):
+    found = expect_launched(trial)
+    expect(found['cart_id'] == 'CART-07', "`cart_id` is `'CART-07'`, as in the file",
+           f'it is `{found["cart_id"]!r}`: the file has not been loaded')
+
+
+# -- 11f ----------------------------------------------------------------------------------------------------
+
+tune = Exercise('11f', CHAPTER, FUNCTION, hints=(
+    'Solve `12 / v + v / a = 8` for `a`. Which `v` makes it smallest?',
+    '`a = v² / (8 v − 12)`. It falls as `v` rises, up to 3 m/s. The range of the speed ends before that.',
+    'Both together or not at all: with the old acceleration the new speed would be refused. '
+    '`client.set_parameters_atomically({...})` sends one request.'))
+GOAL_SEC = 8.0
+GENTLEST_MPS2 = 1.0
+
+
+class Watched(CartNode):
+    """Notes how many parameters each request holds."""
+
+    def __init__(self):
+        super().__init__()
+        self.requests: list[int] = []
+
+    def validate(self, parameters):
+        # It is called for each parameter of set_parameters, and once for set_parameters_atomically.
+        self.requests.append(len(parameters))
+        return super().validate(parameters)
+
+
+def tuned(trial: Trial, *start: float) -> Watched:
+    """Let the learner's function tune a cart."""
+    cart = start_cart(trial, *start, node_class=Watched)
+    trial.call('`tune(client)`', trial.work, trial.client(cart))
+    return cart
+
+
+@tune.require('the aisle takes at most 8 s', see=TUNE)
+def in_time(trial):
+    cart = tuned(trial)
+    expect(cart.trip_sec <= GOAL_SEC + 1e-9, 'at most 8 s', f'{cart.trip_sec:.2f} s, with '
+           f'{" m/s and ".join(f"{each:g}" for each in cart.settings())} m/s²')
+
+
+@tune.require('with the gentlest acceleration that will do', see=TUNE)
+def gently(trial):
+    cart = tuned(trial)
+    in_time(trial)
+    found = cart.settings()[1]
+    expect(found <= GENTLEST_MPS2 * 1.01, 'no acceleration is gentler and still in time',
+           f'{found:g} m/s²; there is a gentler one, with a higher speed')
+
+
+@tune.require('both values change together, in one request', see=TUNE)
+def at_once(trial):
+    in_time(trial)
+    cart = tuned(trial, 0.5, 0.2)
+    expect(cart.requests == [2], 'one request, with two parameters',
+           f'{len(cart.requests)} requests, with {" and ".join(map(str, cart.requests))}')
+
+
+EXERCISES = (declare, judge, act, save, launch, tune)

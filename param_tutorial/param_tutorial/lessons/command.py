@@ -1,0 +1,36 @@
+"""The command line of the HTML lessons: which chapters, where to, and one page for each or one file for one."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from param_tutorial.lessons import build, run, single
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Read the command line, and build.
+
+    :return: The exit status.
+    """
+    parser = argparse.ArgumentParser(prog='python -m param_tutorial.lessons', description='Make the HTML lessons.')
+    parser.add_argument('--notebooks', type=Path, default=build.ROOT / 'notebooks', help='the folder of the chapters')
+    parser.add_argument('--only', nargs='+', metavar='CHAPTER', help='chapters, by what their names begin with')
+    parser.add_argument('--target', type=Path, default=build.ROOT / 'build' / 'html', help='where the site shall be')
+    parser.add_argument('--work', type=Path, default=build.ROOT / 'build' / 'lessons',
+                        help='what is kept between builds')
+    parser.add_argument('--lesson', metavar='CHAPTER', help='make one file of one chapter instead')
+    options = parser.parse_args(arguments)
+    try:
+        names = [options.lesson] if options.lesson else options.only
+        site = build.Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names)
+        if options.lesson:
+            single.build(site)
+        else:
+            site.build()
+    except (run.ChapterError, build.BuildError) as error:
+        print(f'{error}\nNo site was made; the one that was there before stays.', file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print('\nStopped; the site that was there before stays.', file=sys.stderr)
+        return 130
+    return 0

@@ -1,0 +1,93 @@
+"""The words of the course: gathered from the tables at the ends of the chapters, so that it never says another thing.
+
+No ROS. Reads notebooks as plain JSON.
+"""
+
+import html
+import json
+import re
+from collections.abc import Iterable
+from pathlib import Path
+from typing import NamedTuple
+
+from param_tutorial.pictures.markup import with_code
+
+_TITLE = re.compile(r'^# (\S+) · ', re.MULTILINE)
+_TABLE = re.compile(r'^\| word \| meaning \|\n\|[ |:-]+\|\n((?:\|.*(?:\n|$))+)', re.MULTILINE)
+
+
+class Entry(NamedTuple):
+    """What one chapter says about a word."""
+
+    word: str
+    """In Markdown, as is the meaning: code stands between backquotes."""
+    meaning: str
+    chapter: str
+    """Its number, e.g. '5.2'."""
+    notebook: str
+    """The name of its file."""
+
+    @property
+    def plain_word(self) -> str:
+        return self.word.replace('`', '')
+
+
+class Glossary:
+    """Words with their meanings, in alphabetical order; a word has a line for each chapter that explains it."""
+
+    def __init__(self, entries: Iterable[Entry]):
+        # Within one word the order of the chapters stays.
+        self.entries = sorted(entries, key=lambda entry: re.sub('^(to |--)', '', entry.plain_word).lower())
+
+    @classmethod
+    def of(cls, folder: str | Path) -> 'Glossary':
+        """Gather the glossary of all chapters in a folder.
+
+        :param folder: Where the notebooks are; those whose names begin with a digit are chapters.
+        :raises FileNotFoundError: there is no chapter.
+        """
+        paths = sorted(Path(folder).glob('[0-9]*.ipynb'))
+        if not paths:
+            raise FileNotFoundError(f'there is no chapter in {str(folder)!r}: give the folder with the notebooks')
+        return cls(entry for path in paths for entry in _entries(path))
+
+    def __getitem__(self, word: str) -> 'Glossary':
+        """Give the entries for a word.
+
+        :raises KeyError: there is none.
+        """
+        found = [entry for entry in self.entries if entry.plain_word == word.replace('`', '')]
+        if not found:
+            raise KeyError(word)
+        return Glossary(found)
+
+    def __len__(self) -> int:
+        return len({entry.plain_word for entry in self.entries})
+
+    def __repr__(self) -> str:
+        width = max((len(entry.plain_word) for entry in self.entries), default=0)
+        return '\n'.join(f'{entry.plain_word:{width}}  {entry.meaning.replace("`", "")} ({entry.chapter})'
+                         for entry in self.entries) or '(no words)'
+
+    def _repr_html_(self) -> str:
+        head = ''.join(f'<th scope="col" style="text-align:left">{each}</th>'
+                       for each in ('word', 'meaning', 'chapter'))
+        return (f'<table><thead><tr>{head}</tr></thead>'
+                f'<tbody>{"".join(map(_row, self.entries))}</tbody></table>')
+
+
+def _row(entry: Entry) -> str:
+    chapter = f'<a href="{html.escape(entry.notebook)}">{entry.chapter}</a>'
+    return (f'<tr><th scope="row" style="text-align:left">{with_code(entry.word)}</th>'
+            f'<td style="text-align:left">{with_code(entry.meaning)}</td>'
+            f'<td style="text-align:left">{chapter}</td></tr>')
+
+
+def _entries(path: Path) -> Iterable[Entry]:
+    cells = json.loads(path.read_text(encoding='utf-8'))['cells']
+    prose = '\n\n'.join(''.join(cell['source']) for cell in cells if cell['cell_type'] == 'markdown')
+    title = _TITLE.search(prose)
+    for table in _TABLE.finditer(prose):
+        for line in table[1].splitlines():
+            word, meaning = (each.strip() for each in line.strip().strip('|').split(' | ', 1))
+            yield Entry(word, meaning, title[1] if title else path.stem, path.name)

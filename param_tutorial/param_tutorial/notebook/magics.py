@@ -1,0 +1,242 @@
+"""``%ros2`` and ``%%ros2``: the ``ros2`` command in a notebook; ``%%shell`` and ``%ros2_terminal``.
+
+The genuine command is used where it is on the PATH; otherwise the embedded one answers, from the executor in
+the background and without a process, with the same output.
+"""
+
+import codecs
+import html
+import os
+import re
+import selectors
+import shlex
+import signal
+import subprocess
+import sys
+from contextlib import ExitStack
+from typing import Any, NamedTuple, TextIO
+
+from IPython.core.error import UsageError
+from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
+
+from param_tutorial.notebook.shell import Shell
+from param_tutorial.ros2 import command as embedded
+from param_tutorial.ros2 import genuine
+from param_tutorial.ros2.run import keeps_busy
+from param_tutorial.runtime import domain, stage
+
+
+def load_ipython_extension(ipython) -> None:
+    """Make the magics known, and let errors show their last line only: ``%load_ext param_tutorial``.
+
+    Most errors in a lesson are meant, and a page of rclpy's source above each would bury what it says.
+    ``%xmode Context`` brings the whole traceback back.
+    """
+    ipython.register_magics(Ros2Magics)
+    ipython.InteractiveTB.set_mode('Minimal')
+
+
+@magics_class
+class Ros2Magics(Magics):
+    """The magics; what is typed after ``%ros2`` is what would be typed after ``ros2`` in a terminal."""
+
+    @no_var_expand
+    @line_magic('ros2')
+    def line(self, line: str) -> None:
+        """Run one ros2 command: ``%ros2 param list /simple_param_node``.
+
+        Quotes and ``> file`` work as in a shell; IPython's ``$name`` and ``{name}`` do not, because braces are
+        common in values. The exit status is in ``_exit_code`` afterwards.
+        """
+        self._run([line])
+
+    @no_var_expand
+    @cell_magic('ros2')
+    def cell(self, line: str, cell: str) -> None:
+        """Run several ros2 commands, one to a line; like a shell, go on after one that fails."""
+        lines = re.sub(r'\\\r?\n', '', cell).splitlines()
+        self._run([line, *lines])
+
+    @no_var_expand
+    @cell_magic('shell')
+    def shell_cell(self, line: str, cell: str) -> None:
+        """Type the cell's lines into a Shell: ``%%shell first``, where ``first`` is the notebook's name for it.
+
+        The exit status is in ``_exit_code`` afterwards.
+        """
+        shell = self.shell.user_ns.get(line.strip())
+        if not isinstance(shell, Shell):
+            raise UsageError(f'%%shell wants the name of a Shell, as in: first = param_tutorial.Shell(), and then '
+                             f'%%shell first. {line.strip() or "(nothing)"} is none')
+        output = shell.run(cell.rstrip('\n'))
+        if output:
+            print(output)
+        self.shell.user_ns['_exit_code'] = shell.status
+
+    @line_magic('ros2_terminal')
+    def terminal(self, line: str) -> Any:
+        """Show the line that makes a terminal join the ROS domain of this notebook."""
+        return terminal_hint()
+
+    def _run(self, lines: list[str]) -> None:
+        for line in lines:
+            try:
+                command = _parse(line)
+                if command.words:
+                    self.shell.user_ns['_exit_code'] = _run(command)
+            except (_NotUnderstood, OSError) as error:
+                print(error, file=sys.stderr)
+                self.shell.user_ns['_exit_code'] = 1
+
+
+class _Command(NamedTuple):
+    words: list[str]
+    target: str | None
+    """The file to which standard output goes."""
+    append: bool
+
+
+class _NotUnderstood(Exception):
+    """The line is more than one command; the message says so."""
+
+
+def _parse(line: str) -> _Command:
+    """Take a line apart as a shell would, without being one."""
+    command, arrows = _unquoted_arrows(line)
+    start = arrows[0] if arrows else len(command)
+    append = arrows[1:2] == [start + 1]
+    if len(arrows) > 1 + append or (arrows and command[max(0, start - 2):start].strip() in ('1', '2', '&')):
+        raise _NotUnderstood('only one > or >> is understood, and it takes what goes to standard output')
+    try:
+        words = shlex.split(command[:start])
+        targets = shlex.split(command[start + 1 + append:])
+    except ValueError as error:
+        raise _NotUnderstood(f'{line!r} cannot be taken apart into words: {error}') from None
+    if arrows and not targets:
+        raise _NotUnderstood('there is no name of a file after >')
+    words += targets[1:]
+    return _Command(words[1:] if words[:1] == ['ros2'] else words, targets[0] if targets else None, append)
+
+
+def _unquoted_arrows(line: str) -> tuple[str, list[int]]:
+    """Give the line without its comment, and where ``>`` stands outside of quotes."""
+    quote, escaped, previous = '', False, ' '
+    arrows = []
+    for position, char in enumerate(line):
+        if escaped:
+            escaped = False
+        elif char == '\\' and quote != "'":
+            escaped = True
+        elif quote:
+            quote = '' if char == quote else quote
+        elif char in ('"', "'"):
+            quote = char
+        elif char == '#' and previous.isspace():
+            return line[:position], arrows
+        elif char in '|;&<`':
+            raise _NotUnderstood(f'{char!r} needs a shell, which %ros2 is not: one command, and > for a file, is '
+                                 f"all. Put it in quotes if it is part of a value, or use IPython's !command")
+        elif char == '>':
+            arrows.append(position)
+        previous = char
+    return line, arrows
+
+
+def _run(command: _Command) -> int:
+    """Run a command, and give its exit status."""
+    with ExitStack() as stack:
+        output: TextIO = sys.stdout
+        if command.target is not None:
+            path = os.path.expanduser(command.target)
+            output = stack.enter_context(open(path, 'a' if command.append else 'w', encoding='utf-8'))
+        streams = _Streams(output, sys.stderr)
+        try:
+            if genuine.path() is None:
+                return embedded.main(command.words, stdout=streams.stdout, stderr=streams.stderr,
+                                 get_executor=stage.current, in_notebook=True)
+            if command.words[0] in ('run', 'launch'):
+                streams.stderr.write(f'{keeps_busy(command.words)}\n')
+                return 1
+            return _run_genuine(command.words, streams)
+        finally:
+            streams.flush()
+
+
+class _Streams:
+    """Two streams of which one is flushed before the other is written, so that a cell keeps their order."""
+
+    def __init__(self, stdout: TextIO, stderr: TextIO):
+        self.stdout = _Stream(stdout, self)
+        self.stderr = _Stream(stderr, self)
+        self.last = self.stdout
+
+    def flush(self) -> None:
+        self.stdout.flush()
+        self.stderr.flush()
+
+
+class _Stream:
+    def __init__(self, stream: TextIO, streams: _Streams):
+        self._stream = stream
+        self._streams = streams
+
+    def write(self, text: str) -> int:
+        if self._streams.last is not self:
+            self._streams.last.flush()
+            self._streams.last = self
+        return self._stream.write(text)
+
+    def flush(self) -> None:
+        self._stream.flush()
+
+
+def _run_genuine(words: list[str], streams: _Streams) -> int:
+    """Run the installed command, show what it prints as it comes, and pass an interrupt on."""
+    domain.choose()
+    process = subprocess.Popen(
+        [genuine.path(), *words], env=genuine.environment(), stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+    with process, selectors.DefaultSelector() as selector:
+        for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):
+            selector.register(pipe, selectors.EVENT_READ, (stream, codecs.getincrementaldecoder('utf-8')('replace')))
+        try:
+            while selector.get_map():
+                try:
+                    for key, _ in selector.select():
+                        stream, decoder = key.data
+                        chunk = os.read(key.fd, 65536)
+                        stream.write(decoder.decode(chunk, final=not chunk))
+                        if not chunk:
+                            selector.unregister(key.fileobj)
+                except KeyboardInterrupt:
+                    os.killpg(process.pid, signal.SIGINT)
+            return process.wait()
+        finally:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
+
+
+def terminal_hint() -> Any:
+    """Give a widget with the line that makes a terminal join the ROS domain of this notebook.
+
+    A widget, because its content is not compared when the notebook is tested: the domain differs each time.
+    """
+    import ipywidgets
+
+    class Hint(ipywidgets.HTML):
+        def __repr__(self) -> str:
+            return '(a line to paste into a terminal, so that it joins this notebook)'
+
+    return Hint(f'Paste this line into a terminal, and <code>ros2</code> there finds the nodes of this notebook:'
+                f'<pre style="user-select: all; white-space: pre-wrap">{html.escape(terminal_line())}</pre>')
+
+
+def terminal_line() -> str:
+    """Give the line of shell that makes a terminal join the ROS domain of this process."""
+    domain.choose()
+    names = ('ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'FASTRTPS_DEFAULT_PROFILES_FILE')
+    settings = ' '.join(f'{name}={shlex.quote(os.environ[name])}' for name in names if name in os.environ)
+    if genuine.path() is not None:
+        return f'export {settings}'
+    embedded = shlex.join([sys.executable, '-m', 'param_tutorial'])
+    return f'export {settings}; alias ros2={shlex.quote(embedded)}'

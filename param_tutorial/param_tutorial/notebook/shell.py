@@ -1,0 +1,149 @@
+"""A bash beside a notebook, in which one command is typed after the other: ``%%shell``.
+
+``%ros2`` runs one command and forgets it. Building a workspace needs more: a folder that stays the current one, and
+``source``, which changes the environment of what is typed later. No Jupyter here; the magic is in ``magics``.
+"""
+
+import os
+import re
+import secrets
+import selectors
+import shlex
+import signal
+import subprocess
+import sys
+import time
+import weakref
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from param_tutorial.errors import ShellError
+from param_tutorial.ros2 import genuine
+from param_tutorial.runtime import domain
+
+# The learner's own settings would change what commands do and print: git's name and address, colcon's defaults.
+_NOT_PASSED_ON = re.compile(r'^(PYTHON.*|GIT_.*|COLCON_.*|BASH_ENV|ENV|BASH_FUNC_.*|PROMPT_COMMAND|PS[0-4])$')
+# [0.52s] after a package, [0.523s] before a warning, and [0.52s, exited with code 1].
+_SECONDS = r'(?:\d+min )?\d+(?:\.\d+)?s'
+_TIME_TAKEN = re.compile(rf'^\[{_SECONDS}\] | \[{_SECONDS}\]$|(?<=\[){_SECONDS}, ', re.MULTILINE)
+
+
+class Shell:
+    """A real bash, in a home folder of its own that goes when the shell is closed.
+
+    >>> shell = Shell()                        # doctest: +SKIP
+    >>> print(shell.run('mkdir src; ls'))      # doctest: +SKIP
+    src
+
+    Commands are the real ones; the one thing that is lent is ``ros2``, where ROS is not installed. Two things are
+    left out of what is shown, because they differ each time: the home folder's name, for which ``~`` stands, and
+    the seconds that colcon took. A command that goes on until Ctrl+C belongs into a ``Terminal``.
+    """
+
+    def __init__(self, beside: 'Shell | None' = None):
+        """Start a bash, in the ROS domain of this process.
+
+        :param beside: Share this shell's home folder, as a second terminal does, and nothing else.
+        :raises FileNotFoundError: there is no bash.
+        """
+        domain.choose()
+        folder = None if beside else TemporaryDirectory(prefix='param_tutorial_', ignore_cleanup_errors=True)
+        self._beside = beside  # so that the home folder stays as long as anybody lives in it
+        self.home = beside.home if beside else Path(folder.name).resolve()
+        """The home folder."""
+        self.status = 0
+        """The exit status of the last command."""
+        self._process = subprocess.Popen(
+            ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            cwd=self.home, env=self._first_environment(), start_new_session=True)
+        # Also when a cell that makes a shell runs again, and when the kernel ends.
+        self._close = weakref.finalize(self, _close, self._process, folder)
+        os.set_blocking(self._process.stdout.fileno(), False)
+        # Ctrl+C ends the command and not the shell.
+        self.run('trap : INT')
+        if genuine.path() is None:
+            self.run(f'ros2() {{ {shlex.join(genuine.words())} "$@"; }}')
+
+    def _first_environment(self) -> dict[str, str]:
+        outer = dict(os.environ) if genuine.path() is None else genuine.environment()
+        passed_on = {name: value for name, value in outer.items() if not _NOT_PASSED_ON.match(name)}
+        if genuine.path() is None:
+            # Where colcon was installed with this Python, and the nodes that it builds find this Python's rclpy.
+            passed_on['PATH'] = os.pathsep.join([str(Path(sys.executable).parent), passed_on.get('PATH', os.defpath)])
+        elif 'PYTHONPATH' in outer:
+            passed_on['PYTHONPATH'] = outer['PYTHONPATH']
+        # As on a machine on which nothing has been built yet, `ros2 run` finds no package.
+        return {**passed_on, 'PARAM_TUTORIAL_OWN_NODES': '0', 'HOME': str(self.home), 'USER': 'learner',
+                'LOGNAME': 'learner', 'LC_ALL': 'C.UTF-8', 'GIT_CONFIG_NOSYSTEM': '1', 'PYTHONUNBUFFERED': '1'}
+
+    def __repr__(self) -> str:
+        return f'<Shell: {"running" if self._process.poll() is None else "closed"}>'
+
+    def run(self, commands: str, timeout_sec: float = 120.0) -> str:
+        """Type one or more lines, wait until they have been done, and give what was printed.
+
+        :raises ShellError: the shell is closed, or they were not done in time, or ended it; the message shows what
+            came.
+        """
+        output, self.status = self._type(commands, timeout_sec)
+        return self._shown(output)
+
+    def _type(self, commands: str, timeout_sec: float = 120.0) -> tuple[str, int]:
+        """Do as ``run`` says, and give what was printed to the letter, and the exit status."""
+        if self._process.poll() is not None:
+            raise ShellError('this shell is closed: start a new one with Shell()')
+        mark = secrets.token_hex(8)
+        # One `eval`, so that a quote that is never closed is an error here and does not swallow what is typed later;
+        # without a standard input, so that no command waits for one.
+        line = f'eval {shlex.quote(commands)} </dev/null; printf "\\n{mark} %d\\n" $?\n'
+        self._process.stdin.write(line.encode())
+        self._process.stdin.flush()
+        deadline = time.monotonic() + timeout_sec
+        end = re.compile(rf'\n{mark} (\d+)\n'.encode())
+        output = b''
+        with selectors.DefaultSelector() as selector:
+            selector.register(self._process.stdout, selectors.EVENT_READ)
+            while not (found := end.search(output)):
+                try:
+                    ready = selector.select(max(0.0, deadline - time.monotonic()))
+                    chunk = os.read(self._process.stdout.fileno(), 65536) if ready else b''
+                except KeyboardInterrupt:
+                    os.killpg(self._process.pid, signal.SIGINT)
+                    continue
+                if not chunk:
+                    why = 'ended the shell' if ready else f'was not done within {timeout_sec:g} s'
+                    shown = self._shown(output.decode(errors='replace')) or '(nothing)'
+                    self.close()
+                    raise ShellError(f'{commands.strip()!r} {why}; what came:\n{shown}')
+                output += chunk
+        return output[:found.start()].decode(errors='replace'), int(found[1])
+
+    def _shown(self, output: str) -> str:
+        output = output.replace(str(self.home), '~')
+        output = re.sub(r'^bash: line \d+: ', 'bash: ', output, flags=re.MULTILINE)
+        return _TIME_TAKEN.sub('', output).rstrip('\n')
+
+    def environment(self) -> dict[str, str]:
+        """Give the environment that a program gets which is started here now."""
+        entries, _ = self._type('env -0')
+        return dict(entry.split('=', 1) for entry in entries.split('\0') if '=' in entry)
+
+    def folder(self) -> Path:
+        """Give the current folder."""
+        return Path(self._type('printf %s "$PWD"')[0])
+
+    def close(self) -> None:
+        """End the shell, and remove its home folder if it is its own; twice is as good as once."""
+        self._close()
+
+
+def _close(process: subprocess.Popen, folder: TemporaryDirectory | None) -> None:
+    process.stdin.close()  # bash ends with its input
+    try:
+        process.wait(1.0)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGTERM)
+        process.wait(10.0)
+    process.stdout.close()
+    if folder is not None:
+        folder.cleanup()

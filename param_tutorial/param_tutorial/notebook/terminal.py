@@ -1,0 +1,153 @@
+"""A second terminal for a notebook: a command that runs in a process of its own beside the cells.
+
+For commands that go on until Ctrl+C, such as ``ros2 run``. Those that end by themselves are better off with
+``%ros2``, which needs no process at all.
+"""
+
+import atexit
+import contextlib
+import os
+import shlex
+import signal
+import subprocess
+import threading
+import time
+import weakref
+from pathlib import Path
+
+from param_tutorial.errors import WaitTimeoutError
+from param_tutorial.notebook.shell import Shell
+from param_tutorial.ros2 import genuine
+from param_tutorial.runtime import domain
+
+# As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
+_LOG_FORMAT = '[{severity}] [{name}]: {message}'
+_open: 'weakref.WeakSet[Terminal]' = weakref.WeakSet()
+
+
+class Terminal:
+    """A running command; everything that it prints is kept.
+
+    >>> terminal = Terminal('ros2 run param_tutorial simple_param_node')  # doctest: +SKIP
+    >>> print(terminal.read(until='declared'))                            # doctest: +SKIP
+    >>> terminal.interrupt()                                              # doctest: +SKIP
+    0
+    """
+
+    def __init__(self, command: str, shell: Shell | None = None):
+        """Start a command, in the ROS domain of this process.
+
+        :param command: As typed into a shell, without pipes and variables. A leading ``ros2`` is the genuine
+            one if that is on the PATH, otherwise the embedded one.
+        :param shell: Start it in the folder and with the environment that this shell has now.
+        :raises FileNotFoundError: there is no such command.
+        """
+        domain.choose()
+        self.command = command
+        self._text = ''
+        self._read = 0
+        self._changed = threading.Condition()
+        arguments = shlex.split(command)
+        environment = dict(os.environ) if shell is None else shell.environment()
+        if arguments[0] == 'ros2':
+            arguments[:1] = genuine.words()
+            if shell is None and genuine.path() is not None:
+                environment = genuine.environment()
+        self._process = subprocess.Popen(
+            arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            text=True, errors='replace', start_new_session=True, cwd=None if shell is None else shell.folder(),
+            env={**environment, 'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1'})
+        self._reader = threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True)
+        self._reader.start()
+        _open.add(self)
+
+    def __repr__(self) -> str:
+        status = self._process.poll()
+        return f'<Terminal: {self.command} ({"running" if status is None else f"ended with status {status}"})>'
+
+    @property
+    def is_running(self) -> bool:
+        """Has the command not ended yet?"""
+        return self._process.poll() is None
+
+    @property
+    def text(self) -> str:
+        """All that has been printed so far."""
+        with self._changed:
+            return self._text
+
+    def read(self, until: str, timeout_sec: float = 20.0) -> str:
+        """Give what has been printed since the last read, up to and with the first line that holds a text.
+
+        :raises WaitTimeoutError: no such line came in time, or the command ended without it.
+        """
+        deadline = time.monotonic() + timeout_sec
+        with self._changed:
+            while True:
+                at = self._text.find(until, self._read)
+                end = self._text.find('\n', at)
+                if at >= 0 and end >= 0:
+                    lines, self._read = self._text[self._read:end], end + 1
+                    return lines
+                ended = not self._reader.is_alive()
+                if ended or time.monotonic() > deadline:
+                    why = 'the command ended' if ended else f'{timeout_sec:g} s passed'
+                    raise WaitTimeoutError(f'{why} before a line with {until!r} came from {self.command!r}; '
+                                           f'what came:\n{self._text[self._read:] or "(nothing)"}')
+                self._changed.wait(0.2)
+
+    def interrupt(self, timeout_sec: float = 20.0) -> int:
+        """Press Ctrl+C and wait for the end; a command that does not end is killed.
+
+        :param timeout_sec: How long it may take. ``ros2 launch`` needs up to 10 s for nodes that ignore Ctrl+C, and
+            killed before, it would leave them running.
+        :return: Its exit status; negative if a signal ended it.
+        """
+        self._wait_until_it_rests()
+        for number in (signal.SIGINT, signal.SIGKILL):
+            try:
+                if self._process.poll() is None:
+                    os.killpg(self._process.pid, number)
+                self._process.wait(timeout_sec)
+                break
+            except subprocess.TimeoutExpired:
+                continue
+        self._reader.join(timeout_sec)
+        return self._process.returncode
+
+    def _wait_until_it_rests(self, timeout_sec: float = 1.0) -> None:
+        """Wait until none of the command's processes computes, or the time has passed.
+
+        A Ctrl+C that comes while rclpy 7.1.6 makes a Task leads to an AttributeError in Task.__del__, printed by
+        Python. A hand never meets these microseconds; a cell that has just had an answer from the node does.
+        """
+        deadline = time.monotonic() + timeout_sec
+        while 'R' in self._states() and time.monotonic() < deadline:
+            time.sleep(0.005)
+
+    def _states(self) -> set[str]:
+        """Give the states of the main threads in the command's session, one letter each as in proc(5)."""
+        states = set()
+        for stat in Path('/proc').glob('[0-9]*/stat'):
+            with contextlib.suppress(OSError):  # it has ended meanwhile
+                # The second field is the program's name in parentheses, which may hold anything.
+                state, _, _, session, *_ = stat.read_text().rpartition(')')[2].split()
+                if int(session) == self._process.pid:
+                    states.add(state)
+        return states
+
+    def _collect(self) -> None:
+        with self._process.stdout as lines:
+            for line in lines:
+                with self._changed:
+                    self._text += line
+                    self._changed.notify_all()
+        with self._changed:
+            self._changed.notify_all()
+
+
+@atexit.register
+def end_all() -> None:
+    """End all commands that still run."""
+    for terminal in list(_open):
+        terminal.interrupt(3.0)

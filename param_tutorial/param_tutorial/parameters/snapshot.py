@@ -1,0 +1,89 @@
+"""The parameters of all nodes in one call, with a word on each node that did not answer. No Jupyter."""
+
+import html
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+
+from rclpy.node import Node
+
+from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import ParameterClient, ParameterValues
+from param_tutorial.pictures.markup import cells, head_row
+from param_tutorial.runtime import stage
+from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
+
+_STYLE = """<style>
+.param-snapshot { max-width: 56em; overflow-x: auto; }
+.param-snapshot table { border-collapse: collapse; margin: 4px 0; }
+.param-snapshot table th, .param-snapshot table td { text-align: left !important; padding: 2px 16px 2px 0;
+  vertical-align: top; font-family: var(--jp-code-font-family, monospace); font-size: var(--jp-code-font-size, 13px); }
+.param-snapshot table tbody { border-top: 1px solid var(--jp-border-color2, #bdbdbd); }
+.param-snapshot table td { overflow-wrap: anywhere; }
+</style>"""
+
+
+class Snapshot(dict):
+    """Node names, sorted, and for each its ParameterValues. A plain dictionary, but for how it is shown."""
+
+    def __init__(self, nodes: dict[str, ParameterValues], unanswered: dict[str, NodeError]):
+        super().__init__(nodes)
+        self.unanswered = unanswered
+        """The nodes that are not in it, and why: each an error of Services.call."""
+
+    def __missing__(self, node: str) -> ParameterValues:
+        raise self.unanswered.get(node) or NodeNotFoundError(node, list(self))
+
+    def __repr__(self) -> str:
+        lines = []
+        for node, parameters in self.items():
+            lines += [node, *(f'  {line}' for line in repr(parameters).splitlines())]
+        lines += [f'{node}\n  no answer: {error}' for node, error in self.unanswered.items()]
+        return '\n'.join(lines) or '(no nodes)'
+
+    def _repr_html_(self) -> str:
+        bodies = [_body(node, [(name, values.shown(value)) for name, value in parameters.items()]
+                        or [('no parameters', '')]) for node, parameters in self.items()]
+        bodies += [_body(node, [('no answer', str(error))]) for node, error in self.unanswered.items()]
+        head = head_row(('node', 'parameter', 'value'))
+        return (f'{_STYLE}<div class="param-snapshot"><table><thead>{head}</thead>{"".join(bodies)}'
+                f'</table></div>' if bodies else '<p>There are no nodes.</p>')
+
+
+def _body(node: str, rows: list[tuple[str, str]]) -> str:
+    head = f'<th scope="rowgroup" rowspan="{len(rows)}">{html.escape(node)}</th>'
+    return '<tbody>' + ''.join(f'<tr>{head if index == 0 else ""}{cells(row)}</tr>'
+                               for index, row in enumerate(rows)) + '</tbody>'
+
+
+def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,
+                   executor: BackgroundExecutor | None = None) -> Snapshot:
+    """Read all parameters of all nodes, each at the same time as the others.
+
+    Not one moment in the life of the system: while one node is read, another may change.
+
+    :param nodes: Only these, or this one; by default all in the graph but those whose name begins with an underscore.
+        A node in another process is in the graph when it has been discovered.
+    :param timeout_sec: How long a node may take for each answer. One that takes longer, has no parameter services,
+        or leaves meanwhile is in ``unanswered``; it does not keep the others.
+    :raises ExecutorError: no executor is running, or this is called from a callback.
+    """
+    ros = executor or stage.current()
+    if ros.services.in_executor_thread():
+        raise ExecutorError('a callback cannot wait for the answers of nodes: the executor that would have to bring '
+                            'them is busy with the callback. Call all_parameters() in a cell')
+    if isinstance(nodes, (str, Node)):
+        nodes = [nodes]
+    names = sorted(set(ros.services.node_names() if nodes is None else map(full_name, nodes)))
+
+    def read(node: str) -> ParameterValues | NodeError:
+        try:
+            return ParameterClient(node, timeout_sec=timeout_sec, executor=ros).get_parameters()
+        except NodeError as error:
+            return error
+
+    with ThreadPoolExecutor(max(len(names), 1), 'all_parameters') as threads:
+        answers = dict(zip(names, threads.map(read, names)))
+    return Snapshot({node: answer for node, answer in answers.items() if isinstance(answer, dict)},
+                    {node: answer for node, answer in answers.items() if isinstance(answer, NodeError)})

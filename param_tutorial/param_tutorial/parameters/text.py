@@ -1,0 +1,148 @@
+"""Parameter values as people type them: from text to a value of the parameter's type, and back.
+
+Numbers are edited as text: JavaScript has no 64-bit integers, and no browser's number box knows nan or says what is
+wrong with "1,5".
+"""
+
+import math
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import yaml
+
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import Descriptor
+
+
+@dataclass(frozen=True)
+class Form:
+    """How the values of a type are written into a text box."""
+
+    write: Callable[[Any], str]
+    read: Callable[[str], Any]
+    """Raises ValueError."""
+    example: str
+    """Completes "write it like ..."."""
+
+
+def _read_integer(text: str) -> int:
+    text = text.strip()
+    return int(text, 10 if re.fullmatch(r'[+-]?[0-9_]+', text) else 0)
+
+
+def _read_double(text: str) -> float:
+    # YAML writes .nan and .inf, Python nan and inf.
+    return float(re.sub(r'^([+-]?)\.(?=[a-z])', r'\1', text.strip().lower()))
+
+
+def _read_bool(text: str) -> bool:
+    return {'true': True, 'false': False}[text.strip().lower()]
+
+
+def _read_byte(text: str) -> bytes:
+    return bytes([_read_integer(text)])
+
+
+def _read_string(text: str) -> str:
+    text = text.strip()
+    return yaml.safe_load(text) if text[:1] in ('"', "'") else text
+
+
+def _quoted(text: str) -> str:
+    return yaml.safe_dump(text, default_style='"', width=math.inf, allow_unicode=True).strip()
+
+
+_PLAIN = re.compile(r'\w([\w ./-]*\w)?')
+
+
+def _write_string(text: str) -> str:
+    return text if _PLAIN.fullmatch(text) else _quoted(text)
+
+
+def _write_any(value: Any) -> str:
+    if isinstance(value, list):
+        return '[' + ', '.join(_write_any_item(item) for item in value) + ']'
+    if isinstance(value, str) and value.isprintable() and values.same(values.parse(value), value):
+        return value
+    return _write_any_item(value)
+
+
+def _write_any_item(value: Any) -> str:
+    if isinstance(value, str):
+        # Asked inside brackets, where YAML's null is no text.
+        plain = _PLAIN.fullmatch(value) and values.same(values.parse(f'[{value}]'), [value])
+        return value if plain else _quoted(value)
+    return yaml.safe_dump(value).removesuffix('...\n').strip()
+
+
+def _array(write: Callable[[Any], str], read: Callable[[str], Any], example: str) -> Form:
+    """Make the form of an array, a YAML flow sequence, from that of its elements."""
+
+    def read_all(text: str) -> list:
+        text = text.strip()
+        inner = text[1:-1] if text.startswith('[') and text.endswith(']') else text
+        return [read(item) for item in _split(inner)]
+
+    return Form(lambda items: '[' + ', '.join(map(write, items)) + ']', read_all, example)
+
+
+def _split(text: str) -> list[str]:
+    """Split at commas outside quotes; a comma at the end is allowed."""
+    item = r"""\s*(?:"(?:[^"\\]|\\.)*"|'(?:[^']|'')*'|[^,'"\[\]{}][^,\[\]{}]*?)\s*"""
+    if not text.strip():
+        return []
+    if not re.fullmatch(f'{item}(?:,{item})*,?\\s*', text, re.DOTALL):
+        raise ValueError('the elements are not separated by commas, or a quote or bracket is not closed')
+    return [each.strip() for each in re.findall(rf'{item}(?=,|\Z)', text.rstrip().rstrip(','), re.DOTALL)]
+
+
+_FORMS = {
+    values.NOT_SET: Form(_write_any, values.parse, 'a value in YAML'),
+    values.BOOL: Form(lambda value: str(value).lower(), _read_bool, 'true or false'),
+    values.INTEGER: Form(str, _read_integer, 'a whole number, e.g. 42'),
+    values.DOUBLE: Form(repr, _read_double, 'a number, e.g. 0.5'),
+    values.STRING: Form(str, str, 'text'),
+    values.BYTE_ARRAY: _array(lambda byte: f'0x{byte[0]:02x}', _read_byte, 'bytes, e.g. [0x00, 0xff]'),
+    values.BOOL_ARRAY: _array(lambda value: str(value).lower(), _read_bool, 'booleans, e.g. [true, false]'),
+    values.INTEGER_ARRAY: _array(str, _read_integer, 'whole numbers, e.g. [1, 2, 3]'),
+    values.DOUBLE_ARRAY: _array(repr, _read_double, 'numbers, e.g. [0.5, 1.0]'),
+    values.STRING_ARRAY: _array(_write_string, _read_string, 'texts, e.g. [left, "right, far"]'),
+}
+
+
+def form_of(descriptor: Descriptor) -> Form:
+    """Return the form in which people write a parameter: its type's, or YAML where the type is dynamic."""
+    # YAML has no word for single bytes: a byte array stays one until it is set to something else elsewhere.
+    if descriptor.dynamic_typing and descriptor.type is not values.BYTE_ARRAY:
+        return _FORMS[values.NOT_SET]
+    return _FORMS[descriptor.type]
+
+
+def format_value(descriptor: Descriptor, value: Any) -> str:
+    """Return a value as a person would type it; an empty text if the parameter is not set."""
+    return '' if value is None else form_of(descriptor).write(value)
+
+
+def parse_value(descriptor: Descriptor, text: str) -> Any:
+    """Return the value that a person typed for a parameter.
+
+    :raises ValueError: the text is not a value of the parameter's type; the message says what would be.
+    """
+    form = form_of(descriptor)
+    try:
+        return form.read(text)
+    except (ValueError, KeyError, yaml.YAMLError):
+        raise ValueError(f'{text!r} cannot be read: {descriptor.name} wants {form.example}') from None
+
+
+def fit(descriptor: Descriptor, value: Any) -> Any:
+    """Turn a Python value into what a hand would have entered: a double's control has no whole numbers."""
+    value = values.normalise(value)
+    if not descriptor.dynamic_typing:
+        if descriptor.type is values.DOUBLE and isinstance(value, int) and not isinstance(value, bool):
+            return float(value)
+        if descriptor.type is values.DOUBLE_ARRAY and isinstance(value, list):
+            return [float(item) if type(item) is int else item for item in value]
+    return value

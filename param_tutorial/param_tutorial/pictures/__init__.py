@@ -1,0 +1,1 @@
+"""Pictures and pieces of HTML: data in, text out. No ROS, no widgets."""

@@ -1,0 +1,269 @@
+"""Calling the parameter services of any node, with a deadline and a clear word for every way to fail.
+
+Knows the six services that every node offers, discovery, time limits, and nodes that leave or raise in
+mid-call. What the requests mean is in ``client``.
+"""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from rcl_interfaces.srv import SetParameters
+from rclpy.client import Client
+from rclpy.exceptions import NameValidationException
+from rclpy.node import Node
+from rclpy.parameter_service import ParameterService
+from rclpy.task import Future
+
+from param_tutorial.errors import (
+    CallbackError,
+    ExecutorError,
+    NoAnswerError,
+    NodeError,
+    NodeGoneError,
+    NodeNotFoundError,
+)
+from param_tutorial.runtime.graph import nodes_in_graph
+from param_tutorial.runtime.service_types import SERVICE_TYPES
+
+# How long to look for a node before saying that there is none. A node in this process is found at once; one
+# in a process that has just started is announced within a second or two, on a busy machine later.
+DISCOVERY_TIMEOUT_SEC = 3.0
+TIMEOUT_SEC = 3.0
+_LOOK_PERIOD_SEC = 0.1
+# Requests that change nothing are sent again while no answer comes: see Services.greet.
+_QUESTIONS = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters')
+_REPEAT_PERIOD_SEC = 0.7
+
+
+def full_name(node: str | Node) -> str:
+    """Give a node's fully qualified name: ``talker`` is ``/talker``.
+
+    :raises TypeError: it is neither a name nor a node.
+    """
+    if isinstance(node, Node):
+        return node.get_fully_qualified_name()
+    if not isinstance(node, str):
+        raise TypeError(f'{node!r} is no node: give its name, such as "/talker", or the node that ros.add() returned')
+    return '/' + node.strip('/')
+
+
+@dataclass(eq=False)
+class _PendingCall:
+    node: str
+    service: str
+    request: Any
+    client: Client
+    deadline: float
+    timeout_sec: float
+
+
+class Services:
+    """Calls parameter services through one node that an executor spins in another thread."""
+
+    def __init__(self, tool_node: Node, in_executor_thread: Callable[[], bool]):
+        """
+        :param tool_node: Owns the service clients; its executor must be spinning.
+        :param in_executor_thread: Is the caller in the thread that spins it?
+        """
+        self._tool_node = tool_node
+        self.in_executor_thread = in_executor_thread
+        self._clients: dict[tuple[str, str], Client] = {}
+        self._pending: dict[Future, _PendingCall] = {}
+        self._generation = 0
+        self._greeted: dict[str, int] = {}
+        self._lock = threading.RLock()
+
+    def node_names(self, *, hidden: bool = False) -> list[str]:
+        """Give the fully qualified names of the nodes in the graph, sorted, a name twice if two nodes have it.
+
+        :param hidden: Also those with a part that starts with an underscore.
+        """
+        names = (f'{namespace.rstrip("/")}/{name}' for name, namespace in nodes_in_graph(self._tool_node))
+        return sorted(name for name in names if hidden or '/_' not in name)
+
+    def call(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC,
+             discovery_timeout_sec: float = DISCOVERY_TIMEOUT_SEC) -> Any:
+        """Call a parameter service of a node and wait for its answer.
+
+        :param node: Fully qualified name.
+        :param service: One of SERVICE_TYPES.
+        :param timeout_sec: How long the node may take to answer.
+        :param discovery_timeout_sec: How long to look for the node if it is not known yet.
+        :raises NodeNotFoundError: there is no such node.
+        :raises NoAnswerError: it did not answer in time.
+        :raises NodeGoneError: it left before it answered.
+        :raises CallbackError: a callback of the node, which lives in this process, raised an exception.
+        :raises ExecutorError: called from a callback, where waiting would block the executor for ever.
+        """
+        if self.in_executor_thread():
+            raise ExecutorError('a callback cannot wait for a service: the answer would have to come through the '
+                                'executor that the callback keeps busy. Use call_async of an rclpy client')
+        client = self._found(node, service, discovery_timeout_sec)
+        if service == 'set_parameters':
+            self.greet(node, timeout_sec=timeout_sec)
+        return self._wait_for_answer(client, node, service, request, timeout_sec, repeat=service in _QUESTIONS)
+
+    def _wait_for_answer(self, client: Client, node: str, service: str, request: Any, timeout_sec: float, *,
+                         repeat: bool) -> Any:
+        finished = threading.Event()
+        sent: list[Future] = []
+        began = time.monotonic()
+        try:
+            while True:
+                if not sent or (repeat and time.monotonic() > began + len(sent) * _REPEAT_PERIOD_SEC):
+                    sent.append(self._send(client, node, service, request, timeout_sec))
+                    sent[-1].add_done_callback(lambda _: finished.set())
+                if finished.wait(_LOOK_PERIOD_SEC):
+                    break
+                gone = not client.service_is_ready()
+                if finished.wait(_LOOK_PERIOD_SEC):  # an answer may have been on its way
+                    break
+                if gone:
+                    raise NodeGoneError(node, service)
+                if time.monotonic() > began + timeout_sec:
+                    raise NoAnswerError(node, service, timeout_sec)
+        finally:
+            for future in sent:
+                self._forget(future, client)
+        return next(future for future in sent if future.done()).result()
+
+    def greet(self, node: str, *, timeout_sec: float = TIMEOUT_SEC) -> None:
+        """Make sure that a node's answers to set_parameters arrive, before anything is set.
+
+        A server that has just been discovered may know the client's request and not yet where to answer; rmw then
+        waits a tenth of a second and drops the answer. Questions can simply be repeated. A set should not be, so
+        once after each change in the graph it is preceded by an empty one, which no callback hears of.
+
+        :raises ParameterToolError: as ``call``.
+        """
+        generation = self._generation
+        if self._greeted.get(node) == generation:
+            return
+        client = self._found(node, 'set_parameters', DISCOVERY_TIMEOUT_SEC)
+        self._wait_for_answer(client, node, 'set_parameters', SetParameters.Request(), timeout_sec, repeat=True)
+        self._greeted[node] = generation
+
+    def graph_changed(self) -> None:
+        """Take note that nodes came, went or were replaced; the executor's thread calls this."""
+        self._generation += 1
+
+    def call_async(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC) -> Future:
+        """Call a parameter service of a node that is known to be there, without waiting.
+
+        :return: Completes, in the executor's thread, with the answer or one of the errors of ``call``.
+        :raises NodeNotFoundError: the node is not there now.
+        """
+        client = self._found(node, service, 0.0)
+        future = self._send(client, node, service, request, timeout_sec)
+        future.add_done_callback(lambda future: self._forget(future, client))
+        return future
+
+    def is_ready(self, node: str, service: str = 'set_parameters') -> bool:
+        """Is the node there, so that a call now would reach it?"""
+        return self._client(node, service).service_is_ready()
+
+    def forget(self, namespace: str) -> None:
+        """Destroy the clients for the nodes in a namespace, unless they wait for an answer; in the executor's thread.
+
+        Every node that is created later pays for a client that is left behind: DDS holds it against each new service,
+        and a hundred of them make it five times as long.
+        """
+        with self._lock:
+            waiting = [call.client for call in self._pending.values()]
+            unused = [key for key, client in self._clients.items()
+                      if key[0].startswith(f'{namespace}/') and not any(client is other for other in waiting)]
+            clients = [self._clients.pop(key) for key in unused]
+            for node, _ in unused:
+                self._greeted.pop(node, None)
+        for client in clients:
+            self._tool_node.destroy_client(client)
+
+    def expire(self) -> None:
+        """Fail the calls whose node is gone or late; the executor's thread calls this now and then."""
+        with self._lock:
+            pending = list(self._pending.items())
+        for future, call in pending:
+            if time.monotonic() > call.deadline:
+                self._fail(future, NoAnswerError(call.node, call.service, call.timeout_sec))
+            elif not call.client.service_is_ready():
+                self._fail(future, NodeGoneError(call.node, call.service))
+
+    def take(self, error: BaseException) -> bool:
+        """Give an exception that ended a service callback to the call from this process that it leaves unanswered.
+
+        :return: Was there such a call?
+        """
+        served = _served_request(error)
+        if served is None:
+            return False
+        node, service, request = served
+        with self._lock:
+            unanswered = next((future for future, call in self._pending.items()
+                               if (call.node, call.service, call.request) == (node, service, request)), None)
+        if unanswered is None:
+            return False
+        self._fail(unanswered, CallbackError(node, service, error))
+        return True
+
+    def _client(self, node: str, service: str) -> Client:
+        with self._lock:
+            client = self._clients.get((node, service))
+            if client is None:
+                try:
+                    client = self._tool_node.create_client(SERVICE_TYPES[service], f'{node}/{service}')
+                except NameValidationException:
+                    raise NodeNotFoundError(node, self.node_names()) from None
+                self._clients[node, service] = client
+            return client
+
+    def _found(self, node: str, service: str, discovery_timeout_sec: float) -> Client:
+        client = self._client(node, service)
+        deadline = time.monotonic() + discovery_timeout_sec
+        while not client.service_is_ready():
+            if time.monotonic() > deadline:
+                if node in self.node_names(hidden=True):
+                    raise NodeError(node, f'{node} is running but offers no {service} service: it was created '
+                                          f'with start_parameter_services=False, or is just leaving')
+                raise NodeNotFoundError(node, self.node_names())
+            time.sleep(0.01)
+        return client
+
+    def _send(self, client: Client, node: str, service: str, request: Any, timeout_sec: float) -> Future:
+        # The lock is held over both steps: the answer, or the error of a callback, may come in between.
+        with self._lock:
+            future = client.call_async(request)
+            self._pending[future] = _PendingCall(
+                node, service, request, client, time.monotonic() + timeout_sec, timeout_sec)
+        return future
+
+    def _forget(self, future: Future, client: Client) -> None:
+        with self._lock:
+            self._pending.pop(future, None)
+        client.remove_pending_request(future)
+
+    def _fail(self, future: Future, error: BaseException) -> None:
+        with self._lock:
+            if future not in self._pending or future.done():
+                return
+            del self._pending[future]
+        future.set_exception(error)
+
+
+def _served_request(error: BaseException) -> tuple[str, str, Any] | None:
+    """Find in a traceback which node was serving which request when the exception came up.
+
+    :return: Fully qualified node name, name of the service, request; None if no parameter service was served.
+    """
+    step = error.__traceback__
+    while step is not None:
+        local = step.tb_frame.f_locals
+        server = local.get('self')
+        if isinstance(server, ParameterService) and 'request' in local:
+            # The methods are called _set_parameters_callback, _get_parameters_callback and so on.
+            service = step.tb_frame.f_code.co_name.removeprefix('_').removesuffix('_callback')
+            return server._get_node().get_fully_qualified_name(), service, local['request']
+        step = step.tb_next
+    return None

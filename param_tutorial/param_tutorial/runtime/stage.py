@@ -1,0 +1,86 @@
+"""The stage: the one BackgroundExecutor of this process, on which a notebook's nodes run.
+
+``start()`` sets it up, and clears it when it is called again; ``stop()`` ends it. Live views ask for ``current()``
+and listen with ``on_change``, so that they survive a stop and a new start.
+"""
+
+import atexit
+import threading
+from collections.abc import Callable
+
+from param_tutorial.errors import ExecutorError
+from param_tutorial.pictures.diagrams import NodeGraph
+from param_tutorial.runtime import graph
+from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.listeners import Listeners
+
+_current: BackgroundExecutor | None = None
+_change_listeners: Listeners[[]] = Listeners()
+_lifecycle_lock = threading.RLock()
+
+
+def start() -> BackgroundExecutor:
+    """Return the process's BackgroundExecutor: running, without any node, and with an empty log.
+
+    Safe to call again at any time: it destroys the nodes of an earlier run, and replaces an executor that has died.
+
+    :raises ExecutorError: other code has initialized rclpy in this process.
+    """
+    global _current
+    with _lifecycle_lock:
+        if _current is not None and _current.is_running:
+            _current.remove_all()
+            _current.node_log.clear()
+            _current.errors.clear()
+            return _current
+        if _current is not None:
+            _current.stop()
+        started = _current = BackgroundExecutor()
+    _change_listeners.call()
+    return started
+
+
+def current() -> BackgroundExecutor:
+    """Return the running BackgroundExecutor of this process.
+
+    :raises ExecutorError: there is none.
+    """
+    if _current is None or not _current.is_running:
+        raise ExecutorError('no executor is running in the background: call param_tutorial.start() first')
+    return _current
+
+
+def stop() -> None:
+    """Stop the process's BackgroundExecutor, if there is one; safe to call more than once."""
+    global _current
+    with _lifecycle_lock:
+        if _current is None:
+            return
+        _current.stop()
+        _current = None
+    _change_listeners.call()
+
+
+def on_change(listener: Callable[[], None]) -> Callable[[], None]:
+    """Call a listener after this process got another executor or lost the one it had; ``current()`` says which.
+
+    It is called in the thread that called start() or stop().
+
+    :return: Call it to stop listening.
+    """
+    return _change_listeners.add(listener)
+
+
+def node_graph(*, executor: BackgroundExecutor | None = None) -> NodeGraph:
+    """Find out who offers parameter services, who has clients for them, and who reports and hears of changes.
+
+    Nodes whose name begins with an underscore are left out, as ``ros2 node list`` leaves them out, except the one
+    through which this notebook asks and listens.
+
+    :raises ExecutorError: no executor is running.
+    """
+    return graph.who_talks_to_whom((executor or current()).tool_node)
+
+
+# An executor thread that is still spinning when the interpreter ends aborts the process (exit status 134).
+atexit.register(stop)

@@ -1,0 +1,124 @@
+"""What the live views have in common: they follow something until they are closed, and are closed with their cell.
+
+What each of them shows is in ``panels``, ``robot_view``, ``step_view``, ``event_view`` and ``log_view``.
+"""
+
+import contextlib
+import html
+import threading
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import ipywidgets as widgets
+
+from param_tutorial.errors import ExecutorError
+from param_tutorial.runtime import stage
+from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.services import full_name
+from param_tutorial.runtime.worker import Worker
+from param_tutorial.widgets.cells import close_with_cell
+
+_SHOW_PERIOD_SEC = 0.1
+
+
+def nothing() -> None:
+    """End a subscription that there is not."""
+
+
+class View(widgets.VBox):
+    """A box of widgets that follows something as long as it is not closed."""
+
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+
+    def __init__(self, parts: Iterable[widgets.Widget], css_class: str):
+        self._closed = False
+        # Held by whoever writes to the widgets.
+        self._drawing = threading.RLock()
+        super().__init__(list(parts))
+        self.add_class(css_class)
+
+    def close(self) -> None:
+        """Stop following, and remove the view from the page. Twice is as good as once."""
+        if self._closed:
+            return
+        with self._drawing:
+            self._closed = True
+            self._end()
+            parts = _all_within(self)
+            # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
+            for box in (self, *parts):
+                if isinstance(box, widgets.Box):
+                    box.children = ()
+            super().close()
+            for part in parts:
+                part.close()
+
+    def _end(self) -> None:
+        """Stop following."""
+        raise NotImplementedError
+
+
+def _all_within(box: widgets.Box) -> list[widgets.Widget]:
+    parts = []
+    for each in box.children:
+        parts += [each, *(_all_within(each) if isinstance(each, widgets.Box) else ())]
+    return parts
+
+
+class FeedView(View):
+    """What one node or all nodes tell, as text under a title."""
+
+    def __init__(self, node: str | None, executor: BackgroundExecutor | None, *, subject: str,
+                 css_class: str, content_class: str, style: str):
+        """
+        :param node: Only what this one tells; None for all.
+        :param executor: None for whichever runs in the background, also after a stop and a new start.
+        """
+        self._node = None if node is None else full_name(node)
+        self._chosen_executor = executor
+        self._stop_listening: Callable[[], None] = nothing
+        self._title = f'{subject} of {self._node or "all nodes"}'
+        self._content = widgets.HTML()
+        self._content.add_class(content_class)
+        heading = widgets.HTML(f'{style}<b>{html.escape(self._title)}</b>')
+        heading.add_class(f'{css_class}-title')
+        super().__init__([heading, self._content], css_class)
+        self._worker = Worker(self._show, type(self).__name__, _SHOW_PERIOD_SEC)
+        self._stop_following = stage.on_change(self._on_executor_change)
+        self._listen()
+        self._worker.call_now(1.0)
+        close_with_cell(self)
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__}: {self._node or "all nodes"}>'
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], Any]:
+        """Wake the worker whenever there is something to show; give the function that ends that."""
+        raise NotImplementedError
+
+    def _markup(self) -> str:
+        """Give all that there is to show, as HTML."""
+        raise NotImplementedError
+
+    def _end(self) -> None:
+        self._stop_following()
+        self._stop_listening()
+        self._worker.end()
+
+    def _on_executor_change(self) -> None:
+        if self._chosen_executor is None:
+            self._listen()
+            self._worker.wake()
+
+    def _listen(self) -> None:
+        self._stop_listening()
+        self._stop_listening = nothing
+        with contextlib.suppress(ExecutorError):  # stopped: what was told before stays readable
+            self._stop_listening = self._subscribe(self._chosen_executor or stage.current())
+
+    def _show(self) -> bool:
+        with self._drawing:
+            if not self._closed:
+                self._content.value = self._markup()
+        return False

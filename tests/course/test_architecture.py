@@ -1,0 +1,99 @@
+"""The package is a house of rooms: imports go downward only, no file is in a circle, and README draws it as it is."""
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import param_tutorial
+from tests.support.paths import PACKAGE, ROOT
+
+README = (ROOT / 'README.md').read_text()
+FILES = {'.'.join(('param_tutorial', *path.relative_to(PACKAGE).with_suffix('').parts)).removesuffix('.__init__'): path
+         for path in sorted(PACKAGE.rglob('*.py'))}
+# The facade: it imports what a name needs when the name is first used, and stands above every room.
+ABOVE = ('param_tutorial', 'param_tutorial.__main__')
+
+
+def room_of(module: str) -> str:
+    return module.split('.')[1]
+
+
+def rooms_of_the_readme() -> list[str]:
+    """Return the rooms in README's table, top to bottom."""
+    table = README.partition('| Room | What is in it |\n| --- | --- |\n')[2].partition('\n\n')[0]
+    return [re.match(r'\| `(\w+)`', row)[1] for row in table.splitlines()]
+
+
+def imports_of(module: str) -> Iterator[str]:
+    """Yield the modules of the package that a file imports, wherever in the file it does so."""
+    for statement in ast.walk(ast.parse(FILES[module].read_text())):
+        if isinstance(statement, ast.Import):
+            yield from (alias.name for alias in statement.names if alias.name in FILES)
+        elif isinstance(statement, ast.ImportFrom):
+            assert not statement.level, f'{module}: name the module in full, as everywhere here'
+            source = statement.module
+            for alias in statement.names:
+                if f'{source}.{alias.name}' in FILES:
+                    yield f'{source}.{alias.name}'
+                elif source in FILES:
+                    yield source
+
+
+ARROWS = {module: sorted(set(imports_of(module))) for module in FILES}
+
+
+def test_readme_and_package_name_the_same_rooms():
+    drawn = re.findall(r'^    (\w+)$', param_tutorial.__doc__, re.MULTILINE)
+    assert drawn == rooms_of_the_readme()
+    assert sorted(drawn) == sorted({room_of(module) for module in FILES if module not in ABOVE})
+
+
+def test_imports_go_downward_only():
+    floor = {room: number for number, room in enumerate(reversed(rooms_of_the_readme()))}
+    upward = [f'{module} imports {other}' for module, others in ARROWS.items() if module not in ABOVE
+              for other in others if other in ABOVE or floor[room_of(other)] > floor[room_of(module)]]
+    assert sum(map(len, ARROWS.values())) > 200
+    assert upward == []
+
+
+def test_no_file_is_in_a_circle_of_imports():
+    remaining = dict(ARROWS)
+    while leaves := [module for module, others in remaining.items() if not any(each in remaining for each in others)]:
+        for module in leaves:
+            del remaining[module]
+    assert remaining == {}
+
+
+def test_no_chapter_of_the_exercises_imports_another():
+    chapters = [module for module in FILES if module.startswith('param_tutorial.exercises.chapters.')]
+    assert len(chapters) == 18
+    assert [(module, other) for module in chapters for other in ARROWS[module] if other in chapters] == []
+
+
+def test_pictures_need_neither_ros_nor_widgets():
+    """Data in, text out: so that a page without a kernel could draw them too."""
+    for module, path in FILES.items():
+        if room_of_or_none(module) in ('pictures', 'errors'):
+            assert not outside_imports(path) & {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}, module
+
+
+def test_only_rooms_about_notebooks_need_jupyter():
+    for module, path in FILES.items():
+        if room_of_or_none(module) in ('runtime', 'parameters', 'ros2', 'ros1', 'nodes'):
+            assert not outside_imports(path) & {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'}, module
+
+
+def room_of_or_none(module: str) -> str | None:
+    return None if module in ABOVE else room_of(module)
+
+
+def outside_imports(path: Path) -> set[str]:
+    """Return the packages that a file imports when it runs, by the first part of their names."""
+    found = set()
+    for statement in ast.walk(ast.parse(path.read_text())):
+        if isinstance(statement, ast.Import):
+            found |= {alias.name.split('.')[0] for alias in statement.names}
+        elif isinstance(statement, ast.ImportFrom) and statement.module and not statement.level:
+            found.add(statement.module.split('.')[0])
+    return found

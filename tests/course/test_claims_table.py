@@ -1,0 +1,95 @@
+"""claims.md: each claim of the article has one line, and each line leads to cells and tests that are there."""
+
+import re
+from collections import Counter
+from typing import NamedTuple
+
+import nbformat
+import pytest
+
+from tests.support.paths import NOTEBOOKS, ROOT
+from tests.tools import notebook_lint
+
+TESTS = {path.stem: path.read_text() for path in (ROOT / 'tests').rglob('test_*.py')}
+IDS = [f'A{number:03}' for number in range(1, 162)]
+
+SECTION = re.compile(r'`(\d\w*)` › (.+)')
+TEST = re.compile(r'`(test_\w+)::(test_\w+)`')
+
+
+class Row(NamedTuple):
+    claim: str
+    verdict: str
+    proofs: list[str]
+
+
+def rows():
+    """Give (id, Row) for each line of the tables."""
+    for line in (NOTEBOOKS / 'claims.md').read_text().splitlines():
+        if re.match(r'\| A\d', line):
+            identifier, claim, verdict, proofs = (each.strip() for each in line[2:].removesuffix('|').split(' | '))
+            yield identifier, Row(claim, verdict, [proof.strip() for proof in proofs.split(';') if proof.strip()])
+
+
+TABLE = dict(rows())
+
+
+def sections(path):
+    """Give the cells of a notebook by the heading under which they stand."""
+    found, heading = {}, ''
+    for cell in nbformat.read(path, as_version=4).cells:
+        if cell.cell_type == 'markdown':
+            heading = next((title for _, title in reversed(notebook_lint.headings(cell.source))), heading)
+        found.setdefault(heading, []).append(cell)
+    return found
+
+
+CHAPTERS = {path.stem: sections(path) for path in NOTEBOOKS.glob('[0-9]*.ipynb')}
+
+
+def test_each_claim_has_one_line_in_its_place():
+    assert [identifier for identifier, _ in rows()] == IDS
+
+
+@pytest.mark.parametrize('identifier', IDS)
+def test_a_claim_is_proved_or_says_why_it_cannot_be(identifier):
+    claim, verdict, proofs = TABLE[identifier]
+    kind, _, words = verdict.partition(': ')
+    assert claim
+    assert kind in ('true', 'partly', 'false', 'outdated', 'not testable here')
+    assert words or kind == 'true', 'say what is really so, or why it cannot be tested'
+    assert proofs or kind == 'not testable here'
+    for proof in proofs:
+        if section := SECTION.fullmatch(proof):
+            chapter, heading = section.groups()
+            cells = CHAPTERS.get(chapter, {}).get(heading, [])
+            assert any(is_compared(cell) for cell in cells), f'no output is compared there: {proof}'
+        else:
+            test = TEST.fullmatch(proof)
+            assert test and f'\ndef {test[2]}(' in TESTS[test[1]], proof
+
+
+def is_compared(cell):
+    return cell.cell_type == 'code' and bool(cell.outputs) and not notebook_lint.is_not_compared(cell)
+
+
+@pytest.mark.parametrize('chapter', sorted(CHAPTERS))
+def test_a_claim_that_a_chapter_names_is_shown_by_cells(chapter):
+    for heading, cells in CHAPTERS[chapter].items():
+        text = '\n'.join(cell.source for cell in cells if cell.cell_type == 'markdown')
+        for identifier in re.findall(r'\bA\d{3}\b', text):
+            assert any(SECTION.fullmatch(proof) for proof in TABLE[identifier].proofs), (
+                f'{chapter} names {identifier} under {heading!r}: add `{chapter}` › {heading} to its line in claims.md')
+
+
+def test_each_test_of_claims_stands_in_the_table():
+    tests = re.findall(r'^def (test_\w+)', TESTS['test_claims'], re.MULTILINE)
+    proofs = Counter(proof for row in TABLE.values() for proof in row.proofs)
+    assert [name for name in tests if not proofs[f'`test_claims::{name}`']] == []
+
+
+def test_a_test_of_claims_names_those_that_lead_to_it():
+    for block in TESTS['test_claims'].split('\n\n\n'):
+        if name := re.search(r'^def (test_\w+)', block, re.MULTILINE):
+            leading = [identifier for identifier, row in TABLE.items() if f'`test_claims::{name[1]}`' in row.proofs]
+            assert re.findall(r'A\d{3}', block.splitlines()[0]) == leading, name[1]

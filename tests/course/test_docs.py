@@ -1,0 +1,109 @@
+"""README.md, the start page and the chapters tell the same story, and every public name is real."""
+
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+
+import param_tutorial
+from tests.support.paths import ROOT
+
+README = (ROOT / 'README.md').read_text()
+NOTEBOOKS = sorted((ROOT / 'notebooks').rglob('[0-9]*.ipynb'))
+CHAPTERS = {path.name: nbformat.read(path, as_version=4) for path in sorted((ROOT / 'notebooks').glob('[0-9]*.ipynb'))}
+ROW = re.compile(r'\[([^]]+)\]\((?:notebooks/)?([0-9]\w*\.ipynb)\) *\| *([^|]+?) *\| *(\d+) *\|(?: *([^|\n]+?) *\|)?')
+# Longer questions break on a page of usual width, and the table is no longer read at a glance.
+QUESTION_CHARACTERS = 72
+
+
+def rows(path):
+    """Give the chapters in the tables of a Markdown page: {file: (title, question, minutes, objectives or '')}."""
+    return {name: (title, question, int(minutes), objectives)
+            for title, name, question, minutes, objectives in ROW.findall(path.read_text())}
+
+
+def opening(name):
+    """Give the first cell of a chapter."""
+    return CHAPTERS[name].cells[0].source
+
+
+@pytest.mark.parametrize('page', ['README.md', 'notebooks/index.md'])
+def test_the_table_lists_every_chapter_with_its_minutes(page):
+    table = rows(ROOT / page)
+    assert list(table) == list(CHAPTERS)
+    for name, (_, question, minutes, _) in table.items():
+        assert f'*{minutes} minutes.' in opening(name), name
+        assert question.endswith('?')
+        assert len(question) <= QUESTION_CHARACTERS, question
+
+
+def test_readme_and_start_page_ask_the_same_questions():
+    readme, index = rows(ROOT / 'README.md'), rows(ROOT / 'notebooks/index.md')
+    assert {name: row[1:3] for name, row in readme.items()} == {name: row[1:3] for name, row in index.items()}
+
+
+@pytest.mark.parametrize('name', CHAPTERS)
+def test_the_start_page_promises_what_the_chapter_promises(name):
+    promised = rows(ROOT / 'notebooks/index.md')[name][3].split('; ')
+    objectives = re.findall(r'^- (.+)$', opening(name), re.MULTILINE)
+    assert len(promised) == 2
+    for promise in promised:
+        assert any(re.match(rf'{re.escape(promise)}(?!\w)', objective) for objective in objectives), promise
+
+
+def test_the_start_page_adds_up_its_times():
+    index = (ROOT / 'notebooks/index.md').read_text()
+    table = rows(ROOT / 'notebooks/index.md')
+    student, = re.findall(r'^\| \*\*a student.*$', index, re.MULTILINE)
+    core = sum(table[name][2] for name in re.findall(r'\((\w+\.ipynb)\)', student))
+    everything = sum(minutes for _, _, minutes, _ in table.values())
+    assert student.endswith(f'| {_hours(core)} for these five, {_hours(everything)} for all |')
+
+
+def _hours(minutes):
+    return f'{minutes // 60} h {minutes % 60}'
+
+
+@pytest.mark.parametrize('name', CHAPTERS)
+def test_a_chapter_has_the_shape_of_all(name):
+    text = opening(name)
+    assert re.match(r'# \d+(\.\d+)? · ', text)
+    assert re.search(r'^\*\*.*\?\*\*$', text, re.MULTILINE | re.DOTALL), 'the question in bold'
+    objectives = re.findall(r'^- ', text, re.MULTILINE)
+    assert 1 <= len(objectives) <= 4
+    prose = '\n'.join(cell.source for cell in CHAPTERS[name].cells if cell.cell_type == 'markdown')
+    assert '## What you can do now' in prose
+    glossary = re.search(r'\| word \| meaning \|\n\| --- \| --- \|\n((?:\|.*\n)+)', prose)
+    assert 4 <= len(glossary.group(1).splitlines()) <= 8
+    assert re.search(r'^Next: \[', prose, re.MULTILINE)
+    assert CHAPTERS[name].cells[-1].source == 'param_tutorial.stop()'
+
+
+@pytest.mark.parametrize('name', CHAPTERS)
+def test_a_chapter_has_a_live_node_and_a_panel(name):
+    code = '\n'.join(cell.source for cell in CHAPTERS[name].cells if cell.cell_type == 'code')
+    assert 'ros.add(' in code
+    assert 'ParameterPanel(' in code
+
+
+@pytest.mark.parametrize('page', ['README.md', 'notebooks/index.md'])
+def test_links_lead_somewhere(page):
+    targets = re.findall(r'\]\((?!http)([^)#]+)\)', (ROOT / page).read_text())
+    assert targets
+    for target in targets:
+        assert ((ROOT / page).parent / target).exists(), target
+
+
+@pytest.mark.parametrize('name', param_tutorial.__all__)
+def test_public_names_exist_and_are_documented(name):
+    assert getattr(param_tutorial, name).__doc__
+
+
+@pytest.mark.parametrize('path', NOTEBOOKS, ids=lambda path: f'{path.parent.name}-{path.stem}')
+def test_a_link_to_a_chapter_leads_to_that_chapter(path):
+    numbers = {name: re.match(r'# (\d+(\.\d+)?) · ', opening(name))[1] for name in CHAPTERS}
+    prose = '\n'.join(cell.source for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == 'markdown')
+    for number, target in re.findall(r'\[[Cc]hapter (\d+(?:\.\d+)?)\b[^]]*\]\(([^)#]+)', prose):
+        assert numbers.get(Path(target).name) == number, f'chapter {number} leads to {target}'
+        assert (path.parent / target).exists()

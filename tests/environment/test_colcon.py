@@ -1,0 +1,102 @@
+"""This repository is a ROS package: `colcon build`, plain and with links, and a node run from the install space."""
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+
+from param_tutorial import ParameterClient, Shell, Terminal
+from tests.support.paths import ROOT
+
+NAME = 'param_tutorial'
+IGNORED = shutil.ignore_patterns('__pycache__', '*.egg-info', 'build', 'install', 'log')
+
+
+class Workspace:
+    """A workspace in which this checkout has been built."""
+
+    def __init__(self, *options: str):
+        self.shell = Shell()
+        # config/ stands beside the ROS package, as in the checkout.
+        for folder in (NAME, 'config'):
+            shutil.copytree(ROOT / folder, self.shell.home / 'ws' / 'src' / folder, ignore=IGNORED)
+        self.shell.run('cd ~/ws')
+        self.said = self.shell.run(f'colcon build {" ".join(options)}')
+        self.status = self.shell.status
+        self.shell.run('source install/setup.bash')
+        self.log = (self.shell.home / 'ws/log/latest_build/logger_all.log').read_text()
+        self.prefix = self.shell.home / 'ws' / 'install' / NAME
+        self.share = self.prefix / 'share' / NAME
+        self.programs = self.prefix / 'lib' / NAME
+
+    def where_is(self, module: str) -> Path:
+        """Tell which file the programs that are started here import."""
+        return Path(self.shell.run(f'realpath $(python -c "import {module}; print({module}.__file__)")'
+                                   ).replace('~', str(self.shell.home)))
+
+
+@pytest.fixture(scope='module', params=['', '--symlink-install'], ids=['plain', 'symlink'])
+def workspace(request):
+    workspace = Workspace(request.param)
+    workspace.links = bool(request.param)
+    yield workspace
+    workspace.shell.close()
+
+
+def test_it_builds_as_a_package_of_type_ament_python(workspace):
+    assert workspace.status == 0, workspace.said
+    # Nothing on standard error, which the summary would count.
+    assert workspace.said.splitlines() == [
+        f'Starting >>> {NAME}', f'Finished <<< {NAME}', '', 'Summary: 1 package finished']
+    # With a package.xml that cannot be read, colcon takes it for a plain Python package, in silence.
+    assert f"Package 'src/{NAME}' with type 'ros.ament_python' and name '{NAME}'" in workspace.log
+
+
+def test_ros_finds_the_package_in_the_index(workspace):
+    assert (workspace.prefix / 'share/ament_index/resource_index/packages' / NAME).exists()
+    assert workspace.shell.environment()['AMENT_PREFIX_PATH'].split(os.pathsep)[0] == str(workspace.prefix)
+
+
+def test_each_node_is_a_program(workspace):
+    nodes = {path.stem for path in (ROOT / NAME / NAME / 'nodes').glob('[a-z]*.py')}
+    assert {path.name for path in workspace.programs.iterdir()} == nodes
+    assert all(os.access(path, os.X_OK) for path in workspace.programs.iterdir())
+
+
+@pytest.mark.parametrize(('source', 'installed'), [('config', 'config'), (f'{NAME}/launch', 'launch')])
+def test_parameter_and_launch_files_are_installed(workspace, source, installed):
+    files = {path.name: path.read_text() for path in (ROOT / source).glob('*') if path.is_file()}
+    there = workspace.share / installed
+    assert {path.name: path.read_text() for path in there.iterdir() if path.is_file()} == files
+    assert (workspace.share / 'package.xml').exists()
+
+
+def test_the_package_is_imported_from_the_workspace_and_brings_its_data(workspace):
+    module = workspace.where_is(NAME)
+    home = workspace.shell.home / 'ws'
+    assert module.is_relative_to(home / ('src' if workspace.links else 'install'))
+    assert {path.name for path in (module.parent / 'runtime').glob('*.xml')} == {'fastdds.xml', 'fastdds_this_host.xml'}
+
+
+def test_a_node_runs_from_the_install_space(workspace, ros):
+    robot = Terminal(f'ros2 run {NAME} simple_param_node --ros-args -p max_speed_rpm:=7 '
+                     f'--params-file {workspace.share}/config/clawbot_config.yaml', shell=workspace.shell)
+    robot.read(until='robot_serial_number')
+    client = ParameterClient('/simple_param_node', timeout_sec=30)
+    assert client.get_parameters(['robot_name', 'max_speed_rpm']) == {'robot_name': 'AlphaClaw', 'max_speed_rpm': 180}
+    assert robot.interrupt() == 0
+    assert 'Traceback' not in robot.text
+
+
+def test_an_edit_takes_effect_with_links_and_does_not_without(workspace):
+    """Claim A031."""
+    node = workspace.shell.home / 'ws' / 'src' / NAME / NAME / 'nodes' / 'simple_param_node.py'
+    before = node.read_text()
+    try:
+        node.write_text(before.replace('Clawbot', 'Edited'))
+        said = workspace.shell.run('python -c "import inspect; from param_tutorial.nodes import simple_param_node as n'
+                                   '; print(inspect.getsource(n))"')
+    finally:
+        node.write_text(before)
+    assert ('Edited' in said) == workspace.links

@@ -1,0 +1,125 @@
+"""The set-up files agree with one another, and with what is really there."""
+
+import json
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+from tests.support.paths import ROOT, ROS_PACKAGE
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+LOCK = (ROOT / 'environment' / 'requirements.lock').read_text()
+PROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())['project']
+REQUIREMENTS = sum(PROJECT['optional-dependencies'].values(), PROJECT['dependencies'])
+DIRECT = sorted(re.match(r'[\w-]+', requirement)[0] for requirement in REQUIREMENTS)
+
+# setup.py as setuptools sees it, from a process of its own: it has to run in its own folder.
+DESCRIBE = """
+import json
+from distutils.core import run_setup
+found = run_setup('setup.py', stop_after='init')
+print(json.dumps({
+    'name': found.get_name(), 'version': found.get_version(), 'license': found.metadata.license,
+    'packages': found.packages, 'entry_points': found.entry_points, 'data_files': found.data_files,
+}))
+"""
+
+
+@pytest.fixture(scope='module')
+def setup_py():
+    done = subprocess.run(
+        [sys.executable, '-c', 'import setuptools\n' + DESCRIBE],
+        cwd=ROS_PACKAGE,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return json.loads(done.stdout)
+
+
+@pytest.fixture(scope='module')
+def package_xml():
+    # colcon falls back to a plain Python package, in silence, when this can't be parsed.
+    return ET.parse(ROS_PACKAGE / 'package.xml').getroot()
+
+
+def test_package_xml_is_that_of_an_ament_python_package(package_xml):
+    assert package_xml.tag == 'package' and package_xml.get('format') == '3'
+    assert package_xml.findtext('export/build_type') == 'ament_python'
+    assert {depend.text for depend in package_xml.iter('exec_depend')} >= {'rclpy', 'rcl_interfaces'}
+    for required in ('name', 'version', 'description', 'maintainer', 'license'):
+        assert package_xml.findtext(required).strip(), required
+
+
+def test_names_versions_and_licences_agree(package_xml, setup_py):
+    assert package_xml.findtext('name') == setup_py['name'] == PROJECT['name'].replace('-', '_')
+    assert package_xml.findtext('version') == setup_py['version'] == PROJECT['version']
+    assert package_xml.findtext('license') == setup_py['license'] == PROJECT['license'] == 'Apache-2.0'
+    assert 'Apache License' in (ROOT / 'LICENSE').read_text()
+
+
+def test_each_entry_point_is_there(setup_py):
+    programs = setup_py['entry_points']['console_scripts']
+    assert len(programs) >= 2
+    for program in programs:
+        name, module, function = re.fullmatch(r'(\w+) = ([\w.]+):(\w+)', program).groups()
+        assert module.endswith(f'.{name}')
+        source = ROS_PACKAGE / Path(*module.split('.')).with_suffix('.py')
+        assert re.search(rf'^def {function}\(args=None\)', source.read_text(), re.MULTILINE), source
+
+
+def test_each_package_below_the_ros_package_is_installed(setup_py):
+    on_disk = {
+        '.'.join(init.parent.relative_to(ROS_PACKAGE).parts)
+        for init in (ROS_PACKAGE / 'param_tutorial').rglob('__init__.py')
+    }
+    assert set(setup_py['packages']) == on_disk
+
+
+def test_marker_and_parameter_files_are_installed(setup_py):
+    installed = {folder: files for folder, files in setup_py['data_files']}
+    assert installed['share/ament_index/resource_index/packages'] == ['resource/param_tutorial']
+    assert installed['share/param_tutorial'] == ['package.xml']
+    assert sorted(installed['share/param_tutorial/config']) == [
+        f'../config/{path.name}' for path in sorted((ROOT / 'config').glob('*.yaml'))
+    ]
+    for files in installed.values():
+        assert all((ROS_PACKAGE / file).is_file() for file in files)
+
+
+def test_the_lock_names_no_address():
+    assert '://' not in LOCK
+    assert not re.search(r'^\s*--(?!hash=sha256:)', LOCK, re.MULTILINE)
+
+
+@pytest.mark.parametrize('name', DIRECT)
+def test_each_direct_dependency_is_locked_and_has_its_reason(name):
+    assert re.search(rf'^{name}==', LOCK, re.MULTILINE)
+    readme = (ROOT / 'environment' / 'README.md').read_text()
+    assert re.search(rf'^\| `{name}` \| .{{10,}} \|$', readme, re.MULTILINE)
+
+
+def test_each_locked_package_has_hashes():
+    blocks = re.split(r'^(?=[a-z])', LOCK, flags=re.MULTILINE)[1:]
+    assert len(blocks) > 100
+    assert [block for block in blocks if '--hash=sha256:' not in block] == []
+
+
+def test_the_other_environments_name_the_same_packages():
+    """Those that need no ROS wheels list the packages themselves, in step with pyproject.toml."""
+    wanted = {re.sub(r'[<>=].*', '', each) for each in PROJECT['dependencies']} - {'ros-jazzy-rclpy[fastrtps]'}
+    # Distributions of ROS take colcon's parts together.
+    wanted = {re.sub(r'^colcon-.*', 'colcon-common-extensions', each) for each in wanted}
+    for name in ('environment.yml', 'pixi.toml', 'Dockerfile'):
+        text = (ROOT / 'environment' / name).read_text()
+        assert [package for package in sorted(wanted) if package not in text] == [], name
+    pixi = tomllib.loads((ROOT / 'environment' / 'pixi.toml').read_text())
+    assert pixi['dependencies'].keys() >= wanted

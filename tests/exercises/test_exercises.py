@@ -1,0 +1,391 @@
+"""The exercises: each blank is not yet done, each solution is, and the wrong answers that people give are told apart.
+
+Blanks and solutions are read from the notebooks; the wrong answers are made of them by replacing a few words.
+"""
+
+import ast
+import functools
+import inspect
+import re
+import time
+from pathlib import Path
+
+import nbformat
+import pytest
+from rclpy.node import Node
+
+import param_tutorial
+from param_tutorial import ParameterClient, exercises
+from param_tutorial.errors import ExecutorError
+from param_tutorial.exercises import EXERCISES, trial
+from param_tutorial.exercises.chapters import ch04, ch05_1, ch06, ch07_3, ch11
+from param_tutorial.exercises.results import Finding, Result
+from param_tutorial.runtime import stage
+from param_tutorial.runtime.executor import BackgroundExecutor
+from tests.exercises.wrong_answers import WRONG
+from tests.support.paths import NOTEBOOKS
+
+
+@functools.cache
+def notebook(number, folder=''):
+    """Give the cells of the chapter that holds an exercise, or of its solutions."""
+    return nbformat.read(NOTEBOOKS / folder / Path(EXERCISES[number].solutions).name, as_version=4).cells
+
+
+def cell(number, kind):
+    """Give a cell of an exercise: its 'exercise' and 'check' in the chapter, or its 'solution'."""
+    cells = notebook(number, 'solutions' if kind == 'solution' else '')
+    found, = (each for each in cells if each.id == f'{kind}-{number.replace(".", "-")}')
+    return found
+
+
+def answer(number, source, kind):
+    """Run the source of a cell as its notebook would, and give what its check is handed."""
+    space = {'__name__': '__main__'}
+    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
+        if each.cell_type == 'code' and not each.source.startswith('%%'):
+            lines = [line for line in each.source.splitlines() if not line.lstrip().startswith('%')]
+            body = ast.parse('\n'.join(lines)).body
+            imports = [each for each in body if isinstance(each, (ast.Import, ast.ImportFrom))]
+            exec(compile(ast.Module(imports, []), 'imports', 'exec'), space)
+    # In a capstone each step builds on those before it.
+    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
+        if each.id == cell(number, kind).id:
+            break
+        if each.id.startswith(f'{kind}-'):
+            exec(each.source, space)
+    exec(source, space)
+    name = re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
+    return space[name]
+
+
+def blank(number):
+    return answer(number, cell(number, 'exercise').source, 'exercise')
+
+
+def solution(number, *replacements):
+    """Give a solution, with some of its words replaced by others."""
+    source = cell(number, 'solution').source
+    for old, new in replacements:
+        assert old in source, f'the solution of {number} has changed: {old!r} is not in it'
+        source = source.replace(old, new)
+    return answer(number, source, 'solution')
+
+
+def not_yet(result):
+    """Give what stands at the requirements that are not met."""
+    return {finding.sentence: finding.happened for finding in result.findings if finding.done is not True}
+
+
+@pytest.mark.parametrize('number', EXERCISES)
+def test_a_blank_earns_nothing_and_gets_a_hint(ros, number):
+    result = exercises.check(number, blank(number))
+    assert (result.done, result.count) == (False, 0)
+    text = ' '.join(repr(result).split())
+    assert text.startswith(f'Exercise {number}: not yet, 0 of {len(EXERCISES[number].requirements)} done')
+    assert ' '.join(EXERCISES[number].hints[0].split()) in text
+    assert not ros.nodes
+
+
+@pytest.mark.parametrize('number', EXERCISES)
+def test_a_solution_is_done(ros, number):
+    result = exercises.check(number, solution(number))
+    assert result.done, result
+    assert repr(result).startswith(f'Exercise {number}: done, ')
+    assert not ros.nodes
+
+
+@pytest.mark.parametrize(('number', 'replacements', 'met', 'word'), [
+    pytest.param(number, *wrong, id=f'{number}-{position}') for number, all_wrong in WRONG.items()
+    for position, wrong in enumerate(all_wrong)])
+@pytest.mark.filterwarnings('ignore:Callback returned an invalid type')
+def test_a_wrong_answer_is_told_with_a_fitting_word(ros, monkeypatch, number, replacements, met, word):
+    if number == '5.3a':  # the only one where something is waited for
+        monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 1.5)
+    result = exercises.check(number, solution(number, *replacements))
+    assert not result.done
+    assert result.count == met
+    assert word in ' '.join(not_yet(result).values())
+    assert not ros.nodes
+
+
+def test_there_is_a_wrong_answer_for_every_exercise():
+    assert list(WRONG) == list(EXERCISES)
+
+
+def own_names(ros):
+    """Give the nodes in the graph that can come from here; another process's may be there as well."""
+    return [name for name in ros.services.node_names(hidden=True)
+            if name.startswith(f'{trial.CORNER}/') or name in ('/rover', '/gripper', '/heater')]
+
+
+# What is no work at all, and what the answer says about it.
+class NeedsArguments(Node):
+    def __init__(self, name, speed):
+        super().__init__(name)
+
+
+class Raises(Node):
+    def __init__(self):
+        super().__init__('rover')
+        raise ValueError('no wheels')
+
+
+class Exits(Node):
+    def __init__(self):
+        super().__init__('rover')
+        raise SystemExit(1)
+
+
+class NeverBorn(Node):
+    def __init__(self):
+        pass
+
+
+class Unreadable:
+    def __repr__(self):
+        raise RuntimeError('do not look')
+
+
+@pytest.mark.parametrize(('work', 'word'), [
+    (None, 'the check was given `None`'), (5, '`5`'), ('Rover', "`'Rover'`"), (Unreadable, 'the class `Unreadable`'),
+    (Unreadable(), 'a `Unreadable`'), (NeedsArguments, 'missing 2 required positional arguments'),
+    (Raises, 'ValueError: no wheels'), (Exits, 'SystemExit: 1'), (NeverBorn, 'AttributeError'),
+    (ch05_1.Gripper, 'it is called `gripper`'),
+])
+def test_what_is_no_rover_is_told(ros, work, word):
+    result = exercises.check('3a', work)
+    assert (result.done, result.count) == (False, 0)
+    assert word in ' '.join(not_yet(result).values())
+    assert not ros.nodes
+    assert not own_names(ros)
+
+
+@pytest.mark.parametrize('number', EXERCISES)
+@pytest.mark.parametrize('work', [None, 5, '', [], {}, object(), Node, len, lambda: None], ids=[
+    'none', 'number', 'text', 'list', 'dictionary', 'object', 'Node', 'builtin', 'lambda'])
+def test_nonsense_never_raises(ros, monkeypatch, number, work):
+    monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 1.0)
+    result = exercises.check(number, work)
+    assert (result.done, result.count) == (False, 0)
+    assert repr(result) and result._repr_html_()
+
+
+def test_a_node_in_place_of_its_class_is_told_and_stays(ros):
+    node = ros.add(solution('3a'))
+    result = exercises.check('3a', node)
+    assert 'by its name alone and without parentheses' in repr(result)
+    assert ros.nodes == (node,)
+
+
+class Heater(Node):
+    """Judges in a way that is left to the classes below."""
+
+    def __init__(self):
+        super().__init__('heater')
+        self.declare_parameters('', [('low_c', 18), ('high_c', 22)])
+        self.target_c = 20
+        self.add_on_set_parameters_callback(self.validate)
+
+
+class RaisesInCallback(Heater):
+    def validate(self, parameters):
+        return parameters[0].valeu
+
+
+class NeverReturns(Heater):
+    def validate(self, parameters):
+        while True:
+            pass
+
+
+def test_an_exception_in_a_callback_is_told(ros):
+    result = exercises.check('5.2a', RaisesInCallback)
+    assert "a callback raised AttributeError: 'Parameter' object has no attribute 'valeu'" in repr(result)
+    assert [finding.word for finding in result.findings] == ['not yet'] * 4
+    assert not ros.nodes
+
+
+def test_a_callback_that_never_returns_is_interrupted(ros, monkeypatch):
+    monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
+    result = exercises.check('5.2a', NeverReturns)
+    assert 'did not answer' in result.findings[0].happened
+    assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried', 'not tried']
+    assert not ros.nodes
+    monkeypatch.undo()
+    assert exercises.check('5.2a', solution('5.2a')).done  # the executor is as good as before
+
+
+def test_a_callback_that_keeps_the_executor_for_good_is_told(ros, monkeypatch):
+    def remove(self, node):
+        if isinstance(node, Node):  # a name is removed to make room for another node
+            raise ExecutorError('restart the kernel')
+
+    monkeypatch.setattr(BackgroundExecutor, 'remove', remove)
+    result = exercises.check('5.2a', solution('5.2a'))
+    assert result.findings[0].happened == 'restart the kernel'
+    assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried', 'not tried']
+
+
+class WaitsInConstructor(Node):
+    def __init__(self):
+        super().__init__('rover')
+        while not self.create_client(exercises.ch05_3.SetParameters, '/nobody/set_parameters').wait_for_service(1.0):
+            pass
+
+
+def waits(parameters, results):
+    while True:
+        try:
+            time.sleep(0.01)
+        except Exception:
+            continue
+
+
+def test_what_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
+    monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
+    result = exercises.check('3a', WaitsInConstructor)
+    assert 'it had not come to an end after 0.5 s' in repr(result)
+    assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried', 'not tried']
+    assert 'it had not come to an end after 0.5 s' in repr(exercises.check('5.3b', waits))
+    assert not ros.nodes
+
+
+class Loops(Node):
+    def __init__(self):
+        super().__init__('supervisor')
+        self.refusal = ''
+        self.client = self.create_client(exercises.ch05_3.SetParameters, '/rover/set_parameters')
+
+    def slow_down(self):
+        while not self.refusal:
+            pass
+
+
+def test_a_button_that_never_comes_up_is_told(ros):
+    result = exercises.check('5.3a', Loops)
+    assert 'kept the executor busy' in repr(result)
+    assert exercises.check('5.3a', solution('5.3a')).done
+
+
+def test_a_cart_that_is_launched_already_is_told(ros):
+    cart = ros.add(ch11.CartNode, ros_args=['-r', '__ns:=/aisle_3'])
+    result = exercises.check('11e', solution('11e'))
+    assert 'there is a `/aisle_3/cart_node` already: end it first' in not_yet(result).values()
+    assert ros.nodes == (cart,)
+
+
+def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):
+    result = exercises.check('3a', solution('3a', ("'rover'", "'rovr'")))
+    assert (result.done, result.count, result.score) == (False, 4, '4 of 4 done')
+    assert not_yet(result) == {'the node is called `rover`': 'it is called `rovr`'}
+    assert 'not yet' in result.heading
+
+
+def test_the_stage_is_afterwards_as_before(ros):
+    own = ros.add(solution('3a'))
+    client = ParameterClient(own)
+    client.set_parameter('max_speed_mps', 1.5)
+    for number in ('3a', '5.1a', '5.2c', '5.3b'):  # one for each kind of work
+        exercises.check(number, solution(number))
+        exercises.check(number, blank(number))
+    assert ros.nodes == (own,)
+    assert own_names(ros) == ['/rover']
+    assert not any(each.srv_name.startswith(f'{trial.CORNER}/') for each in ros.tool_node.clients)
+    assert client.get_parameter('max_speed_mps') == 1.5
+
+
+class AddsAnother(Node):
+    def __init__(self):
+        super().__init__('rover')
+        stage.current().add(ch05_1.Gripper)
+
+
+def test_nodes_that_a_node_adds_are_cleared_too(ros):
+    exercises.check('3a', AddsAnother)
+    assert not ros.nodes
+
+
+def test_without_a_stage_there_is_one_for_the_time_of_the_check():
+    param_tutorial.stop()
+    assert exercises.check('3a', solution('3a')).done
+    with pytest.raises(ExecutorError):
+        stage.current()
+
+
+def test_a_line_of_the_learners_is_shown(ros, tmp_path):
+    path = tmp_path / 'cell.py'
+    path.write_text('def refused(parameters, results):\n    return results[9]\n')
+    space = {'__name__': '__main__'}
+    exec(compile(path.read_text(), str(path), 'exec'), space)
+    assert 'in the line `return results[9]`' in ' '.join(repr(exercises.check(
+        '5.3b', space['refused'])).split())
+
+
+def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
+    monkeypatch.setattr(exercises, '_hints_given', {})
+    hints = EXERCISES['4a'].hints
+    for position, text in enumerate(hints, start=1):
+        shown = ' '.join(repr(exercises.hint('4a')).split())
+        assert shown.startswith(f'Hint {position} of {len(hints)}')
+        assert text in shown
+    assert 'solutions/04_retrieving.ipynb' in repr(exercises.hint('4a'))
+
+
+@pytest.mark.parametrize('ask', [exercises.hint, lambda number: exercises.check(number, None)])
+def test_a_number_that_is_none_is_told(ask):
+    assert repr(ask('5.2')).startswith("There is no exercise '5.2'. Did you mean 5.2")
+    assert 'There is no exercise 3. Did you mean 3' in repr(ask(3))
+    assert 'There is: 1a' in repr(ask([]))
+
+
+@pytest.mark.parametrize('number', EXERCISES)
+def test_an_exercise_leads_to_sections_that_exist(number):
+    headings = re.findall(r'^#+ (.*)', '\n'.join(each.source for each in notebook(number)), re.MULTILINE)
+    assert {requirement.see for requirement in EXERCISES[number].requirements} <= set(headings)
+    assert any(heading.startswith(f'{number} · ') for heading in headings)
+    assert len(EXERCISES[number].hints) >= 2
+
+
+@pytest.mark.parametrize('number', ['4b', '5.1b', '6b', '7.1b', '7.2b', '7.3a'])
+def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
+    assert [f'`{question}`' for question in blank(number)] == [
+        requirement.sentence for requirement in EXERCISES[number].requirements]
+
+
+def test_the_values_to_spell_are_those_of_the_check():
+    assert list(blank('5.1a')) == [name for name, *_ in ch05_1.GOALS]
+
+
+def test_the_story_in_the_chapter_is_the_one_that_the_check_runs():
+    told = next(each.source for each in notebook('4b') if each.source.startswith('### 4b'))
+    for line in inspect.getsource(ch04.story).splitlines()[2:-1]:
+        line = line.strip().replace('trial.start(', 'ros.add(').replace('trial.client(', 'ParameterClient(')
+        assert line in told
+
+
+def test_the_oven_in_the_chapter_is_the_one_that_the_check_asks():
+    assert inspect.getsource(ch06.Oven).strip() in [each.source for each in notebook('6b')]
+
+
+def test_the_files_in_the_chapter_are_those_that_the_check_starts_with():
+    written, = (each.source for each in notebook('7.3a') if each.source.startswith('FILES = '))
+    assert ast.literal_eval(ast.parse(written).body[0].value) == ch07_3.FILES
+
+
+def test_the_answer_is_in_words_and_as_html_too():
+    findings = [Finding('`a` < `b`', False, 'x', '<b>', 'See it'), Finding('fine', True), Finding('?', None)]
+    result = Result('3a', findings, 3, 'the end')
+    assert repr(result) == '''Exercise 3a: not yet, 1 of 3 done
+
+not yet    `a` < `b`
+           expected  x
+           happened  <b>
+           look at   “See it”
+done       fine
+not tried  ?
+
+the end'''
+    page = result._repr_html_()
+    for text in ('not yet', '<code>a</code> &lt; <code>b</code>', '&lt;b&gt;', '<b>done</b>', '<b>not tried</b>'):
+        assert text in page

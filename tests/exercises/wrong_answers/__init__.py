@@ -1,0 +1,13 @@
+"""For each exercise the wrong answers that people give, one module for each chapter.
+
+{exercise: [(replacements, count, word), …]}: what is replaced in the solution, how many requirements are still met,
+and a word that the check has to find.
+"""
+
+from importlib import import_module
+
+from param_tutorial.exercises import CHAPTERS
+
+# As a chapter's exercises, so its wrong answers: param_tutorial.exercises.ch08 and wrong_answers.ch08.
+_MODULES = [import_module(f'{__name__}.{chapter.__name__.rpartition(".")[2]}') for chapter in CHAPTERS]
+WRONG = {number: cases for module in _MODULES for number, cases in module.WRONG.items()}

@@ -1,0 +1,202 @@
+"""The HTML lessons without a browser: chapters are run and compared, and answers are recorded, not worked out."""
+
+import re
+
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
+from rclpy.node import Node
+
+from param_tutorial import ParameterPanel
+from param_tutorial.lessons import chapter, drawing, front_page, recorder, run
+from param_tutorial.parameters.client import Descriptor, Range
+from param_tutorial.parameters.values import DOUBLE, INTEGER
+
+
+def write(path, *cells):
+    """Write a notebook that has been run: pairs of source and what it printed."""
+    code = [new_code_cell(source, execution_count=number, outputs=[new_output('stream', name='stdout', text=printed)]
+                          if printed else []) for number, (source, printed) in enumerate(cells, 1)]
+    nbformat.write(new_notebook(cells=[new_markdown_cell('# 1 · A chapter'), *code]), path)
+    return path
+
+
+def test_a_chapter_that_does_what_is_stored(tmp_path):
+    path = write(tmp_path / '1_a.ipynb', ('print(1)', '1\n'), ('# NBVAL_IGNORE_OUTPUT\nprint(id(print))', '2\n'))
+    assert run.parts(path) == [None]
+    assert run.run_part(path, None) == []
+
+
+def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
+    path = write(tmp_path / '1_a.ipynb', ('x = 1', ''), ('print(x)\nprint(2)', '7\n2\n'))
+    with pytest.raises(run.ChapterError) as error:
+        run.run_part(path, None)
+    assert str(error.value).splitlines()[0] == (
+        '1_a.ipynb, cell 3 (print(x)): what it puts out is not what is stored with it.')
+    assert '    -7\n    +1\n     2' in str(error.value)
+
+
+def test_a_chapter_that_fails(tmp_path):
+    path = write(tmp_path / '1_a.ipynb', ('1 / 0', ''))
+    with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(1 / 0\): it ends in ZeroDivisionError: division'):
+        run.run_part(path, None)
+
+
+def test_a_chapter_that_was_not_run(tmp_path):
+    path = write(tmp_path / '1_a.ipynb', ('x = 1', ''))
+    notebook = nbformat.read(path, as_version=4)
+    notebook.cells[1].execution_count = None
+    nbformat.write(notebook, path)
+    with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(x = 1\): it was saved without being run'):
+        run.run_part(path, None)
+
+
+def test_a_chapter_that_cannot_be_read(tmp_path):
+    (tmp_path / '1_a.ipynb').write_text('{')
+    with pytest.raises(run.ChapterError, match=r'1_a\.ipynb: it cannot be read: '):
+        run.parts(tmp_path / '1_a.ipynb')
+
+
+def test_what_a_chapter_speaks_of():
+    notebook = new_notebook(cells=[new_code_cell("panel['speed'].value = -7\nx = [1, 2.5]\ny = 'Rex'"),
+                                   new_code_cell('%magic no python 12'), new_markdown_cell('99')])
+    found = run.literals_of(notebook)
+    assert -7 in found and [1, 2.5] in found and 'Rex' in found
+    assert 12 not in found and 99 not in found
+
+
+# -- recording ----------------------------------------------------------------------------------------------
+
+
+class Fan(Node):
+    """Has a range, a rule over two parameters, one that is trimmed, and a log."""
+
+    def __init__(self):
+        super().__init__('fan')
+        self.declare_parameter('least', 2, ParameterDescriptor(
+            integer_range=[IntegerRange(from_value=0, to_value=10, step=1)]))
+        self.declare_parameter('most', 8)
+        self.declare_parameter('label', 'fan')
+        self.declare_parameter('serial', 7, ParameterDescriptor(read_only=True))
+        self.add_on_set_parameters_callback(self.judge)
+        self.add_post_set_parameters_callback(self.tell)
+
+    def judge(self, parameters):
+        new = {each.name: each.value for each in parameters}
+        least, most = (new.get(name, self.get_parameter(name).value) for name in ('least', 'most'))
+        return SetParametersResult(successful=least <= most, reason=f'{least} is above {most}')
+
+    def tell(self, parameters):
+        self.get_logger().info(f'{parameters[0].name} has changed')
+
+
+def rows_of(recording):
+    return {row['name']: row for row in recording['rows']}
+
+
+@pytest.fixture
+def recorded(ros):
+    node = ros.add(Fan)
+    panel = ParameterPanel(node)
+    recording = recorder.PanelRecorder(panel, ['a word of the lesson', 12345]).record()
+    yield node, recording
+    panel.close()
+
+
+def test_answers_are_the_nodes_and_the_node_is_as_before(recorded):
+    node, recording = recorded
+    least, most, label = (rows_of(recording)[name]['answers'] for name in ('least', 'most', 'label'))
+    assert least['5'] == {'value': '5', 'log': ['[INFO] [fan]: least has changed']}
+    assert least['9'] == {'reason': '9 is above 8', 'log': []}
+    assert least['11']['reason'].startswith('Parameter least out of range')
+    assert least['fast']['reason'] == "'fast' cannot be read: least wants a whole number, e.g. 42"
+    assert most['12345']['value'] == '12345'
+    assert label['a word of the lesson']['value'] == 'a word of the lesson'
+    assert 'answers' not in rows_of(recording)['serial']
+    assert [node.get_parameter(name).value for name in ('least', 'most', 'label')] == [2, 8, 'fan']
+    assert 'incomplete' not in recording
+
+
+def test_who_depends_on_whom_is_found_out_and_recorded(recorded):
+    _, recording = recorded
+    rows = rows_of(recording)
+    assert {name: row.get('depends') for name, row in rows.items() if row.get('depends')} == {
+        'least': ['most'], 'most': ['least']}
+    for text, answers in rows['most']['contexts']['least'].items():
+        assert ('reason' in answers['8']) == (int(text) > 8)
+
+
+class OneWay(Node):
+    """Takes a change and does not take it back."""
+
+    def __init__(self):
+        super().__init__('one_way')
+        self.declare_parameter('count', 0)
+        self.add_on_set_parameters_callback(
+            lambda parameters: SetParametersResult(
+                successful=parameters[0].value >= self.get_parameter('count').value, reason='never back'))
+
+
+def test_a_node_that_takes_nothing_back_is_not_asked_further(ros):
+    panel = ParameterPanel(ros.add(OneWay))
+    recording = recorder.PanelRecorder(panel, []).record()
+    panel.close()
+    assert recording['incomplete'] is True
+    assert 'did not take one value back' in drawing.Drawer('page').draw(recording)
+
+
+def test_a_panel_whose_node_is_not_there(ros):
+    panel = ParameterPanel('/nobody')
+    recording = recorder.PanelRecorder(panel, []).record()
+    panel.close()
+    assert recording['rows'] == [] and 'nobody' in recording['status']
+    assert 'could not be asked' in drawing.Drawer('page').draw(recording)
+
+
+@pytest.mark.parametrize('limits, value, at_most, expected', [
+    (Range(0, 10, 1), 3, 11, list(range(11))),
+    (Range(0, 10, 1), 3, 6, [0, 2, 3, 4, 6, 8, 10]),
+    (Range(1, 12, 4), 5, 50, [1, 5, 9]),
+])
+def test_positions_of_whole_numbers(limits, value, at_most, expected):
+    assert recorder.positions(Descriptor('x', INTEGER, '', '', False, False, limits), value, False, at_most) == expected
+
+
+def test_positions_of_doubles_are_those_of_the_panel_or_round_ones_among_them():
+    descriptor = Descriptor('x', DOUBLE, '', '', False, False, Range(0.0, 1.0, 0.0))
+    assert recorder.positions(descriptor, 0.5, True, 201)[:3] == [0.0, 0.01, 0.02]
+    few = recorder.positions(descriptor, 0.33, True, 21)
+    assert few[:3] == [0.0, 0.05, 0.1] and few[-1] == 1.0 and 0.33 in few
+
+
+# -- pages --------------------------------------------------------------------------------------------------
+
+
+def test_what_a_node_says_is_text_and_not_markup():
+    row = {'name': '<b>', 'label': '<b>', 'group': '', 'quiet': False, 'help': '', 'text': '"<script>',
+           'message': '<i>', 'type': 'string', 'locked': False, 'editor': 'text',
+           'answers': {'x': {'reason': '</script><i>'}}}
+    drawn = drawing.Drawer('page').draw({'kind': 'panel', 'node': '/<n>', 'status': '', 'rows': [row]})
+    assert '<b>' not in drawn.replace('<b>Not taken:</b>', '') and '<i>' not in drawn and '/<n>' not in drawn
+    assert drawn.count('<script') == drawn.count('</script>') == 1
+
+
+def test_links_of_a_chapter(tmp_path):
+    path = tmp_path / '3_c.ipynb'
+    nbformat.write(new_notebook(cells=[new_markdown_cell(
+        '# 3 · C\n[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_c.ipynb) [w](https://example.org/x.md)')]), path)
+    text = chapter.source(path, {}, {'2_b', '3_c'}).cells[0].source
+    assert '[b](2_b.ipynb#Top) z <a href="notebooks/solutions/3_c.ipynb" download>s</a> [w](https:' in text
+    alone = chapter.source(path, {}, {'3_c'}, alone=True).cells
+    assert 'b z s [w](https:' in alone[0].source and len(alone) == 1
+
+
+def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_path):
+    index = tmp_path / 'index.md'
+    index.write_text('| 1 | [One](1_a.ipynb) | Why? | 20 |\n| 2 | [Two](2_b.ipynb) | How? | 30 |\n')
+    facts = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': 'abc1234', 'changed': ''}
+    text = front_page.source(index, {tmp_path / '1_a.ipynb': {}}, facts)
+    assert 'href="1_a.html"' in text and 'Why?' in text and 'Two' not in text
+    assert re.search(r'2026-01-02 \(`abc1234`\), on Python 3\.12\.1\s+with rclpy 7\.1\.6', text)
+    assert 'Drive' not in text

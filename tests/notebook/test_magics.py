@@ -1,0 +1,254 @@
+"""%ros2 and %%ros2 in an IPython shell: what is typed, where it goes, and which ros2 answers."""
+
+import os
+import signal
+import stat
+import subprocess
+import sys
+import textwrap
+import threading
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+from IPython.utils.capture import capture_output
+
+import param_tutorial
+from param_tutorial import ParameterClient, wait_until
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.notebook import magics
+from param_tutorial.ros2 import genuine
+from param_tutorial.runtime import domain
+
+
+@pytest.fixture(scope='module')
+def shell():
+    # Without a history file: two test processes would share its database.
+    shell = InteractiveShell.instance()
+    shell.history_manager.enabled = False
+    shell.run_line_magic('load_ext', 'param_tutorial')
+    yield shell
+    InteractiveShell.clear_instance()
+
+
+@pytest.fixture
+def cell(shell, monkeypatch):
+    """Run a cell; give what it printed on standard output and standard error, and the exit status."""
+    monkeypatch.setenv('PARAM_TUTORIAL_ROS2', 'embedded')
+
+    def run(text):
+        with capture_output() as captured:
+            result = shell.run_cell(text)
+        result.raise_error()
+        return captured.stdout, captured.stderr, shell.user_ns.get('_exit_code')
+
+    return run
+
+
+@pytest.fixture
+def node(ros):
+    return ros.add(SimpleParamNode)
+
+
+def test_an_answer_goes_to_standard_output_and_a_refusal_to_standard_error(cell, node):
+    assert cell('%ros2 param set /simple_param_node max_speed_rpm 150') == ('Set parameter successful\n', '', 0)
+    assert cell('%ros2 param get /simple_param_node max_speed_rpm') == ('Integer value is: 150\n', '', 0)
+    stdout, stderr, status = cell('%ros2 param set /simple_param_node max_speed_rpm -1')
+    assert (stdout, status) == ('', 0)
+    assert stderr == 'Setting parameter failed: max_speed_rpm must not be negative, got -1\n'
+    assert cell('%ros2 param get /nobody x') == ('', 'Node not found\n', 1)
+
+
+def test_without_an_executor_it_says_what_to_do(cell):
+    param_tutorial.stop()
+    stdout, stderr, status = cell('%ros2 node list')
+    assert (stdout, status) == ('', 1)
+    assert stderr.count('\n') == 1
+    assert 'param_tutorial.start()' in stderr
+
+
+@pytest.mark.parametrize('value', ['{robot}', '$robot', '[{a: 1}]', 'a > b', 'a | b', 'x#1', 'a;b', 'back\\slash'])
+def test_values_in_quotes_arrive_as_they_are_typed(cell, shell, node, value):
+    shell.user_ns['robot'] = 'EXPANDED'
+    # Quoted twice, as learners are told to: once for the command line, once for YAML.
+    assert cell(f"""%ros2 param set /simple_param_node robot_name "'{value}'" """)[1:] == ('', 0)
+    assert ParameterClient('/simple_param_node').get_parameter('robot_name') == value
+
+
+def test_a_cell_runs_one_command_a_line_and_goes_on_after_a_failure(cell, node):
+    stdout, stderr, status = cell(textwrap.dedent('''\
+        %%ros2
+        # The word ros2 may be there, as in a terminal.
+        ros2 param get /nobody x
+
+        param set /simple_param_node \\
+            max_speed_rpm 170   # and a comment here
+        param get /simple_param_node max_speed_rpm
+        '''))
+    assert stdout == 'Set parameter successful\nInteger value is: 170\n'
+    assert stderr == 'Node not found\n'
+    assert status == 0
+
+
+def test_output_goes_into_a_file(cell, node, tmp_path):
+    path = tmp_path / 'my file.yaml'
+    assert cell(f'%ros2 param dump /simple_param_node > "{path}"') == ('', '', 0)
+    assert path.read_text().startswith('/simple_param_node:\n  ros__parameters:\n')
+    assert cell(f'%ros2 param get /simple_param_node robot_name >>"{path}"') == ('', '', 0)
+    assert path.read_text().endswith('\nString value is: Clawbot\n')
+    assert cell(f'%ros2 param get /nobody robot_name > "{path}"') == ('', 'Node not found\n', 1)
+    assert path.read_text() == ''
+
+
+@pytest.mark.parametrize(('line', 'complaint'), [
+    ('param list | sort', "'|' needs a shell"),
+    ('param list; node list', "';' needs a shell"),
+    ('run param_tutorial simple_param_node &', "'&' needs a shell"),
+    ('param list >', 'no name of a file'),
+    ('param list > a > b', 'only one >'),
+    ('param list 2> a', 'only one >'),
+    ("param set /n a 'x", 'cannot be taken apart'),
+    ('param list > no/such/folder/file', 'No such file or directory'),
+    ('run param_tutorial simple_param_node', "param_tutorial.Terminal('ros2 run param_tutorial simple_param_node')"),
+])
+def test_what_is_not_one_command_is_refused_with_a_sentence(cell, ros, line, complaint):
+    stdout, stderr, status = cell(f'%ros2 {line}')
+    assert (stdout, status) == ('', 1)
+    assert complaint in stderr
+    assert stderr.count('\n') == 1
+
+
+def test_nothing_typed_does_nothing_and_help_is_help(cell, ros):
+    assert cell('%ros2')[:2] == ('', '')
+    stdout, stderr, status = cell('%ros2 --help')
+    assert 'param' in stdout
+    assert (stderr, status) == ('', 0)
+
+
+class Recorder:
+    """A stream that notes what reaches it, and in which order."""
+
+    def __init__(self, name, notes):
+        self.name, self.notes, self.pending = name, notes, ''
+
+    def write(self, text):
+        self.pending += text
+        return len(text)
+
+    def flush(self):
+        if self.pending:
+            self.notes.append((self.name, self.pending))
+            self.pending = ''
+
+
+def test_one_stream_is_flushed_before_the_other_is_written():
+    notes = []
+    streams = magics._Streams(Recorder('out', notes), Recorder('err', notes))
+    for stream, text in ((streams.stdout, 'a'), (streams.stderr, 'b'), (streams.stdout, 'c'), (streams.stdout, 'd')):
+        stream.write(text)
+    streams.flush()
+    assert notes == [('out', 'a'), ('err', 'b'), ('out', 'cd')]
+
+
+# -- the genuine command ---------------------------------------------------------------------------------------
+
+FAKE = '''\
+#!{python} -IS
+import os, signal, sys, time
+sys.stdout.write('genuine ' + ' '.join(sys.argv[1:]) + '\\n')
+sys.stdout.flush()
+sys.stderr.write('domain %s libraries %s\\n' % (os.environ['ROS_DOMAIN_ID'], os.environ.get('LD_LIBRARY_PATH')))
+if sys.argv[1:] == ['wait']:
+    try:
+        open(os.environ['READY'], 'w').close()
+        signal.pause()
+    except KeyboardInterrupt:
+        sys.stdout.write('interrupted\\n')
+sys.exit(7)
+'''
+
+
+@pytest.fixture
+def fake_ros2(tmp_path, monkeypatch):
+    """Put a program called ros2 on the PATH, in an install space that has been sourced."""
+    path = tmp_path / 'opt' / 'bin' / 'ros2'
+    path.parent.mkdir(parents=True)
+    (tmp_path / 'opt' / 'lib').mkdir()
+    path.write_text(FAKE.format(python=sys.executable))
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    monkeypatch.setenv('PATH', f'{path.parent}{os.pathsep}{os.environ["PATH"]}')
+    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path / 'opt'))
+    monkeypatch.setenv('READY', str(tmp_path / 'ready'))
+    return path
+
+
+@pytest.fixture
+def cell_with_genuine(cell, monkeypatch, fake_ros2):
+    monkeypatch.delenv('PARAM_TUTORIAL_ROS2')
+    return cell
+
+
+def test_the_genuine_command_is_preferred_and_gets_its_own_libraries(cell_with_genuine, fake_ros2):
+    stdout, stderr, status = cell_with_genuine("%ros2 param set /n a 'b c'")
+    assert stdout == 'genuine param set /n a b c\n'
+    assert stderr == f'domain {domain.choose()} libraries {fake_ros2.parents[1] / "lib"}\n'
+    assert status == 7
+
+
+def test_the_embedded_one_can_be_asked_for(cell, fake_ros2, node):
+    assert cell('%ros2 param get /simple_param_node robot_name') == ('String value is: Clawbot\n', '', 0)
+
+
+def test_output_of_the_genuine_command_goes_into_a_file(cell_with_genuine, tmp_path):
+    stdout, _, _ = cell_with_genuine(f'%ros2 param dump /n > {tmp_path}/out')
+    assert stdout == ''
+    assert (tmp_path / 'out').read_text() == 'genuine param dump /n\n'
+
+
+def test_the_genuine_command_may_not_block_the_cell_either(cell_with_genuine):
+    stdout, stderr, status = cell_with_genuine('%ros2 run demo talker')
+    assert (stdout, status) == ('', 1)
+    assert 'Terminal' in stderr
+
+
+def test_an_interrupt_is_passed_on_to_the_genuine_command(cell_with_genuine, tmp_path):
+    def interrupt():
+        wait_until((tmp_path / 'ready').exists, 'the command to wait', timeout_sec=30)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    try:
+        stdout, _, status = cell_with_genuine('%ros2 wait')
+    finally:
+        thread.join()
+    assert stdout == 'genuine wait\ninterrupted\n'
+    assert status == 7
+
+
+def test_python_packages_of_the_sourced_ros_are_found_again(fake_ros2, monkeypatch):
+    packages = fake_ros2.parents[1] / 'lib' / 'python3.12' / 'site-packages'
+    packages.mkdir(parents=True)
+    monkeypatch.setenv('PYTHONPATH', '/ours')
+    monkeypatch.setenv('LD_LIBRARY_PATH', '/ours')
+    assert genuine.environment()['PYTHONPATH'] == str(packages)
+    monkeypatch.delenv('AMENT_PREFIX_PATH')
+    assert not {'PYTHONPATH', 'LD_LIBRARY_PATH'} & genuine.environment().keys()
+
+
+# -- a terminal beside the notebook ----------------------------------------------------------------------------
+
+
+def test_the_line_for_a_terminal_makes_it_see_the_nodes(node, cell):
+    line = magics.terminal_line()
+    plain = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
+    done = subprocess.run(['bash', '-O', 'expand_aliases', '-c', f'{line}\nros2 node list'], env=plain,
+                          capture_output=True, text=True, timeout=60)
+    assert (done.stdout, done.stderr) == ('/simple_param_node\n', '')
+
+
+def test_the_hint_shows_the_line_and_is_the_same_in_every_stored_output(shell, cell, fake_ros2, monkeypatch):
+    hint = shell.run_line_magic('ros2_terminal', '')
+    assert f'ROS_DOMAIN_ID={domain.choose()}' in hint.value
+    assert str(domain.choose()) not in repr(hint)
+    monkeypatch.delenv('PARAM_TUTORIAL_ROS2')
+    assert 'alias' not in magics.terminal_line()

@@ -1,0 +1,173 @@
+"""shell: a bash that remembers, shows what does not change from day to day, and leaves nothing behind."""
+
+import gc
+import io
+import shlex
+import sys
+
+import pytest
+from IPython.core.error import UsageError
+from IPython.core.interactiveshell import InteractiveShell
+
+from param_tutorial import Shell
+from param_tutorial.errors import ShellError
+from param_tutorial.ros2 import command
+
+
+@pytest.fixture
+def shell():
+    shell = Shell()
+    yield shell
+    shell.close()
+
+
+def test_it_remembers_folder_and_environment(shell):
+    assert shell.run('mkdir -p ws/src; cd ws; export COLOUR=red') == ''
+    assert shell.run('pwd; echo $COLOUR') == '~/ws\nred'
+    assert shell.folder() == shell.home / 'ws'
+    assert shell.environment()['COLOUR'] == 'red'
+
+
+def test_a_second_shell_shares_the_home_folder_and_nothing_else(shell):
+    shell.run('export COLOUR=red; touch here')
+    second = Shell(beside=shell)
+    assert second.run('ls; echo ${COLOUR:-none}') == 'here\nnone'
+    second.close()
+    assert shell.home.is_dir()
+
+
+def test_status_order_and_mistakes(shell):
+    assert shell.run('echo out; echo err >&2; false') == 'out\nerr'
+    assert shell.status == 1
+    assert shell.run('no_such_command') == 'bash: no_such_command: command not found'
+    assert 'unexpected EOF' in shell.run('echo "never closed')
+    assert shell.run('cat; echo and on') == 'and on'
+    assert shell.status == 0
+
+
+def test_what_differs_each_time_is_left_out(shell):
+    lines = ['[0.530s] WARNING:x', 'Finished <<< p [1min 2.3s]', 'Failed <<< p [1.2s, exited with code 1]', '[3]']
+    assert shell.run(f"printf '%s\\n' {shlex.join(lines)}").splitlines() == [
+        'WARNING:x', 'Finished <<< p', 'Failed <<< p [exited with code 1]', '[3]']
+
+
+def test_a_command_that_ends_the_shell_or_takes_too_long(shell):
+    second = Shell(beside=shell)
+    with pytest.raises(ShellError, match="'echo last; exit' ended the shell; what came:\nlast"):
+        second.run('echo last; exit')
+    with pytest.raises(ShellError, match='closed'):
+        second.run('ls')
+    with pytest.raises(ShellError, match=r"'sleep 60' was not done within 0.1 s; what came:\n\(nothing\)"):
+        shell.run('sleep 60', timeout_sec=0.1)
+    assert not shell.home.exists()
+
+
+def test_nothing_is_left_behind(shell):
+    shell.close()
+    shell.close()
+    assert not shell.home.exists()
+    forgotten = Shell()
+    home = forgotten.home
+    del forgotten
+    gc.collect()
+    assert not home.exists()
+
+
+def test_the_learners_own_settings_stay_outside(monkeypatch):
+    monkeypatch.setenv('COLCON_DEFAULTS_FILE', '/nowhere')
+    monkeypatch.setenv('PYTHONPATH', '/nowhere')
+    shell = Shell()
+    assert {'COLCON_DEFAULTS_FILE', 'PYTHONPATH'}.isdisjoint(shell.environment())
+    shell.close()
+
+
+def test_the_magic_types_a_cell_into_the_shell_it_names(shell, capsys):
+    ipython = InteractiveShell.instance()
+    ipython.run_line_magic('load_ext', 'param_tutorial')
+    try:
+        ipython.user_ns['first'] = shell
+        ipython.run_cell_magic('shell', 'first', 'echo {braces} $((1 + 1))\nfalse\n')
+        assert capsys.readouterr().out == '{braces} 2\n'
+        assert ipython.user_ns['_exit_code'] == 1
+        with pytest.raises(UsageError, match='nobody is none'):
+            ipython.run_cell_magic('shell', 'nobody', 'echo lost')
+    finally:
+        InteractiveShell.clear_instance()
+
+
+# -- ros2 pkg create ------------------------------------------------------------------------------------------------
+
+
+def create(*words):
+    """Run ros2 pkg create in this process: standard output, standard error, exit status."""
+    stdout, stderr = io.StringIO(), io.StringIO()
+    status = command.main(['pkg', 'create', *words], stdout=stdout, stderr=stderr, get_executor=pytest.fail)
+    return stdout.getvalue(), stderr.getvalue(), status
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_a_package_is_what_the_genuine_command_writes(here):
+    out, err, status = create('--build-type', 'ament_python', 'param_tutorial')
+    assert (err, status) == ('', 0)
+    assert out.startswith('going to create a new package\npackage name: param_tutorial\n')
+    made = sorted(str(path.relative_to(here / 'param_tutorial')) for path in here.rglob('*') if path.is_file())
+    assert made == ['package.xml', 'param_tutorial/__init__.py', 'resource/param_tutorial', 'setup.cfg', 'setup.py',
+                    'test/test_copyright.py', 'test/test_flake8.py', 'test/test_pep257.py']
+    assert "[WARNING]: Unknown license 'TODO: License declaration'.  This has been set in the package.xml" in out
+
+
+def test_what_is_told_stands_in_the_files_whatever_it_is(here):
+    from catkin_pkg.package import parse_package
+
+    name, email = """O'Brien & "Söhne" <x>""", 'a@b.example'
+    _, err, status = create(
+        'arm', '--build-type', 'ament_python', '--license', 'MIT', '--description', "it's an arm", '--maintainer-name',
+        name, '--maintainer-email', email, '--dependencies', 'rclpy', 'std_msgs')
+    assert (err, status) == ('', 0)
+    package = parse_package(str(here / 'arm' / 'package.xml'))
+    assert (package.name, package.description, package.licenses) == ('arm', "it's an arm", ['MIT'])
+    assert (package.maintainers[0].name, package.maintainers[0].email) == (name, email)
+    assert [each.name for each in package.exec_depends] == ['rclpy', 'std_msgs']
+    compile((here / 'arm' / 'setup.py').read_text(), 'setup.py', 'exec')
+
+
+@pytest.mark.parametrize(('words', 'why'), [
+    (['x'], 'packages of --build-type ament_python only, not ament_cmake'),
+    (['test', '--build-type', 'ament_python'], "can't be named 'test'"),
+    (['../x', '--build-type', 'ament_python'], "'../x' cannot be the name of a Python package"),
+    (['class', '--build-type', 'ament_python'], "'class' cannot be"),
+    (['x', '--build-type', 'ament_python', '--node-name', 'a b'], "'a b' cannot be the name of a Python executable"),
+])
+def test_what_cannot_be_a_package_is_refused(here, words, why):
+    out, err, status = create(*words)
+    assert (out, status) == ('', 1)
+    assert why in err
+    assert list(here.iterdir()) == []
+
+
+def test_a_folder_that_is_there_is_left_alone(here):
+    create('x', '--build-type', 'ament_python')
+    (here / 'x' / 'setup.py').write_text('mine')
+    _, err, status = create('x', '--build-type', 'ament_python')
+    assert status == 1
+    assert err.startswith('\nAborted!\nThe directory already exists: ./x\n')
+    assert (here / 'x' / 'setup.py').read_text() == 'mine'
+
+
+def test_a_first_executable_is_built_and_greets(shell):
+    shell.run('mkdir -p ws/src; cd ws/src; ros2 pkg create hello --build-type ament_python --node-name greeter; cd ..')
+    assert 'Finished <<< hello' in shell.run('colcon build')
+    assert shell.run('source install/setup.bash; ros2 run hello greeter') == 'Hi from hello.'
+
+
+def test_a_workspace_with_a_package_of_our_name_does_not_hide_the_embedded_ros2(shell):
+    shell.run('mkdir param_tutorial; touch param_tutorial/__init__.py; export PYTHONPATH=$PWD')
+    # As the programs that it starts see it, and as it sees itself.
+    find = shlex.join([sys.executable, '-c', 'import param_tutorial; print(param_tutorial.__file__)'])
+    assert shell.run(find) == '~/param_tutorial/__init__.py'
+    assert shell.run('ros2 run param_tutorial simple_param_node') == "Package 'param_tutorial' not found"

@@ -1,0 +1,100 @@
+"""domain: a ROS domain for each process, unless the user chose one."""
+
+import os
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import psutil
+import pytest
+
+from param_tutorial.errors import ExecutorError
+from param_tutorial.runtime import domain
+
+CHOOSE = 'import os; from param_tutorial.runtime import domain; print(domain.choose(), os.environ.get("{0}"))'
+
+
+def nothing_chosen():
+    """Give the environment of somebody who has chosen neither a domain nor a network."""
+    return {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
+
+
+def choose(variable='ROS_AUTOMATIC_DISCOVERY_RANGE', **environment):
+    """Let a process of its own choose; give what it prints, or raise."""
+    return subprocess.run([sys.executable, '-c', CHOOSE.format(variable)], env={**nothing_chosen(), **environment},
+                          capture_output=True, text=True, timeout=60, check=False)
+
+
+def test_it_stays_the_same_and_stands_in_the_environment():
+    assert domain.choose() == domain.choose() == int(os.environ['ROS_DOMAIN_ID'])
+
+
+def test_living_processes_have_different_domains():
+    source = 'from param_tutorial.runtime import domain; print(domain.choose(), flush=True); input()'
+    environment = {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
+    children = [subprocess.Popen([sys.executable, '-c', source], env=environment, text=True,
+                                 stdin=subprocess.PIPE, stdout=subprocess.PIPE) for _ in range(6)]
+    try:
+        chosen = [int(child.stdout.readline()) for child in children]
+    finally:
+        for child in children:
+            child.communicate('\n', timeout=30)
+    assert len({*chosen, domain.choose()}) == 7
+    assert set(chosen) <= set(domain.DOMAIN_IDS)
+
+
+def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memory():
+    source = 'import param_tutorial; param_tutorial.start(); print(flush=True); input()'
+    with subprocess.Popen([sys.executable, '-c', source], env=nothing_chosen(), text=True,
+                          stdin=subprocess.PIPE, stdout=subprocess.PIPE) as child:
+        child.stdout.readline()
+        sockets = {socket.laddr.ip for socket in psutil.Process(child.pid).net_connections('udp')}
+        maps = Path(f'/proc/{child.pid}/maps').read_text()
+        child.communicate('\n', timeout=30)
+    assert sockets == {'127.0.0.1'}
+    assert 'fastrtps' in maps  # its library
+    assert '/dev/shm/fastrtps' not in maps
+
+
+def test_what_is_limited_to_this_host(monkeypatch):
+    domain.choose()
+    assert domain.is_limited_to_this_host()
+    monkeypatch.setenv('ROS_STATIC_PEERS', '192.0.2.1')
+    assert not domain.is_limited_to_this_host()
+    monkeypatch.delenv('ROS_STATIC_PEERS')
+    monkeypatch.setenv('FASTRTPS_DEFAULT_PROFILES_FILE', '/x')
+    assert not domain.is_limited_to_this_host()
+    monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
+    assert domain.is_limited_to_this_host()
+
+
+def test_what_the_user_chose_is_kept():
+    assert choose(ROS_DOMAIN_ID='42').stdout.split() == ['42', 'None']
+    assert choose(ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout.split()[1] == 'SUBNET'
+    assert choose('FASTRTPS_DEFAULT_PROFILES_FILE', FASTRTPS_DEFAULT_PROFILES_FILE='/x').stdout.split()[1] == '/x'
+
+
+def test_a_profile_of_the_users_is_limited_to_this_host_by_other_means():
+    assert choose(FASTRTPS_DEFAULT_PROFILES_FILE='/x').stdout.split()[1] == 'LOCALHOST'
+
+
+def test_a_network_that_the_user_chose_is_not_narrowed():
+    for own in ({'ROS_DOMAIN_ID': '42'}, {'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}):
+        assert choose('FASTRTPS_DEFAULT_PROFILES_FILE', **own).stdout.split()[1].endswith('/fastdds.xml')
+
+
+@pytest.mark.parametrize('wrong', ['-1', '233', '1.5', 'seven', '²'])
+def test_nonsense_is_refused(wrong):
+    assert f"ROS_DOMAIN_ID is '{wrong}': it must be a whole number" in choose(ROS_DOMAIN_ID=wrong).stderr
+
+
+@pytest.mark.parametrize('participant', [0, 1, 7])
+def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant):
+    domain_id, descriptor = domain._claim_free_domain()
+    monkeypatch.setattr(domain, 'DOMAIN_IDS', range(domain_id, domain_id + 1))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+        stranger.bind(('127.0.0.1', 7400 + 250 * domain_id + 10 + 2 * participant))
+        os.close(descriptor)
+        with pytest.raises(ExecutorError, match='are in use on this machine'):
+            domain._claim_free_domain()

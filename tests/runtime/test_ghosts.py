@@ -1,0 +1,58 @@
+"""Ghosts: names that rmw keeps in the graph after their process has ended are no nodes, for any of our tools.
+
+A real one comes once in some thirty ends of a process on a busy machine, and none can be had for the asking: its last
+message has to lose a race within Fast DDS. So a ghost's names are added to what rmw lists, and all else is real.
+"""
+
+import io
+
+import pytest
+from rcl_interfaces.srv import ListParameters
+from rclpy.node import Node
+
+from param_tutorial import node_graph, wait_until
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.ros2 import command
+
+
+@pytest.fixture
+def haunted(ros, monkeypatch):
+    """Give an executor whose rmw lists a ghost, and one with the name of the robot."""
+    listed = ros.tool_node.get_node_names_and_namespaces
+    monkeypatch.setattr(ros.tool_node, 'get_node_names_and_namespaces',
+                        lambda: [('ghost', '/'), ('simple_param_node', '/'), *listed()])
+    return ros
+
+
+def shown(ros, *words):
+    """Type a command, and give what it prints."""
+    printed = io.StringIO()
+    command.main(words, stdout=printed, stderr=printed, get_executor=lambda: ros, in_notebook=True)
+    return printed.getvalue()
+
+
+def test_a_ghost_is_no_node(haunted):
+    assert haunted.services.node_names() == []
+    assert '/ghost' not in haunted.services.node_names(hidden=True)
+    assert shown(haunted, 'node', 'list') == ''
+    assert shown(haunted, 'param', 'get', '/ghost', 'x') == 'Node not found\n'
+    assert node_graph().serves == []
+
+
+def test_a_node_beside_a_ghost_of_its_name_is_one(haunted):
+    haunted.add(SimpleParamNode)
+    assert haunted.services.node_names() == ['/simple_param_node']
+    assert shown(haunted, 'node', 'list') == '/simple_param_node\n'
+    assert node_graph().serves == ['/simple_param_node']
+
+
+def test_a_node_without_parameter_events_is_one_as_long_as_it_has_anything(ros):
+    """As one that was written for rcl, or for rclcpp with that publisher turned off."""
+    node = ros.add(Node, 'plain', start_parameter_services=False, enable_rosout=False,
+                   ros_args=['-p', 'start_type_description_service:=false'])
+    assert ros.services.node_names() == ['/plain']
+    ros.run(lambda: node.destroy_publisher(node._parameter_event_publisher), 'take its publisher away')
+    # The executor may still hold the publisher, which is destroyed when nobody does.
+    wait_until(lambda: ros.services.node_names() == [], 'its end')
+    ros.run(lambda: node.create_service(ListParameters, 'list', print), 'give it a service')
+    assert ros.services.node_names() == ['/plain']

@@ -1,0 +1,223 @@
+"""Drive the real JupyterLab in the system's Chromium, for tests, screenshots and benchmarks.
+
+    with Lab(tmp_path, [notebook]) as lab, lab.browser() as browser:
+        page = LabPage(lab, browser, notebook.name)
+        page.run_all()
+
+Waits only for conditions, each with a deadline. Nothing leaves the machine: the server listens on 127.0.0.1, and
+Chromium resolves no other name.
+"""
+
+import ast
+import contextlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+from jupyter_client import BlockingKernelClient
+from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+
+from tests.support.paths import ROOT
+
+CHROMIUM = shutil.which('chromium') or shutil.which('chromium-browser') or shutil.which('google-chrome')
+# A machine with two cores that runs other tests beside is slow, and a deadline that passes costs a whole run.
+TIMEOUT_SEC = 120.0
+expect.set_options(timeout=TIMEOUT_SEC * 1000)
+
+_CHROMIUM_FLAGS = (
+    '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+    '--disable-component-update', '--disable-sync', '--disable-default-apps', '--disable-domain-reliability',
+    '--disable-client-side-phishing-detection', '--no-pings', '--metrics-recording-only',
+    '--disable-features=MediaRouter,OptimizationHints,Translate,AutofillServerCommunication',
+    '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1',
+)
+
+
+class Lab:
+    """A JupyterLab server on copies of some notebooks, in folders of its own."""
+
+    def __init__(self, folder: Path, notebooks: list[Path]):
+        self._folder = folder
+        self._work = folder / 'work'
+        self._work.mkdir(parents=True)
+        for notebook in notebooks:
+            self.add(notebook)
+        self.token = os.urandom(16).hex()
+        # Each test's kernels choose a domain of their own, as a learner's do.
+        inherited = {name: value for name, value in os.environ.items()
+                     if not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST'))}
+        self._environment = {
+            **inherited,
+            'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
+            'JUPYTER_CONFIG_DIR': str(folder / 'config'),
+            'JUPYTER_DATA_DIR': str(folder / 'data'),
+            'JUPYTER_RUNTIME_DIR': str(folder / 'runtime'),
+            'JUPYTERLAB_SETTINGS_DIR': str(folder / 'settings'),
+            'JUPYTERLAB_WORKSPACES_DIR': str(folder / 'workspaces'),
+            'IPYTHONDIR': str(folder / 'ipython'),
+        }
+
+    def add(self, notebook: Path) -> None:
+        """Put a copy of a notebook, fresh again, into the server's folder."""
+        shutil.copy(notebook, self._work)
+
+    def __enter__(self) -> 'Lab':
+        self._log = (self._folder / 'server.log').open('w')
+        self._process = subprocess.Popen(
+            [sys.executable, '-m', 'jupyterlab', '--no-browser', '--allow-root', '--ip=127.0.0.1', '--port=0',
+             f'--IdentityProvider.token={self.token}', f'--ServerApp.root_dir={self._work}',
+             '--LabApp.expose_app_in_browser=True', '--LabApp.extension_manager=readonly'],
+            env=self._environment, stdin=subprocess.DEVNULL, stdout=self._log, stderr=subprocess.STDOUT)
+        try:
+            self.url = wait_for(self._find_url, 'the JupyterLab server')
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def __exit__(self, *_) -> None:
+        # On SIGTERM the server ends its kernels too.
+        self._process.terminate()
+        try:
+            self._process.wait(20)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._log.close()
+
+    def _find_url(self) -> str | None:
+        if self._process.poll() is not None:
+            raise RuntimeError(f'JupyterLab ended with status {self._process.returncode}:\n{self.log()}')
+        info = self._folder / 'runtime' / f'jpserver-{self._process.pid}.json'
+        with contextlib.suppress(OSError, ValueError):
+            url = json.loads(info.read_text())['url']
+            with urllib.request.urlopen(f'{url}api/status?token={self.token}', timeout=5):
+                return url
+        return None
+
+    def log(self) -> str:
+        """Give what the server printed."""
+        return (self._folder / 'server.log').read_text()
+
+    @contextlib.contextmanager
+    def browser(self):
+        """Start Chromium, and end it afterwards."""
+        with sync_playwright() as playwright:
+            browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(_CHROMIUM_FLAGS))
+            try:
+                yield browser
+            finally:
+                browser.close()
+
+    def kernels(self) -> list[dict]:
+        """Give the server's word on its kernels."""
+        with urllib.request.urlopen(f'{self.url}api/kernels?token={self.token}', timeout=20) as answer:
+            return json.load(answer)
+
+    def end_kernels(self) -> None:
+        """End all kernels, and wait until they have ended."""
+        for kernel in self.kernels():
+            request = urllib.request.Request(f'{self.url}api/kernels/{kernel["id"]}?token={self.token}',
+                                             method='DELETE')
+            urllib.request.urlopen(request, timeout=TIMEOUT_SEC).close()
+
+    def ask_kernel(self, expression: str) -> str:
+        """Give the repr of an expression in the one kernel, past the browser."""
+        kernel, = self.kernels()
+        client = BlockingKernelClient(
+            connection_file=str(self._folder / 'runtime' / f'kernel-{kernel["id"]}.json'))
+        client.load_connection_file()
+        client.start_channels(iopub=False, stdin=False, hb=False)
+        try:
+            answer = client.execute('', silent=True, user_expressions={'it': expression}, reply=True,
+                                    timeout=TIMEOUT_SEC)['content']['user_expressions']['it']
+        finally:
+            client.stop_channels()
+        if answer['status'] != 'ok':
+            raise RuntimeError(f'{expression}: {answer["ename"]}: {answer["evalue"]}')
+        return answer['data']['text/plain']
+
+    def ros_environment(self) -> dict[str, str]:
+        """Give the environment of a process that shall meet the kernel's nodes."""
+        environment = ast.literal_eval(self.ask_kernel("dict(__import__('os').environ)"))
+        return {**self._environment, **{name: value for name, value in environment.items()
+                                        if name.startswith(('ROS_', 'FASTRTPS_'))}}
+
+
+class LabPage:
+    """One notebook, open in JupyterLab in a browser."""
+
+    def __init__(self, lab: Lab, browser: Browser, notebook: str, *, width: int = 1280, height: int = 900,
+                 theme: str = 'JupyterLab Light', scale: float = 1.0):
+        self.page: Page = browser.new_page(viewport={'width': width, 'height': height}, device_scale_factor=scale)
+        self.page.set_default_timeout(TIMEOUT_SEC * 1000)
+        self.errors: list[str] = []
+        self.page.on('console', lambda message: message.type == 'error' and self.errors.append(message.text))
+        self.page.on('pageerror', lambda error: self.errors.append(error.stack or str(error)))
+        # "simple" shows one document, without the file browser; reset, so that no earlier layout is restored.
+        self.page.goto(f'{lab.url}doc/tree/{notebook}?token={lab.token}&reset')
+        self._wait_js('() => window.jupyterapp !== undefined')
+        self._wait_js('() => window.jupyterapp.restored.then(() => true)')
+        if self.page.locator('body').get_attribute('data-jp-theme-name') != theme:
+            self.command('apputils:change-theme', theme=theme)
+        expect(self.page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
+        # The kernel is there when the notebook's session says so; running cells before would ask for one.
+        self._wait_js('''() => {
+            const panel = window.jupyterapp.shell.currentWidget;
+            const kernel = panel && panel.sessionContext && panel.sessionContext.session &&
+                panel.sessionContext.session.kernel;
+            return kernel && kernel.connectionStatus === 'connected' && panel.content.widgets.length > 0 &&
+                ['idle', 'starting', 'unknown'].includes(kernel.status);
+        }''')
+
+    def _wait_js(self, condition: str) -> None:
+        self.page.wait_for_function(condition, timeout=TIMEOUT_SEC * 1000)
+
+    def command(self, name: str, **arguments: object) -> None:
+        """Execute one of JupyterLab's commands, as its menus do."""
+        self.page.evaluate('([name, args]) => window.jupyterapp.commands.execute(name, args).then(() => null)',
+                           [name, arguments])
+
+    def run_all(self) -> None:
+        """Run all cells and wait until each has its number."""
+        self.command('notebook:run-all-cells')
+        self._wait_js("""() => window.jupyterapp.shell.currentWidget.content.widgets
+            .filter(cell => cell.model.type === 'code' && cell.model.sharedModel.source.trim())
+            .every(cell => cell.model.executionCount !== null && cell.model.executionState !== 'running')""")
+
+    def select_cell(self, index: int) -> None:
+        """Make a cell, counted from 0 and with the Markdown ones, the one that commands work on."""
+        self.page.evaluate(
+            'index => { window.jupyterapp.shell.currentWidget.content.activeCellIndex = index; }', index)
+
+    def row(self, name: str) -> Locator:
+        """Find a parameter's row on the panel by its label."""
+        label = self.page.locator(f'label:text-is("{name}"), label span:text-is("{name}")')
+        return self.page.locator('.param-row').filter(has=label).first
+
+    def box(self, name: str) -> Locator:
+        """Find a parameter's text box, or check box, as a screen reader does: by its label."""
+        return self.row(name).get_by_label(name, exact=True)
+
+    def handle(self, name: str) -> Locator:
+        """Find the handle of a parameter's slider."""
+        return self.row(name).locator('.noUi-handle')
+
+    def message(self, name: str) -> Locator:
+        """Find what stands beside a parameter's control."""
+        return self.row(name).locator('.param-message')
+
+
+def wait_for(condition, what: str, timeout_sec: float = TIMEOUT_SEC):
+    """Wait until a condition is true and give its value."""
+    deadline = time.monotonic() + timeout_sec
+    while not (value := condition()):
+        if time.monotonic() > deadline:
+            raise TimeoutError(f'waited {timeout_sec:g} s for {what}, in vain')
+        time.sleep(0.05)
+    return value

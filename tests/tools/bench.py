@@ -1,0 +1,312 @@
+"""Measure what the course promises about speed. `make bench` runs this; the figures go to build/bench.json.
+
+What is compared is measured in turns within one run, in random order, so that a busy machine slows all of it alike;
+a figure is the median of many trials. A bar that is a ratio therefore holds on any machine.
+"""
+
+import argparse
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+import textwrap
+import time
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import psutil
+from jupyter_client.manager import start_new_kernel
+from playwright.sync_api import expect
+
+from tests.support import lesson
+from tests.support.lab import CHROMIUM, ROOT, Lab, LabPage
+from tests.tools import robot_bench
+
+# Run in a kernel, as a lesson is: there a widget's messages really travel.
+LATENCY = '''
+import json, random, statistics, threading, time
+import param_tutorial, rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.parameter_client import AsyncParameterClient
+
+class Target(Node):
+    def __init__(self, **options):
+        super().__init__('target', **options)
+        self.declare_parameter('bare', 0)
+        self.declare_parameter('panel', 0)
+
+def bare(client):
+    """Return a function that sets a value and gives the seconds until the answer is in the executor's thread."""
+    def once(number):
+        answered, done = [], threading.Event()
+        start = time.monotonic()
+        future = client.set_parameters([Parameter('bare', value=number)])
+        future.add_done_callback(lambda _: (answered.append(time.monotonic()), done.set()))
+        done.wait()
+        assert future.result().results[0].successful
+        return answered[0] - start
+    return once
+
+executor = param_tutorial.start()
+executor.add(Target)
+same = AsyncParameterClient(executor.add(Node, 'bare_client'), '/target')
+assert same.wait_for_services(5)
+
+# rclpy's usual executor, with a node of the same class, in a graph of its own.
+context = rclpy.Context()
+rclpy.init(context=context, domain_id=102)
+elsewhere, other = Target(context=context), Node('bare_client', context=context)
+single = SingleThreadedExecutor(context=context)
+single.add_node(elsewhere)
+single.add_node(other)
+threading.Thread(target=single.spin, daemon=True).start()
+usual = AsyncParameterClient(other, '/target')
+assert usual.wait_for_services(5)
+
+panel = param_tutorial.ParameterPanel('/target')
+control = panel['panel']
+parameter = control._parameter
+
+def by_python(number):
+    """Assign to the control."""
+    start = time.monotonic()
+    control.value = number
+    return confirmed(number) - start
+
+def by_browser(number):
+    """Let the browser's message arrive."""
+    start = time.monotonic()
+    control.editors[0].set_state({'value': str(number)})
+    return confirmed(number) - start
+
+def confirmed(number):
+    panel.settle()
+    assert control.value == number and not control.message
+    return parameter.answered_at
+
+def until_shown(number):
+    start = time.monotonic()
+    control.value = number
+    panel.settle()
+    return time.monotonic() - start
+
+ways = {'bare': bare(same), 'single': bare(usual), 'python': by_python, 'browser': by_browser, 'shown': until_shown}
+seconds = {name: [] for name in ways}
+for number in range(1, TRIALS + 21):
+    for name in random.sample(sorted(ways), len(ways)):
+        took = ways[name](number)
+        panel.settle()
+        time.sleep(0.004)  # until the widgets' messages are out of the way
+        if number > 20:
+            seconds[name].append(took)
+result = {name: statistics.median(each) for name, each in seconds.items()}
+single.shutdown()
+rclpy.shutdown(context=context)
+'''
+
+COMMAND = '''
+import subprocess, sys, time, statistics
+import param_tutorial
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from IPython.utils.capture import capture_output
+
+executor = param_tutorial.start()
+executor.add(SimpleParamNode)
+shell = get_ipython()
+shell.run_line_magic('load_ext', 'param_tutorial')
+words = 'param set /simple_param_node max_speed_rpm'
+
+def magic(number):
+    with capture_output() as captured:
+        start = time.perf_counter()
+        shell.run_line_magic('ros2', f'{words} {number}')
+        took = time.perf_counter() - start
+    assert 'Set parameter successful' in captured.stdout, captured.stdout
+    return took
+
+def process(number):
+    start = time.perf_counter()
+    done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words.split(), str(number)],
+                          capture_output=True, text=True)
+    took = time.perf_counter() - start
+    assert 'Set parameter successful' in done.stdout, done.stdout + done.stderr
+    return took
+
+magics, processes = [], []
+for number in range(PROCESSES):
+    processes.append(process(number))
+    magics += [magic(each) for each in range(20)]
+result = {'magic': statistics.median(magics), 'process': statistics.median(processes)}
+'''
+
+DRAG = '''
+import time
+import psutil
+import param_tutorial
+from param_tutorial import ParameterPanel, StepResponseView
+from param_tutorial.nodes.pid_controller_node import PidControllerNode
+
+controller = param_tutorial.start().add(PidControllerNode)
+panel = ParameterPanel(controller)
+me = psutil.Process()
+
+def load(moves):
+    """Move a gain 30 times a second as a browser does; give the processor time in percent of one core."""
+    start, before = time.monotonic(), sum(me.cpu_times()[:2])
+    for number in range(moves):
+        panel['gains.wheel_joint.p'].editors[0].set_state({'value': str(0.1 + number % 100 / 100)})
+        time.sleep(max(0.0, start + (number + 1) / 30 - time.monotonic()))
+    return 100 * (sum(me.cpu_times()[:2]) - before) / (time.monotonic() - start)
+
+shares = {'with': [], 'without': []}
+for _ in range(ROUNDS):
+    shares['without'].append(load(60))
+    view = StepResponseView(controller)
+    shares['with'].append(load(60))
+    view.close()
+result = {name: sum(each) / len(each) for name, each in shares.items()}
+'''
+
+
+@dataclass
+class Row:
+    """One line of the table."""
+
+    what: str
+    figure: str
+    bar: str
+    met: bool | None
+    """None where there is no bar."""
+
+
+def in_kernel(code: str) -> dict[str, float]:
+    """Run code in a new kernel, and give what it left in ``result``."""
+    manager, client = start_new_kernel(kernel_name='python3', stderr=subprocess.DEVNULL)
+    try:
+        answer = client.execute_interactive(
+            code, output_hook=_show_errors, timeout=600,
+            user_expressions={'result': '__import__("json").dumps(result)'})
+        return json.loads(eval(answer['content']['user_expressions']['result']['data']['text/plain']))
+    finally:
+        client.stop_channels()
+        manager.shutdown_kernel(now=True)
+
+
+def _show_errors(message) -> None:
+    if message['msg_type'] == 'error':
+        print('\n'.join(message['content']['traceback']), file=sys.stderr)
+
+
+def latency(trials: int) -> list[Row]:
+    """Compare a panel with a bare client."""
+    took = in_kernel(LATENCY.replace('TRIALS', str(trials)))
+    rows = [Row('bare AsyncParameterClient, same executor', _ms(took['bare']), '', None),
+            Row('bare AsyncParameterClient, SingleThreadedExecutor', _ms(took['single']), '', None)]
+    for way, words in (('python', 'panel change from Python to confirmation'),
+                       ('browser', "panel change from the browser's message to confirmation")):
+        ratio = took[way] / took['bare']
+        rows += [Row(words, f'{_ms(took[way])}, {ratio:.2f} times bare', 'at most 1.3 times', ratio <= 1.3),
+                 Row(f'{words}, against SingleThreadedExecutor', f'{took[way] / took["single"]:.2f} times',
+                     'at most 1 time', took[way] <= took['single'])]
+    return [*rows, Row('panel change until read back and shown (settle)', _ms(took['shown']), '', None)]
+
+
+def command(processes: int) -> list[Row]:
+    """Compare %ros2 with a new process."""
+    took = in_kernel(COMMAND.replace('PROCESSES', str(processes)))
+    ratio = took['process'] / took['magic']
+    return [Row('%ros2 param set in a kernel', _ms(took['magic']), '', None),
+            Row('ros2 param set as a new process', _ms(took['process']), '', None),
+            Row('%ros2 against a new process', f'{ratio:.0f} times faster', 'at least 100 times', ratio >= 100)]
+
+
+def step_response(rounds: int) -> list[Row]:
+    """Measure what it costs to redraw a step response while a gain is dragged."""
+    shares = in_kernel(DRAG.replace('ROUNDS', str(rounds)))
+    view = shares['with'] - shares['without']
+    return [Row('CPU while a gain is dragged: controller and panel', f'{shares["without"]:.1f} % of a core', '', None),
+            Row('what the view of the step response adds', f'{view:.1f} % of a core', 'at most 15 %', view <= 15)]
+
+
+def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
+    """Measure a lesson in the real JupyterLab and Chromium."""
+    if CHROMIUM is None:
+        return [Row('a lesson in the browser', 'not measured: there is no Chromium', '', None)]
+    first_panel = []
+    with tempfile.TemporaryDirectory() as scratch:
+        notebook = lesson.write(Path(scratch) / 'lesson.ipynb')
+        with Lab(Path(scratch) / 'lab', [notebook]) as lab, lab.browser() as browser:
+            page = LabPage(lab, browser, notebook.name)
+            for _ in range(rounds):
+                page.page.evaluate("() => window.jupyterapp.commands.execute('notebook:clear-all-cell-outputs')")
+                expect(page.page.locator('.param-panel')).to_have_count(0)
+                start = time.monotonic()
+                page.page.evaluate(
+                    '() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
+                page.command('notebook:run-all-cells')
+                expect(page.handle('max_acceleration_mps2')).to_be_visible()
+                first_panel.append(time.monotonic() - start)
+                page.run_all()
+            kernel = psutil.Process(int(lab.ask_kernel("__import__('os').getpid()")))
+            # What a lesson has just done (threads that end, garbage) is not idling.
+            time.sleep(5)
+            before, start = kernel.cpu_times(), time.monotonic()
+            time.sleep(idle_sec)
+            after, stop = kernel.cpu_times(), time.monotonic()
+            share = (after.user + after.system - before.user - before.system) / (stop - start)
+            memory = kernel.memory_info().rss / 2**20
+    return [Row('kernel start to first panel on screen', f'{statistics.median(first_panel):.2f} s', '', None),
+            Row('idle CPU of a running lesson', f'{100 * share:.1f} % of a core', 'at most 2 %', share <= 0.02),
+            Row("memory of a lesson's kernel (RSS)", f'{memory:.0f} MiB', '', None)]
+
+
+def robot_in_browser() -> list[Row]:
+    """Measure how smoothly the robot moves, and what that costs."""
+    if CHROMIUM is None:
+        return []
+    figures = robot_bench.measure()
+
+    def load(what: str, most: float) -> Row:
+        return Row(f'CPU while the robot is {what}', f'{figures[what]:.1f} % of a core', f'at most {most:g} %',
+                   figures[what] <= most)
+
+    return [Row('frames in which the robot has moved', f'{figures["frames per second"]:.0f} per second',
+                'at least 20', figures['frames per second'] >= 20),
+            load('moving: kernel', 15), load('moving: browser', 15), load('still: kernel', 1)]
+
+
+def _ms(seconds: float) -> str:
+    return f'{1000 * seconds:.2f} ms'
+
+
+def main() -> int:
+    """Measure, print and save."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('--quick', action='store_true', help='fewer trials, to see whether it works at all')
+    quick = parser.parse_args().quick
+    print(textwrap.dedent(f'''\
+        {platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, \
+        load {os.getloadavg()[0]:.1f}'''))
+    rows: list[Row] = []
+    for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
+                    lambda: step_response(1 if quick else 5),
+                    lambda: lesson_in_browser(1 if quick else 5, 5.0 if quick else 20.0),
+                    robot_in_browser):
+        for row in measure():
+            rows.append(row)
+            verdict = {True: 'met', False: 'NOT MET', None: ''}[row.met]
+            print(f'{row.what:72} {row.figure:28} {row.bar:20} {verdict}', flush=True)
+    saved = ROOT / 'build' / 'bench.json'
+    saved.parent.mkdir(exist_ok=True)
+    saved.write_text(json.dumps([asdict(row) for row in rows], indent=1) + '\n')
+    print(f'Saved as {saved.relative_to(ROOT)}')
+    return int(any(row.met is False for row in rows))
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,76 @@
+"""What holds for every page of the HTML lessons: nothing from elsewhere, no complaint, and open to everybody.
+
+Run by itself it holds a whole site to that: `.venv/bin/python -m tests.tools.site_rules build/html`.
+"""
+
+import contextlib
+import sys
+from pathlib import Path
+
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import sync_playwright
+
+from tests.support.lab import _CHROMIUM_FLAGS, CHROMIUM
+
+WCAG = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa']
+MAX_LESSON_BYTES = 3_000_000
+
+
+@contextlib.contextmanager
+def open_page(browser, address, *, scheme='light', width=1280):
+    """Open a page of the site, and see to it afterwards that it asked nobody else and complained of nothing."""
+    context = browser.new_context(viewport={'width': width, 'height': 900}, color_scheme=scheme)
+    page = context.new_page()
+    complaints = []
+    here = address[:address.rindex('/')]
+    page.on('console', lambda said: said.type == 'error' and complaints.append(said.text))
+    page.on('pageerror', lambda error: complaints.append(error.stack or str(error)))
+    page.on('request', lambda request: request.url.startswith((here, 'data:', 'blob:'))
+            or complaints.append(f'requested {request.url}'))
+    # The search asks for a summary of each page that it finds; who clicks before they are there breaks that off.
+    page.on('requestfailed', lambda request: request.failure == 'net::ERR_ABORTED'
+            or complaints.append(f'failed {request.url}: {request.failure}'))
+    page.goto(address)
+    page.wait_for_function("document.documentElement.dataset.lesson === 'ready'")
+    yield page
+    assert not complaints, '; '.join(complaints)
+    context.close()
+
+
+def check_page(page):
+    """Give what keeps somebody from using a page, in words."""
+    # What is closed would not be looked at.
+    page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
+    # Without preload axe fetches no style sheets, which a page on a disk may not do.
+    options = {'runOnly': {'type': 'tag', 'values': WCAG}, 'resultTypes': ['violations'], 'preload': False}
+    found = [f'{rule["id"]}: {node["html"][:200]}'
+             for rule in Axe().run(page, options=options).response['violations'] for node in rule['nodes']]
+    too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
+    undrawn = page.evaluate('''() => [...document.querySelectorAll('.rec-panel, .rec-robot, .rec-log, .rec-still')]
+        .filter(each => !each.getBoundingClientRect().height).map(each => each.id)''')
+    return found + ['the page is wider than the window'] * too_wide + [f'{each} is not drawn' for each in undrawn]
+
+
+def main(folder):
+    """Check every page of a site, and print what is wrong."""
+    problems = []
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(_CHROMIUM_FLAGS))
+        for path in sorted(folder.glob('*.html')):
+            if path.stat().st_size > MAX_LESSON_BYTES:
+                problems.append(f'{path.name}: {path.stat().st_size / 1e6:.1f} MB')
+            for scheme, width in (('light', 1280), ('dark', 390)):
+                try:
+                    with open_page(browser, path.absolute().as_uri(), scheme=scheme, width=width) as page:
+                        problems += [f'{path.name}, {scheme}: {each}' for each in check_page(page)]
+                except AssertionError as error:
+                    problems.append(f'{path.name}, {scheme}: {error}')
+            print(f'{path.name} checked', flush=True)
+        browser.close()
+    print(*problems, sep='\n')
+    print(f'{len(list(folder.glob("*.html")))} pages checked, {len(problems)} problems')
+    return 1 if problems else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(Path(sys.argv[1])))

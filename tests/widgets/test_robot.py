@@ -1,0 +1,182 @@
+"""The robot's view: what is sent to the browser and when, the words, and that it lets go of the robot."""
+
+import math
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import param_tutorial
+from param_tutorial import ParameterClient, RobotView, wait_until
+from param_tutorial.errors import NodeNotFoundError
+from param_tutorial.nodes.clawbot_node import ClawbotNode, Settings, plan
+from param_tutorial.runtime import stage
+from param_tutorial.widgets.robot import _curve
+
+FOREVER = math.inf
+
+
+@pytest.fixture
+def robot(ros):
+    return ros.add(ClawbotNode, real_time=False)
+
+
+@pytest.fixture
+def view(robot):
+    view = RobotView(robot)
+    yield view
+    view.close()
+
+
+def shows(view, word):
+    """Wait until the view says this."""
+    wait_until(lambda: view.text.startswith(word), f'the view to say {word}; it says {view.text!r}')
+
+
+def picture(view):
+    """Give the markup that the browser draws."""
+    return view.children[1].value
+
+
+def bezier(curve, time):
+    """Give the progress of a CSS cubic-bezier whose x is time itself, as ours are."""
+    x1, y1, x2, y2 = map(float, re.fullmatch(r'cubic-bezier\((.*)\)', curve)[1].split(','))
+    assert (x1, x2) == pytest.approx((1 / 3, 2 / 3), abs=1e-5)
+    return 3 * y1 * time * (1 - time) ** 2 + 3 * y2 * time ** 2 * (1 - time) + time ** 3
+
+
+@given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 2.0), st.booleans(), st.floats(0.0, 1.0))
+def test_the_browser_moves_it_along_the_closed_form(acceleration, speed_rpm, velocity, safety_on, fraction):
+    motion = plan(0.5, velocity, Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, safety_on))
+    for phase in motion.phases:
+        way_m = phase.at(phase.duration_sec).position_m - phase.position_m
+        exact = phase.at(fraction * phase.duration_sec).position_m - phase.position_m
+        assert bezier(_curve(phase), fraction) * way_m == pytest.approx(exact, abs=2e-5)
+
+
+def test_a_drive_is_sent_as_its_phases(view, robot):
+    assert '@keyframes' not in picture(view)
+    view.drive()
+    shows(view, 'SPEEDING UP')
+    steps = re.search(r'@keyframes robot-\w+-\d+-robot \{(.*?)\}\}', picture(view))[1]
+    phases, length_m = robot.motion[0].phases, 0.8 + 4.0 + 0.35
+    places = [float(place) for place in re.findall(r'translateX\(([\d.]+)%\)', steps)]
+    assert places == pytest.approx([100 * at_m / length_m for at_m in (*[p.position_m for p in phases], 3.8)], abs=1e-3)
+    assert steps.count('cubic-bezier') == len(phases) == 3
+    assert f'{robot.motion[0].duration_sec:.4f}s linear -0.0000s both' in picture(view)
+
+
+def test_one_message_for_each_thing_that_it_begins_to_do_and_none_while_it_stands(view, robot):
+    sent = []
+    view.children[1].observe(lambda change: sent.append(change.new), 'value')
+    view.drive()
+    shows(view, 'SPEEDING UP')
+    for seconds, word in ((2.5, 'CRUISING'), (1.5, 'BRAKING'), (FOREVER, 'STOPPED')):
+        robot.react([])  # as when a parameter is set to what it is
+        assert view._worker.call_now(5.0)
+        robot.step(seconds)
+        shows(view, word)
+    assert len(sent) == 4
+    assert '@keyframes' not in sent[-1]
+    robot.step(1000.0)
+    robot.react([])
+    param_tutorial.wait_until(lambda: view._worker._thread is None, "the view's thread to end")
+    assert len(sent) == 4
+
+
+def test_a_parameter_changed_on_the_way_is_sent_from_where_the_robot_is(view, robot):
+    view.drive()
+    robot.step(1.0)
+    ParameterClient(robot).set_parameter('max_acceleration_mps2', 1.5)
+    wait_until(lambda: '1.50 m/s²' in view.text, 'the new acceleration')
+    assert 'Speed 0.50 m/s, 3.75 m to the wall' in view.text
+    assert f'translateX({100 * 0.25 / 5.15:.4f}%)' in picture(view)
+
+
+def test_name_safety_and_offset_are_seen_at_once_while_it_stands(view, robot):
+    client = ParameterClient(robot)
+    stop_line = '>stop</text>'
+    assert stop_line in picture(view)
+    client.set_parameters({'robot_name': 'A <b>"claw"</b>', 'enable_safety_mode': False})
+    wait_until(lambda: 'safety off' in view.text and 'A <b>' in view.text, 'the changes')
+    assert stop_line not in picture(view)
+    assert '<b>' not in picture(view)
+    assert 'A &lt;b&gt;&quot;claw&quot;&lt;/b&gt;' in picture(view)
+
+
+def test_a_robot_that_goes_while_the_view_looks_for_it_is_gone(ros, view, robot, monkeypatch):
+    nodes = ros.nodes
+    ros.remove(robot)
+    monkeypatch.setattr(type(ros), 'nodes', nodes)  # as if the list had been made just before
+    assert view._worker.call_now(5.0)
+    assert 'is not running' in view.text
+
+
+def test_the_picture_has_a_text_alternative_and_the_words_a_live_region(view, robot):
+    assert view.text == 'READY. Clawbot stands at the start. Speed 0.00 m/s, 4.00 m to the wall, safety on.'
+    assert f'role="img" aria-label="{view.text}"' in picture(view)
+    _, status = view.children[2].children
+    assert status.value == '<div role="status">Clawbot stands at the start.</div>'
+    assert 'prefers-reduced-motion: reduce' in view.children[0].value
+
+
+@pytest.mark.parametrize(('change', 'text'), [
+    ({}, 'STOPPED. Clawbot has stopped 0.20 m from the wall. Speed 0.00 m/s, 0.20 m to the wall, safety on.'),
+    ({'enable_safety_mode': False},
+     'CRASHED. Clawbot has run into the wall at 1.05 m/s. Speed 0.00 m/s, 0.00 m to the wall, safety off.'),
+    ({'min_operating_temperature_c': 20},
+     'WAITING. Clawbot is waiting: 15 °C is below min_operating_temperature_c = 20. '
+     'Speed 0.00 m/s, 4.00 m to the wall, safety on.'),
+])
+def test_each_end_in_words(view, robot, change, text):
+    ParameterClient(robot).set_parameters(change).raise_for_reason()
+    view.drive()
+    robot.step(FOREVER)
+    wait_until(lambda: view.text == text, f'the view to say so; it says {view.text!r}')
+    assert text.split('.')[0] in picture(view)
+
+
+def test_the_button_drives(view, robot):
+    button, _ = view.children[2].children
+    button.click()
+    assert robot.state.word == 'SPEEDING UP'
+
+
+def test_its_repr_says_nothing_of_the_moment(view):
+    before = repr(view)
+    view.drive()
+    assert before == repr(view) == '<RobotView: /clawbot_node>'
+    view.close()
+    assert repr(view) == '<RobotView: /clawbot_node, closed>'
+
+
+def test_it_follows_a_robot_that_is_replaced_and_survives_one_that_is_gone(ros, view, robot):
+    again = ros.add(ClawbotNode, real_time=False, ros_args=['-p', 'robot_name:=Second'])
+    wait_until(lambda: 'Second' in view.text, 'the view to follow')
+    assert robot._listeners == []
+    assert len(again._listeners) == 1
+    ros.remove(again)
+    shows(view, '/clawbot_node is not running')
+    with pytest.raises(NodeNotFoundError):
+        view.drive()
+    ros.add(ClawbotNode, real_time=False)
+    shows(view, 'READY')
+
+
+def test_closed_it_listens_to_nothing(ros, robot):
+    before = len(ros._graph_listeners), len(stage._change_listeners)
+    view = RobotView(robot)
+    view.close()
+    view.close()
+    assert robot._listeners == []
+    assert (len(ros._graph_listeners), len(stage._change_listeners)) == before
+    robot.drive()
+
+
+def test_it_may_be_made_before_its_robot(ros):
+    view = RobotView('clawbot_node')
+    assert view.text == '/clawbot_node is not running. It comes back here when it does.'
+    ros.add(ClawbotNode, real_time=False)
+    shows(view, 'READY')
+    view.close()

@@ -1,0 +1,220 @@
+"""The view of a step response: what it says and draws, when it sends something, and that it lets go of its node."""
+
+import itertools
+import math
+import re
+import time
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+from rclpy.node import Node
+
+from param_tutorial import ParameterClient, ParameterPanel, StepResponseView, plot_responses, wait_until
+from param_tutorial.nodes.pid_controller_node import Gains, Motor, PidControllerNode, simulate
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.runtime import stage
+
+KP, KI = 'gains.wheel_joint.p', 'gains.wheel_joint.i'
+START = ('wheel_joint with p = 0.1, i = 0, d = 0: rise time 0.26 s, overshoot 4.5 %, settling time 0.67 s, '
+         'steady-state error 2.86 rad/s')
+
+
+def respond(*gains, **options):
+    return simulate(Gains(*gains), Motor(), 10.0, **{'rate_hz': 100, 'duration_sec': 3.0, **options})
+
+
+@pytest.fixture
+def controller(ros):
+    return ros.add(PidControllerNode)
+
+
+@pytest.fixture
+def view(controller):
+    view = StepResponseView(controller)
+    yield view
+    view.close()
+
+
+def shows(view, words):
+    wait_until(lambda: words in view.text, f'the view to say {words}; it says {view.text!r}')
+
+
+def markup(view):
+    """Give what the browser draws: the picture, and the figures."""
+    return [each.value for each in view.children[1:]]
+
+
+# -- the plot --------------------------------------------------------------------------------------------
+
+
+def test_a_plot_tells_the_figures_in_words_instead_of_its_points():
+    plot = plot_responses({'P': respond(0.1), 'PI': respond(0.1, 0.2)})
+    assert plot.text == ('speed in rad/s over time in s. reference: 10 rad/s. '
+                         f'P: {respond(0.1).figures}. PI: {respond(0.1, 0.2).figures}')
+
+
+def test_a_plot_goes_through_the_response_and_ends_with_it():
+    picture = ElementTree.fromstring(plot_responses({'P': respond(0.1)})._repr_html_())
+    # The key of the lines stands from right to left.
+    corners = picture.findall('polyline')[0].get('points').split()
+    assert len(corners) == 151
+    assert corners[0] == '56.0,216.0'
+    x, y = map(float, corners[-1].split(','))
+    # The axis holds half as much again as the reference.
+    assert (x, y) == (620.0, pytest.approx(216 - 176 * 7.143 / 15, abs=0.3))
+
+
+def test_a_plot_has_no_more_points_than_can_be_told_apart():
+    picture = ElementTree.fromstring(
+        plot_responses({'P': respond(0.1, rate_hz=1000, duration_sec=10.0)})._repr_html_())
+    corners = picture.findall('polyline')[0].get('points').split()
+    assert len(corners) <= 201 and corners[-1].startswith('620.0,')
+
+
+def test_a_wheel_that_turns_backwards_is_drawn_below_the_axis():
+    swinging = respond(0.0, 2.0)
+    assert min(swinging.speeds) < -10
+    plot = ElementTree.fromstring(plot_responses({'I': swinging})._repr_html_())
+    heights = [float(corner.split(',')[1]) for line in plot.findall('polyline')
+               for corner in line.get('points').split()]
+    assert min(heights) >= 40 and max(heights) <= 216
+    assert '-20' in {text.text for text in plot.iter('text')}
+
+
+@pytest.mark.parametrize('count', [0, 4])
+def test_a_plot_says_how_many_responses_it_takes(count):
+    with pytest.raises(ValueError, match=f'one to three responses; got {count}'):
+        plot_responses({f'{index}': respond(0.1) for index in range(count)})
+
+
+# -- the view --------------------------------------------------------------------------------------------
+
+
+def test_it_shows_the_response_with_its_figures_and_the_same_in_words(view):
+    assert view.text == START
+    picture, figures = markup(view)
+    assert re.search(r'<svg role="img" aria-label="speed in rad/s over time in s. reference: 10 rad/s. wheel_joint: '
+                     r'rise time 0.26 s', picture)
+    assert 'p = 0.1, i = 0, d = 0' in picture
+    assert '<div class="step-figures" role="status">' in figures
+    for part in ('rise time 0.26 s', 'overshoot 4.5 %', 'settling time 0.67 s', 'steady-state error 2.86 rad/s'):
+        assert f'<span>{part}</span>' in figures
+
+
+def test_it_redraws_when_a_gain_is_moved_on_a_panel(view, controller):
+    panel = ParameterPanel(controller)
+    panel[KP].value = 0.4
+    shows(view, 'p = 0.4')
+    assert view.text.endswith(str(controller.response().figures))
+    panel.close()
+
+
+def test_it_shows_what_was_confirmed_and_nothing_of_what_was_refused(view, controller):
+    client = ParameterClient(controller)
+    client.set_parameters_atomically({KP: 0.4, KI: -1.0})
+    client.set_parameter('simulation.reference_rad_per_sec', 5.0)
+    shows(view, 'error 1.43')
+    assert 'p = 0.1, i = 0,' in view.text
+
+
+def test_a_change_sends_each_part_once_and_what_makes_no_difference_sends_nothing(view, controller):
+    sent = []
+    for each in view.children:
+        each.observe(lambda change: sent.append(change.new), 'value')
+    client = ParameterClient(controller)
+    client.set_parameters_atomically({KP: 0.4, KI: 0.4})
+    shows(view, 'i = 0.4')
+    view.settle()
+    assert len(sent) == 2
+    client.set_parameter(KP, 0.4)
+    for _ in range(3):
+        view.settle()
+    assert len(sent) == 2
+
+
+def test_a_hand_that_drags_is_not_answered_more_often_than_anybody_can_see(view, controller):
+    panel, drawn = ParameterPanel(controller), []
+    view.children[1].observe(lambda change: drawn.append(time.monotonic()), 'value')
+    for step in range(1, 61):
+        panel[KP].value = 0.1 + step / 100
+        panel.settle()
+    shows(view, 'p = 0.7')
+    # A slow machine makes the gaps longer, never shorter.
+    assert all(later - earlier >= 0.9 / 30 for earlier, later in itertools.pairwise(drawn))
+    panel.close()
+
+
+def test_still_it_has_no_thread(view):
+    wait_until(lambda: view._live._shower._thread is None and view._live._reader._thread is None,
+               "the view's threads to end", timeout_sec=30)
+
+
+def test_it_follows_a_controller_that_is_restarted_and_survives_one_that_is_gone(ros, view, controller):
+    ros.remove(controller)
+    shows(view, '/pid_controller_node is not running')
+    # The words for a screen reader are there first.
+    wait_until(lambda: 'is not running' in markup(view)[1] and '<svg' not in markup(view)[0], 'the picture to go')
+    ros.add(PidControllerNode, ros_args=['-p', f'{KP}:=0.4'])
+    shows(view, 'p = 0.4')
+
+
+def test_another_joint_can_be_chosen(ros):
+    ros.add(PidControllerNode, ros_args=['-p', 'dof_names:=[left, right]', '-p', 'gains.right.p:=0.4'])
+    for joint, words in ((None, 'left with p = 0.1'), ('right', 'right with p = 0.4')):
+        view = StepResponseView('pid_controller_node', joint=joint)
+        assert view.text.startswith(words)
+        view.close()
+
+
+@pytest.mark.parametrize(('node_class', 'options', 'missing'), [
+    (SimpleParamNode, {}, 'dof_names'), (PidControllerNode, {'joint': 'elbow'}, 'gains.elbow.p')])
+def test_what_it_cannot_simulate_it_names(ros, node_class, options, missing):
+    node = ros.add(node_class)
+    view = StepResponseView(ParameterClient(node), **options)
+    assert view.text == (f'{node.get_fully_qualified_name()} has no parameter {missing}, '
+                         f'so there is nothing to simulate.')
+    view.close()
+
+
+class Careless(Node):
+    """Has the parameters of a controller, and takes any value for them."""
+
+    def __init__(self, like, **others):
+        super().__init__('careless')
+        own = {name: value for name, value in ParameterClient(like).get_parameters().items() if '.' in name}
+        self.declare_parameters('', [*({**own, 'dof_names': ['wheel_joint'], 'update_rate': 100, **others}).items()])
+
+
+@pytest.mark.parametrize('others', [
+    {'update_rate': 0}, {'update_rate': 'often'}, {KP: math.nan}, {KP: 'much'}, {'simulation.inertia_kgm2': 0.0}])
+def test_values_that_cannot_be_simulated_are_told(ros, controller, others):
+    ros.add(Careless, controller, **others)
+    view = StepResponseView('careless')
+    assert view.text.startswith('/careless holds values with which nothing can be simulated: ')
+    view.close()
+
+
+@pytest.mark.parametrize('nonsense', [3, {'p': 'fast'}])
+def test_a_plot_of_no_responses_is_refused(nonsense):
+    with pytest.raises(TypeError, match='takes a dictionary of step responses'):
+        plot_responses(nonsense)
+
+
+def test_names_are_text(ros):
+    ros.add(PidControllerNode, ros_args=['-p', "dof_names:=['<b>']"])
+    view = StepResponseView('pid_controller_node')
+    assert '<b>' in view.text and '<b>' not in markup(view)[0]
+    view.close()
+
+
+def test_its_repr_says_nothing_of_the_moment_and_closed_it_listens_to_nothing(ros, controller):
+    before = len(ros._graph_listeners), len(stage._change_listeners)
+    view = StepResponseView(controller)
+    assert repr(view) == '<StepResponseView: /pid_controller_node>'
+    view.close()
+    view.close()
+    assert repr(view) == '<StepResponseView: /pid_controller_node, closed>'
+    assert (len(ros._graph_listeners), len(stage._change_listeners)) == before
+    ParameterClient(controller).set_parameter(KP, 0.4)
+    assert view.text == START
+
