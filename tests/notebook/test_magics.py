@@ -1,5 +1,6 @@
 """%ros2 and %%ros2 in an IPython shell: what is typed, where it goes, and which ros2 answers."""
 
+import functools
 import os
 import signal
 import stat
@@ -101,11 +102,14 @@ def test_output_goes_into_a_file(cell, node, tmp_path):
 
 @pytest.mark.parametrize(('line', 'complaint'), [
     ('param list | sort', "'|' needs a shell"),
+    ('param list>a|sort', "'|' needs a shell"),
     ('param list; node list', "';' needs a shell"),
     ('run param_tutorial simple_param_node &', "'&' needs a shell"),
     ('param list >', 'no name of a file'),
     ('param list > a > b', 'only one >'),
     ('param list 2> a', 'only one >'),
+    ('param list > a >> b', 'only one >'),
+    ('param list >>> a', 'only one >'),
     ("param set /n a 'x", 'cannot be taken apart'),
     ('param list > no/such/folder/file', 'No such file or directory'),
     ('run param_tutorial simple_param_node', "param_tutorial.Terminal('ros2 run param_tutorial simple_param_node')"),
@@ -115,6 +119,27 @@ def test_what_is_not_one_command_is_refused_with_a_sentence(cell, ros, line, com
     assert (stdout, status) == ('', 1)
     assert complaint in stderr
     assert stderr.count('\n') == 1
+
+
+@pytest.mark.parametrize(('line', 'words', 'target'), [
+    ("param set /n a '>'", ['param', 'set', '/n', 'a', '>'], None),
+    (r'param set /n a \>', ['param', 'set', '/n', 'a', '>'], None),
+    ("param set /n a ''", ['param', 'set', '/n', 'a', ''], None),
+    (r'param set /n a "\"|\"" # a comment > f', ['param', 'set', '/n', 'a', '"|"'], None),
+    ('param set /n a x#1', ['param', 'set', '/n', 'a', 'x#1'], None),
+    ("param set /n a 'x #1'>f", ['param', 'set', '/n', 'a', 'x #1'], 'f'),
+    ('param set /n a 2 > f', ['param', 'set', '/n', 'a', '2'], 'f'),
+    ('ros2 param > f dump /n', ['param', 'dump', '/n'], 'f'),
+    ("param list > '>'", ['param', 'list'], '>'),
+    (' # ros2 param list | sort', [], None),
+])
+def test_a_line_is_split_as_bash_splits_it(tmp_path, line, words, target):
+    assert magics._parse(line) == (words, target, False)
+    functions = """ros2() { printf '%s\\0' "$@"; }; param() { ros2 param "$@"; }"""
+    done = subprocess.run(['bash', '-c', f'{functions}\n{line}'], cwd=tmp_path, capture_output=True, check=True)
+    output = done.stdout if target is None else (tmp_path / target).read_bytes()
+    assert output.decode().split('\0')[:-1] == words
+    assert os.listdir(tmp_path) == ([] if target is None else [target])
 
 
 def test_nothing_typed_does_nothing_and_help_is_help(cell, ros):
@@ -210,7 +235,10 @@ def test_the_genuine_command_may_not_block_the_cell_either(cell_with_genuine):
     assert 'Terminal' in stderr
 
 
-def test_an_interrupt_is_passed_on_to_the_genuine_command(cell_with_genuine, tmp_path):
+@pytest.mark.parametrize('before', [signal.default_int_handler, signal.SIG_IGN], ids=['heeded', 'ignored'])
+def test_an_interrupt_is_passed_on_to_the_genuine_command(cell_with_genuine, tmp_path, request, before):
+    request.addfinalizer(functools.partial(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, before)))
+
     def interrupt():
         wait_until((tmp_path / 'ready').exists, 'the command to wait', timeout_sec=30)
         os.kill(os.getpid(), signal.SIGINT)

@@ -16,6 +16,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.ros2 import command, session
 from param_tutorial.ros2.run import node_programs
 from param_tutorial.runtime import executor, graph, stage
@@ -37,7 +38,8 @@ def start_process(ros):
     started = []
 
     def start(*words, **options):
-        started.append(subprocess.Popen([str(word) for word in words], text=True, **options))
+        with interruptible():  # whatever has started the tests
+            started.append(subprocess.Popen([str(word) for word in words], text=True, **options))
         return started[-1]
 
     yield start

@@ -52,7 +52,7 @@ class Glossary:
         return cls(entry for path in paths for entry in _entries(path))
 
     def __getitem__(self, word: str) -> 'Glossary':
-        """Give the entries for a word.
+        """Return the entries for a word.
 
         :raises KeyError: there is none.
         """

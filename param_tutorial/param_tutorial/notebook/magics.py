@@ -14,19 +14,24 @@ import signal
 import subprocess
 import sys
 from contextlib import ExitStack
-from typing import Any, NamedTuple, TextIO
+from typing import TYPE_CHECKING, NamedTuple, TextIO
 
 from IPython.core.error import UsageError
+from IPython.core.interactiveshell import InteractiveShell
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
+from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import command as embedded
 from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.run import keeps_busy
 from param_tutorial.runtime import domain, stage
 
+if TYPE_CHECKING:
+    import ipywidgets
 
-def load_ipython_extension(ipython) -> None:
+
+def load_ipython_extension(ipython: InteractiveShell) -> None:
     """Make the magics known, and let errors show their last line only: ``%load_ext param_tutorial``.
 
     Most errors in a lesson are meant, and a page of rclpy's source above each would bury what it says.
@@ -74,7 +79,7 @@ class Ros2Magics(Magics):
         self.shell.user_ns['_exit_code'] = shell.status
 
     @line_magic('ros2_terminal')
-    def terminal(self, line: str) -> Any:
+    def terminal(self, line: str) -> 'ipywidgets.HTML':
         """Show the line that makes a terminal join the ROS domain of this notebook."""
         return terminal_hint()
 
@@ -100,51 +105,42 @@ class _NotUnderstood(Exception):
     """The line is more than one command; the message says so."""
 
 
+_OPERATORS = '|;&<>`'
+# shlex does not tell which of its words were in quotes. There, and after a backslash, the characters of operators are
+# others while it reads, from the range that Unicode leaves to private use.
+_DISGUISE = {ord(char): 0xE000 + ord(char) for char in _OPERATORS}
+_NO_DISGUISE = {disguised: char for char, disguised in _DISGUISE.items()}
+_LITERAL_OR_COMMENT = re.compile(r'''(?P<comment>(?<!\S)#.*)|\\.|'[^']*'|"(?:\\.|[^"\\])*"''')
+_OTHER_STREAM = re.compile(r'(?<!\S)[12]>')
+
+
 def _parse(line: str) -> _Command:
-    """Take a line apart as a shell would, without being one."""
-    command, arrows = _unquoted_arrows(line)
-    start = arrows[0] if arrows else len(command)
-    append = arrows[1:2] == [start + 1]
-    if len(arrows) > 1 + append or (arrows and command[max(0, start - 2):start].strip() in ('1', '2', '&')):
-        raise _NotUnderstood('only one > or >> is understood, and it takes what goes to standard output')
+    """Split a line into words as a shell would, without being one."""
+    disguised = _LITERAL_OR_COMMENT.sub(lambda match: '' if match['comment'] else match[0].translate(_DISGUISE), line)
+    lexer = shlex.shlex(disguised, posix=True, punctuation_chars=_OPERATORS)
+    lexer.whitespace_split, lexer.commenters = True, ''
     try:
-        words = shlex.split(command[:start])
-        targets = shlex.split(command[start + 1 + append:])
+        words = list(lexer)
     except ValueError as error:
         raise _NotUnderstood(f'{line!r} cannot be taken apart into words: {error}') from None
-    if arrows and not targets:
+    # An empty word is one in quotes.
+    operators = [word for word in words if word and not word.strip(_OPERATORS)]
+    for char in ''.join(operators).replace('>', ''):
+        raise _NotUnderstood(f'{char!r} needs a shell, which %ros2 is not: one command, and > for a file, is '
+                             f"all. Put it in quotes if it is part of a value, or use IPython's !command")
+    if operators[1:] or not {'>', '>>'}.issuperset(operators) or _OTHER_STREAM.search(disguised):
+        raise _NotUnderstood('only one > or >> is understood, and it takes what goes to standard output')
+    at = words.index(operators[0]) if operators else len(words)
+    if operators and words[at + 1:] == []:
         raise _NotUnderstood('there is no name of a file after >')
-    words += targets[1:]
-    return _Command(words[1:] if words[:1] == ['ros2'] else words, targets[0] if targets else None, append)
-
-
-def _unquoted_arrows(line: str) -> tuple[str, list[int]]:
-    """Give the line without its comment, and where ``>`` stands outside of quotes."""
-    quote, escaped, previous = '', False, ' '
-    arrows = []
-    for position, char in enumerate(line):
-        if escaped:
-            escaped = False
-        elif char == '\\' and quote != "'":
-            escaped = True
-        elif quote:
-            quote = '' if char == quote else quote
-        elif char in ('"', "'"):
-            quote = char
-        elif char == '#' and previous.isspace():
-            return line[:position], arrows
-        elif char in '|;&<`':
-            raise _NotUnderstood(f'{char!r} needs a shell, which %ros2 is not: one command, and > for a file, is '
-                                 f"all. Put it in quotes if it is part of a value, or use IPython's !command")
-        elif char == '>':
-            arrows.append(position)
-        previous = char
-    return line, arrows
+    words = [word.translate(_NO_DISGUISE) for word in words]
+    target, rest = words[at + 1:at + 2], words[:at] + words[at + 2:]
+    return _Command(rest[1:] if rest[:1] == ['ros2'] else rest, target[0] if target else None, operators == ['>>'])
 
 
 def _run(command: _Command) -> int:
-    """Run a command, and give its exit status."""
-    with ExitStack() as stack:
+    """Run a command and return its exit status."""
+    with interruptible(), ExitStack() as stack:
         output: TextIO = sys.stdout
         if command.target is not None:
             path = os.path.expanduser(command.target)
@@ -194,7 +190,7 @@ def _run_genuine(words: list[str], streams: _Streams) -> int:
     """Run the installed command, show what it prints as it comes, and pass an interrupt on."""
     domain.choose()
     process = subprocess.Popen(
-        [genuine.path(), *words], env=genuine.environment(), stdin=subprocess.DEVNULL,
+        [*genuine.words(), *words], env=genuine.environment(), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
     with process, selectors.DefaultSelector() as selector:
         for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):
@@ -216,8 +212,8 @@ def _run_genuine(words: list[str], streams: _Streams) -> int:
                 os.killpg(process.pid, signal.SIGKILL)
 
 
-def terminal_hint() -> Any:
-    """Give a widget with the line that makes a terminal join the ROS domain of this notebook.
+def terminal_hint() -> 'ipywidgets.HTML':
+    """Return a widget with the line that makes a terminal join the ROS domain of this notebook.
 
     A widget, because its content is not compared when the notebook is tested: the domain differs each time.
     """
@@ -232,7 +228,7 @@ def terminal_hint() -> Any:
 
 
 def terminal_line() -> str:
-    """Give the line of shell that makes a terminal join the ROS domain of this process."""
+    """Return the line of shell that makes a terminal join the ROS domain of this process."""
     domain.choose()
     names = ('ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'FASTRTPS_DEFAULT_PROFILES_FILE')
     settings = ' '.join(f'{name}={shlex.quote(os.environ[name])}' for name in names if name in os.environ)

@@ -18,6 +18,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from param_tutorial.errors import ShellError
+from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.ros2 import genuine
 from param_tutorial.runtime import domain
 
@@ -37,7 +38,7 @@ class Shell:
 
     Commands are the real ones; the one thing that is lent is ``ros2``, where ROS is not installed. Two things are
     left out of what is shown, because they differ each time: the home folder's name, for which ``~`` stands, and
-    the seconds that colcon took. A command that goes on until Ctrl+C belongs into a ``Terminal``.
+    the seconds that colcon took. A command that goes on until Ctrl+C belongs in a ``Terminal``.
     """
 
     def __init__(self, beside: 'Shell | None' = None):
@@ -53,9 +54,10 @@ class Shell:
         """The home folder."""
         self.status = 0
         """The exit status of the last command."""
-        self._process = subprocess.Popen(
-            ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            cwd=self.home, env=self._first_environment(), start_new_session=True)
+        with interruptible():
+            self._process = subprocess.Popen(
+                ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(), start_new_session=True)
         # Also when a cell that makes a shell runs again, and when the kernel ends.
         self._close = weakref.finalize(self, _close, self._process, folder)
         os.set_blocking(self._process.stdout.fileno(), False)
@@ -80,29 +82,29 @@ class Shell:
         return f'<Shell: {"running" if self._process.poll() is None else "closed"}>'
 
     def run(self, commands: str, timeout_sec: float = 120.0) -> str:
-        """Type one or more lines, wait until they have been done, and give what was printed.
+        """Type one or more lines, wait until they have been done, and return what was printed.
 
         :raises ShellError: the shell is closed, or they were not done in time, or ended it; the message shows what
             came.
         """
         output, self.status = self._type(commands, timeout_sec)
-        return self._shown(output)
+        return self._stable(output)
 
     def _type(self, commands: str, timeout_sec: float = 120.0) -> tuple[str, int]:
-        """Do as ``run`` says, and give what was printed to the letter, and the exit status."""
+        """Do what ``run`` says, and return what was printed, unchanged, and the exit status."""
         if self._process.poll() is not None:
             raise ShellError('this shell is closed: start a new one with Shell()')
         mark = secrets.token_hex(8)
         # One `eval`, so that a quote that is never closed is an error here and does not swallow what is typed later;
         # without a standard input, so that no command waits for one.
         line = f'eval {shlex.quote(commands)} </dev/null; printf "\\n{mark} %d\\n" $?\n'
-        self._process.stdin.write(line.encode())
-        self._process.stdin.flush()
         deadline = time.monotonic() + timeout_sec
         end = re.compile(rf'\n{mark} (\d+)\n'.encode())
         output = b''
-        with selectors.DefaultSelector() as selector:
+        with interruptible(), selectors.DefaultSelector() as selector:
             selector.register(self._process.stdout, selectors.EVENT_READ)
+            self._process.stdin.write(line.encode())
+            self._process.stdin.flush()
             while not (found := end.search(output)):
                 try:
                     ready = selector.select(max(0.0, deadline - time.monotonic()))
@@ -112,32 +114,33 @@ class Shell:
                     continue
                 if not chunk:
                     why = 'ended the shell' if ready else f'was not done within {timeout_sec:g} s'
-                    shown = self._shown(output.decode(errors='replace')) or '(nothing)'
+                    what_came = self._stable(output.decode(errors='replace')) or '(nothing)'
                     self.close()
-                    raise ShellError(f'{commands.strip()!r} {why}; what came:\n{shown}')
+                    raise ShellError(f'{commands.strip()!r} {why}; what came:\n{what_came}')
                 output += chunk
         return output[:found.start()].decode(errors='replace'), int(found[1])
 
-    def _shown(self, output: str) -> str:
+    def _stable(self, output: str) -> str:
+        """Leave out of an output what differs each time."""
         output = output.replace(str(self.home), '~')
         output = re.sub(r'^bash: line \d+: ', 'bash: ', output, flags=re.MULTILINE)
         return _TIME_TAKEN.sub('', output).rstrip('\n')
 
     def environment(self) -> dict[str, str]:
-        """Give the environment that a program gets which is started here now."""
+        """Return the environment of a program that starts here now."""
         entries, _ = self._type('env -0')
         return dict(entry.split('=', 1) for entry in entries.split('\0') if '=' in entry)
 
     def folder(self) -> Path:
-        """Give the current folder."""
+        """Return the current folder."""
         return Path(self._type('printf %s "$PWD"')[0])
 
     def close(self) -> None:
-        """End the shell, and remove its home folder if it is its own; twice is as good as once."""
+        """End the shell, and remove its home folder if it is its own; safe to call more than once."""
         self._close()
 
 
-def _close(process: subprocess.Popen, folder: TemporaryDirectory | None) -> None:
+def _close(process: subprocess.Popen[bytes], folder: TemporaryDirectory[str] | None) -> None:
     process.stdin.close()  # bash ends with its input
     try:
         process.wait(1.0)

@@ -16,6 +16,7 @@ import weakref
 from pathlib import Path
 
 from param_tutorial.errors import WaitTimeoutError
+from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
 from param_tutorial.runtime import domain
@@ -53,10 +54,12 @@ class Terminal:
             arguments[:1] = genuine.words()
             if shell is None and genuine.path() is not None:
                 environment = genuine.environment()
-        self._process = subprocess.Popen(
-            arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            text=True, errors='replace', start_new_session=True, cwd=None if shell is None else shell.folder(),
-            env={**environment, 'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1'})
+        folder = None if shell is None else shell.folder()
+        with interruptible():
+            self._process = subprocess.Popen(
+                arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                text=True, errors='replace', start_new_session=True, cwd=folder,
+                env={**environment, 'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1'})
         self._reader = threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True)
         self._reader.start()
         _open.add(self)
@@ -67,17 +70,17 @@ class Terminal:
 
     @property
     def is_running(self) -> bool:
-        """Has the command not ended yet?"""
+        """True until the command ends."""
         return self._process.poll() is None
 
     @property
     def text(self) -> str:
-        """All that has been printed so far."""
+        """Everything printed so far."""
         with self._changed:
             return self._text
 
     def read(self, until: str, timeout_sec: float = 20.0) -> str:
-        """Give what has been printed since the last read, up to and with the first line that holds a text.
+        """Return what has been printed since the last read, up to and including the first line that contains a text.
 
         :raises WaitTimeoutError: no such line came in time, or the command ended without it.
         """
@@ -126,7 +129,7 @@ class Terminal:
             time.sleep(0.005)
 
     def _states(self) -> set[str]:
-        """Give the states of the main threads in the command's session, one letter each as in proc(5)."""
+        """Return the states of the main threads in the command's session, one letter each as in proc(5)."""
         states = set()
         for stat in Path('/proc').glob('[0-9]*/stat'):
             with contextlib.suppress(OSError):  # it has ended meanwhile

@@ -10,6 +10,7 @@ answers ends with a sentence after some seconds, and "Node not found" is said on
     run      run: the nodes of the course, and the programs of packages that colcon has built
     pkg      pkg create: a new Python package
     launch   launch: what a launch file describes
+    index    where packages are installed
     session  what the verbs share
     genuine  the installed ros2, where there is one
 """

@@ -6,13 +6,11 @@ import pkgutil
 import shlex
 import sys
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import NoReturn
 
 from param_tutorial import nodes
+from param_tutorial.ros2 import index
 from param_tutorial.ros2.session import CommandFailed, Session
-
-PACKAGE = 'param_tutorial'
 
 
 def add_to(commands) -> None:
@@ -26,15 +24,16 @@ def add_to(commands) -> None:
 
 
 def node_programs() -> list[str]:
-    """Give the names of the course's own nodes: one for each file in ``nodes``."""
+    """Return the names of the course's own nodes: one for each file in ``nodes``."""
     return sorted(module.name for module in pkgutil.iter_modules(nodes.__path__))
 
 
 def keeps_busy(words: Sequence[str]) -> str:
     """Say what to do instead of a command that would not let the cell end."""
+    # Not param_tutorial.start(), which would first remove the nodes that are there.
     return (f'This would keep the cell busy until you interrupt it. Run it beside the notebook: '
             f'terminal = param_tutorial.Terminal({shlex.join(["ros2", *words])!r}); or add its node to the executor '
-            f'in the notebook: param_tutorial.start().add(...)')
+            f'in the notebook: ros.add(...)')
 
 
 def run_program(session: Session, args: argparse.Namespace) -> NoReturn:
@@ -58,13 +57,17 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
     :return: The words that start it.
     :raises CommandFailed: there is no such package, or no such program in it.
     """
-    for prefix in filter(None, environment.get('AMENT_PREFIX_PATH', '').split(os.pathsep)):
-        if (Path(prefix) / 'share/ament_index/resource_index/packages' / package).exists():
-            path = Path(prefix) / 'lib' / package / program
-            if path.is_file() and os.access(path, os.X_OK):
-                return [str(path)]
-            raise CommandFailed('No executable found')
-    if package != PACKAGE or environment.get('PARAM_TUTORIAL_OWN_NODES') == '0':
+    try:
+        path = index.prefix_of(package, environment.get('AMENT_PREFIX_PATH', '')) / 'lib' / package / program
+    except index.PackageNotFound:
+        return _own_program(package, program, environment)
+    if path.is_file() and os.access(path, os.X_OK):
+        return [str(path)]
+    raise CommandFailed('No executable found')
+
+
+def _own_program(package: str, program: str, environment: Mapping[str, str]) -> list[str]:
+    if package != index.PACKAGE or environment.get('PARAM_TUTORIAL_OWN_NODES') == '0':
         raise CommandFailed(f"Package '{package}' not found")
     if program not in node_programs():
         raise CommandFailed('No executable found')

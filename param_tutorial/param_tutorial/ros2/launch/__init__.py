@@ -6,6 +6,5 @@ and starts the programs with the same ``--ros-args``; everything else is refused
     verb         the command: which file, with which arguments
     reading      runs a launch file, with stand-ins for the modules that it imports
     description  the classes of launch and launch_ros, and the command lines that they stand for
-    index        where packages have been installed
     processes    the programs while they run: their output, their end, Ctrl+C
 """

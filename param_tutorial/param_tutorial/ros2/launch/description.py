@@ -11,7 +11,7 @@ from typing import Any
 
 import yaml
 
-from param_tutorial.ros2.launch import index
+from param_tutorial.ros2 import index
 from param_tutorial.ros2.session import CommandFailed
 
 FULL_INSTALLATION = 'A full installation knows more: environment/README.md says how to get one'
@@ -96,7 +96,7 @@ class FindPackageShare(Substitution):
         self.package = package
 
     def perform(self, context: Context) -> str:
-        return index.get_package_share_directory(perform(self.package, context))
+        return str(index.share_folder_of(perform(self.package, context)))
 
     def describe(self) -> str:
         return f'FindPackageShare(pkg={describe(self.package)})'

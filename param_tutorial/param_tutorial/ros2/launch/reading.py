@@ -7,7 +7,8 @@ from importlib.abc import MetaPathFinder
 from pathlib import Path
 from types import ModuleType
 
-from param_tutorial.ros2.launch import description, index
+from param_tutorial.ros2.index import own_package_installed
+from param_tutorial.ros2.launch import description
 from param_tutorial.ros2.launch.description import FULL_INSTALLATION, LaunchDescription, LaunchFailed
 
 # Which names each module has here.
@@ -20,10 +21,6 @@ MODULES = {
     'launch_ros.actions': {'Node': description.Node},
     'launch_ros.substitutions': {'FindPackageShare': description.FindPackageShare},
     'launch_ros.parameter_descriptions': {'ParameterValue': description.ParameterValue},
-    'ament_index_python': {name: getattr(index, name) for name in (
-        'get_package_prefix', 'get_package_share_directory', 'PackageNotFoundError')},
-    'ament_index_python.packages': {name: getattr(index, name) for name in (
-        'get_package_prefix', 'get_package_share_directory', 'PackageNotFoundError')},
 }
 _PACKAGES = {name.partition('.')[0] for name in MODULES}
 
@@ -37,7 +34,7 @@ def read(path: Path) -> LaunchDescription:
         raise LaunchFailed(f"{path.name} is no launch file in Python, and the course's own ros2 launch reads no other. "
                            f'{FULL_INSTALLATION}')
     scope = {'__name__': path.stem, '__file__': str(path)}
-    with _stand_ins():
+    with own_package_installed(), _stand_ins():
         try:
             exec(compile(path.read_text(encoding='utf-8'), str(path), 'exec'), scope)
             if 'generate_launch_description' not in scope:

@@ -4,7 +4,7 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from param_tutorial.ros2.launch import index
+from param_tutorial.ros2 import index
 from param_tutorial.ros2.launch.description import (
     Context,
     DeclareLaunchArgument,
@@ -64,7 +64,7 @@ def programs(description: LaunchDescription, context: Context) -> list[Program]:
             program = find_program(perform(entity.package, context), executable)
             programs.append(Program(entity.command(program, context), executable,
                                     perform(entity.output, context) in ('screen', 'both')))
-        except (CommandFailed, index.PackageNotFoundError) as error:
+        except CommandFailed as error:
             raise LaunchFailed(f'[ERROR] [launch]: Caught exception in launch (see debug for traceback): {error}'
                                ) from error
     return programs
@@ -79,8 +79,8 @@ def _path_and_arguments(args: argparse.Namespace) -> tuple[Path, list[str]]:
                             f'a launch file in it')
     name, *given = words
     try:
-        share = Path(index.get_package_share_directory(args.package_name))
-    except index.PackageNotFoundError as error:
+        share = index.share_folder_of(args.package_name)
+    except index.PackageNotFound as error:
         raise CommandFailed(f"Package '{args.package_name}' not found: {error}") from None
     # Links lead out of the share folder in a checkout and with --symlink-install; they are followed.
     found = [path for folder in (share, *sorted(path for path in share.iterdir() if path.is_dir()))
