@@ -118,6 +118,7 @@ def test_the_other_environments_name_the_same_packages():
     wanted = {re.sub(r'[<>=].*', '', each) for each in PROJECT['dependencies']} - {'ros-jazzy-rclpy[fastrtps]'}
     # Distributions of ROS take colcon's parts together.
     wanted = {re.sub(r'^colcon-.*', 'colcon-common-extensions', each) for each in wanted}
+    wanted = {each.replace('ros-ament', 'ros-jazzy-ament') for each in wanted}
     for name in ('environment.yml', 'pixi.toml', 'Dockerfile'):
         text = (ROOT / 'environment' / name).read_text()
         assert [package for package in sorted(wanted) if package not in text] == [], name

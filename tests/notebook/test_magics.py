@@ -2,6 +2,7 @@
 
 import functools
 import os
+import re
 import signal
 import stat
 import subprocess
@@ -233,6 +234,12 @@ def test_the_genuine_command_may_not_block_the_cell_either(cell_with_genuine):
     stdout, stderr, status = cell_with_genuine('%ros2 run demo talker')
     assert (stdout, status) == ('', 1)
     assert 'Terminal' in stderr
+
+
+def test_the_advice_beside_a_refused_run_leaves_the_other_nodes_alone(cell, ros, node):
+    _, advice, _ = cell('%ros2 run param_tutorial cart_node')
+    assert re.search(r'\bros\.add\(', advice)
+    assert 'start()' not in advice
 
 
 @pytest.mark.parametrize('before', [signal.default_int_handler, signal.SIG_IGN], ids=['heeded', 'ignored'])

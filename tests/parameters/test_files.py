@@ -1,6 +1,7 @@
 """Parameter files against the parser of rcl itself: whatever we write or read, it must read the same."""
 
 import os
+import re
 import stat
 import sys
 import tempfile
@@ -8,11 +9,14 @@ from pathlib import Path
 
 import hypothesis.strategies as st
 import pytest
+import rclpy
 import yaml
 from hypothesis import HealthCheck, example, given, settings
 from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.context import Context
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.signals import SignalHandlerOptions
 
 from param_tutorial import ParameterClient
 from param_tutorial.errors import ParameterFileError
@@ -204,6 +208,48 @@ def test_documents_are_read_or_refused_as_rcl_reads_or_refuses_them(ros, text):
         assert expected is None  # rcl makes an untyped parameter of it, which no node can declare
     else:
         assert expected is not None and same(found, expected)
+
+
+@settings(property_test, max_examples=400)
+@given(DOCUMENTS)
+@example('/n:\n  ros__parameters:\n    a: [1, x]\n')
+@example('/n:\n  ros__parameters:\n    a: 1\n    b: *x\n')
+@example('/n:\n  ros__parameters:\n    a:\n    b: 1\n')
+@example('/n:\n  ros__parameters:\n    a: [[1], [2]]\n')
+@example('/n:\n  a: 1\n')
+@example('ros__parameters:\n  a: 1\n')
+def test_a_refusal_names_the_line_that_rcl_names(text):
+    ours, theirs = refusal_of(text), rcl_refusal_of(text)
+    named = re.search(r'line(?:_num)? (\d+)', theirs)
+    # rcl names no line for the name of a node, and often the wrong one for what is not YAML.
+    if named and 'Error parsing a event near line' not in theirs:
+        assert f', line {named[1]}: ' in ours
+
+
+def refusal_of(text):
+    with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
+        file.write(text.encode())
+        file.flush()
+        try:
+            read(file.name, '/lab/reader')
+        except ParameterFileError as error:
+            return str(error)
+    return ''
+
+
+def rcl_refusal_of(text):
+    """Return what rcl's parser says against a file, or nothing."""
+    context = Context()
+    with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
+        file.write(text.encode())
+        file.flush()
+        try:
+            rclpy.init(args=['--ros-args', '--params-file', file.name], context=context,
+                       signal_handler_options=SignalHandlerOptions.NO)
+        except RuntimeError as error:
+            return str(error)
+    context.try_shutdown()
+    return ''
 
 
 @pytest.mark.parametrize('block', ['/reader', 'reader', '/lab/reader', '/**', '/*', '/*/reader', '/**/reader', '/lab/*',

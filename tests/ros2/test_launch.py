@@ -15,7 +15,7 @@ import yaml
 from param_tutorial import ParameterClient, Terminal, wait_until
 from param_tutorial.ros2 import command
 from param_tutorial.ros2.launch.description import Context, LaunchFailed, Node
-from param_tutorial.ros2.launch.reading import MODULES, read
+from param_tutorial.ros2.launch.reading import MODULES, load_description
 from tests.support.paths import ROOT
 
 FILES = sorted((ROOT / 'param_tutorial' / 'launch').glob('*.py'))
@@ -74,23 +74,56 @@ def arguments(node, context):
 
 @pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
 def test_the_courses_launch_files_import_only_what_the_genuine_launch_has(path):
-    found = read(path)
+    found = load_description(path)
     assert any(isinstance(entity, Node) for entity in found.entities)
 
 
 def test_the_stand_ins_are_gone_after_reading(launch_file):
-    # rclpy brings ament_index_python along, which may have been imported.
     before = {name: sys.modules.get(name) for name in MODULES}
-    read(launch_file("        Node(package='p', executable='e')"))
+    load_description(launch_file("        Node(package='p', executable='e')"))
     assert {name: sys.modules.get(name) for name in MODULES} == before
     with pytest.raises(ModuleNotFoundError):
         import launch_ros  # noqa: F401
 
 
+def test_a_launch_file_has_the_real_ament_index_and_finds_the_course_in_it(tmp_path, monkeypatch):
+    path = tmp_path / 'index_launch.py'
+    path.write_text("""
+import ament_index_python
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    prefix = ament_index_python.get_packages_with_prefixes()['param_tutorial']
+    return LaunchDescription([Node(package=prefix, executable='x')])
+""")
+    monkeypatch.setenv('AMENT_PREFIX_PATH', '/nowhere')
+    node, = load_description(path).entities
+    assert Path(node.package, 'share/param_tutorial/config/clawbot_config.yaml').is_file()
+    assert os.environ['AMENT_PREFIX_PATH'] == '/nowhere'
+    # One that has been built and sourced comes first.
+    marker = tmp_path / 'share/ament_index/resource_index/packages/param_tutorial'
+    marker.parent.mkdir(parents=True)
+    marker.touch()
+    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+    node, = load_description(path).entities
+    assert node.package == str(tmp_path)
+
+
+def test_where_nothing_is_sourced_and_the_course_must_not_be_found_a_sentence_says_so(monkeypatch):
+    monkeypatch.delenv('AMENT_PREFIX_PATH', raising=False)
+    monkeypatch.setenv('PARAM_TUTORIAL_OWN_NODES', '0')
+    _, err, status = launch('param_tutorial', 'simple_param_launch.py')
+    assert status == 1
+    assert err.startswith("Package 'param_tutorial' not found: ")
+    assert 'AMENT_PREFIX_PATH' not in os.environ
+
+
 def test_modules_that_were_there_before_are_there_again(launch_file, monkeypatch):
     mine = type(sys)('launch')
     monkeypatch.setitem(sys.modules, 'launch', mine)
-    read(launch_file("        Node(package='p', executable='e')"))
+    load_description(launch_file("        Node(package='p', executable='e')"))
     assert sys.modules['launch'] is mine
 
 
@@ -105,13 +138,13 @@ def test_modules_that_were_there_before_are_there_again(launch_file, monkeypatch
 def test_what_only_a_full_installation_has_is_refused_by_name(launch_file, text, why):
     path = launch_file('', head=f'{text}\ndef generate_launch_description():\n    return ([')
     with pytest.raises(LaunchFailed, match=f'(?s){why}.*environment/README.md'):
-        read(path)
+        load_description(path)
 
 
 @pytest.mark.parametrize('name', ['some_launch.xml', 'some_launch.yaml'])
 def test_other_formats_are_refused(launch_file, name):
     with pytest.raises(LaunchFailed, match=rf'{name} is no launch file in Python.*environment/README.md'):
-        read(launch_file('', name=name))
+        load_description(launch_file('', name=name))
 
 
 @pytest.mark.parametrize(('text', 'why'), [
@@ -125,7 +158,7 @@ def test_a_file_that_is_none(tmp_path, text, why):
     path.write_text(text)
     assert not launch(path, in_notebook=False)[0]
     with pytest.raises(LaunchFailed, match=why):
-        read(path)
+        load_description(path)
 
 
 # -- command lines --------------------------------------------------------------------------------------------------
@@ -166,7 +199,7 @@ def test_values_are_what_launch_ros_makes_of_them(context, tmp_path):
             'wide': ParameterValue(LaunchConfiguration('speed'), value_type=float),
             'missing': LaunchConfiguration('missing', default='off')}])])
 """)
-    (node,) = read(path).entities
+    (node,) = load_description(path).entities
     _, files = arguments(node, context)
     assert files[0]['/**']['ros__parameters'] == {
         'text': '42', 'flag': True, 'mixed': [1.0, 2.5], 'inner.kp': 1.5, 'speed': 60, 'gains': [1.0, 2.0],

@@ -125,13 +125,14 @@ def _parse(line: str) -> _Command:
         raise _NotUnderstood(f'{line!r} cannot be taken apart into words: {error}') from None
     # An empty word is one in quotes.
     operators = [word for word in words if word and not word.strip(_OPERATORS)]
-    for char in ''.join(operators).replace('>', ''):
-        raise _NotUnderstood(f'{char!r} needs a shell, which %ros2 is not: one command, and > for a file, is '
-                             f"all. Put it in quotes if it is part of a value, or use IPython's !command")
+    if others := ''.join(operators).replace('>', ''):
+        raise _NotUnderstood(f'{others[0]!r} needs a shell, which %ros2 is not: one command, and > for a file, is '
+                             'all. Put it in quotes if it is part of a value, or type the line into a '
+                             'param_tutorial.Shell()')
     if operators[1:] or not {'>', '>>'}.issuperset(operators) or _OTHER_STREAM.search(disguised):
         raise _NotUnderstood('only one > or >> is understood, and it takes what goes to standard output')
     at = words.index(operators[0]) if operators else len(words)
-    if operators and words[at + 1:] == []:
+    if operators and not words[at + 1:]:
         raise _NotUnderstood('there is no name of a file after >')
     words = [word.translate(_NO_DISGUISE) for word in words]
     target, rest = words[at + 1:at + 2], words[:at] + words[at + 2:]

@@ -44,8 +44,8 @@ _REAL = re.compile(_BLANK + r'([+-]?)(?:(inf(?:inity)?)|(nan(?:\([0-9a-z_]*\))?)
                    r'((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?))', re.IGNORECASE)
 
 
-def _scalar(text: str, quoted: bool) -> bool | int | float | str:
-    """Give the value that rcl makes of a scalar."""
+def _typed(text: str, quoted: bool) -> bool | int | float | str:
+    """Return the value that rcl makes of a scalar."""
     if not quoted:
         if text in _TRUE:
             return True
@@ -93,7 +93,7 @@ def _strtod(text: str) -> float | None:
 
 
 def _is_inexact(number: float, hexadecimal: str | None, decimal: str | None) -> bool:
-    """Does a number below the smallest normal double differ from its text? C calls that an underflow."""
+    """True if a number below the smallest normal double differs from its text: C calls that an underflow."""
     mantissa, _, exponent = (hexadecimal[2:].lower().partition('p') if hexadecimal
                              else decimal.lower().partition('e'))
     if number == 0.0:  # decided without arithmetic: the exponent may have a million digits
@@ -109,7 +109,7 @@ def _is_inexact(number: float, hexadecimal: str | None, decimal: str | None) -> 
 
 
 def read(path: str | Path, node: str) -> dict[str, Any]:
-    """Give the parameters that a file holds for a node, with the types that rcl would give them.
+    """Return the parameters that a file holds for a node, with the types that rcl would give them.
 
     :param path: The YAML file.
     :param node: Fully qualified name of the node.
@@ -138,7 +138,7 @@ def read(path: str | Path, node: str) -> dict[str, Any]:
 
 
 def _matches(block: str, node: str) -> bool:
-    """Is a block of this name for the node? ``*`` is one name, ``**`` any number of them, also none."""
+    """True if a block of this name is for the node: ``*`` is one name, ``**`` any number of them, also none."""
     pattern = re.sub(r'/\*\*|\*', lambda match: r'(/\w+)*' if len(match[0]) > 1 else r'\w+',
                      block if block.startswith('/') else '/' + block)
     return re.fullmatch(pattern, node, re.ASCII) is not None
@@ -159,7 +159,7 @@ class _Entry:
         self.name = name
         self.line = line
         self.scalars: dict[type, Any] = {}
-        self.arrays: dict[type, list] = {}
+        self.arrays: dict[type, list[Any]] = {}
         self.is_empty_array = False
 
     def value(self) -> Any:
@@ -177,7 +177,7 @@ class _Parser:
     parameter in two strings, and what it accepts beyond the obvious follows from that.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.blocks: dict[str, list[_Entry]] = {}
         self.block: list[_Entry] | None = None
         self.entry = -1
@@ -191,7 +191,7 @@ class _Parser:
         self.item_type: type | None = None
 
     def parse(self, content: bytes) -> dict[str, list[_Entry]]:
-        """Give the blocks of a file by name, in the order in which the names first appear."""
+        """Return the blocks of a file by name, in the order in which the names first appear."""
         # libyaml is what rcl uses; PyYAML's own parser differs from it in corners, but is always there.
         loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
         try:
@@ -294,7 +294,7 @@ class _Parser:
         quoted = event.style in ("'", '"')
         if not event.value and not quoted:
             raise _Refused(line, f"{self.block[self.entry].name} has no value; for an empty text write ''")
-        value = _scalar(_c_string(event.value), quoted or event.tag == 'tag:yaml.org,2002:str')
+        value = _typed(_c_string(event.value), quoted or event.tag == 'tag:yaml.org,2002:str')
         entry, kind = self.block[self.entry], type(value)
         if not self.in_sequence:
             entry.scalars[kind] = value
@@ -309,12 +309,12 @@ class _Parser:
 
 
 def _c_string(text: str) -> str:
-    """Cut a text where C would: at the first NUL."""
+    """Return a text cut where C would cut it: at the first NUL."""
     return text.partition('\0')[0]
 
 
 def _shortened(path: str, parts: int, separator: str) -> tuple[str, int]:
-    """Take the last part off."""
+    """Return a path without its last part, and how many parts remain."""
     if parts <= 1:
         return '', 0
     return path.rpartition(separator)[0] if separator in path else path, parts - 1
@@ -391,15 +391,15 @@ def render(node: str, parameters: Mapping[str, Any]) -> Dump:
         if reason:
             left_out[name] = reason
         else:
-            written[name] = _items(value) if isinstance(value, list) else (_written(value), [])
-    lines = [f'{_written(node)}:', f'  {_KEY}:' + ('' if written else ' {}')]
-    _write(lines, written, '    ')
+            written[name] = _format_list(value) if isinstance(value, list) else (_format_scalar(value), [])
+    lines = [f'{_format_scalar(node)}:', f'  {_KEY}:' + ('' if written else ' {}')]
+    _add_parameters(lines, written, '    ')
     lines += [f'    # left out: {json.dumps(name)}: {reason}' for name, reason in left_out.items()]
     return Dump('\n'.join(lines) + '\n', left_out)
 
 
 def _not_expressible(name: str, value: Any) -> str | None:
-    """Say why rcl could not read this back; None if it could."""
+    """Return why rcl could not read this back, or None if it could."""
     if not name:
         return 'a parameter file has no place for an empty name'
     if '\0' in name:
@@ -421,14 +421,14 @@ def _not_expressible(name: str, value: Any) -> str | None:
     return None
 
 
-def _items(value: list) -> tuple[str, list[str]]:
-    """Write a list: in one line if that is short, else the items, one to a line."""
-    items = [_written(item) for item in value]
+def _format_list(value: list[Any]) -> tuple[str, list[str]]:
+    """Return a list in one line if that is short, else its items, one for each line."""
+    items = [_format_scalar(item) for item in value]
     inline = f'[{", ".join(items)}]'
     return (inline, []) if len(inline) <= _LINE_LENGTH else ('', items)
 
 
-def _write(lines: list[str], parameters: dict[str, tuple[str, list[str]]], indent: str) -> None:
+def _add_parameters(lines: list[str], parameters: dict[str, tuple[str, list[str]]], indent: str) -> None:
     """Add parameters, nesting ``a.b`` below ``a``.
 
     rcl loses a parameter ``a`` that has a map of the same name after it, and takes a map key with an empty part
@@ -441,17 +441,17 @@ def _write(lines: list[str], parameters: dict[str, tuple[str, list[str]]], inden
     for name, (inline, items) in parameters.items():
         head = heads[name]
         if name in flat:
-            _write_key(lines, name, indent, inline)
+            _add_key(lines, name, indent, inline)
             lines += [f'{indent}- {item}' for item in items]
         elif head not in done:
             done.add(head)
-            _write_key(lines, head, indent, '')
-            _write(lines, {other[len(head) + 1:]: parameters[other] for other in parameters
+            _add_key(lines, head, indent, '')
+            _add_parameters(lines, {other[len(head) + 1:]: parameters[other] for other in parameters
                            if heads[other] == head and other not in flat}, indent + '  ')
 
 
-def _write_key(lines: list[str], name: str, indent: str, inline: str) -> None:
-    key = _written(name)
+def _add_key(lines: list[str], name: str, indent: str, inline: str) -> None:
+    key = _format_scalar(name)
     if len(key.encode()) > _LONG_KEY:
         lines.append(f'{indent}? {key}')
         key = ''
@@ -463,8 +463,8 @@ _PLAIN = re.compile(r'[A-Za-z_/][A-Za-z0-9_./+-]*(?: [A-Za-z0-9_./+()-]+)*')
 _YAML_TYPES = yaml.SafeLoader.yaml_implicit_resolvers
 
 
-def _written(value: bool | int | float | str) -> str:
-    """Write a scalar so that rcl, YAML 1.1 and YAML 1.2 all read the same type and value."""
+def _format_scalar(value: bool | int | float | str) -> str:
+    """Return a scalar as rcl, YAML 1.1 and YAML 1.2 all read it: with the same type and value."""
     if isinstance(value, bool):
         return 'true' if value else 'false'
     if isinstance(value, int):
@@ -476,15 +476,15 @@ def _written(value: bool | int | float | str) -> str:
             return '.inf' if value > 0 else '-.inf'
         mantissa, e, exponent = repr(value).partition('e')
         return (mantissa if '.' in mantissa else f'{mantissa}.0') + e + exponent
-    if _PLAIN.fullmatch(value) and _scalar(value, False) == value and not any(
+    if _PLAIN.fullmatch(value) and _typed(value, False) == value and not any(
             pattern.match(value) for _, pattern in _YAML_TYPES.get(value[0], ())):
         return value
     if value.isprintable():
         return "'" + value.replace("'", "''") + "'"
-    return '"' + ''.join(map(_escaped, value)) + '"'
+    return '"' + ''.join(map(_escape, value)) + '"'
 
 
-def _escaped(char: str) -> str:
+def _escape(char: str) -> str:
     short = {'\\': r'\\', '"': r'\"', '\n': r'\n', '\t': r'\t', '\r': r'\r'}.get(char)
     if short or char.isprintable():
         return short or char

@@ -16,12 +16,12 @@ _EMBEDDED = ('import sys; sys.path.insert(0, sys.argv.pop(1)); '
 
 
 def path() -> str | None:
-    """Give the path of the genuine command; None if there is none, or the environment forbids it."""
+    """Return the path of the genuine command; None if there is none, or the environment forbids it."""
     return None if os.environ.get('PARAM_TUTORIAL_ROS2') == 'embedded' else shutil.which('ros2')
 
 
 def words() -> list[str]:
-    """Give what stands for ``ros2`` on a command line: the genuine one, or else the embedded one."""
+    """Return what stands for ``ros2`` on a command line: the genuine one, or else the embedded one."""
     genuine = path()
     if genuine is not None:
         return [genuine]
@@ -29,7 +29,7 @@ def words() -> list[str]:
 
 
 def environment() -> dict[str, str]:
-    """Give the environment in which it works: this one's, with its own Python packages and libraries."""
+    """Return the environment in which it works: this one's, with its own Python packages and libraries."""
     result = {name: value for name, value in os.environ.items() if name not in _OURS}
     sourced = [Path(each) for each in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if each]
     packages = [each for prefix in sourced for pattern in (

@@ -2,10 +2,10 @@
 
 import argparse
 
-from param_tutorial.ros2.session import Session, add_discovery_options
+from param_tutorial.ros2.session import Commands, Session, add_discovery_options
 
 
-def add_to(commands) -> None:
+def add_to(commands: Commands) -> None:
     """Add the command ``node`` and its verb."""
     node = commands.add_parser('node', help='nodes in the graph')
     node.set_defaults(help_of=node)

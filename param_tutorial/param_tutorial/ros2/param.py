@@ -6,6 +6,7 @@ is 0. That is so in the genuine command, and scripts rely on it.
 
 import argparse
 import re
+from collections.abc import Callable
 from typing import Any
 
 import yaml
@@ -16,12 +17,20 @@ from rclpy.parameter import parameter_dict_from_yaml_file
 
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import to_message
-from param_tutorial.ros2.session import CommandFailed, Session, add_discovery_options, add_node_options
+from param_tutorial.ros2.session import (
+    CommandFailed,
+    Commands,
+    NodeName,
+    Parser,
+    Session,
+    add_discovery_options,
+    add_node_options,
+)
 from param_tutorial.runtime import graph
 from param_tutorial.runtime.executor import TOOL_NODE_NAME
 
 
-def add_to(commands) -> None:
+def add_to(commands: Commands) -> None:
     """Add the command ``param`` and its verbs."""
     param = commands.add_parser('param', help='parameters of nodes')
     param.set_defaults(help_of=param)
@@ -37,7 +46,7 @@ def add_to(commands) -> None:
     listing.add_argument('node_name', nargs='?', help='name of the node')
     listing.set_defaults(verb=list_parameters)
 
-    def add_verb(name, function, explanation):
+    def add_verb(name: str, function: Callable[[Session, argparse.Namespace], None], explanation: str) -> Parser:
         verb = verbs.add_parser(name, help=explanation)
         add_node_options(verb)
         verb.set_defaults(verb=function)
@@ -94,12 +103,12 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
 
 
 def _with_parameters(session: Session, args: argparse.Namespace) -> list[str]:
-    """Give the nodes that have parameter services, each name once, in the order of the genuine command."""
+    """Return the nodes that have parameter services, each name once, in the order of the genuine command."""
     nodes = {each for each in session.node_names(hidden=args.include_hidden_nodes)
              if each.name != TOOL_NODE_NAME
              and (args.include_hidden_nodes or f'/{HIDDEN_NODE_PREFIX}' not in each.full_name)}
 
-    def ready():
+    def ready() -> set[NodeName]:
         return {each for each in nodes if session.executor.services.is_ready(each.full_name, 'list_parameters')}
 
     # Names and services of a node are announced apart. A few nodes have no services, so the wait has an end.

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
 
-from param_tutorial.ros2.session import CommandFailed, Session
+from param_tutorial.ros2.session import CommandFailed, Commands, Session
 
 BUILD_TYPE = 'ament_python'
 # The names for which the genuine command writes a LICENSE file.
@@ -28,14 +28,14 @@ _LINTERS = ('copyright', 'flake8', 'pep257')
 class _Package:
     name: str
     description: str
-    licence: str
+    license: str
     maintainer: str
     email: str
     dependencies: tuple[str, ...]
     node: str | None
 
 
-def add_to(commands) -> None:
+def add_to(commands: Commands) -> None:
     """Add the command ``pkg`` and its verb."""
     pkg = commands.add_parser('pkg', help='packages')
     pkg.set_defaults(help_of=pkg)
@@ -56,7 +56,7 @@ def add_to(commands) -> None:
 
 
 def create_package(session: Session, args: argparse.Namespace) -> None:
-    """Write the package, and tell each file."""
+    """Write the package, and print each file."""
     _check(args)
     maintainer = args.maintainer_name or getpass.getuser()
     package = _Package(
@@ -65,21 +65,21 @@ def create_package(session: Session, args: argparse.Namespace) -> None:
     folder = Path(args.destination_directory) / package.name
     if folder.exists():
         raise CommandFailed(
-            f'\nAborted!\nThe directory already exists: {_shown(args, package.name)}\nEither remove the directory or '
+            f'\nAborted!\nThe directory already exists: {_path(args, package.name)}\nEither remove the directory or '
             f'choose a different destination directory or package name')
-    _tell(session, args, package)
-    session.print('creating folder', _shown(args, package.name))
+    _print_properties(session, args, package)
+    session.print('creating folder', _path(args, package.name))
     folder.mkdir(parents=True)
     for name, text in _files(package).items():
         if text is None:
             if name == package.name:
                 session.print('creating source folder')
-            session.print('creating folder', _shown(args, package.name, name))
+            session.print('creating folder', _path(args, package.name, name))
             (folder / name).mkdir()
         else:
-            session.print('creating', _shown(args, package.name, name))
+            session.print('creating', _path(args, package.name, name))
             (folder / name).write_text(text, encoding='utf-8')
-    _tell_of_licence(session, package)
+    _print_note_on_license(session, package)
 
 
 def _check(args: argparse.Namespace) -> None:
@@ -103,11 +103,11 @@ def _email_of_git() -> str:
     return subprocess.run(['git', 'config', 'user.email'], stdout=subprocess.PIPE, text=True).stdout.strip()
 
 
-def _shown(args: argparse.Namespace, *parts: str) -> str:
+def _path(args: argparse.Namespace, *parts: str) -> str:
     return os.path.join(args.destination_directory, *parts)
 
 
-def _tell(session: Session, args: argparse.Namespace, package: _Package) -> None:
+def _print_properties(session: Session, args: argparse.Namespace, package: _Package) -> None:
     session.print('going to create a new package')
     session.print('package name:', package.name)
     session.print('destination directory:', os.path.abspath(args.destination_directory))
@@ -115,25 +115,25 @@ def _tell(session: Session, args: argparse.Namespace, package: _Package) -> None
     session.print('version:', '0.0.0')
     session.print('description:', package.description)
     session.print('maintainer:', [f'{package.maintainer} <{package.email}>'])
-    session.print('licenses:', [package.licence])
+    session.print('licenses:', [package.license])
     session.print('build type:', BUILD_TYPE)
     session.print('dependencies:', list(package.dependencies))
     if package.node:
         session.print('node_name:', package.node)
 
 
-def _tell_of_licence(session: Session, package: _Package) -> None:
-    if package.licence in LICENSES:
-        session.print(f'\n[WARNING]: No LICENSE file has been created: the text of {package.licence} is not at hand '
+def _print_note_on_license(session: Session, package: _Package) -> None:
+    if package.license in LICENSES:
+        session.print(f'\n[WARNING]: No LICENSE file has been created: the text of {package.license} is not at hand '
                       f'here. The genuine command writes it.')
         return
-    session.print(f"\n[WARNING]: Unknown license '{package.licence}'.  This has been set in the package.xml, but no "
+    session.print(f"\n[WARNING]: Unknown license '{package.license}'.  This has been set in the package.xml, but no "
                   f'LICENSE file has been created.\nIt is recommended to use one of the ament license identifiers:')
     session.print(*LICENSES, sep='\n')
 
 
 def _files(package: _Package) -> dict[str, str | None]:
-    """Give the text of each file, and None for a folder, by path and in the order in which they are made."""
+    """Return the text of each file, and None for a folder, by path and in the order in which they are made."""
     files = {
         'package.xml': _package_xml(package),
         package.name: None,
@@ -162,7 +162,7 @@ def _package_xml(package: _Package) -> str:
   <version>0.0.0</version>
   <description>{escape(package.description)}</description>
   <maintainer email={quoteattr(package.email)}>{escape(package.maintainer)}</maintainer>
-  <license>{escape(package.licence)}</license>
+  <license>{escape(package.license)}</license>
 
 {depends}{chr(10) if depends else ''}{tests}
   <export>
@@ -191,7 +191,7 @@ setup(
     maintainer={package.maintainer!r},
     maintainer_email={package.email!r},
     description={package.description!r},
-    license={package.licence!r},
+    license={package.license!r},
     extras_require={{'test': ['pytest']}},
     entry_points={{
         'console_scripts': [

@@ -10,10 +10,10 @@ from typing import NoReturn
 
 from param_tutorial import nodes
 from param_tutorial.ros2 import index
-from param_tutorial.ros2.session import CommandFailed, Session
+from param_tutorial.ros2.session import CommandFailed, Commands, Session
 
 
-def add_to(commands) -> None:
+def add_to(commands: Commands) -> None:
     """Add the command ``run``."""
     run = commands.add_parser('run', help='run a program of a package')
     run.add_argument('--prefix', help="what goes before the program, e.g. --prefix 'gdb -ex run --args'")
@@ -29,7 +29,7 @@ def node_programs() -> list[str]:
 
 
 def keeps_busy(words: Sequence[str]) -> str:
-    """Say what to do instead of a command that would not let the cell end."""
+    """Return a sentence on what to do instead of a command that would not let the cell end."""
     # Not param_tutorial.start(), which would first remove the nodes that are there.
     return (f'This would keep the cell busy until you interrupt it. Run it beside the notebook: '
             f'terminal = param_tutorial.Terminal({shlex.join(["ros2", *words])!r}); or add its node to the executor '

@@ -5,7 +5,7 @@ import functools
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple, NoReturn, TextIO
+from typing import Any, NamedTuple, NoReturn, TextIO, TypeAlias
 
 from rclpy.node import HIDDEN_NODE_PREFIX
 
@@ -15,6 +15,8 @@ from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import nodes_in_graph
 
 SERVICE_TIMEOUT_SEC = 5.0
+# What add_subparsers() returns; argparse has no public name for it.
+Commands: TypeAlias = 'argparse._SubParsersAction[Parser]'
 
 
 class NodeName(NamedTuple):
@@ -37,7 +39,7 @@ class Session:
     stderr: TextIO
     get_executor: Callable[[], BackgroundExecutor]
     in_notebook: bool
-    """Is the executor a standing one, and must the command not block for ever?"""
+    """True if the executor stays, and the command must not block forever."""
 
     @functools.cached_property
     def executor(self) -> BackgroundExecutor:
@@ -52,7 +54,7 @@ class Session:
         print(*words, file=self.stderr)
 
     def node_names(self, *, hidden: bool) -> list[NodeName]:
-        """Give the nodes in the graph as far as it is known; a name twice if two nodes have it."""
+        """Return the nodes in the graph as far as it is known; a name twice if two nodes have it."""
         tool = self.executor.tool_node
         # Ghosts gather in a process that lives long. One that has just joined has none, and hears of a node's name
         # before it hears of what shows that it is no ghost.
@@ -65,7 +67,7 @@ class Session:
         graph.wait_for(lambda: False, self.executor.tool_node, self._patience(args))
 
     def find(self, args: argparse.Namespace) -> str:
-        """Give the fully qualified name of the node that was named, once it is there.
+        """Return the fully qualified name of the node that was named, once it is there.
 
         :raises CommandFailed: there is no such node.
         """
@@ -73,7 +75,7 @@ class Session:
         # A hidden node is not looked at without the option; nothing can be waited for then.
         hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
 
-        def is_there():
+        def is_there() -> bool:
             # A node's services may be known before its name.
             try:
                 return self.executor.services.is_ready(node) or node in {
@@ -133,7 +135,7 @@ class Printed(Exception):
 
 
 class Parser(argparse.ArgumentParser):
-    """Says what it has to say by an exception: the streams of a command are not always those of the process."""
+    """Raise what argparse would print: the streams of a command are not always those of the process."""
 
     def error(self, message: str) -> NoReturn:
         raise Printed(f'{self.format_usage()}{self.prog}: error: {message}\n', 2)

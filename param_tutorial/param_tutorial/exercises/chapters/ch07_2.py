@@ -13,7 +13,7 @@ from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.notebook.terminal import Terminal
 from param_tutorial.ros2.launch.description import Context
-from param_tutorial.ros2.launch.reading import read
+from param_tutorial.ros2.launch.reading import load_description
 from param_tutorial.ros2.launch.verb import programs
 
 CHAPTER = '07_2_launch_files'
@@ -38,7 +38,7 @@ def launched(trial: Trial, text: str, **arguments: str) -> Node:
         path.write_text(text, encoding='utf-8')
         try:
             found = trial.call('the launch file', lambda: programs(
-                read(path), Context(dict(arguments), Path(folder), warn=lambda _: None)))
+                load_description(path), Context(dict(arguments), Path(folder), warn=lambda _: None)))
         except NotYet as error:
             raise NoUse(error.expected, error.happened.replace(f'{folder}/', '')) from None
         expect(len(found) == 1, 'one node is started', f'there are {len(found)}')

@@ -4,7 +4,7 @@ They hold what they were given, and turn it into text and command lines; nothing
 """
 
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -29,19 +29,19 @@ class Context:
     """The launch configurations: what was given, and the defaults of what was not."""
     folder: Path
     """Where parameter files may be written."""
-    warn: Any
-    """Tells the learner something."""
+    warn: Callable[[str], object]
+    """Warns the learner."""
 
 
 class Substitution:
     """A text that is known only when the launch file is carried out."""
 
     def perform(self, context: Context) -> str:
-        """Give the text."""
+        """Return the text."""
         raise NotImplementedError
 
     def describe(self) -> str:
-        """Give it as ``--show-args`` shows it."""
+        """Return it as ``--show-args`` shows it."""
         raise NotImplementedError
 
 
@@ -103,7 +103,7 @@ class FindPackageShare(Substitution):
 
 
 def perform(value: Any, context: Context) -> str:
-    """Give the text that something stands for: a text, a substitution, or several of them in a row."""
+    """Return the text that something stands for: a text, a substitution, or several of them in a row."""
     if isinstance(value, (str, Path)):
         return str(value)
     if isinstance(value, Substitution):
@@ -114,7 +114,7 @@ def perform(value: Any, context: Context) -> str:
 
 
 def describe(value: Any) -> str:
-    """Give something that ``perform`` takes as ``--show-args`` shows it."""
+    """Return something that ``perform`` takes as ``--show-args`` shows it."""
     if isinstance(value, (str, Path)):
         return repr(str(value))
     return value.describe() if isinstance(value, Substitution) else ' + '.join(map(describe, value))
@@ -143,7 +143,7 @@ class ParameterValue:
 
 
 def parameter_value(value: Any, context: Context) -> Any:
-    """Give the value of a parameter as launch_ros understands it: a substitution's text is read as YAML."""
+    """Return the value of a parameter as launch_ros understands it: a substitution's text is read as YAML."""
     if isinstance(value, ParameterValue):
         return value.evaluate(context)
     if isinstance(value, (bool, int, float, str)):
@@ -162,9 +162,9 @@ def parameter_value(value: Any, context: Context) -> Any:
                        f'or str, a list of one of these that is not empty, or a substitution')
 
 
-def flat(parameters: Mapping, context: Context, prefix: str = '') -> dict[str, Any]:
-    """Give names and values of a dictionary of parameters, inner dictionaries with dots in their names."""
-    result = {}
+def flat(parameters: Mapping[Any, Any], context: Context, prefix: str = '') -> dict[str, Any]:
+    """Return names and values of a dictionary of parameters, inner dictionaries with dots in their names."""
+    result: dict[str, Any] = {}
     for key, value in parameters.items():
         name = prefix + perform(key, context)
         if isinstance(value, Mapping):
@@ -214,7 +214,7 @@ class Node:
     emulate_tty: bool = False
 
     def command(self, program: list[str], context: Context) -> list[str]:
-        """Give the command line, as launch_ros makes it.
+        """Return the command line, as launch_ros makes it.
 
         :param program: The words that start the executable.
         """
@@ -257,7 +257,7 @@ class LaunchDescription:
 
     entities: Sequence[Any] = field(default_factory=list)
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         self.entities = list(self.entities or ())
         for entity in self.entities:
             self._check(entity)

@@ -32,7 +32,7 @@ class Launcher:
         self._stdout = stdout
         self._lock = threading.Lock()
         self._numbers = itertools.count(1)
-        self._running: dict[str, subprocess.Popen] = {}
+        self._running: dict[str, subprocess.Popen[str]] = {}
         # The names of programs that have ended, and the numbers of signals that have come.
         self._events: queue.SimpleQueue[str | int] = queue.SimpleQueue()
 
@@ -83,7 +83,7 @@ class Launcher:
         self.log('INFO', name, 'process started')
         threading.Thread(target=self._watch, args=(name, process, program.show_stdout), daemon=True).start()
 
-    def _watch(self, name: str, process: subprocess.Popen, show_stdout: bool) -> None:
+    def _watch(self, name: str, process: subprocess.Popen[str], show_stdout: bool) -> None:
         readers = [threading.Thread(target=self._copy, args=(name, process.stdout, show_stdout), daemon=True),
                    threading.Thread(target=self._copy, args=(name, process.stderr, True), daemon=True)]
         for reader in readers:

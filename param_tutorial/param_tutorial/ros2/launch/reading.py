@@ -2,17 +2,18 @@
 
 import contextlib
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from importlib.abc import MetaPathFinder
 from pathlib import Path
 from types import ModuleType
+from typing import Any, NoReturn
 
 from param_tutorial.ros2.index import own_package_installed
 from param_tutorial.ros2.launch import description
 from param_tutorial.ros2.launch.description import FULL_INSTALLATION, LaunchDescription, LaunchFailed
 
 # Which names each module has here.
-MODULES = {
+MODULES: dict[str, dict[str, Any]] = {
     'launch': {'LaunchDescription': description.LaunchDescription},
     'launch.actions': {'DeclareLaunchArgument': description.DeclareLaunchArgument},
     'launch.substitutions': {name: getattr(description, name) for name in (
@@ -25,8 +26,8 @@ MODULES = {
 _PACKAGES = {name.partition('.')[0] for name in MODULES}
 
 
-def read(path: Path) -> LaunchDescription:
-    """Run a launch file, and give what it describes.
+def load_description(path: Path) -> LaunchDescription:
+    """Run a launch file and return what it describes.
 
     :raises LaunchFailed: it is no launch file in Python, or needs what only a full installation has.
     """
@@ -55,13 +56,12 @@ def read(path: Path) -> LaunchDescription:
 
 
 class _Refuse(MetaPathFinder):
-    """Says of a module that is not there why it is not."""
+    """Raise a sentence for a module that is missing here."""
 
-    def find_spec(self, name, path=None, target=None):
+    def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> None:
         if name.partition('.')[0] in _PACKAGES:
             raise LaunchFailed(f"the course's own ros2 launch has no module {name}; it has {', '.join(MODULES)}. "
                                f'{FULL_INSTALLATION}')
-        return None
 
 
 @contextlib.contextmanager
@@ -90,7 +90,7 @@ def _module(name: str) -> ModuleType:
     module.__path__ = []
     module.__dict__.update(MODULES[name])
 
-    def refuse(wanted: str):
+    def refuse(wanted: str) -> NoReturn:
         # The import system asks for these of any module.
         if wanted.startswith('__'):
             raise AttributeError(wanted)

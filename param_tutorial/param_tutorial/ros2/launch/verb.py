@@ -14,12 +14,12 @@ from param_tutorial.ros2.launch.description import (
     perform,
 )
 from param_tutorial.ros2.launch.processes import Launcher, Program
-from param_tutorial.ros2.launch.reading import read
+from param_tutorial.ros2.launch.reading import load_description
 from param_tutorial.ros2.run import find_program, keeps_busy
-from param_tutorial.ros2.session import CommandFailed, Session
+from param_tutorial.ros2.session import CommandFailed, Commands, Session
 
 
-def add_to(commands) -> None:
+def add_to(commands: Commands) -> None:
     """Add the command ``launch``."""
     launch = commands.add_parser('launch', help='start what a launch file describes')
     launch.add_argument('-s', '--show-args', '--show-arguments', action='store_true',
@@ -34,7 +34,7 @@ def launch_file(session: Session, args: argparse.Namespace) -> None:
     """Start what a launch file describes, and stay until all of it has ended."""
     path, given = _path_and_arguments(args)
     arguments = dict(_argument(word) for word in given)
-    description = read(path)
+    description = load_description(path)
     if args.show_args:
         _show_arguments(session, description)
         return
@@ -50,7 +50,7 @@ def launch_file(session: Session, args: argparse.Namespace) -> None:
 
 
 def programs(description: LaunchDescription, context: Context) -> list[Program]:
-    """Give what is to be started.
+    """Return what is to be started.
 
     All is worked out before the first is started, so that a mistake leaves nothing running.
     """
