@@ -17,7 +17,10 @@ import pytest
 from nbclient import NotebookClient
 from playwright.sync_api import expect, sync_playwright
 
-from param_tutorial.lessons import build, run, single
+from param_tutorial.lessons import archive, single
+from param_tutorial.lessons.build import Site
+from param_tutorial.lessons.pages import writing
+from param_tutorial.lessons.recording import run
 from tests.support import lesson
 from tests.support.lab import _CHROMIUM_FLAGS, CHROMIUM, ROOT
 from tests.tools.site_rules import check_page, open_page
@@ -116,7 +119,7 @@ def made(tmp_path_factory):
     (notebooks / 'index.md').write_text(INDEX)
     for name, cells in (('1_limits', LIMITS), ('2_robot', ROBOT)):
         write_chapter(notebooks / f'{name}.ipynb', cells)
-    site = build.Site(notebooks, folder / 'html', folder / 'work', processes=2)
+    site = Site(notebooks, folder / 'html', folder / 'work', processes=2)
     site.build()
     return site
 
@@ -350,16 +353,16 @@ def test_building_again_changes_nothing_and_runs_nothing(made, capsys):
 
 def test_recording_again_gives_the_same_answers(made):
     kept = json.loads((made.work / 'recordings' / '1_limits.json').read_text())['recordings']
-    part = min(kept, key=int)
-    assert run.run_part(made.notebooks / '1_limits.ipynb', int(part)) == kept[part]
+    path, index = made.notebooks / '1_limits.ipynb', min(kept, key=int)
+    assert run.record_cell(path, int(index), run.run_chapter(path)) == kept[index]
 
 
 def test_a_page_that_sphinx_warns_of_stops_the_build(made, tmp_path):
     (tmp_path / 'source').mkdir()
     (tmp_path / 'source' / 'index.md').write_text('# Start\n\n[nowhere](nowhere.ipynb)\n')
-    build.write_static(tmp_path / 'source')
-    with pytest.raises(build.BuildError, match='nowhere'):
-        build.sphinx(tmp_path / 'source', tmp_path / 'html', tmp_path / 'doctrees')
+    writing.write_static(tmp_path / 'source')
+    with pytest.raises(writing.BuildError, match='nowhere'):
+        writing.write_pages(tmp_path / 'source', tmp_path / 'html', tmp_path / 'doctrees')
 
 
 def test_a_chapter_that_fails_stops_the_build_and_the_old_site_stays(made, tmp_path):
@@ -370,12 +373,12 @@ def test_a_chapter_that_fails_stops_the_build_and_the_old_site_stays(made, tmp_p
         nbformat.v4.new_markdown_cell('# 3 · Broken'),
         nbformat.v4.new_code_cell('undefined', execution_count=1)]), notebooks / '3_broken.ipynb')
     with pytest.raises(run.ChapterError, match=r'3_broken\.ipynb, cell 2 \(undefined\): it ends in NameError'):
-        build.Site(notebooks, made.target, made.work).build()
+        Site(notebooks, made.target, made.work).build()
     assert files(made.target) == before
 
 
 def test_one_lesson_as_one_file(made, browser, tmp_path):
-    site = build.Site(made.notebooks, made.target, made.work, ['1'])
+    site = Site(made.notebooks, made.target, made.work, ['1'])
     alone = tmp_path / 'lesson.html'
     shutil.move(single.build(site), alone)
     with open_page(browser, alone.as_uri()) as page:
@@ -389,11 +392,11 @@ def test_one_lesson_as_one_file(made, browser, tmp_path):
 
 
 def test_a_chapter_that_is_not_there(made, tmp_path):
-    with pytest.raises(build.BuildError, match=r'there is no chapter 7 in .*1_limits, 2_robot'):
-        build.Site(made.notebooks, tmp_path, tmp_path, ['7'])
-    with pytest.raises(build.BuildError, match='more than one chapter: 1_limits, 2_robot'):
-        single.build(build.Site(made.notebooks, tmp_path, tmp_path, ['1', '2']))
+    with pytest.raises(writing.BuildError, match=r'there is no chapter 7 in .*1_limits, 2_robot'):
+        Site(made.notebooks, tmp_path, tmp_path, ['7'])
+    with pytest.raises(writing.BuildError, match='more than one chapter: 1_limits, 2_robot'):
+        single.build(Site(made.notebooks, tmp_path, tmp_path, ['1', '2']))
 
 
 def test_the_course_itself_is_what_is_built_by_default():
-    assert build.ROOT == ROOT
+    assert archive.ROOT == ROOT

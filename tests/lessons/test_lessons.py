@@ -9,9 +9,12 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersR
 from rclpy.node import Node
 
 from param_tutorial import ParameterPanel
-from param_tutorial.lessons import chapter, drawing, front_page, recorder, run
-from param_tutorial.parameters.client import Descriptor, Range
-from param_tutorial.parameters.values import DOUBLE, INTEGER
+from param_tutorial.lessons.pages import chapter, drawing, front_page
+from param_tutorial.lessons.recording import recorder, run
+from param_tutorial.lessons.recording.questions import positions
+from param_tutorial.parameters.client import Range
+from param_tutorial.widgets.editors import Positions
+from param_tutorial.widgets.recordable import WholeNumbers
 
 
 def write(path, *cells):
@@ -24,14 +27,14 @@ def write(path, *cells):
 
 def test_a_chapter_that_does_what_is_stored(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('print(1)', '1\n'), ('# NBVAL_IGNORE_OUTPUT\nprint(id(print))', '2\n'))
-    assert run.parts(path) == [None]
-    assert run.run_part(path, None) == []
+    assert list(run.cells_with_widgets(run.read_notebook(path))) == []
+    assert run.run_chapter(path) == []
 
 
 def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('x = 1', ''), ('print(x)\nprint(2)', '7\n2\n'))
     with pytest.raises(run.ChapterError) as error:
-        run.run_part(path, None)
+        run.run_chapter(path)
     assert str(error.value).splitlines()[0] == (
         '1_a.ipynb, cell 3 (print(x)): what it puts out is not what is stored with it.')
     assert '    -7\n    +1\n     2' in str(error.value)
@@ -40,7 +43,7 @@ def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
 def test_a_chapter_that_fails(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('1 / 0', ''))
     with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(1 / 0\): it ends in ZeroDivisionError: division'):
-        run.run_part(path, None)
+        run.run_chapter(path)
 
 
 def test_a_chapter_that_was_not_run(tmp_path):
@@ -49,13 +52,13 @@ def test_a_chapter_that_was_not_run(tmp_path):
     notebook.cells[1].execution_count = None
     nbformat.write(notebook, path)
     with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(x = 1\): it was saved without being run'):
-        run.run_part(path, None)
+        run.run_chapter(path)
 
 
 def test_a_chapter_that_cannot_be_read(tmp_path):
     (tmp_path / '1_a.ipynb').write_text('{')
     with pytest.raises(run.ChapterError, match=r'1_a\.ipynb: it cannot be read: '):
-        run.parts(tmp_path / '1_a.ipynb')
+        run.read_notebook(tmp_path / '1_a.ipynb')
 
 
 def test_what_a_chapter_speaks_of():
@@ -91,6 +94,10 @@ class Fan(Node):
         self.get_logger().info(f'{parameters[0].name} has changed')
 
 
+# Of a page with no words and no other view.
+NO_PAGE = {'literals': [], 'views': []}
+
+
 def rows_of(recording):
     return {row['name']: row for row in recording['rows']}
 
@@ -99,7 +106,7 @@ def rows_of(recording):
 def recorded(ros):
     node = ros.add(Fan)
     panel = ParameterPanel(node)
-    recording = recorder.PanelRecorder(panel, ['a word of the lesson', 12345]).record()
+    recording = recorder.record(panel.model_id, {'literals': ['a word of the lesson', 12345], 'views': []})
     yield node, recording
     panel.close()
 
@@ -140,7 +147,7 @@ class OneWay(Node):
 
 def test_a_node_that_takes_nothing_back_is_not_asked_further(ros):
     panel = ParameterPanel(ros.add(OneWay))
-    recording = recorder.PanelRecorder(panel, []).record()
+    recording = recorder.record(panel.model_id, NO_PAGE)
     panel.close()
     assert recording['incomplete'] is True
     assert 'did not take one value back' in drawing.Drawer('page').draw(recording)
@@ -148,25 +155,25 @@ def test_a_node_that_takes_nothing_back_is_not_asked_further(ros):
 
 def test_a_panel_whose_node_is_not_there(ros):
     panel = ParameterPanel('/nobody')
-    recording = recorder.PanelRecorder(panel, []).record()
+    recording = recorder.record(panel.model_id, NO_PAGE)
     panel.close()
     assert recording['rows'] == [] and 'nobody' in recording['status']
     assert 'could not be asked' in drawing.Drawer('page').draw(recording)
 
 
-@pytest.mark.parametrize('limits, value, at_most, expected', [
-    (Range(0, 10, 1), 3, 11, list(range(11))),
-    (Range(0, 10, 1), 3, 6, [0, 2, 3, 4, 6, 8, 10]),
-    (Range(1, 12, 4), 5, 50, [1, 5, 9]),
+@pytest.mark.parametrize('scale, value, at_most, expected', [
+    (WholeNumbers(first=0, step=1, last=10), 3, 11, list(range(11))),
+    (WholeNumbers(first=0, step=1, last=10), 3, 6, [0, 2, 3, 4, 6, 8, 10]),
+    (WholeNumbers(first=1, step=4, last=2), 5, 50, [1, 5, 9]),
 ])
-def test_positions_of_whole_numbers(limits, value, at_most, expected):
-    assert recorder.positions(Descriptor('x', INTEGER, '', '', False, False, limits), value, False, at_most) == expected
+def test_positions_of_whole_numbers(scale, value, at_most, expected):
+    assert positions(scale, value, at_most) == expected
 
 
 def test_positions_of_doubles_are_those_of_the_panel_or_round_ones_among_them():
-    descriptor = Descriptor('x', DOUBLE, '', '', False, False, Range(0.0, 1.0, 0.0))
-    assert recorder.positions(descriptor, 0.5, True, 201)[:3] == [0.0, 0.01, 0.02]
-    few = recorder.positions(descriptor, 0.33, True, 21)
+    scale = Positions(Range(0.0, 1.0, 0.0))
+    assert positions(scale, 0.5, 201)[:3] == [0.0, 0.01, 0.02]
+    few = positions(scale, 0.33, 21)
     assert few[:3] == [0.0, 0.05, 0.1] and few[-1] == 1.0 and 0.33 in few
 
 
@@ -186,9 +193,9 @@ def test_links_of_a_chapter(tmp_path):
     path = tmp_path / '3_c.ipynb'
     nbformat.write(new_notebook(cells=[new_markdown_cell(
         '# 3 · C\n[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_c.ipynb) [w](https://example.org/x.md)')]), path)
-    text = chapter.source(path, {}, {'2_b', '3_c'}).cells[0].source
+    text = chapter.chapter_source(path, {}, {'2_b', '3_c'}).cells[0].source
     assert '[b](2_b.ipynb#Top) z <a href="notebooks/solutions/3_c.ipynb" download>s</a> [w](https:' in text
-    alone = chapter.source(path, {}, {'3_c'}, alone=True).cells
+    alone = chapter.chapter_source(path, {}, {'3_c'}, alone=True).cells
     assert 'b z s [w](https:' in alone[0].source and len(alone) == 1
 
 
@@ -196,7 +203,7 @@ def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_
     index = tmp_path / 'index.md'
     index.write_text('| 1 | [One](1_a.ipynb) | Why? | 20 |\n| 2 | [Two](2_b.ipynb) | How? | 30 |\n')
     facts = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': 'abc1234', 'changed': ''}
-    text = front_page.source(index, {tmp_path / '1_a.ipynb': {}}, facts)
+    text = front_page.front_page_source(index, {tmp_path / '1_a.ipynb': {}}, facts)
     assert 'href="1_a.html"' in text and 'Why?' in text and 'Two' not in text
     assert re.search(r'2026-01-02 \(`abc1234`\), on Python 3\.12\.1\s+with rclpy 7\.1\.6', text)
     assert 'Drive' not in text

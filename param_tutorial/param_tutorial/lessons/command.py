@@ -4,7 +4,11 @@ import argparse
 import sys
 from pathlib import Path
 
-from param_tutorial.lessons import build, run, single
+from param_tutorial.lessons import single
+from param_tutorial.lessons.archive import ROOT
+from param_tutorial.lessons.build import Site
+from param_tutorial.lessons.pages.writing import BuildError
+from param_tutorial.lessons.recording.run import ChapterError
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -13,21 +17,21 @@ def main(arguments: list[str] | None = None) -> int:
     :return: The exit status.
     """
     parser = argparse.ArgumentParser(prog='python -m param_tutorial.lessons', description='Make the HTML lessons.')
-    parser.add_argument('--notebooks', type=Path, default=build.ROOT / 'notebooks', help='the folder of the chapters')
+    parser.add_argument('--notebooks', type=Path, default=ROOT / 'notebooks', help='the folder of the chapters')
     parser.add_argument('--only', nargs='+', metavar='CHAPTER', help='chapters, by what their names begin with')
-    parser.add_argument('--target', type=Path, default=build.ROOT / 'build' / 'html', help='where the site shall be')
-    parser.add_argument('--work', type=Path, default=build.ROOT / 'build' / 'lessons',
+    parser.add_argument('--target', type=Path, default=ROOT / 'build' / 'html', help='where the site will be')
+    parser.add_argument('--work', type=Path, default=ROOT / 'build' / 'lessons',
                         help='what is kept between builds')
     parser.add_argument('--lesson', metavar='CHAPTER', help='make one file of one chapter instead')
     options = parser.parse_args(arguments)
     try:
         names = [options.lesson] if options.lesson else options.only
-        site = build.Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names)
+        site = Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names)
         if options.lesson:
             single.build(site)
         else:
             site.build()
-    except (run.ChapterError, build.BuildError) as error:
+    except (ChapterError, BuildError) as error:
         print(f'{error}\nNo site was made; the one that was there before stays.', file=sys.stderr)
         return 1
     except KeyboardInterrupt:

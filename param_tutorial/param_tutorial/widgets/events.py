@@ -11,6 +11,7 @@ from rcl_interfaces.msg import ParameterEvent
 from param_tutorial.parameters import values
 from param_tutorial.pictures.markup import cells, head_row
 from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.widgets.recordable import EVENTS, html_of
 from param_tutorial.widgets.view import FeedView
 
 # What fits on a few screens; older ones are forgotten.
@@ -52,6 +53,8 @@ def told_by(event: ParameterEvent) -> list[Change]:
 class EventView(FeedView):
     """A table of what is told on /parameter_events from now on, the newest on top, until it is closed."""
 
+    follows = frozenset({EVENTS})
+
     def __init__(self, node: str | None = None, *, executor: BackgroundExecutor | None = None):
         """
         :param node: Only the events of this node; by default those of all but the ones whose name begins with an
@@ -83,6 +86,10 @@ class EventView(FeedView):
         head = head_row(('node', 'what', 'parameter', 'value'))
         return (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
                 f'<table><thead>{head}</thead><tbody>{rows}</tbody></table></div>')
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw the table as it stands."""
+        return {'kind': 'events', 'node': self.node, 'html': html_of(self)}
 
 
 def _row(change: Change) -> str:

@@ -2,10 +2,12 @@
 
 import html
 from collections.abc import Callable
+from typing import Any
 
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.node_log import LogLine, NodeLog
 from param_tutorial.runtime.services import full_name
+from param_tutorial.widgets.recordable import LOG
 from param_tutorial.widgets.view import FeedView
 
 # What fits on several screens; a browser that gets more on every update of a chatty node becomes slow.
@@ -30,6 +32,8 @@ _NOTHING_YET = '<span class="param-log-quiet">(nothing logged yet)</span>'
 
 class LogView(FeedView):
     """A view of what the nodes log: newest line at the bottom, following the log until it is closed."""
+
+    follows = frozenset({LOG})
 
     def __init__(self, node: str | None = None, *, executor: BackgroundExecutor | None = None):
         """
@@ -61,6 +65,10 @@ class LogView(FeedView):
         text = '\n'.join(map(_line_markup, self._recent()))
         return (f'<pre role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
                 f'{text or _NOTHING_YET}</pre>')
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw the log as it stands."""
+        return {'kind': 'log', 'node': self.node, 'lines': self.lines}
 
 
 def _line_markup(line: LogLine) -> str:

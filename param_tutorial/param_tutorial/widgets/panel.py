@@ -25,7 +25,16 @@ from param_tutorial.parameters.text import fit
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.widgets.cells import close_with_cell
-from param_tutorial.widgets.editors import Editor, editor_class
+from param_tutorial.widgets.editors import (
+    CheckBoxEditor,
+    DoubleSliderEditor,
+    Editor,
+    IntegerSliderEditor,
+    LinesEditor,
+    Positions,
+    editor_class,
+)
+from param_tutorial.widgets.recordable import ControlFacts, Scale, WholeNumbers
 from param_tutorial.widgets.view import View
 
 # Seldom what one came for, and of qos_overrides.… there may be dozens.
@@ -294,6 +303,33 @@ class ParameterPanel(View):
         self._headings = headings
         if tuple(children) != self.children:
             self.children = children
+
+    # -- recording: see ``recordable`` -------------------------------------------------------------------
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw it as it stands, beside its controls."""
+        return {'kind': 'panel', 'node': self.node, 'status': self.status, 'rows': []}
+
+    def controls(self) -> dict[str, ControlFacts]:
+        """Return what a hand can change, by the parameters' names."""
+        return {name: _control_facts(control, bool(self.status)) for name, control in self._controls.items()}
+
+
+def _control_facts(control: Control, unavailable: bool) -> ControlFacts:
+    name, descriptor = control.name, control.descriptor
+    editor, group, quiet = editor_class(descriptor, control.value), group_of(name), is_housekeeping(name)
+    scale: Scale | None = None
+    if issubclass(editor, DoubleSliderEditor):
+        scale = Positions(descriptor.range)
+    elif issubclass(editor, IntegerSliderEditor):
+        first, step = descriptor.range.from_value, max(1, descriptor.range.step)
+        scale = WholeNumbers(first, step, (descriptor.range.to_value - first) // step)
+    return ControlFacts(
+        descriptor=descriptor, value=control.value, message=control.message,
+        label=name.removeprefix(f'{group}.') if group else name,
+        heading=HOUSEKEEPING_HEADING if quiet else group, quiet=quiet,
+        locked=descriptor.read_only or unavailable, help_html=help_markup(descriptor),
+        editor='check' if editor is CheckBoxEditor else 'lines' if editor is LinesEditor else 'text', scale=scale)
 
 
 def group_of(name: str) -> str:

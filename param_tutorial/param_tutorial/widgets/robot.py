@@ -10,6 +10,7 @@ import html
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import ipywidgets as widgets
 from rclpy.exceptions import InvalidHandle
@@ -125,12 +126,15 @@ class RobotView(View):
 
         :raises NodeNotFoundError: it is not running in this process.
         """
-        with self._drawing:
-            robot = self._find_robot()
+        robot = self._robot_here()
         if robot is None:
             raise NodeNotFoundError(self._name, [node.get_fully_qualified_name() for node in self._executor.nodes]
                                     if self._executor else [])
         robot.drive()
+
+    def _robot_here(self) -> ClawbotNode | None:
+        with self._drawing:
+            return self._find_robot()
 
     def _end(self) -> None:
         for stop in (self._stop_following, self._stop_graph, self._stop_motion, self._worker.end):
@@ -193,6 +197,42 @@ class RobotView(View):
             self._status.value = f'<div role="status">{html.escape(facts.sentence)}</div>'
             self._button.disabled = False
         return None
+
+    # -- recording: see ``recordable`` -------------------------------------------------------------------
+
+    in_motion = True
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the robot's node."""
+        return self._name
+
+    def rest(self) -> None:
+        """Let the robot's motion come to its end at once."""
+        if robot := self._robot_here():
+            robot.step(math.inf)
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw it as it stands."""
+        shown = self.look()
+        return super().snapshot() if shown is None else {'kind': 'robot', 'node': self.node, 'look': shown}
+
+    def look(self) -> dict[str, str] | None:
+        """Return the robot as it stands; None if it is not running in this process."""
+        if (robot := self._robot_here()) is None:
+            return None
+        picture, text, sentence = still(robot)
+        return {'picture': picture, 'text': text, 'sentence': sentence}
+
+    def film(self) -> dict[str, Any] | None:
+        """Let the robot drive, and return what there is to see; it is at its goal then."""
+        if (robot := self._robot_here()) is None:
+            return None
+        robot.drive()
+        # Several pictures of one page have animations of their own names.
+        seen = film(robot, 'robot-NAME')
+        robot.step(math.inf)
+        return {'picture': seen.picture, 'end': seen.end, 'scenes': [list(scene) for scene in seen.scenes]}
 
 
 class _Facts:

@@ -6,6 +6,7 @@ controller in another process, and what it shows is what the node has confirmed.
 
 import html
 import math
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -19,6 +20,7 @@ from param_tutorial.pictures.plots import LinePlot
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.widgets.cells import close_with_cell
+from param_tutorial.widgets.recordable import html_of
 from param_tutorial.widgets.view import View
 
 # More points than this would fall upon one another.
@@ -144,6 +146,31 @@ class StepResponseView(View):
         self._text = words
         self._picture.value = _head(self._node, '')
         self._figures.value = f'<div class="step-figures" role="status">{html.escape(words)}</div>'
+
+    # -- recording: see ``recordable`` -------------------------------------------------------------------
+
+    in_motion = False
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node."""
+        return self._node
+
+    def rest(self) -> None:
+        """Wait until the view shows what the node has now."""
+        self.settle()
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw it as it stands."""
+        return {'kind': 'steps', 'node': self.node, 'html': html_of(self)}
+
+    def look(self) -> str:
+        """Return the picture of what the node has now, without the style sheet."""
+        self.settle()
+        return re.sub(r'<style>.*?</style>', '', html_of(self), flags=re.DOTALL)
+
+    def film(self) -> None:
+        """Return nothing: the picture stands still."""
 
 
 def _head(node: str, words: str) -> str:

@@ -6,7 +6,7 @@ What each of them shows is in ``panels``, ``robot_view``, ``step_view``, ``event
 import contextlib
 import html
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import ipywidgets as widgets
@@ -16,6 +16,7 @@ from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import full_name
 from param_tutorial.runtime.worker import Worker
+from param_tutorial.widgets import recordable
 from param_tutorial.widgets.cells import close_with_cell
 
 _SHOW_PERIOD_SEC = 0.1
@@ -30,6 +31,8 @@ class View(widgets.VBox):
 
     # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
     _closed = True
+    # See ``recordable``.
+    follows: frozenset[str] = frozenset()
 
     def __init__(self, parts: Iterable[widgets.Widget], css_class: str):
         self._closed = False
@@ -37,6 +40,7 @@ class View(widgets.VBox):
         self._drawing = threading.RLock()
         super().__init__(list(parts))
         self.add_class(css_class)
+        recordable.register(self.model_id, self)
 
     def close(self) -> None:
         """Stop following, and remove the view from the page. Twice is as good as once."""
@@ -57,6 +61,21 @@ class View(widgets.VBox):
     def _end(self) -> None:
         """Stop following."""
         raise NotImplementedError
+
+    # -- recording: see ``recordable`` -------------------------------------------------------------------
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node that it shows, or what it says in the place of one."""
+        raise NotImplementedError
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw it as it stands."""
+        return {'kind': 'still', 'html': recordable.html_of(self), 'text': repr(self)}
+
+    def controls(self) -> Mapping[str, recordable.ControlFacts]:
+        """Return what a hand can change in it, by the parameters' names."""
+        return {}
 
 
 def _all_within(box: widgets.Box) -> list[widgets.Widget]:
@@ -122,3 +141,8 @@ class FeedView(View):
             if not self._closed:
                 self._content.value = self._markup()
         return False
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node that it listens to, or 'all nodes'."""
+        return self._node or 'all nodes'

@@ -17,7 +17,7 @@ nb_execution_mode = 'off'
 nb_ipywidgets_js = {}
 nb_merge_streams = True
 myst_heading_anchors = 3
-myst_heading_slug_func = 'param_tutorial.lessons.chapter.anchor'
+myst_heading_slug_func = 'param_tutorial.lessons.pages.chapter.anchor'
 
 html_theme = 'pydata_sphinx_theme'
 html_title = 'ROS 2 Parameters'

@@ -4,13 +4,13 @@ import copy
 import html
 import re
 from pathlib import Path
-from typing import Any
 
 import nbformat
 
 from param_tutorial.exercises import EXERCISES
-from param_tutorial.lessons import drawing
-from param_tutorial.lessons.run import WIDGET, cells_with_widgets
+from param_tutorial.lessons.pages import drawing
+from param_tutorial.lessons.recording.recorded import Recordings
+from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets
 
 # Where the site keeps the notebooks for whoever wants to run them.
 NOTEBOOKS = 'notebooks'
@@ -19,9 +19,9 @@ _HREF = re.compile(r'<a href="(\w+)\.ipynb">(.*?)</a>', re.DOTALL)
 _LINK = re.compile(r'(?<!!)\[([^\]]*)\]\(([\w/.-]+\.(?:ipynb|md))(#[^)]*)?\)')
 
 
-def source(path: Path, recordings: dict[int, list[dict[str, Any]]], pages: set[str], *,
-           alone: bool = False) -> nbformat.NotebookNode:
-    """Give what Sphinx reads in place of a chapter.
+def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
+                   alone: bool = False) -> nbformat.NotebookNode:
+    """Return what Sphinx reads in place of a chapter.
 
     :param recordings: For the index of each cell that shows widgets, their recordings in order.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
@@ -44,11 +44,11 @@ def source(path: Path, recordings: dict[int, list[dict[str, Any]]], pages: set[s
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
-            cell.source = _linked(cell.source, pages, alone=alone)
+            cell.source = _redirect_links(cell.source, pages, alone=alone)
         cells.append(cell)
         if len(cells) == 1 and not alone:
-            cells.append(_html_cell('to-run', _to_run(path)))
-        if cell.id.startswith('check-') and (help_html := _help(cell.id.removeprefix('check-'), path)):
+            cells.append(_html_cell('to-run', _download_note(path)))
+        if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', help_html))
     notebook.cells = cells
     notebook.metadata['language_info'] = {'name': 'python', 'pygments_lexer': 'ipython3'}
@@ -56,12 +56,12 @@ def source(path: Path, recordings: dict[int, list[dict[str, Any]]], pages: set[s
 
 
 def title(path: Path) -> str:
-    """Give the title of a chapter."""
+    """Return the title of a chapter."""
     return nbformat.read(path, as_version=4).cells[0].source.splitlines()[0].removeprefix('# ')
 
 
 def anchor(heading: str) -> str:
-    """Give the name by which JupyterLab, and so a chapter's links, know a heading."""
+    """Return the name by which JupyterLab, and so a chapter's links, know a heading."""
     return heading.strip().replace(' ', '-')
 
 
@@ -71,15 +71,15 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
                                      outputs=[nbformat.v4.new_output('display_data', {'text/html': content})])
 
 
-def _to_run(path: Path) -> str:
+def _download_note(path: Path) -> str:
     return (f'<p class="lesson-download">Every cell on this page has been run, and what it put out stands below it. '
             f'<a href="{NOTEBOOKS}/{path.name}" download>Download this notebook</a> to run it yourself, '
             f'with a node that is alive.</p>')
 
 
-def _linked(text: str, pages: set[str], *, alone: bool) -> str:
+def _redirect_links(text: str, pages: set[str], *, alone: bool) -> str:
     """Lead links to where the site has what they mean."""
-    def link(found: re.Match) -> str:
+    def link(found: re.Match[str]) -> str:
         words, target, anchor = found.groups()
         name, folder = Path(target).stem, Path(target).parent.name
         if name in pages and not folder:
@@ -90,8 +90,8 @@ def _linked(text: str, pages: set[str], *, alone: bool) -> str:
     return _LINK.sub(link, text)
 
 
-def _help(number: str, path: Path) -> str:
-    """Give the hints and the solution of an exercise, each closed."""
+def _help_html(number: str, path: Path) -> str:
+    """Return the hints and the solution of an exercise, each closed."""
     exercise = next((each for each in EXERCISES.values() if each.number.replace('.', '-') == number), None)
     if exercise is None:
         return ''

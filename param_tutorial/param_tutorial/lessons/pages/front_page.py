@@ -3,9 +3,9 @@
 import html
 import re
 from pathlib import Path
-from typing import Any
 
-from param_tutorial.lessons import drawing
+from param_tutorial.lessons.pages import drawing
+from param_tutorial.lessons.recording.recorded import Recordings
 
 _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+) *\|')
 
@@ -44,19 +44,19 @@ terminal and the real rclpy, on any Linux with Python; `make lab` starts it, and
 '''
 
 
-def source(index: Path, recordings: dict[Path, dict[int, list[dict[str, Any]]]], facts: dict[str, str]) -> str:
-    """Give the first page, as Markdown.
+def front_page_source(index: Path, recordings: dict[Path, Recordings], facts: dict[str, str]) -> str:
+    """Return the first page, as Markdown.
 
     :param index: The start page of the notebooks, whose table names the chapters.
-    :param facts: From which state of the course the lessons ran, and on what; see ``build.provenance``.
+    :param facts: From which state of the course the lessons ran, and on what; see ``archive.provenance``.
     """
     names = [path.stem for path in recordings]
-    return _TEXT.format(try_it=_try_it(recordings), chapters=_cards(index.read_text(encoding='utf-8'), names),
-                        provenance=_told(facts), names='\n'.join(names))
+    return _TEXT.format(try_it=_robot_to_try(recordings), chapters=_cards(index.read_text(encoding='utf-8'), names),
+                        provenance=_provenance_text(facts), names='\n'.join(names))
 
 
-def _try_it(recordings: dict[Path, dict[int, list[dict[str, Any]]]]) -> str:
-    """Give a robot and its panel, if a chapter begins with them."""
+def _robot_to_try(recordings: dict[Path, Recordings]) -> str:
+    """Return a robot and its panel, if a chapter begins with them."""
     for path, recorded in recordings.items():
         views = [each for found in recorded.values() for each in found]
         robot = next((each for each in views if each['kind'] == 'robot'), None)
@@ -83,7 +83,7 @@ def _cards(text: str, names: list[str]) -> str:
     return f'<ul class="front-lessons">{cards}</ul>'
 
 
-def _told(facts: dict[str, str]) -> str:
+def _provenance_text(facts: dict[str, str]) -> str:
     ran = f'on Python {facts["Python"]} with rclpy {facts["rclpy"]} of ROS 2 Jazzy'
     if 'commit' not in facts:
         return f'The lessons of this site ran {ran}. Every output was compared with the one stored in its notebook.'

@@ -1,6 +1,6 @@
 """Draws recordings as HTML: native controls with labels, words beside every picture, and nothing to load.
 
-What ``recorder`` brought stands in the page, packed, beside the controls; ``site/_static/lesson.js`` unpacks it and
+What was recorded stands in the page, packed, beside the controls; ``site/_static/lesson.js`` unpacks it and
 answers with it. Without a script the page still shows everything as it stood.
 """
 
@@ -16,6 +16,8 @@ from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import get_lexer_by_name
 
+from param_tutorial.lessons.recording.recorded import Recording, Row
+
 RUN_IT = 'run the notebook'
 _STYLE = re.compile(r'<style>.*?</style>', re.DOTALL)
 
@@ -28,13 +30,13 @@ class Drawer:
         self._page = re.sub(r'\W+', '-', page)
         self._numbers = itertools.count(1)
 
-    def draw(self, recording: dict[str, Any]) -> str:
-        """Give the HTML of one recorded widget."""
+    def draw(self, recording: Recording) -> str:
+        """Return the HTML of one recorded view."""
         draw = {'panel': self._panel, 'robot': self._robot, 'log': self._log, 'steps': self._steps,
                 'events': self._events, 'still': self._still}
         return draw[recording['kind']](recording, f'{self._page}-{next(self._numbers)}')
 
-    def _panel(self, recording: dict[str, Any], name: str) -> str:
+    def _panel(self, recording: Recording, name: str) -> str:
         node, count = html.escape(recording['node']), len(recording['rows'])
         parts, group = [], ''
         for number, row in enumerate(recording['rows']):
@@ -60,7 +62,7 @@ class Drawer:
             f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
             f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}</div>')
 
-    def _robot(self, recording: dict[str, Any], name: str) -> str:
+    def _robot(self, recording: Recording, name: str) -> str:
         look, node = recording['look'], html.escape(recording['node'])
         return (
             f'<div role="group" class="rec rec-robot robot-view" id="{name}" data-node="{node}" '
@@ -70,14 +72,14 @@ class Drawer:
             f'<div class="rec-says" role="status">{html.escape(look["sentence"])}</div></div>'
             f'{_packed({"films": recording["films"]})}</div>')
 
-    def _log(self, recording: dict[str, Any], name: str) -> str:
+    def _log(self, recording: Recording, name: str) -> str:
         title = html.escape(f'Log of {recording["node"]}')
         lines = ''.join(f'{html.escape(line)}\n' for line in recording['lines'])
         return (f'<div role="group" class="rec rec-log" id="{name}" data-node="{html.escape(recording["node"])}" '
                 f'aria-label="{title}"><p class="rec-head"><b>{title}</b><span class="rec-mark">recorded</span></p>'
                 f'<pre role="log" tabindex="0" aria-label="{title}">{lines}</pre></div>')
 
-    def _steps(self, recording: dict[str, Any], name: str) -> str:
+    def _steps(self, recording: Recording, name: str) -> str:
         node = html.escape(recording['node'])
         # The picture is replaced, and its style has to stay.
         style = ''.join(_STYLE.findall(recording['html']))
@@ -86,21 +88,21 @@ class Drawer:
                 f'<div class="rec-picture">{_STYLE.sub("", recording["html"])}</div>'
                 f'<div class="rec-says" role="status"></div></div>')
 
-    def _events(self, recording: dict[str, Any], name: str) -> str:
+    def _events(self, recording: Recording, name: str) -> str:
         node = html.escape(recording['node'])
         return (f'<div role="group" class="rec rec-events" id="{name}" data-node="{node}" '
                 f'aria-label="Events of {node}">{recording["html"]}'
                 f'<p class="rec-note">Empty as the lesson shows it. What a panel above changes stands here as the node '
                 f'told it when the page was made.</p></div>')
 
-    def _still(self, recording: dict[str, Any], name: str) -> str:
+    def _still(self, recording: Recording, name: str) -> str:
         shown = recording['html'] or f'<p>{html.escape(recording["text"])}</p>'
         note = 'As it stood when the lesson ran; it is alive' if recording['html'] else 'It stands'
         return (f'<div role="group" class="rec rec-still" id="{name}" aria-label="A view of the notebook">{shown}'
                 f'<p class="rec-note">{note} in the notebook.</p></div>')
 
 
-def _explanation(recording: dict[str, Any]) -> str:
+def _explanation(recording: Recording) -> str:
     if recording['status']:
         return 'The node was not there, so it could not be asked.'
     told = (f'No node runs in this page. These are answers that the real node gave when the page was made: it was '
@@ -111,7 +113,7 @@ def _explanation(recording: dict[str, Any]) -> str:
     return told
 
 
-def _row(row: dict[str, Any], name: str) -> str:
+def _row(row: Row, name: str) -> str:
     label, full = html.escape(row['label']), html.escape(row['name'])
     off = 'disabled'  # until the script is there to answer
     help_id, data = f'{name}-help', f'data-name="{full}"'
@@ -147,16 +149,16 @@ def _packed(facts: dict[str, Any]) -> str:
 
 
 def code(source: str) -> str:
-    """Give Python code as HTML, in the colours of the page."""
+    """Return Python code as HTML, in the colours of the page."""
     return highlight(source, get_lexer_by_name('ipython3'), HtmlFormatter(cssclass='highlight')).replace(
         '<pre>', '<pre tabindex="0">', 1)
 
 
 def details(summary: str, content: str) -> str:
-    """Give something that a reader opens and closes."""
+    """Return something that a reader opens and closes."""
     return f'<details class="rec-details"><summary>{html.escape(summary)}</summary><div>{content}</div></details>'
 
 
 def inline(text: str) -> str:
-    """Make HTML of a text in which backquotes stand around code."""
+    """Return HTML of a text in which backquotes stand around code."""
     return re.sub(r'`([^`]+)`', r'<code>\1</code>', html.escape(text, quote=False))

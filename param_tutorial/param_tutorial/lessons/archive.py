@@ -1,0 +1,156 @@
+"""The recordings of all chapters: those that are kept, and new ones of what has changed.
+
+A chapter's recordings are kept under a digest of all that they may depend on, so a chapter is not run again without
+need.
+"""
+
+import concurrent.futures
+import hashlib
+import json
+import multiprocessing
+import os
+import platform
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from param_tutorial.lessons.console import format_count, say
+from param_tutorial.lessons.recording.recorded import Recording, Recordings
+from param_tutorial.lessons.recording.run import cells_with_widgets, read_notebook, record_cell, run_chapter
+
+PACKAGE_ROOT = Path(__file__).parents[2]
+ROOT = PACKAGE_ROOT.parent
+_LESSONS = Path(__file__).parent
+_VERSIONS = ('ros-jazzy-rclpy', 'ipykernel', 'ipywidgets')
+
+
+class Archive:
+    """Recordings of chapters; those that are missing are made, in as many kernels at once as there are processes."""
+
+    def __init__(self, notebooks: Path, work: Path, processes: int):
+        """
+        :param notebooks: The folder of all chapters.
+        :param work: Where recordings are kept from one build to the next.
+        """
+        self._notebooks, self._work, self._processes = notebooks, work, processes
+
+    def recordings(self, chapters: list[Path]) -> dict[Path, Recordings]:
+        """Run every chapter that has changed, and return the recordings of all.
+
+        :raises ChapterError: a chapter fails, or does not do what is stored in it.
+        """
+        kept = self._work / 'recordings'
+        kept.mkdir(parents=True, exist_ok=True)
+        surroundings = digest_of_surroundings()
+        recordings: dict[Path, Recordings] = {}
+        to_run: dict[Path, str] = {}
+        for path in chapters:
+            key = hashlib.sha256(path.read_bytes() + surroundings + self._others_read_by(path)).hexdigest()
+            found = _load(kept / f'{path.stem}.json')
+            if found.get('key') == key:
+                recordings[path] = {int(index): each for index, each in found['recordings'].items()}
+            else:
+                to_run[path] = key
+        if recordings:
+            say(f'{len(recordings)} of {len(chapters)} chapters have not changed')
+        for path, recorded in self._run(list(to_run)):
+            recordings[path] = recorded
+            _save(kept / f'{path.stem}.json', {'key': to_run[path], 'recordings': recorded})
+        return {path: recordings[path] for path in chapters}
+
+    def _others_read_by(self, path: Path) -> bytes:
+        """Return the other chapters, if a chapter reads them: the glossary is made of all."""
+        if 'Glossary' not in path.read_text(encoding='utf-8'):
+            return b''
+        return b''.join(each.read_bytes() for each in sorted(self._notebooks.glob('*.ipynb')))
+
+    def _run(self, paths: list[Path]) -> Iterator[tuple[Path, Recordings]]:
+        """Run chapters in several kernels at once, and yield each with its recordings when all of it is there."""
+        if not paths:
+            return
+        os.environ['IPYTHONDIR'] = str(self._work / 'ipython')
+        (self._work / 'ipython').mkdir(parents=True, exist_ok=True)
+        began = time.monotonic()
+        say(f'Running {format_count(len(paths), "chapter")}, {self._processes} kernels at a time')
+        # Spawned, since a fork takes over locks and threads of the libraries that are loaded here.
+        pool = concurrent.futures.ProcessPoolExecutor(self._processes, multiprocessing.get_context('spawn'))
+        try:
+            for done, (path, recorded) in enumerate(_run_in(pool, paths), 1):
+                asked = sum(each.get('asked', 0) for found in recorded.values() for each in found)
+                views = format_count(sum(map(len, recorded.values())), 'view')
+                say(f'[{done}/{len(paths)}] {path.stem}: ran as stored; {views} recorded'
+                    + (f', {asked:,} answers' if asked else '') + f' ({time.monotonic() - began:.0f} s)')
+                yield path, recorded
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def _run_in(pool: concurrent.futures.Executor, paths: list[Path]) -> Iterator[tuple[Path, Recordings]]:
+    """Run each chapter to its end, then up to each cell that shows widgets; yield it when all its cells are there."""
+    to_record = {path: [index for index, _ in cells_with_widgets(read_notebook(path))] for path in paths}
+    recorded: dict[Path, dict[int, list[Recording]]] = {path: {} for path in paths}
+    running: dict[concurrent.futures.Future[Any], tuple[Path, int | None]] = {
+        pool.submit(run_chapter, path): (path, None) for path in paths}
+    while running:
+        for future in concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED).done:
+            path, index = running.pop(future)
+            if index is None:
+                views = future.result()
+                running |= {pool.submit(record_cell, path, each, views): (path, each) for each in to_record[path]}
+            else:
+                recorded[path][index] = future.result()
+            if len(recorded[path]) == len(to_record[path]):
+                yield path, dict(sorted(recorded[path].items()))
+
+
+def digest_of_surroundings() -> bytes:
+    """Return a digest of all that a chapter's run may depend on beside the chapter.
+
+    That is the package without the lessons, which no chapter imports, but with their ``recording``, which imports
+    nothing of the rest of them.
+    """
+    digest = hashlib.sha256(json.dumps([sys.version, [version(name) for name in _VERSIONS]]).encode())
+    files = [path for folder in (PACKAGE_ROOT, ROOT / 'config') for path in sorted(folder.rglob('*'))
+             if path.is_file() and path.suffix != '.pyc'
+             and (_LESSONS not in path.parents or _LESSONS / 'recording' in path.parents)
+             and not any(part.endswith('.egg-info') for part in path.parts)]
+    for path in files:
+        digest.update(str(path.relative_to(ROOT)).encode() + b'\0' + path.read_bytes())
+    return digest.digest()
+
+
+def provenance() -> dict[str, str]:
+    """Return from which state of the course, and on what, the lessons ran: the same for each build of a commit."""
+    facts = {'Python': platform.python_version(), 'rclpy': version('ros-jazzy-rclpy')}
+    if commit := _git('log', '-1', '--format=%h %cs'):
+        name, date = commit.split()
+        changed = _git('status', '--porcelain', '--', 'notebooks', 'param_tutorial', 'config')
+        facts |= {'date': date, 'commit': name, 'changed': 'with changes since' if changed else ''}
+    return facts
+
+
+def _git(*arguments: str) -> str:
+    """Return what git prints about the course; nothing if it is no clone, or there is no git."""
+    try:
+        return subprocess.run(['git', *arguments], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
+    except (OSError, subprocess.CalledProcessError):
+        return ''
+
+
+def _load(path: Path) -> dict[str, Any]:
+    """Return what ``_save`` wrote; nothing if that is not there or not whole."""
+    try:
+        return dict(json.loads(path.read_text(encoding='utf-8')))
+    except (OSError, ValueError):
+        return {}
+
+
+def _save(path: Path, content: dict[str, Any]) -> None:
+    """Write JSON, as a whole or not at all."""
+    new = path.with_suffix('.new')
+    new.write_text(json.dumps(content, ensure_ascii=False), encoding='utf-8')
+    new.replace(path)

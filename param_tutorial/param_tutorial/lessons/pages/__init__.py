@@ -1,0 +1,10 @@
+"""Recordings as pages: how they are drawn, and written by Sphinx.
+
+A recording depends on nothing in here.
+
+    drawing      recordings as accessible HTML
+    chapter      a chapter with its recordings as a source for Sphinx
+    front_page   the first page of the site
+    writing      lets Sphinx write pages
+    inlining     one page as one file
+"""

@@ -1,0 +1,50 @@
+"""Lets Sphinx write pages; its configuration, and the site's style and script, are in ``lessons/site``."""
+
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+from sphinx.application import Sphinx
+from sphinx.util.docutils import docutils_namespace
+
+from param_tutorial.widgets import robot
+
+SITE = Path(__file__).parents[1] / 'site'
+_COLOR = re.compile(r'\x1b\[[0-9;]*m')
+
+
+class BuildError(Exception):
+    """The site cannot be made; the message is for the person who builds it."""
+
+
+def write_static(source: Path) -> None:
+    """Write, beside Sphinx's sources, the styles that the notebook's own views bring along."""
+    (source / 'static').mkdir(exist_ok=True)
+    (source / 'static' / 'robot.css').write_text(
+        robot.STYLE.replace('<style>', '').replace('</style>', '').strip() + '\n', encoding='utf-8')
+
+
+def write_pages(source: Path, target: Path, doctrees: Path, *, processes: int = 1,
+                settings: dict[str, Any] | None = None) -> None:
+    """Let Sphinx write pages.
+
+    :param settings: Sphinx's, in place of those in its configuration.
+    :raises BuildError: it warns of something; the message is what it says.
+    """
+    target.mkdir(parents=True, exist_ok=True)
+    extra = source / 'extra'
+    settings = {'html_static_path': [str(SITE / '_static'), str(source / 'static')],
+                'html_extra_path': [str(extra)] if extra.exists() else [], **(settings or {})}
+    warnings = Path(f'{doctrees}.warnings')
+    warnings.parent.mkdir(parents=True, exist_ok=True)
+    with warnings.open('w+', encoding='utf-8') as said, docutils_namespace():
+        app = Sphinx(str(source), str(SITE), str(target), str(doctrees), 'html', confoverrides=settings,
+                     status=None, warning=said, parallel=processes)
+        app.build()
+        said.seek(0)
+        text = _COLOR.sub('', said.read()).strip()
+    if app.statuscode or text:
+        # A page with a warning is in Sphinx's memory already and would not be warned of again.
+        shutil.rmtree(doctrees, ignore_errors=True)
+        raise BuildError(f'Sphinx is not content with the pages:\n{text}')

@@ -1,0 +1,119 @@
+"""One question to a node: set a parameter to what a hand typed, write down what happens, and take it back."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from param_tutorial.errors import ParameterToolError
+from param_tutorial.lessons.recording.recorded import Answer
+from param_tutorial.lessons.recording.taps import EventTap, NodeLogTap, node_here
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import Descriptor, ParameterClient
+from param_tutorial.parameters.live import words_of
+from param_tutorial.parameters.text import format_value, parse_value
+
+# The values that a node has, by the parameters' names.
+State = dict[str, Any]
+
+
+class CannotRestoreError(Exception):
+    """A node does not take back a value that it had."""
+
+
+def nothing(_: Answer) -> None:
+    """Look at nothing while an answer holds."""
+
+
+class Asker:
+    """Asks one node, always from the state in which it was first found, unless told otherwise."""
+
+    def __init__(self, node: str, descriptors: Mapping[str, Descriptor], *, events: bool):
+        """
+        :param descriptors: Of the parameters that are asked for.
+        :param events: Write down also what the node publishes on /parameter_events.
+        """
+        self.descriptors = descriptors
+        self.count = 0
+        self._client = ParameterClient(node)
+        node_in_process = node_here(node)
+        self._log = NodeLogTap(node_in_process) if node_in_process else None
+        self._events = EventTap(node) if events else None
+        self._all_names = self._client.list_parameters()
+        self.shown = self._read()
+        if self._log:
+            self._log.lines()
+
+    def close(self) -> None:
+        """Stop listening to the node."""
+        for tap in (self._log, self._events):
+            if tap:
+                tap.stop()
+
+    def ask(self, name: str, text: str, state: State, *, while_accepted: Callable[[Answer], None] = nothing) -> Answer:
+        """Ask for what a hand would have typed, and give the node back what it had.
+
+        :param state: The values that the node has.
+        :param while_accepted: Called with the answer, if the node accepted the text, while it has the value.
+        :raises CannotRestoreError: the node does not take back what it had.
+        """
+        self.count += 1
+        try:
+            value = parse_value(self.descriptors[name], text)
+        except ValueError as error:
+            return {'reason': str(error), 'log': []}
+        reason = self._set(name, value)
+        after = self._read()
+        answer: Answer = {'reason': reason} if reason else {'value': format_value(self.descriptors[name], after[name])}
+        also = {other: format_value(descriptor, after[other]) for other, descriptor in self.descriptors.items()
+                if (other != name or reason) and not values.same(state[other], after[other])}
+        if also:
+            answer['also'] = also
+        answer['log'] = self._log.lines() if self._log else None
+        if self._events:
+            answer['events'] = self._events.rows(0 if reason else 1)
+        if not reason:
+            while_accepted(answer)
+        self._restore(state, after)
+        return answer
+
+    def enter(self, changed: Mapping[str, str]) -> State:
+        """Bring the node into another state, and return it; ``leave`` goes back."""
+        for name, text in changed.items():
+            self._client.set_parameter(name, parse_value(self.descriptors[name], text))
+        self._discard(len(changed))
+        return self._read()
+
+    def leave(self, state: State) -> None:
+        """Bring the node back into the state in which it was first found.
+
+        :raises CannotRestoreError: the node does not take back what it had.
+        """
+        self._restore(self.shown, state)
+
+    def _set(self, name: str, value: Any) -> str:
+        """Set a parameter, and return why the node rejected that; an empty text if it did not."""
+        try:
+            result = self._client.set_parameter(name, value)
+        except ParameterToolError as error:
+            return words_of(error)
+        return '' if result.successful else result.reason or 'The node gave no reason.'
+
+    def _read(self) -> State:
+        return dict(self._client.get_parameters(self._all_names))
+
+    def _restore(self, wanted: State, now: State) -> None:
+        for together in (False, True):
+            different = {name: value for name, value in wanted.items() if not values.same(now[name], value)}
+            if not different:
+                return
+            (self._client.set_parameters_atomically if together else self._client.set_parameters)(different)
+            now = self._read()
+            self._discard(1 if together else len(different))
+        if any(not values.same(now[name], value) for name, value in wanted.items()):
+            raise CannotRestoreError
+
+    def _discard(self, messages: int) -> None:
+        """Forget what the node says of changes that nobody typed."""
+        if self._events:
+            self._events.rows(messages)
+        if self._log:
+            self._log.lines()

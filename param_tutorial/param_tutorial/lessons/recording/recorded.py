@@ -1,0 +1,65 @@
+"""What a recording is: what a page needs of a chapter's views, as JSON can hold it."""
+
+from typing import Any, TypedDict
+
+# Of one view; 'kind' says how a page draws it, and what else it holds. Which view knows which kind is in the views.
+Recording = dict[str, Any]
+# For the index of each cell that shows views, the recordings of these in order.
+Recordings = dict[int, list[Recording]]
+
+
+class Answer(TypedDict, total=False):
+    """What a node said to one text: either 'value' or 'reason'."""
+
+    value: str
+    """As the view then shows it."""
+    reason: str
+    """Why the node rejected the text."""
+    also: dict[str, str]
+    """What else has changed."""
+    log: list[str] | None
+    """The lines that the node logged; None if nobody can know."""
+    events: list[list[str]]
+    """What it published on /parameter_events, if that is wanted: what, parameter, value."""
+
+
+class _Shown(TypedDict):
+    name: str
+    label: str
+    group: str
+    quiet: bool
+    help: str
+    text: str
+    message: str
+    type: str
+    locked: bool
+    editor: str
+
+
+class Row(_Shown, total=False):
+    """One parameter: how its control stands, and the answers to what was typed into it."""
+
+    positions: list[str]
+    answers: dict[str, Answer]
+    depends: list[str]
+    """The parameters on which the answers depend, possibly itself among them."""
+    contexts: dict[str, dict[str, dict[str, Answer]]]
+    """Answers by such a parameter and the text of its value."""
+    log_depends: bool
+
+
+class ViewFacts(TypedDict):
+    """What a chapter tells of a view on its page, for the recordings of the others."""
+
+    node: str
+    follows: list[str]
+    portrait: str | None
+    """Where to import the class from, 'module:name', if the view pictures its node."""
+
+
+class Page(TypedDict):
+    """What the recorder has to know of the page for which it records a view."""
+
+    literals: list[Any]
+    """Values that the chapter's code speaks of: its readers will try them."""
+    views: list[ViewFacts]

@@ -1,0 +1,65 @@
+"""Inside a lesson's kernel: records what a page needs of a view, right after the cell that has shown it.
+
+The recorder asks the view (see ``widgets.recordable``) and the node behind it, and knows neither by name. It sets,
+reads and restores the node's parameters through the same services as everybody; nothing is worked out that the node can
+be asked. The kernel is thrown away afterwards, so the lesson's own outputs never know.
+"""
+
+import contextlib
+import pkgutil
+from collections.abc import Iterable, Iterator
+
+from param_tutorial.lessons.recording import taps
+from param_tutorial.lessons.recording.interview import interview
+from param_tutorial.lessons.recording.recorded import Page, Recording, ViewFacts
+from param_tutorial.widgets import recordable
+from param_tutorial.widgets.recordable import Portrait, Recordable
+
+
+def describe(model_ids: Iterable[str]) -> list[ViewFacts]:
+    """Return what the recordings of a page's views have to know of one another.
+
+    :param model_ids: Of the widgets that a chapter has shown; those that are no views are left out.
+    """
+    return [{'node': view.node, 'follows': sorted(view.follows),
+             'portrait': f'{type(view).__module__}:{type(view).__qualname__}' if isinstance(view, Portrait) else None}
+            for model_id in model_ids if (view := recordable.find(model_id)) is not None]
+
+
+def record(model_id: str, page: Page) -> Recording | None:
+    """Record what a page needs of a view.
+
+    :param model_id: Of the widget that a cell has shown.
+    :return: What JSON can hold; None if the widget is no view.
+    """
+    view = recordable.find(model_id)
+    if view is None:
+        return None
+    if recordable.LOG in view.follows:
+        taps.wait_for_logs()
+    if isinstance(view, Portrait):
+        view.rest()
+    recording = view.snapshot()
+    if 'lines' in recording:
+        recording['lines'] = taps.without_marks(recording['lines'])
+    if isinstance(view, Portrait) and (film := view.film()):
+        recording['films'] = [{'changed': {}, 'look': recording['look'], **film}]
+    if controls := view.controls():
+        with _portrait_of(view, page) as portrait:
+            events = any(recordable.EVENTS in each['follows'] for each in page['views'])
+            recording |= interview(view.node, controls, page['literals'], events=events, portrait=portrait)
+    return recording
+
+
+@contextlib.contextmanager
+def _portrait_of(view: Recordable, page: Page) -> Iterator[Portrait | None]:
+    """Make a view like the one with which the page pictures the node, which may stand in a later cell."""
+    found = next((each['portrait'] for each in page['views'] if each['portrait'] and each['node'] == view.node), None)
+    if found is None:
+        yield None
+        return
+    portrait = pkgutil.resolve_name(found)(view.node)
+    try:
+        yield portrait
+    finally:
+        portrait.close()

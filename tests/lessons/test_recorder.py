@@ -1,0 +1,173 @@
+"""The recorder knows no view: whatever implements the protocol is recorded, and the page is told what it needs."""
+
+import ast
+import gc
+import json
+
+import ipywidgets as widgets
+import pytest
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from rclpy.node import Node
+
+from param_tutorial import EventView, LogView, ParameterPanel, RobotView
+from param_tutorial.lessons import archive
+from param_tutorial.lessons.pages import drawing
+from param_tutorial.lessons.recording import recorder
+from param_tutorial.nodes.clawbot_node import ClawbotNode
+from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.widgets import recordable
+from param_tutorial.widgets.view import View
+from tests.support.paths import PACKAGE
+
+NO_PAGE = {'literals': [], 'views': []}
+
+
+class Oven(Node):
+    def __init__(self):
+        super().__init__('oven')
+        self.declare_parameter('heat', 2, ParameterDescriptor(
+            integer_range=[IntegerRange(from_value=0, to_value=4, step=1)]))
+
+
+class Thermometer(View):
+    """A view that the recorder has never heard of."""
+
+    in_motion = False
+
+    def __init__(self, node):
+        self._name = node
+        super().__init__([widgets.HTML('<b>heat</b>'), widgets.HBox([widgets.HTML('<i>now</i>')])], 'thermometer')
+
+    @property
+    def node(self):
+        return self._name
+
+    def rest(self):
+        pass
+
+    def look(self):
+        return str(ParameterClient(self._name).get_parameter('heat'))
+
+    def film(self):
+        return None
+
+    def _end(self):
+        pass
+
+
+@pytest.fixture
+def oven(ros):
+    ros.add(Oven)
+    views = []
+
+    def show(view):
+        views.append(view)
+        return view
+
+    yield show
+    for view in views:
+        view.close()
+
+
+def test_a_new_view_is_recorded_as_it_stands(oven):
+    view = oven(Thermometer('/oven'))
+    recording = recorder.record(view.model_id, NO_PAGE)
+    assert recording['html'] == ('<div class="thermometer"><div class=""><b>heat</b></div>'
+                                 '<div class=""><div class=""><i>now</i></div></div></div>')
+    assert '<b>heat</b>' in drawing.Drawer('page').draw(recording)
+
+
+def test_a_page_pictures_a_node_with_a_view_of_a_later_cell(oven):
+    views = recorder.describe([oven(Thermometer('/oven')).model_id])
+    assert views == [{'node': '/oven', 'follows': [], 'portrait': f'{__name__}:Thermometer'}]
+    recording = recorder.record(oven(ParameterPanel('/oven')).model_id, {'literals': [], 'views': views})
+    looks = {picture['changed'].get('heat', '2'): picture['look'] for picture in recording['pictures']}
+    assert looks == {text: text for text in '01234'}
+    assert json.loads(json.dumps(recording)) == recording
+
+
+def test_a_view_of_another_node_takes_no_pictures(oven):
+    views = [{'node': '/fridge', 'follows': [], 'portrait': 'nowhere:Nothing'}]
+    recording = recorder.record(oven(ParameterPanel('/oven')).model_id, {'literals': [], 'views': views})
+    assert 'pictures' not in recording and 'films' not in recording
+
+
+def test_events_are_recorded_where_the_page_has_a_view_that_follows_them(oven):
+    panel, table, log = oven(ParameterPanel('/oven')), oven(EventView()), oven(LogView())
+    assert [each['follows'] for each in recorder.describe([panel.model_id, table.model_id, log.model_id])] == [
+        [], ['events'], ['log']]
+    for shown, expected in (([log], None), ([log, table], [['changed', 'heat', '3']])):
+        page = {'literals': [], 'views': recorder.describe([each.model_id for each in shown])}
+        answers = recorder.record(panel.model_id, page)['rows'][0]['answers']
+        assert answers['3'].get('events') == expected
+
+
+def test_a_robot_that_is_not_there_is_recorded_as_it_stands(ros):
+    view = RobotView('/nobody')
+    recording = recorder.record(view.model_id, NO_PAGE)
+    view.close()
+    assert recording['kind'] == 'still' and '/nobody is not running' in recording['html']
+
+
+def test_a_robot_is_recorded_at_rest_and_with_its_drive(ros):
+    robot = ros.add(ClawbotNode, real_time=False)
+    view = RobotView(robot)
+    recording = recorder.record(view.model_id, NO_PAGE)
+    view.close()
+    assert recording['kind'] == 'robot' and recording['node'] == '/clawbot_node'
+    film, = recording['films']
+    assert film['changed'] == {} and film['look'] == recording['look']
+    assert [scene[1] for scene in film['scenes']][-1] == 'STOPPED'
+
+
+def test_a_widget_that_is_no_view_is_not_recorded(ros):
+    assert recorder.record(widgets.HTML('x').model_id, NO_PAGE) is None
+    assert recorder.describe([widgets.HTML('x').model_id]) == []
+
+
+def test_a_view_that_is_gone_is_not_kept(oven):
+    view = Thermometer('/oven')
+    model_id = view.model_id
+    assert recordable.find(model_id) is view
+    view.close()
+    del view
+    gc.collect()
+    assert recordable.find(model_id) is None
+
+
+def test_a_recording_depends_on_nothing_of_the_pages():
+    """So the digest under which recordings are kept may leave the rest of the lessons out."""
+    room = PACKAGE / 'lessons'
+    imported = lessons_imported_by((room / 'recording').glob('*.py'))
+    assert len(imported) > 5
+    assert [name for name in imported if not name.startswith('param_tutorial.lessons.recording')] == []
+    assert lessons_imported_by(path for path in PACKAGE.rglob('*.py') if room not in path.parents) == set()
+
+
+def lessons_imported_by(paths):
+    """Return the modules of the lessons that files import."""
+    found = set()
+    for path in paths:
+        for statement in ast.walk(ast.parse(path.read_text())):
+            if isinstance(statement, ast.Import):
+                found |= {alias.name for alias in statement.names}
+            elif isinstance(statement, ast.ImportFrom) and statement.module:
+                found.add(statement.module)
+    return {name for name in found if name.startswith('param_tutorial.lessons')}
+
+
+@pytest.mark.parametrize('name, runs_again', [
+    ('lessons/recording/questions.py', True), ('widgets/panel.py', True),
+    ('lessons/pages/drawing.py', False), ('lessons/site/_static/lesson.css', False)])
+def test_what_a_chapter_runs_again_for(monkeypatch, tmp_path, name, runs_again):
+    for path in ('lessons/recording/questions.py', 'lessons/pages/drawing.py', 'lessons/site/_static/lesson.css',
+                 'widgets/panel.py'):
+        file = tmp_path / 'ros' / 'package' / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text('before')
+    monkeypatch.setattr(archive, 'ROOT', tmp_path)
+    monkeypatch.setattr(archive, 'PACKAGE_ROOT', tmp_path / 'ros')
+    monkeypatch.setattr(archive, '_LESSONS', tmp_path / 'ros' / 'package' / 'lessons')
+    before = archive.digest_of_surroundings()
+    (tmp_path / 'ros' / 'package' / name).write_text('after')
+    assert (archive.digest_of_surroundings() != before) is runs_again
