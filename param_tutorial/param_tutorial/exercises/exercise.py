@@ -11,6 +11,9 @@ from param_tutorial.exercises.results import Finding, Hint, Result
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, borrowed_stage, cleared, expect, told
 from param_tutorial.parameters import values
 
+Examine = Callable[[Trial], None]
+FindOut = Callable[[Trial], Any]
+
 
 class Kind(NamedTuple):
     """What a learner hands in."""
@@ -32,7 +35,7 @@ class Requirement(NamedTuple):
     sentence: str
     see: str
     """The section of the chapter that shows it."""
-    examine: Callable[[Trial], None]
+    examine: Examine
     """Tries it out, and raises NotYet if it is not so."""
 
 
@@ -53,29 +56,29 @@ class Exercise:
         self.node_name = node_name
         self.requirements: list[Requirement] = []
 
-    def require(self, sentence: str, *, see: str) -> Callable:
+    def require(self, sentence: str, *, see: str) -> Callable[[Examine], Examine]:
         """Add the decorated function as a requirement.
 
         :param sentence: What has to be so, for the learner to read.
         :param see: The section of the chapter that shows it.
         """
-        def add(examine: Callable[[Trial], None]) -> Callable[[Trial], None]:
+        def add(examine: Examine) -> Examine:
             self.requirements.append(Requirement(sentence, see, examine))
             return examine
         return add
 
-    def require_prediction(self, question: str, *, see: str, because: dict[Any, str]) -> Callable:
+    def require_prediction(self, question: str, *, see: str, because: dict[Any, str]) -> Callable[[FindOut], FindOut]:
         """Add a requirement for a dictionary: that it holds, for a question, what the decorated function finds out.
 
         It is found out once: what a node of ours says does not depend on the learner's work.
 
         :param because: For wrong answers that one may well give, what to think of; a tuple stands for a list.
         """
-        def add(find_out: Callable[[Trial], Any]) -> Callable[[Trial], Any]:
+        def add(find_out: FindOut) -> FindOut:
             truth: list[Any] = []
 
             @self.require(f'`{question}`', see=see)
-            def examine(trial):
+            def examine(trial: Trial) -> None:
                 given = trial.work.get(question, ...)
                 expect(given is not ..., '', 'there is no prediction yet')
                 # The node's answer is not given away: to look at it is the next step, and the learner's.

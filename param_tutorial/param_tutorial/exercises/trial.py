@@ -78,7 +78,7 @@ class Trial:
         self._errors = list(ros.errors)
 
     def start(self, node_class: type[Node] | None = None, *, ros_args: Sequence[str] = (),
-              namespace: str = '') -> Node:
+              namespace: str = '') -> Any:
         """Put a node on the stage, in the corner.
 
         :param node_class: By default the learner's work, or derived from it.
@@ -100,7 +100,7 @@ class Trial:
         return node
 
     def start_with_files(self, node_class: type[Node], files: Mapping[str, str], *words: str,
-                         namespace: str = '') -> Node:
+                         namespace: str = '') -> Any:
         """Put a node on the stage, in the corner, with parameter files.
 
         :param files: The name of each, and its text. The names of nodes in it mean those in the corner.

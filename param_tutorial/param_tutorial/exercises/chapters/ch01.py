@@ -31,7 +31,7 @@ park = Exercise('1a', CHAPTER, DICTIONARY, hints=(
 class Patient(ClawbotNode):
     """A Clawbot for which time passes only when the check says so."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__(real_time=False)
 
 
@@ -59,7 +59,7 @@ def drive(trial: Trial) -> Drive:
 
 
 @park.require('the robot accepts each of your settings', see=WORDS)
-def accepted(trial):
+def accepted(trial: Trial) -> None:
     if not trial.work:
         raise NoUse('at least one parameter and its value', 'there is no setting yet')
     for name in trial.work:
@@ -72,26 +72,26 @@ def accepted(trial):
 
 
 @park.require(f'it pulls away at {COLD_C} °C', see=OWN)
-def starts(trial):
+def starts(trial: Trial) -> None:
     drive(trial)
 
 
 @park.require(f'it stops {GAP_M} m from the wall, to the centimetre', see=OWN)
-def stops(trial):
+def stops(trial: Trial) -> None:
     end = drive(trial)
     expect(end.word == 'STOPPED', 'it stops by itself', 'it has run into the wall')
     expect(abs(end.gap_m - GAP_M) <= GAP_TOLERANCE_M, f'{GAP_M:.2f} m', f'it stops {end.gap_m:.2f} m from the wall')
 
 
 @park.require(f'it is there within {TIME_SEC:g} s', see='Change it')
-def in_time(trial):
+def in_time(trial: Trial) -> None:
     end = drive(trial)
     expect(end.word == 'STOPPED', 'it stops by itself', 'it has run into the wall')
     expect(end.seconds <= TIME_SEC, f'at most {TIME_SEC:.2f} s', f'it takes {end.seconds:.2f} s')
 
 
 @park.require(f'it is never faster than {SPEED_LIMIT_MPS:g} m/s', see='A change, drawn')
-def slowly(trial):
+def slowly(trial: Trial) -> None:
     fastest_mps = drive(trial).fastest_mps
     expect(fastest_mps <= SPEED_LIMIT_MPS, f'at most {SPEED_LIMIT_MPS:.2f} m/s', f'it gets up to {fastest_mps:.2f} m/s')
 
@@ -118,14 +118,14 @@ def run(trial: Trial, node: object, minutes: int) -> None:
 
 
 @free.require(f'`{PARAMETER}` is a double, and 2.5 at the start', see=NUMBER)
-def declared(trial):
+def declared(trial: Trial) -> None:
     _, client = pump(trial)
     found, value = client.describe_parameter(PARAMETER).type.label, client.get_parameter(PARAMETER)
     expect((found, value) == ('double', 2.5), 'a double, 2.5', f'type {found}, value `{value!r}`')
 
 
 @free.require(f'started with `-p {PARAMETER}:=4.0`, it pumps 40 litres in ten minutes', see=START)
-def overridden(trial):
+def overridden(trial: Trial) -> None:
     node, _ = pump(trial, '-p', f'{PARAMETER}:=4.0')
     run(trial, node, 10)
     expect(node.litres == 40, '40 litres', f'`litres` is `{node.litres!r}`' + (
@@ -133,7 +133,7 @@ def overridden(trial):
 
 
 @free.require('a change counts from the next `run` on, and what was pumped before is not forgotten', see=DONE)
-def changed(trial):
+def changed(trial: Trial) -> None:
     node, client = pump(trial)
     run(trial, node, 10)
     client.set_parameter(PARAMETER, 1.0).raise_for_reason()

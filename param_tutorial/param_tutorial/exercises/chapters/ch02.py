@@ -104,7 +104,7 @@ mend = Exercise('2a', CHAPTER, TEXT, hints=(
 
 
 @mend.require('the package builds', see=COPY)
-def builds(trial):
+def builds(trial: Trial) -> None:
     if not trial.work.strip():
         raise NoUse('the text of a `setup.py`', 'there is nothing in it')
     if not built(trial).installed:
@@ -112,7 +112,7 @@ def builds(trial):
 
 
 @mend.require('the marker is where ROS looks for packages', see=BUILD)
-def marker(trial):
+def marker(trial: Trial) -> None:
     installed = built(trial).installed
     shares = sorted(name for name in installed if name.startswith('share/'))
     expect(MARKER in installed, f'`{MARKER}`', 'what is installed in `share` is '
@@ -120,12 +120,12 @@ def marker(trial):
 
 
 @mend.require('`package.xml` is in the share folder of the package', see=COPY)
-def package_xml(trial):
+def package_xml(trial: Trial) -> None:
     expect('share/lift/package.xml' in built(trial).installed, '`share/lift/package.xml`', 'it is not there')
 
 
 @mend.require('there is an executable `lift_node`', see=ENTRY)
-def executable(trial):
+def executable(trial: Trial) -> None:
     programs = sorted(name for name in built(trial).installed
                       if name.startswith(('lib/lift/', 'bin/')) and '.' not in name)
     expect(PROGRAM in programs, f'`{PROGRAM}`',
@@ -133,7 +133,7 @@ def executable(trial):
 
 
 @mend.require('`ros2 run lift lift_node` starts it', see=ENTRY)
-def starts(trial):
+def starts(trial: Trial) -> None:
     said = built(trial).said
     expect(said == READY, f'it says “{READY}”', said.splitlines()[-1] if said else 'it says nothing')
 
@@ -174,24 +174,24 @@ def expect_finds(trial: Trial, spaces: dict[str, tuple[str, ...]], *, because: s
 
 
 @find.require('a package without a marker is not found, whatever else is there', see=SOURCE)
-def no_marker(trial):
+def no_marker(trial: Trial) -> None:
     expect_finds(trial, {'first': (PROGRAM,)}, because='. Without the marker, ROS does not know of the package')
     expect_finds(trial, {})
 
 
 @find.require('a program that is there is found', see=BUILD)
-def found(trial):
+def found(trial: Trial) -> None:
     expect_finds(trial, {'first': (MARKER, PROGRAM)})
     expect_finds(trial, {'first': (), 'second': (MARKER, PROGRAM)})
 
 
 @find.require('a package in which there is no such program is told apart', see=SOURCE)
-def no_program(trial):
+def no_program(trial: Trial) -> None:
     expect_finds(trial, {'first': (MARKER, OTHER_PROGRAM)})
 
 
 @find.require('of two install spaces with the package, the first one decides', see=SOURCE)
-def overlaid(trial):
+def overlaid(trial: Trial) -> None:
     expect_finds(trial, {'first': (MARKER, PROGRAM), 'second': (MARKER, PROGRAM)},
                  because='. What was sourced last stands first, and hides the other')
     expect_finds(trial, {'first': (MARKER, OTHER_PROGRAM), 'second': (MARKER, PROGRAM)},

@@ -2,6 +2,7 @@
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import expect_answer, expect_declared
+from param_tutorial.exercises.trial import Trial
 from param_tutorial.parameters.values import BOOL, DOUBLE, INTEGER
 
 CHAPTER = '03_declaring'
@@ -19,12 +20,12 @@ declare = Exercise('3a', CHAPTER, NODE_CLASS, node_name='rover', hints=(
 
 
 @declare.require('`max_speed_mps` is a double and starts at one metre per second', see=TYPE)
-def speed(trial):
+def speed(trial: Trial) -> None:
     expect_declared(trial, 'max_speed_mps', DOUBLE, 1.0)
 
 
 @declare.require('`max_speed_mps` goes from 0.0 to 2.0, both ends included, and the node sees to it', see=DESCRIPTOR)
-def speed_range(trial):
+def speed_range(trial: Trial) -> None:
     because = ('A description is read by people only, an `integer_range` by integers only: a double has its '
                '`floating_point_range`')
     for end in (0.0, 2.0):
@@ -34,12 +35,12 @@ def speed_range(trial):
 
 
 @declare.require('`wheels` is an integer, and it is 6', see=TYPE)
-def wheels(trial):
+def wheels(trial: Trial) -> None:
     expect_declared(trial, 'wheels', INTEGER, 6)
 
 
 @declare.require('nobody can change `wheels`', see=DESCRIPTOR)
-def wheels_locked(trial):
+def wheels_locked(trial: Trial) -> None:
     expect_answer(trial, 'wheels', 4, 'read only', 'A lock is a field of the descriptor, `read_only`')
 
 
@@ -51,23 +52,23 @@ mend = Exercise('3b', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
 
 
 @mend.require('`brightness_percent` takes 62.5', see=WHO_DECIDES)
-def halves(trial):
+def halves(trial: Trial) -> None:
     expect_answer(trial, 'brightness_percent', 62.5, 'accepted')
 
 
 @mend.require('`brightness_percent` refuses 120.0', see=DESCRIPTOR)
-def percent(trial):
+def percent(trial: Trial) -> None:
     expect_answer(trial, 'brightness_percent', 120.0, 'out of range',
                   'What is said in a description is enforced by nobody, and an `integer_range` holds for integers only')
 
 
 @mend.require('`warm_white` is a boolean, and it is on', see=TYPE)
-def warm_white(trial):
+def warm_white(trial: Trial) -> None:
     expect_declared(trial, 'warm_white', BOOL, True)
 
 
 @mend.require('`calibration` is a double that has no value until somebody sets one', see=WHO_DECIDES)
-def calibration(trial):
+def calibration(trial: Trial) -> None:
     expect_declared(trial, 'calibration', DOUBLE, None)
 
 

@@ -1,5 +1,7 @@
 """Exercises of chapter 4: read a parameter at the right moment, and predict what is read."""
 
+from typing import Any
+
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
@@ -23,14 +25,14 @@ def limited(trial: Trial, wheel: object, wanted_rpm: int) -> object:
 
 
 @read.require('`limited(500)` is 100 at the start, and `limited(40)` is 40', see=OBJECT)
-def at_the_start(trial):
+def at_the_start(trial: Trial) -> None:
     wheel = trial.start()
     given = limited(trial, wheel, 500), limited(trial, wheel, 40)
     expect(given == (100, 40), '100 and 40', f'they are `{given[0]!r}` and `{given[1]!r}`')
 
 
 @read.require('after somebody has set `max_speed_rpm` to 150, `limited(500)` is 150', see=NOTICE)
-def after_a_change(trial):
+def after_a_change(trial: Trial) -> None:
     wheel = trial.start()
     trial.client(wheel).set_parameter('max_speed_rpm', 150).raise_for_reason()
     given = limited(trial, wheel, 500)
@@ -39,7 +41,7 @@ def after_a_change(trial):
 
 
 @read.require('started with `-p max_speed_rpm:=120`, the node gives 120 for `limited(500)`', see=START)
-def with_an_override(trial):
+def with_an_override(trial: Trial) -> None:
     given = limited(trial, trial.start(ros_args=['-p', 'max_speed_rpm:=120']), 500)
     expect(given == 120, '120, the effective value', f'it is `{given!r}`' + (
         '. That is the default in the source, not what the parameter holds' if given == 100 else ''))
@@ -63,33 +65,33 @@ def story(trial: Trial) -> dict[str, object]:
 
 @predict.require_prediction('photo.value', see=OBJECT, because={
     150: 'That is what the robot holds now, and the photograph is older'})
-def photograph(trial):
+def photograph(trial: Trial) -> Any:
     return story(trial)['photo'].value
 
 
 @predict.require_prediction("robot.get_parameter('max_speed_rpm').value", see=OBJECT, because={
     100: 'A new photograph shows the new value'})
-def present(trial):
+def present(trial: Trial) -> Any:
     return story(trial)['robot'].get_parameter('max_speed_rpm').value
 
 
 @predict.require_prediction("robot.get_parameter_or('battery_volts', fallback).value", see=FALLBACK, because={
     12: 'The fallback holds a double', None: 'The parameter is not declared, so the fallback is used'})
-def fallen_back(trial):
+def fallen_back(trial: Trial) -> Any:
     scene = story(trial)
     return scene['robot'].get_parameter_or('battery_volts', scene['fallback']).value
 
 
 @predict.require_prediction("robot.has_parameter('battery_volts')", see=FALLBACK, because={
     True: 'The fallback is used on the spot and declares nothing'})
-def stored(trial):
+def stored(trial: Trial) -> Any:
     return story(trial)['robot'].has_parameter('battery_volts')
 
 
 @predict.require_prediction("second.get_parameter('max_speed_rpm').value", see=START, because={
     100: 'That is the default, and somebody has said otherwise',
     150: 'That is what was set on the first robot: a parameter lives in one node'})
-def overridden(trial):
+def overridden(trial: Trial) -> Any:
     return story(trial)['second'].get_parameter('max_speed_rpm').value
 
 

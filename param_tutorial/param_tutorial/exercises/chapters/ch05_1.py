@@ -1,6 +1,7 @@
 """Exercises of chapter 5.1: spell values for the command line, and predict what becomes of them."""
 
 import shlex
+from typing import Any
 
 from rclpy.node import Node
 
@@ -17,7 +18,7 @@ REFUSALS = 'Break it: refusals and mistakes'
 class Gripper(Node):
     """Waits for what is typed; it holds one value of each type that is easily missed."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('gripper')
         self.declare_parameters('', [
             ('speed_mps', 0.25), ('tolerance_m', 0.5), ('retries', 3), ('label', 'none'), ('mode', 'auto'),
@@ -51,7 +52,7 @@ def require_spelling(name: str, goal: object, because: str) -> None:
     label = values.type_of(goal).label
 
     @spell.require(f'`{name}` becomes the {label} `{goal!r}`', see=SPELLING)
-    def arrives(trial):
+    def arrives(trial: Trial) -> None:
         word = trial.work.get(name)
         expect(isinstance(word, str), 'a text, in quotes, as you would type it', f'there is `{word!r}`')
         expect(word.strip(), '', 'there is nothing to type yet')
@@ -78,7 +79,7 @@ foresee = Exercise('5.1b', CHAPTER, DICTIONARY, hints=(
 def require_foresight(words: str, because: dict[object, str], see: str = SPELLING) -> None:
     """Add the requirement to know what the robot holds after a command."""
     @foresee.require_prediction(words, see=see, because=because)
-    def holds(trial):
+    def holds(trial: Trial) -> Any:
         robot = trial.start(SimpleParamNode)
         type_in(trial, robot, words)
         return trial.client(robot).get_parameter(words.split()[0])

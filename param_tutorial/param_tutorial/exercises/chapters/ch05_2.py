@@ -23,7 +23,7 @@ judge = Exercise('5.2a', CHAPTER, NODE_CLASS, node_name='heater', hints=(
 
 
 @judge.require('a lower limit that is not below the upper one is refused, with a reason', see=JUDGE)
-def order(trial):
+def order(trial: Trial) -> None:
     heater = trial.start()
     for bad in ({'low_c': 25}, {'low_c': 22}, {'high_c': 10}):
         expect_refused(trial, heater, bad)
@@ -31,7 +31,7 @@ def order(trial):
 
 
 @judge.require('both limits in one request are judged together', see=JUDGE)
-def together(trial):
+def together(trial: Trial) -> None:
     heater = trial.start()
     expect_refused(trial, heater, {'low_c': 21, 'high_c': 19})
     expect_accepted(trial, heater, {'low_c': 25, 'high_c': 30},
@@ -39,12 +39,12 @@ def together(trial):
 
 
 @judge.require('`self.target_c` is the middle of both limits, as soon as they are stored', see=ACT)
-def follows(trial):
+def follows(trial: Trial) -> None:
     expect_follows(trial, 'target_c', [({'low_c': 10}, 16), ({'low_c': 25, 'high_c': 30}, 27.5)])
 
 
 @judge.require('nothing is acted upon that is refused in the end', see=TOO_EARLY)
-def acts_late(trial):
+def acts_late(trial: Trial) -> None:
     heater = expect_follows(trial, 'target_c', [({'low_c': 10}, 16)])
     expect_left_alone(trial, heater, 'target_c', {'low_c': 12})
 
@@ -58,7 +58,7 @@ hunt = Exercise('5.2b', CHAPTER, NODE_CLASS, node_name='door', hints=(
 
 
 @hunt.require('a percentage is accepted', see=JUDGE)
-def accepts(trial):
+def accepts(trial: Trial) -> None:
     door = trial.start()
     for value in (50, 0, 100):
         expect_accepted(trial, door, {'open_percent': value},
@@ -66,7 +66,7 @@ def accepts(trial):
 
 
 @hunt.require('every parameter of a request is judged', see=JUDGE)
-def judges_each(trial):
+def judges_each(trial: Trial) -> None:
     door = trial.start()
     expect_accepted(trial, door, {'open_percent': 50, 'force_percent': 60})
     expect_refused(trial, door, {'open_percent': 50, 'force_percent': 150})
@@ -74,7 +74,7 @@ def judges_each(trial):
 
 
 @hunt.require('the motor follows what is stored, and only that', see=ACT)
-def motor(trial):
+def motor(trial: Trial) -> None:
     door = expect_follows(trial, 'motor_percent', [({'open_percent': 50}, 50), ({'force_percent': 20}, 50)])
     expect_left_alone(trial, door, 'motor_percent', {'open_percent': 80})
 
@@ -82,7 +82,7 @@ def motor(trial):
 class Ladder(Node):
     """Notes which rung is reached, and what is stored at that moment."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('ladder')
         self.declare_parameter('speed', 100, ParameterDescriptor(
             integer_range=[IntegerRange(from_value=0, to_value=300, step=1)]))
@@ -120,7 +120,7 @@ def require_order(position: int, sentence: str, proof: str) -> None:
     :param proof: What the node shows to those who had it the other way round.
     """
     @put_in_order.require(sentence, see=LADDER)
-    def in_order(trial):
+    def in_order(trial: Trial) -> None:
         letters = [letter for letter in trial.work.lower() if letter.isalpha()]
         if sorted(letters) != list('abcde'):
             raise NoUse('each letter from `a` to `e`, once', f'your order is {trial.work!r}')

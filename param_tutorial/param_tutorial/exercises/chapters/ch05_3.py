@@ -31,7 +31,7 @@ class Rover(Node):
 class StubbornRover(Rover):
     """Refuses to accelerate as gently as the supervisor wants it to."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__(gentlest_mps2=0.5)
 
 
@@ -63,7 +63,7 @@ def slow_down(trial: Trial, rover_class: type[Node]) -> tuple[Node, Node]:
 
 
 @supervise.require('`slow_down()` sends both values, and does not wait for the answer', see=HOW)
-def both(trial):
+def both(trial: Trial) -> None:
     rover, _ = slow_down(trial, Rover)
     client = trial.client(rover)
     trial.wait(lambda: client.get_parameters(NEW) == NEW, 'the rover holds 40 rpm and 0.2 m/s²',
@@ -71,14 +71,14 @@ def both(trial):
 
 
 @supervise.require('`self.refusal` is the reason of a rover that refuses', see=HOW)
-def reason(trial):
+def reason(trial: Trial) -> None:
     _, supervisor = slow_down(trial, StubbornRover)
     trial.wait(lambda: 'out of range' in str(supervisor.refusal), 'the reason is in `self.refusal`',
                lambda: f'`self.refusal` is `{supervisor.refusal!r}`')
 
 
 @supervise.require('both are set or neither: a rover that refuses one keeps the other', see=ATOMIC)
-def neither(trial):
+def neither(trial: Trial) -> None:
     both(trial)
     rover, supervisor = slow_down(trial, StubbornRover)
     trial.wait(lambda: supervisor.refusal, 'the answer has come', lambda: 'there is no reason in `self.refusal`')
@@ -109,14 +109,14 @@ def answer_to(trial: Trial, *parameters: Parameter) -> tuple[object, dict[str, s
 
 
 @read.require('one refusal among three: its name, and the reason', see=HOW)
-def one(trial):
+def one(trial: Trial) -> None:
     given, true = answer_to(trial, Parameter('max_speed_rpm', value=50), Parameter('max_acceleration_mps2', value=9.0),
                             Parameter('use_sim_time', value=False))
     expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')
 
 
 @read.require('two refusals: both of them', see=ONE_BY_ONE)
-def two(trial):
+def two(trial: Trial) -> None:
     given, true = answer_to(trial, Parameter('max_speed_rpm', value='fast'), Parameter('use_sim_time', value=False),
                             Parameter('max_acceleration_mps2', value=9.0))
     expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`' + (
@@ -124,7 +124,7 @@ def two(trial):
 
 
 @read.require('no refusal: an empty dictionary', see=HOW)
-def none(trial):
+def none(trial: Trial) -> None:
     given, true = answer_to(trial, Parameter('max_speed_rpm', value=50))
     expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')
 

@@ -1,6 +1,7 @@
 """Exercises of chapter 6: write descriptors, foresee refusals, and mend what nobody checks."""
 
 import ast
+from typing import Any
 
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
@@ -37,7 +38,7 @@ describe = Exercise('6a', CHAPTER, NODE_CLASS, node_name='camera', hints=(
 
 
 @describe.require('`exposure_us` is an integer, 500, and takes 100, 200, 300 and so on up to 10000', see=LIMITS)
-def exposure(trial):
+def exposure(trial: Trial) -> None:
     expect_declared(trial, 'exposure_us', INTEGER, 500)
     expect_answers(trial, 'exposure_us', 'accepted', 100, 700, 10000)
     expect_answers(trial, 'exposure_us', 'out of range', 99, 10001, because='A range belongs into `integer_range`')
@@ -45,7 +46,7 @@ def exposure(trial):
 
 
 @describe.require('`gain` is a double, 1.0, and takes everything from 0.0 to 16.0', see=LIMITS)
-def gain(trial):
+def gain(trial: Trial) -> None:
     expect_declared(trial, 'gain', DOUBLE, 1.0)
     expect_answers(trial, 'gain', 'accepted', 0.0, 0.123, 16.0)
     expect_answers(trial, 'gain', 'out of range', -0.1, 16.1,
@@ -53,7 +54,7 @@ def gain(trial):
 
 
 @describe.require('`sensor` is fixed while the node runs, and `-p sensor:=IMX477` can say it at the start', see=LOCK)
-def sensor(trial):
+def sensor(trial: Trial) -> None:
     expect_declared(trial, 'sensor', STRING, 'IMX219')
     expect_answers(trial, 'sensor', 'read only', 'IMX477', because='A lock is a field of the descriptor, `read_only`')
     client = trial.client(trial.start(ros_args=['-p', 'sensor:=IMX477']))
@@ -62,14 +63,14 @@ def sensor(trial):
 
 
 @describe.require('`tag` takes a text, a number, a list, and can be deleted', see=FREE)
-def tag(trial):
+def tag(trial: Trial) -> None:
     expect_answers(trial, 'tag', 'accepted', 'night', 7, [0.5, 1.5])
     result = client_for(trial, 'tag').delete_parameter('tag')
     expect(result.successful, '`tag` can be deleted', f'{result}')
 
 
 @describe.require('`crop_px` takes a list of integers, also an empty one, and has no value yet', see=ARRAYS)
-def crop(trial):
+def crop(trial: Trial) -> None:
     expect_declared(trial, 'crop_px', INTEGER_ARRAY, None)
     expect_answers(trial, 'crop_px', 'accepted', [0, 0, 640, 480], [])
     expect_answers(trial, 'crop_px', 'wrong type', [0.5], because='Its type is free, and was meant to be settled')
@@ -78,7 +79,7 @@ def crop(trial):
 class Oven(Node):
     """Bakes between 50 and 260 °C, and never at 225."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('oven')
         self.declare_parameter('target_c', 100, ParameterDescriptor(
             integer_range=[IntegerRange(from_value=50, to_value=260, step=25)]))
@@ -109,7 +110,7 @@ def require_foresight(wish: str, because: dict[object, str], see: str = ORDER) -
     name, value = wish.split(' = ')
 
     @foresee.require_prediction(wish, see=see, because=because)
-    def answers(trial):
+    def answers(trial: Trial) -> Any:
         return trial.client(trial.start(Oven)).set_parameter(name, ast.literal_eval(value)).kind
 
 
@@ -145,7 +146,7 @@ mend = Exercise('6c', CHAPTER, NODE_CLASS, node_name='winch', hints=(
 
 
 @mend.require('`rope_m` starts at 10.0 and `hook_m` at 0.0, and both go from 0.0 to 30.0', see=LIMITS)
-def limits(trial):
+def limits(trial: Trial) -> None:
     for name, start in (('rope_m', 10.0), ('hook_m', 0.0)):
         found = client_for(trial, name).get_parameter(name)
         expect(values.same(found, start), f'`{name}` starts at `{start!r}`', f'it starts at `{found!r}`')
@@ -154,7 +155,7 @@ def limits(trial):
 
 
 @mend.require('each of the two is described by a descriptor of its own', see=SHARED)
-def own_descriptors(trial):
+def own_descriptors(trial: Trial) -> None:
     client = client_for(trial, 'rope_m')
     found = client.describe_parameter('rope_m').name
     expect(found == 'rope_m', 'the descriptor of `rope_m` has its name',
@@ -162,7 +163,7 @@ def own_descriptors(trial):
 
 
 @mend.require('`stops_m` takes a list of doubles, also an empty one, and no text', see=ARRAYS)
-def stops(trial):
+def stops(trial: Trial) -> None:
     expect_answers(trial, 'stops_m', 'accepted', [2.5, 10.0], [])
     expect_answers(trial, 'stops_m', 'wrong type', ['dock'], because='With a free type everything goes in')
 

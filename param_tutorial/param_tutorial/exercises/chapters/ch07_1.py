@@ -2,6 +2,7 @@
 
 import tempfile
 from pathlib import Path
+from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
@@ -31,7 +32,7 @@ GOALS = {
 def recorder(name: str) -> type[Node]:
     """Derive a recorder that declares one of its parameters, so that one mistake does not hide the others."""
     class Recorder(Node):
-        def __init__(self):
+        def __init__(self) -> None:
             super().__init__('recorder')
             self.declare_parameter(name, GOALS[name][0], ParameterDescriptor(read_only=name == 'serial_number'))
 
@@ -50,7 +51,7 @@ def require_value(name: str, because: str, see: str) -> None:
     goal = GOALS[name][1]
 
     @write.require(f'`{name}` starts as the {values.type_of(goal).label} `{goal!r}`', see=see)
-    def starts(trial):
+    def starts(trial: Trial) -> None:
         if not trial.work.strip():
             raise NoUse('the text of a parameter file', 'there is nothing in it yet')
         try:
@@ -74,7 +75,7 @@ require_value('serial_number', 'A text that looks like a number needs quotes', B
 def holder(name: str, **declared: object) -> type[Node]:
     """Derive a node that declares parameters with defaults, or, without any, takes whatever it is started with."""
     class Holder(Node):
-        def __init__(self):
+        def __init__(self) -> None:
             super().__init__(name, automatically_declare_parameters_from_overrides=not declared)
             for parameter, default in declared.items():
                 self.declare_parameter(parameter, default)
@@ -109,7 +110,7 @@ def require_start(text: str, because: dict[object, str], see: str = LOOKS_LIKE) 
     :param text: The value; '[]' stands for the list.
     """
     @foresee.require_prediction(f'{text}: --params-file', see=see, because=because)
-    def holds(trial):
+    def holds(trial: Trial) -> Any:
         reader = holder('trip', value=['dock']) if text == '[]' else holder('trip')
         node = trial.start_with_files(reader, {'trip.yaml': dumped(trial, text)}, '--params-file', 'trip.yaml')
         return trial.client(node).get_parameter('value')
@@ -118,7 +119,7 @@ def require_start(text: str, because: dict[object, str], see: str = LOOKS_LIKE) 
 def require_load(text: str, because: dict[object, str], see: str = SECOND) -> None:
     """Add the requirement to know what a node holds after ``ros2 param load`` of a dump of a value; as above."""
     @foresee.require_prediction(f'{text}: load', see=see, because=because)
-    def holds(trial):
+    def holds(trial: Trial) -> Any:
         file = dumped(trial, text)
         node = trial.start(holder('trip', value=start_value(text)))
         with tempfile.TemporaryDirectory() as folder:

@@ -3,6 +3,7 @@
 import itertools
 import tempfile
 from pathlib import Path
+from typing import Any
 
 from rclpy.node import Node
 
@@ -76,31 +77,31 @@ def expect_holds(trial: Trial, name: str, value: object, because: str, **argumen
 
 
 @complete.require('the robot has the name from `clawbot_config.yaml`', see=READ)
-def file_arrives(trial):
+def file_arrives(trial: Trial) -> None:
     expect_holds(trial, 'robot_name', 'AlphaClaw', 'Is the file in `parameters`, and is it for this node?')
 
 
 @complete.require('its safety mode is on, though the file says otherwise', see=VALUES)
-def override_arrives(trial):
+def override_arrives(trial: Trial) -> None:
     file_arrives(trial)  # without the file it would be on anyway
     expect_holds(trial, 'enable_safety_mode', True, 'Of two sources the later one wins')
 
 
 @complete.require('its speed is 90 rpm, and 60 with `max_speed_rpm:=60`', see=ARGUMENTS)
-def speed_arrives(trial):
+def speed_arrives(trial: Trial) -> None:
     expect_holds(trial, 'max_speed_rpm', 90, 'Does the argument have a default, and does it come after the file?')
     expect_holds(trial, 'max_speed_rpm', 60, 'Is the argument used?', max_speed_rpm='60')
 
 
 @complete.require('its serial number is `SN-1`, and `0042` with `serial:=0042`', see=ARGUMENTS)
-def serial_arrives(trial):
+def serial_arrives(trial: Trial) -> None:
     expect_holds(trial, 'robot_serial_number', 'SN-1', 'The parameter is called `robot_serial_number`')
     expect_holds(trial, 'robot_serial_number', '0042', 'What is typed is read as YAML, unless it is to stay a text',
                  serial='0042')
 
 
 @complete.require('`ros2 launch` starts it, in a process of its own', see='See it')
-def runs(trial):
+def runs(trial: Trial) -> None:
     for each in (override_arrives, speed_arrives, serial_arrives):  # else a process would be wasted
         each(trial)
     shell = Shell()
@@ -144,7 +145,7 @@ foresee = Exercise('7.2b', CHAPTER, DICTIONARY, hints=(
 def require_foresight(words: str, because: dict[object, str], see: str) -> None:
     """Add the requirement to know the speed of a robot that is started with these words in its ``Node``."""
     @foresee.require_prediction(words, see=see, because=because)
-    def speed(trial):
+    def speed(trial: Trial) -> Any:
         try:
             return launched(trial, HEAD.replace('{words}', words)).get_parameter('max_speed_rpm').value
         except NoStart:

@@ -1,5 +1,7 @@
 """Exercises of chapter 7.3: foresee which value wins, and write a file that reaches the right nodes."""
 
+from typing import Any
+
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
@@ -27,7 +29,7 @@ FILES = {
 class Robot(Node):
     """The robot of the chapter."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('robot')
         self.declare_parameter('speed', 100)
 
@@ -48,7 +50,7 @@ def require_foresight(sources: str, because: dict[object, str], see: str = THREE
         ('--params-file', source) if source in FILES else ('-p', source.replace('-p ', 'speed:=')))]
 
     @predict.require_prediction(sources, see=see, because=because)
-    def speed(trial):
+    def speed(trial: Trial) -> Any:
         return trial.start_with_files(Robot, FILES, *words).get_parameter('speed').value
 
 
@@ -75,7 +77,7 @@ require_foresight('lab.yaml', {
 class Gripper(Node):
     """A gripper, or what stands beside one under another name."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('gripper')
         self.declare_parameters('', [('force_n', 5.0), ('speed_mmps', 10)])
 
@@ -104,23 +106,23 @@ def _shown(held: dict[str, object]) -> str:
 
 
 @reach.require('`/lab/left/gripper` starts with 12.0 N and 40 mm/s', see=REACHES)
-def left(trial):
+def left(trial: Trial) -> None:
     expect_holds(trial, '/lab/left', 'gripper', 12.0, 40)
 
 
 @reach.require('`/lab/right/gripper` starts with 20.0 N and 40 mm/s', see=THREE)
-def right(trial):
+def right(trial: Trial) -> None:
     expect_holds(trial, '/lab/right', 'gripper', 20.0, 40)
 
 
 @reach.require('`/lab/right/camera_arm` keeps its defaults', see=REACHES)
-def arm(trial):
+def arm(trial: Trial) -> None:
     left(trial)  # a file that reaches nobody earns nothing
     expect_holds(trial, '/lab/right', 'camera_arm', 5.0, 10)
 
 
 @reach.require('`/gripper`, and `/store/left/gripper`, keep theirs', see=REACHES)
-def spare(trial):
+def spare(trial: Trial) -> None:
     left(trial)
     for place in ('', '/store/left'):
         expect_holds(trial, place, 'gripper', 5.0, 10)

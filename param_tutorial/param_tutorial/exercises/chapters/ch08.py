@@ -28,14 +28,14 @@ repair = Exercise('8a', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
 
 
 @repair.require('it starts without a file, and the belt stands', see=DECLARE)
-def starts_alone(trial):
+def starts_alone(trial: Trial) -> None:
     conveyor = trial.start()
     motor = getattr(conveyor, 'motor_mps', None)
     expect(motor == 0.0, '`self.motor_mps` is `0.0`', f'it is `{motor!r}`')
 
 
 @repair.require('the group `belt` holds `speed_mps` and `gap_m`, both doubles', see=GROUP)
-def grouped(trial):
+def grouped(trial: Trial) -> None:
     client = trial.client(trial.start())
     found = client.get_parameters(client.list_parameters(['belt']))
     expect(dict(found) == {SPEED: 0.0, GAP: 0.5}, f'`{SPEED}` with 0.0 and `{GAP}` with 0.5',
@@ -46,7 +46,7 @@ def grouped(trial):
 
 
 @repair.require('values outside of 0 to 2 and 0 to 1 are refused by a range', see=DESCRIBE)
-def limited(trial):
+def limited(trial: Trial) -> None:
     conveyor = trial.start()
     for name, highest in ((SPEED, 2.0), (GAP, 1.0)):
         expect_accepted(trial, conveyor, {name: highest})
@@ -59,7 +59,7 @@ def limited(trial):
 
 
 @repair.require('the serial number is fixed, and each parameter is described', see=DESCRIBE)
-def described(trial):
+def described(trial: Trial) -> None:
     conveyor = trial.start()
     names = ['serial_number', SPEED, GAP]
     told = trial.client(conveyor).describe_parameters(names)
@@ -69,7 +69,7 @@ def described(trial):
 
 
 @repair.require('above 1 m/s a gap below 0.3 m is refused, with a reason', see=JUDGE)
-def judges(trial):
+def judges(trial: Trial) -> None:
     conveyor = trial.start()
     expect_refused(trial, conveyor, {SPEED: 1.5, GAP: 0.1})
     expect_accepted(trial, conveyor, {SPEED: 1.0, GAP: 0.1})
@@ -79,7 +79,7 @@ def judges(trial):
 
 
 @repair.require('the motor follows what is stored, and only that', see=JUDGE)
-def acts_late(trial):
+def acts_late(trial: Trial) -> None:
     conveyor = expect_follows(trial, 'motor_mps', [
         ({SPEED: 0.5}, 0.5), ({GAP: 0.4}, 0.5), ({SPEED: 0.6, GAP: 0.5}, 0.6)])
     expect_left_alone(trial, conveyor, 'motor_mps', {SPEED: 0.8})
@@ -88,7 +88,7 @@ def acts_late(trial):
 def belt(follows: int) -> type[Node]:
     """Derive a class of belts that follow one of the seven practices, and no other."""
     class Belt(Node):
-        def __init__(self):
+        def __init__(self) -> None:
             super().__init__('belt')
             limits = ParameterDescriptor()
             if follows == 2:
@@ -131,7 +131,7 @@ def require_practice(complaint: str) -> Callable:
     def add(still: Callable[[Trial, type[Node]], str]) -> Callable[[Trial, type[Node]], str]:
         # The section of the practice would be the answer.
         @find.require(f'“{complaint}”', see='What you can do now')
-        def examine(trial):
+        def examine(trial: Trial) -> None:
             given = trial.work.get(complaint, ...)
             expect(given is not ..., '', 'there is no answer yet')
             expect(type(given) is int and 1 <= given <= 7, 'the number of a practice, 1 to 7', f'there is `{given!r}`')

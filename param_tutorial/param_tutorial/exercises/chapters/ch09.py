@@ -25,7 +25,7 @@ NAMES = 'Names'
 class TranslatedDrive(Node):
     """The node that takes the section ``drive`` of the old file."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('drive')
         self.declare_parameters('', [
             ('base_frame', 'base'), ('max_speed_mps', 0.5), ('gains.kp', 1.0), ('gains.kd', 0.0)])
@@ -34,7 +34,7 @@ class TranslatedDrive(Node):
 class TranslatedCamera(Node):
     """The node that takes the section ``camera``."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('camera')
         self.declare_parameters('', [('base_frame', 'base'), ('label', 'none'), ('rates_hz', [5.0])])
 
@@ -76,27 +76,27 @@ def expect_values(trial: Trial, node_class: type[Node], wanted: dict[str, Any], 
 
 
 @translate.require('`/drive` starts with it, at a maximum of 1.0 m/s', see=TRANSLATE)
-def speed(trial):
+def speed(trial: Trial) -> None:
     expect_values(trial, TranslatedDrive, {'max_speed_mps': 1.0})
 
 
 @translate.require('`/drive` has the gains 2.0 and 0.1', see=TRANSLATE)
-def gains(trial):
+def gains(trial: Trial) -> None:
     expect_values(trial, TranslatedDrive, {'gains.kp': 2.0, 'gains.kd': 0.1})
 
 
 @translate.require('`/camera` starts with it, and its label is the text `1e5`', see=FILES)
-def label(trial):
+def label(trial: Trial) -> None:
     expect_values(trial, TranslatedCamera, {'label': '1e5'})
 
 
 @translate.require('`/camera` has the rates 10.0 and 12.5', see=TYPES)
-def rates(trial):
+def rates(trial: Trial) -> None:
     expect_values(trial, TranslatedCamera, {'rates_hz': [10.0, 12.5]})
 
 
 @translate.require('both know that `base_frame` is `base_link`', see=TRANSLATE)
-def frame(trial):
+def frame(trial: Trial) -> None:
     for node_class in (TranslatedDrive, TranslatedCamera):
         expect_values(trial, node_class, {'base_frame': 'base_link'},
                       'Nothing belongs to everybody any more: the key `/**` gives it to each node')
@@ -105,7 +105,7 @@ def frame(trial):
 class Drive(Node):
     """The node of exercise 9b, as the chapter shows it."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('drive')
         self.declare_parameter('max_speed_rpm', 100, ParameterDescriptor(
             integer_range=[IntegerRange(from_value=0, to_value=300)]))
@@ -123,7 +123,7 @@ def require_foresight(what: str, because: dict[object, str], see: str, *, name: 
                       restart: bool = False) -> None:
     """Add the requirement to know what the node holds after somebody set a parameter."""
     @foresee.require_prediction(what, see=see, because=because)
-    def held(trial):
+    def held(trial: Trial) -> Any:
         client = trial.client(trial.start(Drive))
         client.set_parameter(name, value)
         if restart:

@@ -23,7 +23,7 @@ BURST_LENGTH = 200
 class Rover(Node):
     """The robot that is listened to; `last` is set to mark the end of an experiment."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('rover')
         self.declare_parameters('', [
             ('speed', 1), ('offset', 0.5), ('label', 'rover'), ('enabled', True), ('gains', [1.0, 2.0]), ('last', 0)])
@@ -32,7 +32,7 @@ class Rover(Node):
 class Gripper(Node):
     """Another node, which has nothing to do with it."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('gripper')
         self.declare_parameter('speed', 1)
 
@@ -94,7 +94,7 @@ def expect_pages(trial: Trial, pages: list, wanted: list[tuple[str, str, Any]]) 
 
 
 @keep.require('every changed value is written down as it is', see=LISTENER)
-def changed(trial):
+def changed(trial: Trial) -> None:
     rover, journal = begin(trial)
     new = {'speed': 7, 'offset': 0.0, 'label': '', 'gains': [0.5, 0.0], 'enabled': False}
     pages = pages_after(trial, rover, journal, lambda: trial.client(rover).set_parameters_atomically(new))
@@ -102,7 +102,7 @@ def changed(trial):
 
 
 @keep.require('new and deleted parameters are told from changed ones', see=WHAT_IS_TOLD)
-def kinds(trial):
+def kinds(trial: Trial) -> None:
     rover, journal = begin(trial)
 
     def come_and_go():
@@ -115,7 +115,7 @@ def kinds(trial):
 
 
 @keep.require('only the rover is in it', see=LISTENER)
-def rover_only(trial):
+def rover_only(trial: Trial) -> None:
     rover, journal = begin(trial)
     gripper = trial.start(Gripper)
 
@@ -130,7 +130,7 @@ def rover_only(trial):
 
 
 @keep.require(f'a burst of {BURST_LENGTH} changes is complete', see=BURST)
-def burst(trial):
+def burst(trial: Trial) -> None:
     rover, journal = begin(trial)
 
     def hurry():
@@ -152,7 +152,7 @@ count = Exercise('10.1b', CHAPTER, DICTIONARY, hints=(
 def require_count(what: str, action: Callable[[Trial, Node], Any], because: dict[int, str]) -> None:
     """Add the requirement to know how many events there are when something is done to a rover."""
     @count.require_prediction(what, see=WHAT_IS_TOLD, because=because)
-    def counted(trial):
+    def counted(trial: Trial) -> Any:
         rover = trial.start(Rover)
         heard: list[ParameterEvent] = []
         stop_listening = trial.ros.on_parameter_event(

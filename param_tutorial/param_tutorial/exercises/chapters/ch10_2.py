@@ -19,7 +19,7 @@ ALL = 'All parameters of all nodes'
 class Rover(Node):
     """The robot that is inspected, with values that are easily missed."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('rover')
         self.declare_parameters('', [
             ('speed', 0), ('offset', 0.0), ('label', ''), ('enabled', False), ('gains', [0.5, 0.0])])
@@ -28,7 +28,7 @@ class Rover(Node):
 class Sleigh(Node):
     """Has the same name as the rover, and other parameters."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('rover')
         self.declare_parameters('', [('reindeer', 9), ('bells.count', 12)])
 
@@ -36,7 +36,7 @@ class Sleigh(Node):
 class Uncalibrated(Node):
     """A rover with a parameter that has no value."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('rover')
         self.declare_parameter('speed', 3)
         self.declare_parameter('calibration', Parameter.Type.DOUBLE)
@@ -103,17 +103,17 @@ def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...]
 
 
 @inspect.require('`self.found` holds every parameter with its value, and `inspect()` does not wait', see=BY_NAME)
-def everything(trial):
+def everything(trial: Trial) -> None:
     found_in(trial, Rover)
 
 
 @inspect.require('whatever the parameters are called', see=LIST_FIRST)
-def any_names(trial):
+def any_names(trial: Trial) -> None:
     found_in(trial, Sleigh)
 
 
 @inspect.require('one parameter without a value does not hide the others', see=UNKNOWN)
-def unset(trial):
+def unset(trial: Trial) -> None:
     found_in(trial, Uncalibrated, left_out=('calibration',))
 
 
@@ -126,7 +126,7 @@ who = Exercise('10.2b', CHAPTER, FUNCTION, hints=(
 class Gripper(Node):
     """Has a speed as well."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('gripper')
         self.declare_parameters('', [('speed', 4), ('grip', True)])
 
@@ -142,17 +142,17 @@ def census(trial: Trial, name: str) -> None:
 
 
 @who.require('a parameter that one node has', see=ALL)
-def one(trial):
+def one(trial: Trial) -> None:
     census(trial, 'grip')
 
 
 @who.require('a parameter that both have, one of them with the value 0', see=ALL)
-def both(trial):
+def both(trial: Trial) -> None:
     census(trial, 'speed')
 
 
 @who.require('a parameter that nobody has: an empty dictionary', see=ALL)
-def nobody(trial):
+def nobody(trial: Trial) -> None:
     census(trial, 'wings')
 
 

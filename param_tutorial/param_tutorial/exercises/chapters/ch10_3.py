@@ -50,7 +50,7 @@ def expect_steady(figures: Figures) -> None:
 
 
 @tune.require('the speed at the end is within 0.1 rad/s of the reference', see=INTEGRAL)
-def exact(trial):
+def exact(trial: Trial) -> None:
     figures = tuned(trial)
     expect_steady(figures)
     expect(abs(figures.steady_state_error) < 0.1, 'a steady-state error below 0.1 rad/s',
@@ -58,7 +58,7 @@ def exact(trial):
 
 
 @tune.require('it overshoots by less than 5 %', see=DERIVATIVE)
-def calm(trial):
+def calm(trial: Trial) -> None:
     figures = tuned(trial)
     expect_steady(figures)
     exact(trial)
@@ -66,7 +66,7 @@ def calm(trial):
 
 
 @tune.require('it has settled after less than 0.4 s', see=DERIVATIVE)
-def fast(trial):
+def fast(trial: Trial) -> None:
     figures = tuned(trial)
     expect_steady(figures)
     exact(trial)
@@ -88,7 +88,7 @@ KIND = 'pid_controller/PidController'
 class ControllerManager(Node):
     """Declares what its file holds, as ros2_control's controller manager does."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__(MANAGER, allow_undeclared_parameters=True,
                          automatically_declare_parameters_from_overrides=True)
 
@@ -119,13 +119,13 @@ def expect_value(parameters: dict[str, Any], name: str, value: Any) -> None:
 
 
 @write.require('the manager runs at 50 Hz', see=FILE)
-def rate(trial):
+def rate(trial: Trial) -> None:
     with started(trial, ControllerManager, MANAGER) as (_, parameters):
         expect_value(parameters, 'update_rate', 50)
 
 
 @write.require('it knows both controllers, each of the type `pid_controller/PidController`', see=FILE)
-def types(trial):
+def types(trial: Trial) -> None:
     with started(trial, ControllerManager, MANAGER) as (_, parameters):
         for name in (LEFT, RIGHT):
             expect_value(parameters, f'{name}.type', KIND)
@@ -134,7 +134,7 @@ def types(trial):
 def require_controller(name: str, joint: str, p: float) -> None:
     """Add the requirement that a controller starts with its joint and its gains."""
     @write.require(f'`{name}` starts with `{joint}` and its gains, in any namespace', see=WHERE)
-    def starts(trial):
+    def starts(trial: Trial) -> None:
         with started(trial, PidControllerNode, name) as (_, parameters):
             expect_value(parameters, 'dof_names', [joint])
             for gain, value in (('p', p), ('i', 0.4), ('u_clamp_max', 1.0), ('u_clamp_min', -1.0)):

@@ -24,7 +24,7 @@ rules = Exercise('10.4a', CHAPTER, NODE_CLASS, node_name='drone', hints=(
 
 
 @rules.require('a call sign is three capital letters, no more and no less', see=STATE)
-def call_sign(trial):
+def call_sign(trial: Trial) -> None:
     drone = trial.start()
     for bad in ('abc', 'AB', 'ABCD', ''):
         expect_refused(trial, drone, {'call_sign': bad})
@@ -32,7 +32,7 @@ def call_sign(trial):
 
 
 @rules.require('there are three modes', see=KINDS)
-def mode(trial):
+def mode(trial: Trial) -> None:
     drone = trial.start()
     expect_refused(trial, drone, {'mode': 'loop'})
     for good in ('track', 'land', 'hover'):
@@ -40,7 +40,7 @@ def mode(trial):
 
 
 @rules.require('`land_percent` is below `home_percent`, whether one of them is set or both together', see=ACROSS)
-def order(trial):
+def order(trial: Trial) -> None:
     drone = trial.start()
     for bad in ({'land_percent': 30}, {'home_percent': 5}, {'land_percent': 25, 'home_percent': 20}):
         expect_refused(trial, drone, bad)
@@ -48,7 +48,7 @@ def order(trial):
 
 
 @rules.require('with an override that breaks a rule the drone does not start', see=STATE)
-def at_the_start(trial):
+def at_the_start(trial: Trial) -> None:
     for override in ('mode:=loop', 'call_sign:=ABCD', 'land_percent:=40'):
         try:
             trial.start(ros_args=['-p', override])
@@ -75,7 +75,7 @@ def expect_values(trial: Trial, node: Node, wanted: dict[str, object], when: str
 
 
 @rename.require('what is set under one name can be read under the other', see=ALIASES)
-def both_ways(trial):
+def both_ways(trial: Trial) -> None:
     wagon = trial.start()
     expect_values(trial, wagon, {'width_mm': 800, 'width': 800, 'plate_number': 'none', 'plate': 'none'}, 'at first')
     for name, value in (('width', 700), ('width_mm', 900)):
@@ -84,7 +84,7 @@ def both_ways(trial):
 
 
 @rename.require('an old file reaches the new names, the read-only one too', see=ALIASES)
-def old_overrides(trial):
+def old_overrides(trial: Trial) -> None:
     wagon = trial.start(ros_args=['-p', 'width:=600', '-p', 'plate:=W-7'])
     expect_values(trial, wagon, {'width_mm': 600, 'plate_number': 'W-7'},
                   'with the overrides `width:=600` and `plate:=W-7`')
@@ -93,7 +93,7 @@ def old_overrides(trial):
 
 
 @rename.require('two names with two values, in one request, are refused', see=ALIASES)
-def contradiction(trial):
+def contradiction(trial: Trial) -> None:
     wagon = trial.start()
     expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'at first')
     expect_refused(trial, wagon, {'width': 1, 'width_mm': 2})
@@ -110,7 +110,7 @@ factory = Exercise('10.4c', CHAPTER, FUNCTION, hints=(
 class Lamp(Node):
     """What is to be brought back: in order, locked, and with a rule that refuses some ways back."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('lamp')
         self.declare_parameter('dim_percent', 10)
         self.declare_parameter('full_percent', 90)
@@ -129,21 +129,21 @@ def call(trial: Trial, keep: list[str], ros_args: tuple[str, ...] = ()) -> tuple
 
 @factory.require('everything has its default again, also where a rule stands in the way of one after the other',
                  see=RESTORE)
-def all_back(trial):
+def all_back(trial: Trial) -> None:
     lamp, failed = call(trial, [])
     expect_values(trial, lamp, {'dim_percent': 10, 'full_percent': 90, 'colour': 'white'}, 'afterwards')
     expect(failed == [], 'the function returns `[]`, since nothing failed', f'it returned `{failed!r}`')
 
 
 @factory.require('what is named in `keep` stays', see=DEFAULTS)
-def kept(trial):
+def kept(trial: Trial) -> None:
     lamp, _ = call(trial, ['colour'])
     expect_values(trial, lamp, {'dim_percent': 10, 'full_percent': 90, 'colour': 'red'},
                   "afterwards, with `keep=['colour']`")
 
 
 @factory.require('what could not be brought back is returned', see=RESTORE)
-def told_what_failed(trial):
+def told_what_failed(trial: Trial) -> None:
     _, failed = call(trial, [], ('-p', 'plate:=L-1'))
     expect(failed == ['plate'], "for a lamp that was started with another `plate` the function returns `['plate']`",
            f'it returned `{failed!r}`')

@@ -64,7 +64,7 @@ declare = Exercise('11a', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
 
 
 @declare.require('`cart_id` is a string, `CART-01`, and nobody can change it', see=DECLARE)
-def cart_id(trial):
+def cart_id(trial: Trial) -> None:
     expect_declared(trial, 'cart_id', STRING, 'CART-01')
     expect_answer(trial, 'cart_id', 'CART-02', 'read only', 'A lock is a field of the descriptor, `read_only`')
 
@@ -79,17 +79,17 @@ def expect_limits(trial: Trial, name: str, start: float) -> None:
 
 
 @declare.require('`max_speed_mps` is a double, starts at 1.0, and goes from 0.1 to 2.0', see=DECLARE)
-def speed(trial):
+def speed(trial: Trial) -> None:
     expect_limits(trial, 'max_speed_mps', 1.0)
 
 
 @declare.require('`max_acceleration_mps2` is a double, starts at 0.5, and goes from 0.1 to 2.0', see=DECLARE)
-def acceleration(trial):
+def acceleration(trial: Trial) -> None:
     expect_limits(trial, 'max_acceleration_mps2', 0.5)
 
 
 @declare.require('each of the three has a description', see=DECLARE)
-def described(trial):
+def described(trial: Trial) -> None:
     for name in ('cart_id', 'max_speed_mps', 'max_acceleration_mps2'):
         expect(client_for(trial, name).describe_parameter(name).description.strip(), f'`{name}` has a description',
                'it has none: whoever opens a panel has to guess its unit')
@@ -119,7 +119,7 @@ def start_cart(trial: Trial, *values: float, node_class: type[Node] | None = Non
 
 
 @judge.require('values with which the cart could not stop within 2 m are refused, with a reason', see=JUDGE)
-def sight(trial):
+def sight(trial: Trial) -> None:
     cart = start_cart(trial)
     expect_accepted(trial, cart, {'max_speed_mps': 1.4}, '. 1.4 m/s and 0.5 m/s² make 1.96 m')
     for bad in ({'max_speed_mps': 2.0}, {'max_acceleration_mps2': 0.4}):
@@ -127,7 +127,7 @@ def sight(trial):
 
 
 @judge.require('both in one request are judged together', see=JUDGE)
-def together(trial):
+def together(trial: Trial) -> None:
     cart = start_cart(trial)
     expect_accepted(trial, cart, settings(2.0, 1.0),
                     '. The proposed speed has to be held against the proposed acceleration, and 2.0 m are just allowed')
@@ -135,7 +135,7 @@ def together(trial):
 
 
 @judge.require('a cart that is given such values at its start does not start', see=JUDGE)
-def start_values(trial):
+def start_values(trial: Trial) -> None:
     start_cart(trial, 1.5, 1.0)
     try:
         start_cart(trial, 2.0, 0.5)
@@ -161,13 +161,13 @@ def expect_trip(cart: Node, speed_mps: float, acceleration_mps2: float, when: st
 
 
 @act.require('`self.trip_sec` is right from the start, whatever the cart starts with', see=JUDGE)
-def from_the_start(trial):
+def from_the_start(trial: Trial) -> None:
     expect_trip(start_cart(trial), 1.0, 0.5, 'with 1.0 m/s and 0.5 m/s²')
     expect_trip(start_cart(trial, 1.5, 1.0), 1.5, 1.0, 'in a cart that was started with 1.5 m/s and 1.0 m/s²')
 
 
 @act.require('it follows what is stored', see=JUDGE)
-def follows(trial):
+def follows(trial: Trial) -> None:
     cart = start_cart(trial)
     expect_accepted(trial, cart, {'max_speed_mps': 1.2})
     expect_trip(cart, 1.2, 0.5, 'once 1.2 m/s is stored')
@@ -176,7 +176,7 @@ def follows(trial):
 
 
 @act.require('it stays as it is when a change is refused in the end', see=JUDGE)
-def acts_late(trial):
+def acts_late(trial: Trial) -> None:
     cart = start_cart(trial, node_class=with_second_judge(trial.work))
     expect_accepted(trial, cart, {'max_speed_mps': 1.2})
     expect_trip(cart, 1.2, 0.5, 'once 1.2 m/s is stored')
@@ -217,14 +217,14 @@ def expect_held(client: ParameterClient, wanted: dict[str, Any], because: str = 
 
 
 @save.require('a cart of another name that is started with the file has the values', see=SAVE)
-def starts_with_it(trial):
+def starts_with_it(trial: Trial) -> None:
     with tempfile.TemporaryDirectory() as folder:
         second = other_cart(trial, '--params-file', str(saved_file(trial, folder)))
     expect_held(second, TUNED, '. A file reaches the nodes that its first line names, and is silent to all others')
 
 
 @save.require('and keeps its own `cart_id`', see=SAVE)
-def keeps_its_id(trial):
+def keeps_its_id(trial: Trial) -> None:
     with tempfile.TemporaryDirectory() as folder:
         second = other_cart(trial, '--params-file', str(saved_file(trial, folder)))
     expect_held(second, {**TUNED, 'cart_id': 'CART-02'},
@@ -232,7 +232,7 @@ def keeps_its_id(trial):
 
 
 @save.require('a running cart of another name loads it', see=SAVE)
-def loads_it(trial):
+def loads_it(trial: Trial) -> None:
     second = other_cart(trial)
     with tempfile.TemporaryDirectory() as folder:
         path = saved_file(trial, folder)
@@ -310,12 +310,12 @@ def expect_launched(trial: Trial) -> dict[str, Any]:
 
 
 @launch.require('`ros2 launch` starts the cart as `/aisle_3/cart_node`', see=START)
-def in_the_aisle(trial):
+def in_the_aisle(trial: Trial) -> None:
     expect_launched(trial)
 
 
 @launch.require('it drives at 1.5 m/s and accelerates with 0.6 m/s², whatever the file says', see=START)
-def with_overrides(trial):
+def with_overrides(trial: Trial) -> None:
     found = expect_launched(trial)
     wanted = settings(1.5, 0.6)
     expect({name: found[name] for name in wanted} == wanted, '1.5 and 0.6',
@@ -323,7 +323,7 @@ def with_overrides(trial):
 
 
 @launch.require('what the launch file does not say comes from `config/cart_config.yaml`', see=START)
-def with_the_file(trial):
+def with_the_file(trial: Trial) -> None:
     found = expect_launched(trial)
     expect(found['cart_id'] == 'CART-07', "`cart_id` is `'CART-07'`, as in the file",
            f'it is `{found["cart_id"]!r}`: the file has not been loaded')
@@ -343,7 +343,7 @@ GENTLEST_MPS2 = 1.0
 class Watched(CartNode):
     """Notes how many parameters each request holds."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__()
         self.requests: list[int] = []
 
@@ -361,14 +361,14 @@ def tuned(trial: Trial, *start: float) -> Watched:
 
 
 @tune.require('the aisle takes at most 8 s', see=TUNE)
-def in_time(trial):
+def in_time(trial: Trial) -> None:
     cart = tuned(trial)
     expect(cart.trip_sec <= GOAL_SEC + 1e-9, 'at most 8 s', f'{cart.trip_sec:.2f} s, with '
            f'{" m/s and ".join(f"{each:g}" for each in cart.settings())} m/s²')
 
 
 @tune.require('with the gentlest acceleration that will do', see=TUNE)
-def gently(trial):
+def gently(trial: Trial) -> None:
     cart = tuned(trial)
     in_time(trial)
     found = cart.settings()[1]
@@ -377,7 +377,7 @@ def gently(trial):
 
 
 @tune.require('both values change together, in one request', see=TUNE)
-def at_once(trial):
+def at_once(trial: Trial) -> None:
     in_time(trial)
     cart = tuned(trial, 0.5, 0.2)
     expect(cart.requests == [2], 'one request, with two parameters',
