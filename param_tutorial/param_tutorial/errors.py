@@ -21,6 +21,8 @@ becomes a ParameterRefusedError on request.
 """
 
 import difflib
+from collections.abc import Sequence
+from typing import Any, Protocol
 
 
 class ParameterToolError(Exception):
@@ -66,7 +68,7 @@ class NodeError(ParameterToolError):
 class NodeNotFoundError(NodeError, LookupError):
     """No node of that name offers parameter services."""
 
-    def __init__(self, node: str, existing: list[str]):
+    def __init__(self, node: str, existing: Sequence[str]):
         self.existing = existing
         super().__init__(node, f'there is no node {node}{nearest(node, existing, "No node is running")}')
 
@@ -104,21 +106,41 @@ class CallbackError(NodeError):
 class ParameterNotDeclaredError(NodeError, LookupError):
     """The node has no parameter of that name."""
 
-    def __init__(self, node: str, name: str, existing: list[str]):
+    def __init__(self, node: str, name: str, existing: Sequence[str]):
         self.name = name
         super().__init__(
             node, f'{node} has no parameter {name!r}{nearest(name, existing, "It has no parameters at all")}')
 
 
+class Refusal(Protocol):
+    """What a node said no to; a ``client.SetResult`` is one."""
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node."""
+
+    @property
+    def name(self) -> str:
+        """The name of the parameter."""
+
+    @property
+    def value(self) -> Any:
+        """What it was to be set to."""
+
+    @property
+    def reason(self) -> str:
+        """The node's own words."""
+
+
 class ParameterRefusedError(NodeError):
     """The node refused a value; ``.result`` holds the parameter, the value and the reason."""
 
-    def __init__(self, result):
+    def __init__(self, result: Refusal):
         super().__init__(result.node, str(result))
         self.result = result
 
 
-def nearest(name: str, existing: list[str], none_at_all: str) -> str:
+def nearest(name: str, existing: Sequence[str], none_at_all: str) -> str:
     """End the sentence "there is no NAME" with the likeliest names that do exist.
 
     :param name: The name that was asked for.

@@ -322,18 +322,18 @@ _WRITTEN = {
 def test_what_a_text_box_shows_is_read_back_the_same(parameter_type, data):
     value = data.draw(_WRITTEN[parameter_type])
     form = typed.form_of(Descriptor('x', parameter_type, '', '', False, False, None))
-    text = form.write(value)
+    text = form.format(value)
     assert '\n' not in text
-    assert values.same(form.read(text), value)
+    assert values.same(form.parse(text), value)
 
 
 @given(st.one_of(_texts, st.booleans(), *(strategy for kind, strategy in _WRITTEN.items()
                                           if kind is not values.BYTE_ARRAY)))
 def test_so_is_a_value_whose_type_may_be_any(value):
     form = typed.form_of(Descriptor('x', values.STRING, '', '', False, True, None))
-    text = form.write(value)
+    text = form.format(value)
     assert '\n' not in text
-    assert values.same(form.read(text), value)
+    assert values.same(form.parse(text), value)
 
 
 def test_python_code_moves_a_widget_as_a_hand_does(arm):

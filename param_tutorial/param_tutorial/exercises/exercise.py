@@ -1,14 +1,14 @@
 """What an exercise is: requirements, each a sentence and a function that tries it out, and how they are checked."""
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from rclpy.node import Node
 
 from param_tutorial.errors import ExecutorError, NoAnswerError
 from param_tutorial.exercises.results import Finding, Hint, Result
-from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, borrowed_stage, cleared, expect, told
+from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, borrowed_stage, cleared, describe_error, expect
 from param_tutorial.parameters import values
 
 Examine = Callable[[Trial], None]
@@ -67,7 +67,8 @@ class Exercise:
             return examine
         return add
 
-    def require_prediction(self, question: str, *, see: str, because: dict[Any, str]) -> Callable[[FindOut], FindOut]:
+    def require_prediction(self, question: str, *, see: str,
+                           because: Mapping[Any, str]) -> Callable[[FindOut], FindOut]:
         """Add a requirement for a dictionary: that it holds, for a question, what the decorated function finds out.
 
         It is found out once: what a node of ours says does not depend on the learner's work.
@@ -151,7 +152,7 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     except ExecutorError:
         raise
     except Exception as error:  # whatever a learner's object may do when it is looked at
-        return _finding(requirement, NotYet('', told(error)))
+        return _finding(requirement, NotYet('', describe_error(error)))
     return Finding(requirement.sentence, True)
 
 

@@ -1,9 +1,14 @@
 """What several chapters expect of a learner's node, each with words for the node that does something else."""
 
-from rcl_interfaces.msg import SetParametersResult
-from rclpy.node import Node
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NoReturn
 
-from param_tutorial.exercises.trial import Trial, expect
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.client import Client
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial.exercises.trial import NodeT, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import ParameterType
 
@@ -42,25 +47,53 @@ def expect_result(client: ParameterClient, name: str, value: object, kind: str, 
            f'{result}' + (f'. {because}' if result.successful else ''))
 
 
-def with_second_judge(node_class: type[Node]) -> type[Node]:
-    """Derive a class of nodes with one more on-set callback, which is asked last, and refuses when it is told to."""
-    class WithSecondJudge(node_class):
-        has_second_judge = False
-        refuses = False
+def expect_service(trial: Trial, client: Client) -> None:
+    """Expect a client of the learner's to find its service.
 
-        def add_on_set_parameters_callback(self, callback):
-            if not self.has_second_judge:  # the oldest is asked last
-                self.has_second_judge = True
-                super().add_on_set_parameters_callback(self.second_judge)
-            super().add_on_set_parameters_callback(callback)
-
-        def second_judge(self, _):
-            return SetParametersResult(successful=not self.refuses, reason='a second judge refuses')
-
-    return WithSecondJudge
+    :raises NoUse: nobody offers it.
+    """
+    try:
+        trial.wait(client.service_is_ready, 'the client finds its service',
+                   lambda: f'nobody offers a service `{client.srv_name}`, of that type')
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
 
 
-def expect_refused(trial: Trial, node: Node, new: dict[str, object]) -> None:
+def derive(mixin: type[NodeT], node_class: type[Node]) -> type[NodeT]:
+    """Return a class of nodes like another one, with the methods of a mixin in front."""
+    return type(mixin.__name__, (mixin, node_class), {})
+
+
+class WithSecondJudge(Node):
+    """A mixin: one more on-set callback, which is asked last, and refuses when it is told to."""
+
+    has_second_judge = False
+    refuses = False
+
+    def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
+        if not self.has_second_judge:  # the oldest is asked last
+            self.has_second_judge = True
+            super().add_on_set_parameters_callback(self.second_judge)
+        super().add_on_set_parameters_callback(callback)
+
+    def second_judge(self, _: list[Parameter]) -> SetParametersResult:
+        return SetParametersResult(successful=not self.refuses, reason='a second judge refuses')
+
+
+class WithoutDeadlock(Node):
+    """A mixin: clients refuse to wait in a callback, where nothing could end the waiting any more."""
+
+    def create_client(self, *args: Any, **options: Any) -> Client:
+        client = super().create_client(*args, **options)
+        client.call = self.call_and_wait  # type: ignore[method-assign]  # for this one client
+        return client
+
+    def call_and_wait(self, *_: Any, **__: Any) -> NoReturn:
+        raise RuntimeError('call() waits for an answer that only the executor can bring, and this callback keeps '
+                           'the executor busy. Use call_async()')
+
+
+def expect_refused(trial: Trial, node: Node, new: Mapping[str, object]) -> None:
     """Expect a request, as a whole, to be refused with a reason."""
     result = trial.client(node).set_parameters_atomically(new)[0]
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
@@ -68,7 +101,7 @@ def expect_refused(trial: Trial, node: Node, new: dict[str, object]) -> None:
     expect(result.reason.strip(), f'{asked} is refused with a reason', 'it was refused, and the reason is empty')
 
 
-def expect_accepted(trial: Trial, node: Node, new: dict[str, object], because: str = '') -> None:
+def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because: str = '') -> None:
     """Expect a request, as a whole, to be accepted."""
     result = trial.client(node).set_parameters_atomically(new)[0]
     if result.reason == 'Callback returned an invalid type':  # rclpy's words for whatever else is returned
@@ -77,9 +110,10 @@ def expect_accepted(trial: Trial, node: Node, new: dict[str, object], because: s
     expect(result.successful, f'{asked} is accepted', f'it was refused: {result.reason}{because}')
 
 
-def expect_follows(trial: Trial, attribute: str, steps: list[tuple[dict[str, object], object]]) -> Node:
+def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[str, object], object]]
+                   ) -> WithSecondJudge:
     """Expect an attribute of the node to have a value after each accepted change."""
-    node = trial.start(with_second_judge(trial.work))
+    node = trial.start(derive(WithSecondJudge, trial.work))
     for new, wanted in steps:
         expect_accepted(trial, node, new)
         found = getattr(node, attribute, None)
@@ -88,7 +122,7 @@ def expect_follows(trial: Trial, attribute: str, steps: list[tuple[dict[str, obj
     return node
 
 
-def expect_left_alone(trial: Trial, node: Node, attribute: str, new: dict[str, object]) -> None:
+def expect_left_alone(trial: Trial, node: WithSecondJudge, attribute: str, new: Mapping[str, object]) -> None:
     """Expect an attribute of the node to stay when another callback refuses a change."""
     before = getattr(node, attribute)
     node.refuses = True
@@ -97,18 +131,3 @@ def expect_left_alone(trial: Trial, node: Node, attribute: str, new: dict[str, o
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
     expect(after == before, f'`self.{attribute}` stays `{before!r}` when a second judge refuses {asked}',
            f'it became `{after!r}`: that is a side effect of an on-set callback, which has only a proposal')
-
-
-def without_deadlock(node_class: type[Node]) -> type[Node]:
-    """Derive a class whose clients refuse to wait in a callback, where nothing could end the waiting any more."""
-    class WithoutDeadlock(node_class):
-        def create_client(self, *args, **options):
-            client = super().create_client(*args, **options)
-            client.call = self.call_and_wait
-            return client
-
-        def call_and_wait(self, request, timeout_sec=None):
-            raise RuntimeError('call() waits for an answer that only the executor can bring, and this callback keeps '
-                               'the executor busy. Use call_async()')
-
-    return WithoutDeadlock

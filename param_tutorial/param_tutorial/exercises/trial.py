@@ -10,7 +10,8 @@ import threading
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from types import FrameType
+from typing import Any, TypeVar, overload
 
 from rclpy.node import Node
 
@@ -19,8 +20,10 @@ from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.ros2 import command
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.services import SERVICE_TYPES
+from param_tutorial.runtime.service_types import SERVICE_TYPES
 from param_tutorial.runtime.waiting import wait_until
+
+NodeT = TypeVar('NodeT', bound=Node)
 
 # A node of the learner's own, of the same name, may be on the stage: ROS keeps the two apart by this namespace. It
 # begins with an underscore, so tools do not list what is in it.
@@ -77,6 +80,12 @@ class Trial:
         """The names of the nodes that were made of the work."""
         self._errors = list(ros.errors)
 
+    @overload
+    def start(self, node_class: None = None, *, ros_args: Sequence[str] = (), namespace: str = '') -> Any: ...
+
+    @overload
+    def start(self, node_class: type[NodeT], *, ros_args: Sequence[str] = (), namespace: str = '') -> NodeT: ...
+
     def start(self, node_class: type[Node] | None = None, *, ros_args: Sequence[str] = (),
               namespace: str = '') -> Any:
         """Put a node on the stage, in the corner.
@@ -94,13 +103,14 @@ class Trial:
             with _time_limit():
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args])
         except (Exception, TooLong, SystemExit) as error:
-            raise NoStart('a node that starts', f'its constructor did not get to its end. {told(error)}') from None
+            raise NoStart('a node that starts',
+                          f'its constructor did not get to its end. {describe_error(error)}') from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.append(node.get_name())
         return node
 
-    def start_with_files(self, node_class: type[Node], files: Mapping[str, str], *words: str,
-                         namespace: str = '') -> Any:
+    def start_with_files(self, node_class: type[NodeT], files: Mapping[str, str], *words: str,
+                         namespace: str = '') -> NodeT:
         """Put a node on the stage, in the corner, with parameter files.
 
         :param files: The name of each, and its text. The names of nodes in it mean those in the corner.
@@ -120,16 +130,16 @@ class Trial:
                 raise
 
     def client(self, node: Node) -> ParameterClient:
-        """Give a client for a node's parameters, with the time limit."""
+        """Return a client for a node's parameters, with the time limit."""
         return ParameterClient(node, timeout_sec=TIME_LIMIT_SEC, executor=self.ros)
 
     def ros2(self, *words: str) -> str:
-        """Type a command, as in a notebook, and give what it prints."""
+        """Type a command, as in a notebook, and return what it prints."""
         printed = io.StringIO()
         command.main(words, stdout=printed, stderr=printed, get_executor=lambda: self.ros, in_notebook=True)
         return printed.getvalue().strip()
 
-    def call(self, what: str, function: Callable, *args: Any) -> Any:
+    def call(self, what: str, function: Callable[..., Any], *args: Any) -> Any:
         """Call a function of the learner's here.
 
         :param what: Names the call.
@@ -138,14 +148,14 @@ class Trial:
             with _time_limit():
                 return function(*args)
         except (Exception, TooLong, SystemExit) as error:
-            raise NotYet(f'{what} comes to an end', told(error)) from None
+            raise NotYet(f'{what} comes to an end', describe_error(error)) from None
 
     def press(self, what: str, function: Callable[[], Any]) -> None:
         """Call a function of the learner's in the executor's thread, as a timer would."""
         try:
             self.ros.run(function, what)
         except (Exception, SystemExit) as error:
-            raise NotYet(f'{what} comes to an end', told(error)) from None
+            raise NotYet(f'{what} comes to an end', describe_error(error)) from None
         except KeyboardInterrupt:
             raise
         except BaseException:  # the executor has interrupted it
@@ -163,14 +173,14 @@ class Trial:
             raise NotYet(expected, f'{happened()}, after {TIME_LIMIT_SEC:g} s{self.raised()}') from None
 
     def raised(self) -> str:
-        """Tell what callbacks have raised in the meantime, if they have."""
+        """Return a sentence about what callbacks have raised in the meantime; empty if they have not."""
         new = [error for error in self.ros.errors if not any(error is old for old in self._errors)]
-        return ''.join(f'. Meanwhile a callback raised {told(error)}' for error in new[-1:])
+        return ''.join(f'. Meanwhile a callback raised {describe_error(error)}' for error in new[-1:])
 
 
 @contextlib.contextmanager
 def borrowed_stage() -> Iterator[BackgroundExecutor]:
-    """Give the executor in the background, or one for the time being, and clear it of what was added.
+    """Yield the executor in the background, or one for the time being, and clear it of what was added.
 
     :raises ExecutorError: there can be none.
     """
@@ -206,7 +216,7 @@ def _time_limit() -> Iterator[None]:
         yield
         return
 
-    def ring(_number, _frame):
+    def ring(_number: int, _frame: FrameType | None) -> None:
         raise TooLong
 
     previous = signal.signal(signal.SIGALRM, ring)
@@ -223,10 +233,10 @@ def _in_corner(text: str) -> str:
     return _NODE_KEY.sub(rf'\1{CORNER}/', text)
 
 
-def told(error: BaseException) -> str:
-    """Tell an exception in a sentence, with the line of the learner's code that it comes from."""
-    if isinstance(error, CallbackError):
-        return f'a callback raised {told(error.__cause__)}'
+def describe_error(error: BaseException) -> str:
+    """Return an exception as a sentence, with the line of the learner's code that it comes from."""
+    if isinstance(error, CallbackError) and error.__cause__:
+        return f'a callback raised {describe_error(error.__cause__)}'
     if isinstance(error, (TooLong, ParameterToolError)):
         return str(error)
     words = f'{type(error).__name__}: {error}' if str(error) else type(error).__name__

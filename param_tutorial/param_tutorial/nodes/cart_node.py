@@ -8,6 +8,7 @@ from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParam
 from rclpy.exceptions import InvalidParameterValueException
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 AISLE_M = 12.0
 """How long the aisle is."""
@@ -18,7 +19,7 @@ SIGHT_M = 2.0
 class CartNode(Node):
     """The cart, and how long it takes from one end of the aisle to the other."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('cart_node')
         self.declare_parameter(
             'cart_id', 'CART-01', ParameterDescriptor(description='Painted on the side.', read_only=True))
@@ -39,20 +40,20 @@ class CartNode(Node):
         self.add_post_set_parameters_callback(self.react)
         self.get_logger().info('CartNode has been started.')
 
-    def settings(self):
-        """Give the speed and the acceleration that are stored, in m/s and m/s^2."""
+    def settings(self) -> tuple[float, float]:
+        """Return the speed and the acceleration that are stored, in m/s and m/s^2."""
         return self.get_parameter('max_speed_mps').value, self.get_parameter('max_acceleration_mps2').value
 
     @staticmethod
-    def objection(speed, acceleration):
+    def objection(speed: float, acceleration: float) -> str:
         """Say what is wrong with a speed and an acceleration, or nothing: the cart has to stop within its sight."""
         stopping_m = speed ** 2 / (2 * acceleration)
-        # Decimal fractions are rarely exact, and a millionth of a millimetre hurts nobody.
+        # Decimal fractions are rarely exact, and a millionth of a millimeter hurts nobody.
         if stopping_m > SIGHT_M + 1e-9:
             return f'it would take {stopping_m:.2f} m to stop, and the scanner sees {SIGHT_M:g} m'
         return ''
 
-    def validate(self, parameters):
+    def validate(self, parameters: list[Parameter]) -> SetParametersResult:
         """Say whether the proposed parameters may be stored, together with what is stored; change nothing."""
         proposed = {parameter.name: parameter.value for parameter in parameters}
         speed, acceleration = self.settings()
@@ -60,19 +61,19 @@ class CartNode(Node):
             proposed.get('max_speed_mps', speed), proposed.get('max_acceleration_mps2', acceleration))
         return SetParametersResult(successful=not reason, reason=reason)
 
-    def react(self, _):
+    def react(self, _: list[Parameter]) -> None:
         """Work out, from what is stored, how long the cart takes for the aisle."""
         speed, acceleration = self.settings()
         self.trip_sec = AISLE_M / speed + speed / acceleration
 
-    def velocity_over_time(self):
-        """Give the corners of the velocity's curve along the aisle, in s and m/s."""
+    def velocity_over_time(self) -> list[tuple[float, float]]:
+        """Return the corners of the velocity's curve along the aisle, in s and m/s."""
         speed, acceleration = self.settings()
-        # Within the rule it reaches its speed on the first two metres, so the curve has a level part.
+        # Within the rule it reaches its speed on the first two meters, so the curve has a level part.
         return [(0.0, 0.0), (speed / acceleration, speed), (AISLE_M / speed, speed), (self.trip_sec, 0.0)]
 
 
-def main(args=None):
+def main(args: list[str] | None = None) -> None:
     """Spin a CartNode until Ctrl+C or a termination signal."""
     try:
         rclpy.init(args=args)

@@ -1,30 +1,33 @@
 """A simulated robot on a straight track, and every parameter of it means something.
 
-It pulls away from the start, drives towards a wall, and with its safety mode on it stops in front of it. Run it
+It pulls away from the start, drives toward a wall, and with its safety mode on it stops in front of it. Run it
 alone with ``ros2 run param_tutorial clawbot_node`` and change its parameters while it drives.
 
 The motion is not computed step by step. ``plan`` cuts it into phases of constant acceleration, and each phase has a
 closed form, so it does not matter when, how often or how late anybody looks. A position is that of the robot's
-front, in metres from the start line; the robot's centre is half its length behind. SI units throughout.
+front, in meters from the start line; the robot's center is half its length behind. SI units throughout.
 """
 
 import math
 import threading
 import time
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import rclpy
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 ROBOT_LENGTH_M = 0.6
-# Where the range sensor really sits, before the centre. What the robot believes is sensor_offset_meters.
+# Where the range sensor really sits, before the center. What the robot believes is sensor_offset_meters.
 SENSOR_MOUNT_M = 0.15
 # How far from the wall the safety mode wants to stop.
 SAFETY_GAP_M = 0.2
-# What the tyres can do at most. The safety mode uses it when max_acceleration_mps2 would stop the robot too late.
+# What the tires can do at most. The safety mode uses it when max_acceleration_mps2 would stop the robot too late.
 EMERGENCY_BRAKE_MPS2 = 6.0
 # Nearer than this counts as being there, in space and in time.
 _TOLERANCE_M = 1e-6
@@ -75,7 +78,7 @@ class Phase:
     acceleration_mps2: float
 
     def at(self, elapsed_sec: float) -> State:
-        """Give the state so many seconds after the phase began."""
+        """Return the state so many seconds after the phase began."""
         velocity = self.velocity_mps + self.acceleration_mps2 * elapsed_sec
         position = self.position_m + (self.velocity_mps + velocity) / 2 * elapsed_sec
         return State(self.word, position, max(0.0, velocity), self.acceleration_mps2)
@@ -95,7 +98,7 @@ class Motion:
         return sum(phase.duration_sec for phase in self.phases)
 
     def at(self, elapsed_sec: float) -> State:
-        """Give the state so many seconds after the motion began."""
+        """Return the state so many seconds after the motion began."""
         for phase in self.phases:
             if elapsed_sec < phase.duration_sec - _TOLERANCE_SEC:
                 return phase.at(elapsed_sec)
@@ -103,7 +106,7 @@ class Motion:
         return self.end
 
     def velocity_over_time(self, until_sec: float = math.inf) -> list[tuple[float, float]]:
-        """Give the corners of the velocity's curve, in s and m/s; between them it is straight."""
+        """Return the corners of the velocity's curve, in s and m/s; between them it is straight."""
         corners, start_sec = [], 0.0
         for phase in self.phases:
             elapsed_sec = min(phase.duration_sec, until_sec - start_sec)
@@ -193,7 +196,7 @@ class ClawbotNode(Node):
         super().__init__('clawbot_node')
         self._real_time = real_time
         self._stepped_sec = 0.0
-        self._listeners = []
+        self._listeners: list[Callable[[], object]] = []
         # The parameters' callbacks come in the executor's thread, drive() and step() perhaps in another.
         self._lock = threading.RLock()
         self.declare_parameter(
@@ -251,14 +254,14 @@ class ClawbotNode(Node):
 
     # -- parameters -------------------------------------------------------------------------------------
 
-    def validate(self, parameters):
+    def validate(self, parameters: list[Parameter]) -> SetParametersResult:
         """Say whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
         for parameter in parameters:
             if parameter.name == 'robot_name' and not parameter.value.strip():
                 return SetParametersResult(successful=False, reason='robot_name must not be empty')
         return SetParametersResult(successful=True)
 
-    def react(self, parameters):
+    def react(self, _: list[Parameter]) -> None:
         """Act on parameters that have been stored: go on from here under the new settings."""
         with self._lock:
             settings = self._read_settings()
@@ -271,7 +274,7 @@ class ClawbotNode(Node):
             self._tell()
 
     def _read_settings(self) -> Settings:
-        def value(name):
+        def value(name: str) -> Any:
             return self.get_parameter(name).value
 
         return Settings(
@@ -318,11 +321,11 @@ class ClawbotNode(Node):
         return motion.at(elapsed_sec)
 
     def velocity_over_time(self) -> list[tuple[float, float]]:
-        """Give the corners of the velocity's curve since the drive began, in s and m/s."""
+        """Return the corners of the velocity's curve since the drive began, in s and m/s."""
         with self._lock:
             return [*self._driven, *self._corners()]
 
-    def on_motion(self, listener):
+    def on_motion(self, listener: Callable[[], object]) -> Callable[[], None]:
         """Call a listener whenever the robot begins to do something else, or one of its parameters has changed.
 
         :param listener: Called without arguments, in whichever thread brought the change about; must not block.
@@ -330,7 +333,7 @@ class ClawbotNode(Node):
         """
         self._listeners.append(listener)
 
-        def unregister():
+        def unregister() -> None:
             if listener in self._listeners:
                 self._listeners.remove(listener)
         return unregister
@@ -400,7 +403,7 @@ class ClawbotNode(Node):
             listener()
 
 
-def main(args=None):
+def main(args: list[str] | None = None) -> None:
     """Spin a ClawbotNode, which drives off at once, until Ctrl+C or a termination signal."""
     try:
         rclpy.init(args=args)

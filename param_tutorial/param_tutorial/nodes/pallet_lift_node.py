@@ -6,11 +6,13 @@ Run it alone with ``ros2 run param_tutorial pallet_lift_node``, or with the valu
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import rclpy
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 # What nobody shall tune is no parameter: a law of nature, and the motor that is built in.
 GRAVITY_MPS2 = 9.81
@@ -29,7 +31,7 @@ class Settings:
     tolerance_m: float
 
     def ride(self, start_m: float, target_m: float) -> list[tuple[float, float]]:
-        """Give the height over time on the way to a target, in s and m.
+        """Return the height over time on the way to a target, in s and m.
 
         The platform moves with ``kp`` times what is missing, and never faster than ``speed_mps``; so it drives evenly
         at first, and slows down exponentially at the end. It stops within ``tolerance_m`` of the target.
@@ -54,7 +56,7 @@ class Settings:
 
 
 def between(lowest: float, highest: float) -> list[FloatingPointRange]:
-    """Give a new range; no two declarations may share one descriptor."""
+    """Return a new range; no two declarations may share one descriptor."""
     return [FloatingPointRange(from_value=lowest, to_value=highest)]
 
 
@@ -64,7 +66,7 @@ class PalletLiftNode(Node):
     :raises ValueError: start values from outside do not fit together.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('pallet_lift_node')
         self.declare_parameter('serial_number', 'PL-0001', ParameterDescriptor(
             description='Stamped on the frame.', read_only=True))
@@ -103,11 +105,11 @@ class PalletLiftNode(Node):
         self.get_logger().info('PalletLiftNode has been started.')
         self.log_settings()
 
-    def validate(self, parameters):
+    def validate(self, parameters: list[Parameter]) -> SetParametersResult:
         """Say whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
         proposed = {parameter.name: parameter.value for parameter in parameters}
 
-        def value(name):
+        def value(name: str) -> Any:
             return proposed[name] if name in proposed else self.get_parameter(name).value
 
         lowest_m, highest_m = value('lift.lowest_m'), value('lift.highest_m')
@@ -121,7 +123,7 @@ class PalletLiftNode(Node):
                                                                 f'{power_w:.0f} W, the motor has {MOTOR_POWER_W:.0f}')
         return SetParametersResult(successful=True)
 
-    def react(self, parameters):
+    def react(self, _: list[Parameter]) -> None:
         """Act on parameters that have been stored."""
         settings = self.read_settings()
         if settings != self.settings:
@@ -130,10 +132,12 @@ class PalletLiftNode(Node):
 
     def read_settings(self) -> Settings:
         """Read both groups as they are stored now."""
-        return Settings(**{name: parameter.value for group in ('lift', 'controller')
-                           for name, parameter in self.get_parameters_by_prefix(group).items()})
+        # rclpy 7.1.6 annotates this as values, and returns Parameter objects.
+        parameters: dict[str, Any] = {**self.get_parameters_by_prefix('lift'),
+                                      **self.get_parameters_by_prefix('controller')}
+        return Settings(**{name: parameter.value for name, parameter in parameters.items()})
 
-    def log_settings(self):
+    def log_settings(self) -> None:
         """Log what the lift works with."""
         serial_number = self.get_parameter('serial_number').value
         self.get_logger().info(f'{serial_number} lifts up to {self.settings.max_load_kg:g} kg '
@@ -141,7 +145,7 @@ class PalletLiftNode(Node):
                                f'to {self.settings.highest_m:g} m')
 
 
-def main(args=None):
+def main(args: list[str] | None = None) -> None:
     """Spin a PalletLiftNode until Ctrl+C or a termination signal."""
     try:
         rclpy.init(args=args)

@@ -4,7 +4,7 @@ Run it alone with ``ros2 run param_tutorial param_event_monitor`` beside any oth
 """
 
 import rclpy
-from rcl_interfaces.msg import ParameterEvent
+from rcl_interfaces.msg import Parameter, ParameterEvent
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.parameter import parameter_value_to_python
@@ -14,28 +14,28 @@ from rclpy.qos import qos_profile_parameter_events
 class ParamEventMonitor(Node):
     """Logs each parameter that a node has declared, set or deleted since the monitor was started."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('param_event_monitor')
         # The profile of those who publish: with a shorter queue the oldest events of a burst would be lost.
         self.create_subscription(ParameterEvent, '/parameter_events', self.report, qos_profile_parameter_events)
         self.get_logger().info('ParamEventMonitor has been started.')
 
-    def report(self, event):
+    def report(self, event: ParameterEvent) -> None:
         """Log what an event tells of, a line for each parameter."""
         for parameter in event.new_parameters:
-            self.get_logger().info(f'{event.node}: new {self.shown(parameter)}')
+            self.get_logger().info(f'{event.node}: new {self.format_parameter(parameter)}')
         for parameter in event.changed_parameters:
-            self.get_logger().info(f'{event.node}: changed {self.shown(parameter)}')
+            self.get_logger().info(f'{event.node}: changed {self.format_parameter(parameter)}')
         for parameter in event.deleted_parameters:
             self.get_logger().info(f'{event.node}: deleted {parameter.name}')
 
     @staticmethod
-    def shown(parameter):
-        """Return name and value of a parameter message as text."""
+    def format_parameter(parameter: Parameter) -> str:
+        """Return the name and the value of a parameter message as text."""
         return f'{parameter.name} = {parameter_value_to_python(parameter.value)!r}'
 
 
-def main(args=None):
+def main(args: list[str] | None = None) -> None:
     """Spin a ParamEventMonitor until Ctrl+C or a termination signal."""
     try:
         rclpy.init(args=args)

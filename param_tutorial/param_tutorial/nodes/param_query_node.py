@@ -8,6 +8,7 @@ from rcl_interfaces.srv import GetParameters, ListParameters
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.parameter import parameter_value_to_python
+from rclpy.task import Future
 
 TARGET = '/simple_param_node'
 # How often to look for the target, and how long it may take to answer.
@@ -17,16 +18,16 @@ PERIOD_SEC = 2.0
 class ParamQueryNode(Node):
     """Asks TARGET for the names of its parameters, and then for their values."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('param_query_node')
         self.get_logger().info('ParamQueryNode has been started.')
         self.list_client = self.create_client(ListParameters, f'{TARGET}/list_parameters')
         self.get_client = self.create_client(GetParameters, f'{TARGET}/get_parameters')
-        self.question = None
+        self.question: Future | None = None
         # Waiting for the target here would block whoever creates this node, for ever if the target never comes.
         self.timer = self.create_timer(PERIOD_SEC, self.ask)
 
-    def ask(self):
+    def ask(self) -> None:
         """Ask for the names; again if the values have not come within PERIOD_SEC seconds."""
         if not (self.list_client.service_is_ready() and self.get_client.service_is_ready()):
             self.get_logger().info(f'{TARGET} is not there yet, waiting...')
@@ -38,18 +39,18 @@ class ParamQueryNode(Node):
         self.question = self.list_client.call_async(ListParameters.Request())
         self.question.add_done_callback(self.on_names)
 
-    def on_names(self, future):
+    def on_names(self, future: Future) -> None:
         """Ask for the values of all the names."""
         names = list(future.result().result.names)
         self.get_logger().info(f'{TARGET} has {len(names)} parameters.')
         self.ask_values(names)
 
-    def ask_values(self, names):
+    def ask_values(self, names: list[str]) -> None:
         """Ask for the values of some parameters."""
         self.question = self.get_client.call_async(GetParameters.Request(names=names))
         self.question.add_done_callback(lambda future: self.report(names, future))
 
-    def report(self, names, future):
+    def report(self, names: list[str], future: Future) -> None:
         """Log names and values: values carry no names, but come in the order in which they were asked for."""
         self.timer.cancel()  # the target has answered to the end
         values = future.result().values
@@ -63,7 +64,7 @@ class ParamQueryNode(Node):
             self.get_logger().info(f'  {name} = {parameter_value_to_python(value)!r}')
 
 
-def main(args=None):
+def main(args: list[str] | None = None) -> None:
     """Spin a ParamQueryNode until Ctrl+C or a termination signal."""
     try:
         rclpy.init(args=args)

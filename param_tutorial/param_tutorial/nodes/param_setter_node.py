@@ -8,6 +8,7 @@ from rcl_interfaces.srv import SetParameters
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.task import Future
 
 TARGET = '/simple_param_node'
 PERIOD_SEC = 5.0
@@ -16,14 +17,14 @@ PERIOD_SEC = 5.0
 class ParamSetterNode(Node):
     """Sets four parameters of TARGET every PERIOD_SEC seconds; every third time one value is invalid."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('param_setter_node')
         self.get_logger().info('ParamSetterNode has been started.')
         self.client = self.create_client(SetParameters, f'{TARGET}/set_parameters')
         self.iteration = 0
         self.timer = self.create_timer(PERIOD_SEC, self.set_parameters_periodically)
 
-    def set_parameters_periodically(self):
+    def set_parameters_periodically(self) -> None:
         """Send the next request, unless nobody is there to answer it."""
         # A constructor that waits for the target would block the executor, and with it a target that
         # lives in the same executor. The timer comes back anyway: look, and try again next time.
@@ -38,7 +39,7 @@ class ParamSetterNode(Node):
         future.add_done_callback(lambda future: self.report(parameters, future))
 
     @staticmethod
-    def proposal(iteration):
+    def proposal(iteration: int) -> list[Parameter]:
         """Return the parameters to ask for in this iteration; each third acceleration is negative."""
         acceleration = -0.1 if iteration % 3 == 0 else 0.5 + 0.1 * (iteration % 10)
         return [
@@ -48,7 +49,7 @@ class ParamSetterNode(Node):
             Parameter('max_acceleration_mps2', value=round(acceleration, 3)),
         ]
 
-    def report(self, parameters, future):
+    def report(self, parameters: list[Parameter], future: Future) -> None:
         """Log what became of each parameter: the results come in the order of the request."""
         for parameter, result in zip(parameters, future.result().results):
             if result.successful:
@@ -57,7 +58,7 @@ class ParamSetterNode(Node):
                 self.get_logger().error(f'  {parameter.name} = {parameter.value}: refused: {result.reason}')
 
 
-def main(args=None):
+def main(args: list[str] | None = None) -> None:
     """Spin a ParamSetterNode until Ctrl+C or a termination signal."""
     try:
         rclpy.init(args=args)

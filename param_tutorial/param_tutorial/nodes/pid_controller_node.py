@@ -19,6 +19,7 @@ from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescri
 from rclpy.exceptions import InvalidParameterValueException
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 STRATEGIES = ('none', 'back_calculation', 'conditional_integration')
 # The speed has settled where it stays this near to its final value, as a part of the reference.
@@ -122,7 +123,7 @@ class StepResponse:
                        100 * (max(self.speeds) / final - 1))
 
     def _passes(self, level: float) -> float:
-        """Give when the curve, which is straight between its points, first reaches a level above 0."""
+        """Return when the curve, which is straight between its points, first reaches a level above 0."""
         index = next(index for index, speed in enumerate(self.speeds) if speed >= level)
         before, after = self.speeds[index - 1], self.speeds[index]
         return (index - (after - level) / (after - before)) * self.period_sec
@@ -183,7 +184,7 @@ def response_of(parameters: Mapping[str, Any], joint: str) -> StepResponse:
 class PidControllerNode(Node):
     """A controller for one or more wheels. Whenever its parameters change, the wheels start anew from rest."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         """:raises InvalidParameterValueException: it is started with values that it would refuse later."""
         super().__init__('pid_controller_node')
         # ros2_control reads these when it configures a controller, and never again.
@@ -240,9 +241,11 @@ class PidControllerNode(Node):
             self.declare_parameter(f'simulation.{name}', value, _described(text, bottom, top))
 
     def _values(self) -> dict[str, Any]:
-        return {name: parameter.value for name, parameter in self.get_parameters_by_prefix('').items()}
+        # rclpy 7.1.6 annotates this as values, and returns Parameter objects.
+        parameters: dict[str, Any] = self.get_parameters_by_prefix('')
+        return {name: parameter.value for name, parameter in parameters.items()}
 
-    def validate(self, parameters):
+    def validate(self, parameters: list[Parameter]) -> SetParametersResult:
         """Say whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
         values = self._values()
         values.update((parameter.name, parameter.value) for parameter in parameters)
@@ -259,7 +262,7 @@ class PidControllerNode(Node):
                     f'{prefix}.antiwindup_strategy must be one of {", ".join(STRATEGIES)}, not {strategy!r}'))
         return SetParametersResult(successful=True)
 
-    def apply(self, parameters):
+    def apply(self, _: list[Parameter]) -> None:
         """Put parameters that have been stored to use: let each wheel start from rest, and tell how it went."""
         values = self._values()
         for joint in self.joints:
@@ -270,7 +273,7 @@ class PidControllerNode(Node):
                 self.get_logger().info(f'{joint} with {gains}: {response.figures}')
 
     def response(self, joint: str | None = None) -> StepResponse:
-        """Give the step response of a joint under the gains that are in use.
+        """Return the step response of a joint under the gains that are in use.
 
         :param joint: By default the first one.
         """
@@ -283,7 +286,7 @@ def _described(text: str, bottom: float | None = None, top: float | None = None,
     return ParameterDescriptor(description=text, read_only=read_only, floating_point_range=limits)
 
 
-def main(args=None):
+def main(args: list[str] | None = None) -> None:
     """Spin a PidControllerNode until Ctrl+C or a termination signal."""
     try:
         rclpy.init(args=args)

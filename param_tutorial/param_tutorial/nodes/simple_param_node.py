@@ -7,12 +7,13 @@ import rclpy
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 
 class SimpleParamNode(Node):
     """The robot Clawbot, seen through its parameters."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__('simple_param_node')
         self.get_logger().info('SimpleParamNode has been started.')
 
@@ -49,7 +50,7 @@ class SimpleParamNode(Node):
         self.add_post_set_parameters_callback(self.react)
         self.log_parameters()
 
-    def validate(self, parameters):
+    def validate(self, parameters: list[Parameter]) -> SetParametersResult:
         """Say whether all the proposed parameters may be stored; change nothing."""
         for parameter in parameters:
             if parameter.name == 'max_speed_rpm' and parameter.value < 0:
@@ -60,19 +61,19 @@ class SimpleParamNode(Node):
                 return SetParametersResult(successful=False, reason='robot_name must not be empty')
         return SetParametersResult(successful=True)
 
-    def react(self, parameters):
+    def react(self, parameters: list[Parameter]) -> None:
         """Act on parameters that have been stored."""
         for parameter in parameters:
             self.get_logger().info(f'{parameter.name} is now {parameter.value}')
 
-    def log_parameters(self):
+    def log_parameters(self) -> None:
         """Log the value of every parameter that this node declared itself."""
         for name in ('robot_name', 'max_speed_rpm', 'enable_safety_mode', 'sensor_offset_meters',
                      'max_acceleration_mps2', 'min_operating_temperature_c', 'robot_serial_number'):
             self.get_logger().info(f'  {name}: {self.get_parameter(name).value}')
 
 
-def main(args=None):
+def main(args: list[str] | None = None) -> None:
     """Spin a SimpleParamNode until Ctrl+C or a termination signal."""
     try:
         rclpy.init(args=args)

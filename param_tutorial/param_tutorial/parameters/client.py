@@ -6,7 +6,7 @@ is in ``services``; what a file looks like is in ``parameter_files``.
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -62,7 +62,7 @@ class SetResult:
         return next((kind for kind, pattern in _KINDS if re.search(pattern, self.reason)), 'refused by the node')
 
     def raise_for_reason(self) -> 'SetResult':
-        """Raise ParameterRefusedError if the node refused, else give the result itself."""
+        """Raise ParameterRefusedError if the node refused, else return the result itself."""
         if not self.successful:
             raise ParameterRefusedError(self)
         return self
@@ -75,16 +75,16 @@ class SetResult:
     __repr__ = __str__
 
 
-class SetResults(list):
+class SetResults(list[SetResult]):
     """One SetResult for each parameter, in the order of the request."""
 
     @property
     def successful(self) -> bool:
-        """Were all accepted?"""
+        """True if all were accepted."""
         return all(result.successful for result in self)
 
     def raise_for_reason(self) -> 'SetResults':
-        """Raise ParameterRefusedError for the first refused one, if any, else give the results themselves."""
+        """Raise ParameterRefusedError for the first refused one, if any, else return the results themselves."""
         for result in self:
             result.raise_for_reason()
         return self
@@ -93,7 +93,7 @@ class SetResults(list):
         return '\n'.join(map(str, self)) or '(nothing was set)'
 
 
-class ParameterValues(dict):
+class ParameterValues(dict[str, Any]):
     """Parameter names and their values; shown one to a line."""
 
     def __repr__(self) -> str:
@@ -136,14 +136,14 @@ class Descriptor:
 
     @classmethod
     def from_message(cls, message: ParameterDescriptor) -> 'Descriptor':
-        """Read a rcl_interfaces/msg/ParameterDescriptor."""
+        """Return what a rcl_interfaces/msg/ParameterDescriptor says."""
         # A range of the other kind than the value can be declared; rclpy never looks at it.
         ranges = {values.INTEGER: message.integer_range, values.DOUBLE: message.floating_point_range}.get(
             values.TYPES[message.type])
         limits = None
         if ranges:
-            ends = sorted((ranges[0].from_value, ranges[0].to_value))  # rclpy takes them in either order
-            limits = Range(*ends, ranges[0].step)
+            low, high = sorted((ranges[0].from_value, ranges[0].to_value))  # rclpy takes them in either order
+            limits = Range(low, high, ranges[0].step)
         return cls(message.name, values.TYPES[message.type], message.description, message.additional_constraints,
                    message.read_only, message.dynamic_typing, limits)
 
@@ -153,7 +153,7 @@ class Descriptor:
         return f'{self.name}: ' + '; '.join(facts)
 
 
-class Descriptors(dict):
+class Descriptors(dict[str, Descriptor]):
     """Parameter names and their Descriptor; shown one to a line."""
 
     def __repr__(self) -> str:
@@ -174,7 +174,7 @@ class Reference:
 
 
 def is_housekeeping(name: str) -> bool:
-    """Is this one of the parameters that rclpy and rclcpp declare in every node?"""
+    """True if this is one of the parameters that rclpy and rclcpp declare in every node."""
     return name in ('use_sim_time', 'start_type_description_service') or name.startswith('qos_overrides.')
 
 
@@ -203,7 +203,7 @@ class ParameterClient:
     # All the methods below raise the errors of Services.call as well as those that they name.
 
     def list_parameters(self, prefixes: Iterable[str] = (), *, depth: int = 0) -> list[str]:
-        """Give the names of the node's parameters, in the order in which it declared them.
+        """Return the names of the node's parameters, in the order in which it declared them.
 
         :param prefixes: Only names that start with one of these and a dot.
         :param depth: Only names with at most this many parts below the prefix; 0 for all.
@@ -212,14 +212,14 @@ class ParameterClient:
         return list(self._call('list_parameters', request).result.names)
 
     def get_parameter(self, name: str) -> Any:
-        """Give the value of one parameter; None if it is declared without a value.
+        """Return the value of one parameter; None if it is declared without a value.
 
         :raises ParameterNotDeclaredError: the node has no parameter of that name.
         """
         return self.get_parameters([name])[name]
 
     def get_parameters(self, names: Iterable[str] | None = None) -> ParameterValues:
-        """Give the values of several parameters, or of all.
+        """Return the values of several parameters, or of all.
 
         :param names: Which; by default all, in the order in which the node declared them.
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
@@ -242,7 +242,7 @@ class ParameterClient:
         return result
 
     def get_parameter_types(self, names: Iterable[str]) -> dict[str, ParameterType]:
-        """Give the types of parameters.
+        """Return the types of parameters.
 
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
         """
@@ -252,14 +252,14 @@ class ParameterClient:
         return {name: values.TYPES[number] for name, number in zip(names, answer, strict=True)}
 
     def describe_parameter(self, name: str) -> Descriptor:
-        """Tell type, range, description and more of one parameter.
+        """Return type, range, description and more of one parameter.
 
         :raises ParameterNotDeclaredError: the node has no parameter of that name.
         """
         return self.describe_parameters([name])[name]
 
     def describe_parameters(self, names: Iterable[str] | None = None) -> Descriptors:
-        """Tell type, range, description and more of several parameters, or of all.
+        """Return type, range, description and more of several parameters, or of all.
 
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
         """
@@ -269,7 +269,7 @@ class ParameterClient:
         return Descriptors(zip(wanted, map(Descriptor.from_message, answer), strict=True))
 
     def reference(self, names: Iterable[str] | None = None) -> Reference:
-        """Write down what the node tells of its parameters as a table in Markdown, for a README.
+        """Return what the node tells of its parameters as a table in Markdown, for a README.
 
         A descriptor holds no default, so the table shows the values of now: those of a node that has been started
         without overrides are its defaults.
@@ -361,7 +361,7 @@ class ParameterClient:
     def _call(self, service: str, request: Any) -> Any:
         return self.executor.services.call(self.node, service, request, timeout_sec=self.timeout_sec)
 
-    def _require_all(self, names: list[str], answer: list) -> None:
+    def _require_all(self, names: Sequence[str], answer: Sequence[object]) -> None:
         """Name the unknown one among names: with one unknown name the whole answer of a node is empty."""
         if len(answer) == len(names):
             return
@@ -396,25 +396,26 @@ class ParameterClient:
 
 
 def _listed(names: Iterable[str], what: str = 'names') -> list[str]:
-    """Give names as a list.
+    """Return names as a list.
 
     :raises TypeError: they are none, or a single one, which Python would take for a list of its letters.
     """
-    listed = list(names) if isinstance(names, Iterable) and not isinstance(names, str) else [None]
-    if not all(isinstance(name, str) for name in listed):
-        raise TypeError(f'{names!r} is no list of {what}; a list with one of them is ["gain"]')
-    return listed
+    if isinstance(names, Iterable) and not isinstance(names, str):
+        listed = list(names)
+        if all(isinstance(name, str) for name in listed):
+            return listed
+    raise TypeError(f'{names!r} is no list of {what}; a list with one of them is ["gain"]')
 
 
 def _cell(text: str) -> str:
-    """Make a text fit for a cell of a table in Markdown."""
+    """Return a text made fit for a cell of a table in Markdown."""
     for char, escaped in (('\\', '\\\\'), ('&', '&amp;'), ('<', '&lt;'), ('`', '\\`'), ('|', '\\|')):
         text = text.replace(char, escaped)
     return ' '.join(text.split())
 
 
 def _code(text: str) -> str:
-    """Make a cell of code, in which only a bar and a line break would still end the cell."""
+    """Return a cell of code, in which only a bar and a line break would still end the cell."""
     text = ' '.join(text.splitlines())
     fence = '`' * (1 + max(map(len, re.findall('`+', text)), default=0))
     blank = ' ' if '`' in text else ''
@@ -422,7 +423,7 @@ def _code(text: str) -> str:
 
 
 def to_message(name: str, value: Any, parameter_type: ParameterType | None = None) -> Parameter:
-    """Make a rcl_interfaces/msg/Parameter.
+    """Return a rcl_interfaces/msg/Parameter.
 
     :param value: As ``values.normalise`` gives it.
     :param parameter_type: The type of an array that is empty; any other value tells its own.
@@ -437,7 +438,7 @@ def to_message(name: str, value: Any, parameter_type: ParameterType | None = Non
 
 
 def changes(event: ParameterEvent) -> ParameterValues:
-    """Give the values that a message on /parameter_events tells of: new and changed; None for deleted."""
+    """Return the values that a message on /parameter_events tells of: new and changed; None for deleted."""
     return ParameterValues(
         [(each.name, values.to_python(each.value)) for each in [*event.new_parameters, *event.changed_parameters]]
         + [(each.name, None) for each in event.deleted_parameters])

@@ -39,7 +39,7 @@ _STYLE = """<style>
 </style>"""
 
 
-class ParameterSet(Mapping):
+class ParameterSet(Mapping[str, Any]):
     """The parameters of a node at one moment, or of a file: names and values, which do not change any more."""
 
     def __init__(self, parameters: Mapping[str, Any], label: str = 'a set'):
@@ -103,10 +103,8 @@ class ParameterSet(Mapping):
         return len(self._parameters)
 
     def __eq__(self, other: object) -> bool:
-        """Are all names and values the same, with their types?"""
+        """True if all names and values are the same, with their types."""
         return isinstance(other, Mapping) and not compare(self, other)
-
-    __hash__ = None
 
     def __repr__(self) -> str:
         return f'<ParameterSet: {self.label}, {_counted(len(self), "parameter")}>'
@@ -171,7 +169,7 @@ class Difference(_Table):
         return iter(self.changes)
 
     def __getitem__(self, name: str) -> Change:
-        """Give the change of one parameter.
+        """Return the change of one parameter.
 
         :raises KeyError: it is the same in both, or in neither.
         """
@@ -182,12 +180,12 @@ class Difference(_Table):
 
     def _rows(self) -> list[tuple[str, ...]]:
         return [(change.name, change.kind,
-                 '-' if change.kind == 'added' else _written(change.before, change.kind),
-                 '-' if change.kind == 'removed' else _written(change.after, change.kind)) for change in self.changes]
+                 '-' if change.kind == 'added' else _format(change.before, change.kind),
+                 '-' if change.kind == 'removed' else _format(change.after, change.kind)) for change in self.changes]
 
 
 def compare(before: Comparable, after: Comparable, *, names: Iterable[str] | None = None) -> Difference:
-    """Tell how the second set of parameters differs from the first.
+    """Return how the second set of parameters differs from the first.
 
     :param before: A ParameterSet, a dictionary, or a node or its name, which is then asked.
     :param after: Likewise.
@@ -250,7 +248,7 @@ class Restored(_Table):
         total = _counted(len(self.outcomes), 'parameter')
         done = sum(outcome.word == 'set' for outcome in self.outcomes)
         self.complete = done == len(self.outcomes)
-        """Does the node now hold all the values of the set?"""
+        """True if the node now holds all the values of the set."""
         if not self.outcomes:
             words = 'nothing to do, all values are there'
         elif self.complete:
@@ -265,7 +263,7 @@ class Restored(_Table):
         return iter(self.outcomes)
 
     def __getitem__(self, name: str) -> Outcome:
-        """Give the outcome for one parameter.
+        """Return the outcome for one parameter.
 
         :raises KeyError: it did not differ, so nothing was done.
         """
@@ -275,7 +273,7 @@ class Restored(_Table):
         raise KeyError(name)
 
     def _rows(self) -> list[tuple[str, ...]]:
-        return [(each.name, _written(each.wanted), each.word, each.reason) for each in self.outcomes]
+        return [(each.name, _format(each.wanted), each.word, each.reason) for each in self.outcomes]
 
 
 def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = False) -> Restored:
@@ -295,19 +293,20 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
     present = client.get_parameters()
     differing = [name for name in target if not (name in present and values.same(present[name], target[name]))]
     descriptors = client.describe_parameters([name for name in differing if name in present])
-    outcomes = {name: _obstacle(name, target[name], descriptors.get(name)) for name in differing}
-    new = {name: target[name] for name, obstacle in outcomes.items() if obstacle is None}
+    obstacles = {name: _obstacle(name, target[name], descriptors.get(name)) for name in differing}
+    new = {name: target[name] for name, obstacle in obstacles.items() if obstacle is None}
+    outcomes: dict[str, Outcome] = {}
     if new:
-        outcomes |= _set(client, new, one_by_one)
+        outcomes = _set(client, new, one_by_one)
         held = client.get_parameters()
         for name, outcome in outcomes.items():
             if outcome.word == 'set' and not values.same(held.get(name), target[name]):
-                outcomes[name] = Outcome(name, target[name], 'not kept', f'the node holds {_written(held.get(name))}')
-    return Restored(client.node, target, outcomes.values())
+                outcomes[name] = Outcome(name, target[name], 'not kept', f'the node holds {_format(held.get(name))}')
+    return Restored(client.node, target, [obstacles[name] or outcomes[name] for name in differing])
 
 
 def _obstacle(name: str, value: Any, descriptor: Descriptor | None) -> Outcome | None:
-    """Say why no request can set a parameter to a value; None if there is no such reason."""
+    """Return why no request can set a parameter to a value; None if there is no such reason."""
     if descriptor is None:
         return Outcome(name, value, 'not declared', 'the node has no parameter of that name')
     if descriptor.read_only:
@@ -321,7 +320,7 @@ def _obstacle(name: str, value: Any, descriptor: Descriptor | None) -> Outcome |
                                      f'it is of type {descriptor.type.label}, not {values.type_of(value).label}')
 
 
-def _set(client: ParameterClient, new: dict[str, Any], one_by_one: bool) -> dict[str, Outcome]:
+def _set(client: ParameterClient, new: Mapping[str, Any], one_by_one: bool) -> dict[str, Outcome]:
     results = client.set_parameters_atomically(new)
     if results.successful:
         return {name: Outcome(name, value, 'set') for name, value in new.items()}
@@ -358,8 +357,8 @@ def _counted(count: int, what: str) -> str:
     return f'{count} {what}{"" if count == 1 else "s"}'
 
 
-def _written(value: Any, kind: str = '') -> str:
-    """Write a value, with its type where that matters."""
+def _format(value: Any, kind: str = '') -> str:
+    """Return a value as text, with its type where that matters."""
     if value is None:
         return 'not set'
     if kind == 'changed type':

@@ -20,32 +20,32 @@ from param_tutorial.parameters.client import Descriptor
 class Form:
     """How the values of a type are written into a text box."""
 
-    write: Callable[[Any], str]
-    read: Callable[[str], Any]
+    format: Callable[[Any], str]
+    parse: Callable[[str], Any]
     """Raises ValueError."""
     example: str
     """Completes "write it like ..."."""
 
 
-def _read_integer(text: str) -> int:
+def _parse_integer(text: str) -> int:
     text = text.strip()
     return int(text, 10 if re.fullmatch(r'[+-]?[0-9_]+', text) else 0)
 
 
-def _read_double(text: str) -> float:
+def _parse_double(text: str) -> float:
     # YAML writes .nan and .inf, Python nan and inf.
     return float(re.sub(r'^([+-]?)\.(?=[a-z])', r'\1', text.strip().lower()))
 
 
-def _read_bool(text: str) -> bool:
+def _parse_bool(text: str) -> bool:
     return {'true': True, 'false': False}[text.strip().lower()]
 
 
-def _read_byte(text: str) -> bytes:
-    return bytes([_read_integer(text)])
+def _parse_byte(text: str) -> bytes:
+    return bytes([_parse_integer(text)])
 
 
-def _read_string(text: str) -> str:
+def _parse_string(text: str) -> str:
     text = text.strip()
     return yaml.safe_load(text) if text[:1] in ('"', "'") else text
 
@@ -57,19 +57,19 @@ def _quoted(text: str) -> str:
 _PLAIN = re.compile(r'\w([\w ./-]*\w)?')
 
 
-def _write_string(text: str) -> str:
+def _format_string(text: str) -> str:
     return text if _PLAIN.fullmatch(text) else _quoted(text)
 
 
-def _write_any(value: Any) -> str:
+def _format_any(value: Any) -> str:
     if isinstance(value, list):
-        return '[' + ', '.join(_write_any_item(item) for item in value) + ']'
+        return '[' + ', '.join(_format_any_item(item) for item in value) + ']'
     if isinstance(value, str) and value.isprintable() and values.same(values.parse(value), value):
         return value
-    return _write_any_item(value)
+    return _format_any_item(value)
 
 
-def _write_any_item(value: Any) -> str:
+def _format_any_item(value: Any) -> str:
     if isinstance(value, str):
         # Asked inside brackets, where YAML's null is no text.
         plain = _PLAIN.fullmatch(value) and values.same(values.parse(f'[{value}]'), [value])
@@ -77,19 +77,19 @@ def _write_any_item(value: Any) -> str:
     return yaml.safe_dump(value).removesuffix('...\n').strip()
 
 
-def _array(write: Callable[[Any], str], read: Callable[[str], Any], example: str) -> Form:
-    """Make the form of an array, a YAML flow sequence, from that of its elements."""
+def _array(format_item: Callable[[Any], str], parse_item: Callable[[str], Any], example: str) -> Form:
+    """Return the form of an array, a YAML flow sequence, from that of its elements."""
 
-    def read_all(text: str) -> list:
+    def parse_all(text: str) -> list[Any]:
         text = text.strip()
         inner = text[1:-1] if text.startswith('[') and text.endswith(']') else text
-        return [read(item) for item in _split(inner)]
+        return [parse_item(item) for item in _split(inner)]
 
-    return Form(lambda items: '[' + ', '.join(map(write, items)) + ']', read_all, example)
+    return Form(lambda items: '[' + ', '.join(map(format_item, items)) + ']', parse_all, example)
 
 
 def _split(text: str) -> list[str]:
-    """Split at commas outside quotes; a comma at the end is allowed."""
+    """Return what stands between the commas outside quotes; a comma at the end is allowed."""
     item = r"""\s*(?:"(?:[^"\\]|\\.)*"|'(?:[^']|'')*'|[^,'"\[\]{}][^,\[\]{}]*?)\s*"""
     if not text.strip():
         return []
@@ -99,16 +99,16 @@ def _split(text: str) -> list[str]:
 
 
 _FORMS = {
-    values.NOT_SET: Form(_write_any, values.parse, 'a value in YAML'),
-    values.BOOL: Form(lambda value: str(value).lower(), _read_bool, 'true or false'),
-    values.INTEGER: Form(str, _read_integer, 'a whole number, e.g. 42'),
-    values.DOUBLE: Form(repr, _read_double, 'a number, e.g. 0.5'),
+    values.NOT_SET: Form(_format_any, values.parse, 'a value in YAML'),
+    values.BOOL: Form(lambda value: str(value).lower(), _parse_bool, 'true or false'),
+    values.INTEGER: Form(str, _parse_integer, 'a whole number, e.g. 42'),
+    values.DOUBLE: Form(repr, _parse_double, 'a number, e.g. 0.5'),
     values.STRING: Form(str, str, 'text'),
-    values.BYTE_ARRAY: _array(lambda byte: f'0x{byte[0]:02x}', _read_byte, 'bytes, e.g. [0x00, 0xff]'),
-    values.BOOL_ARRAY: _array(lambda value: str(value).lower(), _read_bool, 'booleans, e.g. [true, false]'),
-    values.INTEGER_ARRAY: _array(str, _read_integer, 'whole numbers, e.g. [1, 2, 3]'),
-    values.DOUBLE_ARRAY: _array(repr, _read_double, 'numbers, e.g. [0.5, 1.0]'),
-    values.STRING_ARRAY: _array(_write_string, _read_string, 'texts, e.g. [left, "right, far"]'),
+    values.BYTE_ARRAY: _array(lambda byte: f'0x{byte[0]:02x}', _parse_byte, 'bytes, e.g. [0x00, 0xff]'),
+    values.BOOL_ARRAY: _array(lambda value: str(value).lower(), _parse_bool, 'booleans, e.g. [true, false]'),
+    values.INTEGER_ARRAY: _array(str, _parse_integer, 'whole numbers, e.g. [1, 2, 3]'),
+    values.DOUBLE_ARRAY: _array(repr, _parse_double, 'numbers, e.g. [0.5, 1.0]'),
+    values.STRING_ARRAY: _array(_format_string, _parse_string, 'texts, e.g. [left, "right, far"]'),
 }
 
 
@@ -122,7 +122,7 @@ def form_of(descriptor: Descriptor) -> Form:
 
 def format_value(descriptor: Descriptor, value: Any) -> str:
     """Return a value as a person would type it; an empty text if the parameter is not set."""
-    return '' if value is None else form_of(descriptor).write(value)
+    return '' if value is None else form_of(descriptor).format(value)
 
 
 def parse_value(descriptor: Descriptor, text: str) -> Any:
@@ -132,7 +132,7 @@ def parse_value(descriptor: Descriptor, text: str) -> Any:
     """
     form = form_of(descriptor)
     try:
-        return form.read(text)
+        return form.parse(text)
     except (ValueError, KeyError, yaml.YAMLError):
         raise ValueError(f'{text!r} cannot be read: {descriptor.name} wants {form.example}') from None
 

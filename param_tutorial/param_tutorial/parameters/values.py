@@ -29,16 +29,16 @@ class ParameterType:
     """What the ``ros2`` command calls it, e.g. 'integer array'."""
     field: str | None
     """The field of a ParameterValue message that holds the value; None for NOT_SET."""
-    item: Callable[[Any], bool] = lambda value: False
-    """Does this Python value fit as the value, or as one element of an array?"""
+    item: Callable[[Any], bool] = lambda _: False
+    """True if this Python value fits as the value, or as one element of an array."""
 
     @property
     def is_array(self) -> bool:
-        """Does it hold a list of values?"""
+        """True if it holds a list of values."""
         return self.name.endswith('_ARRAY')
 
     def accepts(self, value: Any) -> bool:
-        """Can this Python value be stored without any conversion?"""
+        """True if this Python value can be stored without any conversion."""
         if self.is_array:
             return isinstance(value, (list, tuple, array.array)) and all(map(self.item, value))
         return value is None if self.field is None else self.item(value)
@@ -47,23 +47,23 @@ class ParameterType:
         return f'<{self.label}>'
 
 
-def _is_bool(value):
+def _is_bool(value: Any) -> bool:
     return isinstance(value, bool)
 
 
-def _is_int(value):
+def _is_int(value: Any) -> bool:
     return isinstance(value, int) and not isinstance(value, bool)
 
 
-def _is_float(value):
+def _is_float(value: Any) -> bool:
     return isinstance(value, float)
 
 
-def _is_str(value):
+def _is_str(value: Any) -> bool:
     return isinstance(value, str)
 
 
-def _is_byte(value):
+def _is_byte(value: Any) -> bool:
     return isinstance(value, bytes) and len(value) == 1
 
 
@@ -85,7 +85,7 @@ _GUESSES = (BOOL, INTEGER, DOUBLE, STRING, BYTE_ARRAY, BOOL_ARRAY, INTEGER_ARRAY
 
 
 def is_empty_array(value: Any) -> bool:
-    """Is it a list or tuple without elements, which alone does not tell of which type?"""
+    """True if it is a list or tuple without elements, which alone does not tell its type."""
     return isinstance(value, (list, tuple, array.array)) and len(value) == 0
 
 
@@ -126,8 +126,8 @@ def type_of(value: Any) -> ParameterType:
                             f'float, str, or a list of one of them')
 
 
-def _check_content(value):
-    """Refuse what the type allows and the message cannot carry."""
+def _check_content(value: Any) -> None:
+    """Raise InvalidValueError for what the type allows and the message cannot carry."""
     for item in value if isinstance(value, list) else (value,):
         if _is_int(item) and not INT64_MIN <= item <= INT64_MAX:
             raise InvalidValueError(f'{item} does not fit into the 64 bits of a ROS integer '
@@ -156,7 +156,7 @@ def to_python(message: Any) -> Any:
 
 
 def shown(value: Any, letters: int = 200) -> str:
-    """Write a value for people, as Python does; of a long one the beginning, and how long it is.
+    """Return a value as text for people, as Python does; of a long one the beginning, and how long it is.
 
     :param letters: How many of its text stand at most before the rest is cut off.
     """
@@ -168,7 +168,7 @@ def shown(value: Any, letters: int = 200) -> str:
 
 
 def parse(text: str) -> Any:
-    """Guess the value that ``ros2 param set`` makes of a word on the command line: YAML 1.1, like ros2cli.
+    """Return the value that ``ros2 param set`` makes of a word on the command line: YAML 1.1, like ros2cli.
 
     Surprises included: ``off`` is False, ``1e5`` a string, ``12:30`` is 750. What YAML cannot read, or
     reads as something that is no parameter (a date, a mapping, ``null``), stays the text that was typed,
@@ -188,7 +188,7 @@ def parse(text: str) -> Any:
 
 
 def same(left: Any, right: Any) -> bool:
-    """Are two parameter values equal in type and value, with nan equal to nan and 0.0 not equal to -0.0?"""
+    """True if two parameter values are equal in type and value; nan is equal to nan, and 0.0 is not to -0.0."""
     if isinstance(left, list) and isinstance(right, list):
         return len(left) == len(right) and all(map(same, left, right))
     if type(left) is not type(right):
@@ -197,4 +197,4 @@ def same(left: Any, right: Any) -> bool:
         if math.isnan(left):
             return math.isnan(right)
         return left == right and math.copysign(1, left) == math.copysign(1, right)
-    return left == right
+    return bool(left == right)

@@ -10,7 +10,6 @@ The scenes stand in recording.txt, as text to read. ``record`` types them into R
 import functools
 import html
 import textwrap
-from collections.abc import Callable
 from itertools import zip_longest
 from typing import Any
 
@@ -36,7 +35,7 @@ _STYLE = """<style>
 
 
 def scene(name: str) -> 'Recorded':
-    """Give a scene of the recording.
+    """Return a scene of the recording.
 
     :raises KeyError: there is none of that name; the message names the likeliest.
     """
@@ -58,7 +57,7 @@ class Recorded:
         self.steps = steps
 
     def __getitem__(self, which: slice) -> 'Recorded':
-        """Give some of the steps.
+        """Return some of the steps.
 
         :raises TypeError: it is no slice: one step is ``[2:3]``.
         """
@@ -117,7 +116,7 @@ class SideBySide:
 def _answer(value: Any) -> str:
     if value is ...:
         return _NO_COUNTERPART
-    if isinstance(value, Callable):
+    if callable(value):
         try:
             value = value()
         except Exception as error:
@@ -126,7 +125,7 @@ def _answer(value: Any) -> str:
 
 
 def _typed(step: Step) -> str:
-    """Give what was typed, as it looked."""
+    """Return what was typed, as it looked."""
     if step.prompt == '!':
         return f'({step.typed})'
     first, *more = step.typed.split('\n')
@@ -134,7 +133,7 @@ def _typed(step: Step) -> str:
 
 
 def _said(step: Step) -> str:
-    """Give ROS 1's answer, and a word where it said nothing."""
+    """Return ROS 1's answer, and a word where it said nothing."""
     return step.answer or ('' if step.prompt == '!' else '(done)')
 
 

@@ -26,9 +26,12 @@ import tempfile
 import threading
 import time
 import traceback
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from multiprocessing.connection import Connection
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any, cast
 
 RECORDING = Path(__file__).with_name('recording.txt')
 PACKAGES = ('python3-rosmaster', 'python3-rosparam', 'python3-rospy', 'python3-dynamic-reconfigure')
@@ -106,36 +109,44 @@ def render(head: str, scenes: list[Scene]) -> str:
 
 # -- the processes of a ROS 1 system ------------------------------------------------------------------------------
 
+# The names that what is typed may use.
+Space = dict[str, Any]
+# Does with what was typed what a process is asked to do, and returns what came of it.
+Work = Callable[[Space, str], str]
+
 
 class RecordingError(Exception):
     """Something could not be asked; the message says what."""
 
 
-def _answer(space: dict, typed: str) -> str:
-    """Do what was typed, and give what a Python prompt would have printed."""
+def _answer(space: Space, typed: str) -> str:
+    """Do what was typed, and return what a Python prompt would have printed."""
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
         try:
             tree = ast.parse(typed)
-            last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
-            exec(compile(tree, 'typed', 'exec'), space)
-            value = last and eval(compile(ast.Expression(last.value), 'typed', 'eval'), space)
-            if value is not None:
-                print(repr(value))
+            last = tree.body[-1]
+            if not isinstance(last, ast.Expr):
+                exec(compile(tree, 'typed', 'exec'), space)
+            else:
+                exec(compile(ast.Module(tree.body[:-1], []), 'typed', 'exec'), space)
+                value = eval(compile(ast.Expression(last.value), 'typed', 'eval'), space)
+                if value is not None:
+                    print(repr(value))
         except Exception as error:
             print(traceback.format_exception_only(error)[-1].strip())
     return printed.getvalue().rstrip()
 
 
-def _wait(space: dict, condition: str) -> str:
+def _wait(space: Space, condition: str) -> str:
     while not eval(condition, space):
         time.sleep(0.01)
     return ''
 
 
-def _serve(connection, space: dict) -> None:
+def _serve(connection: Connection, space: Space) -> None:
     """Do what comes through a pipe until its other end is closed."""
-    def work(number, do, typed):
+    def work(number: int, do: Work, typed: str) -> None:
         connection.send((number, do(space, typed)))
 
     with contextlib.suppress(EOFError):
@@ -144,7 +155,7 @@ def _serve(connection, space: dict) -> None:
             threading.Thread(target=work, args=connection.recv(), daemon=True).start()
 
 
-def _master(connection) -> None:
+def _master(connection: Connection) -> None:
     import rosmaster.master
 
     _quiet()
@@ -154,7 +165,7 @@ def _master(connection) -> None:
     _serve(connection, {'master': master, 'rosmaster': rosmaster})
 
 
-def _node(connection, name: str) -> None:
+def _node(connection: Connection, name: str) -> None:
     namespace, _, name = name.rpartition('/')
     os.environ['ROS_NAMESPACE'] = namespace or '/'  # which rospy reads when it is imported
     import rospy
@@ -166,8 +177,8 @@ def _node(connection, name: str) -> None:
     _serve(connection, {'rospy': rospy, 'compiled': _compiled})
 
 
-def _compiled(generator):
-    """Make of a ParameterGenerator what catkin makes of a .cfg file at build time: a module that a Server takes."""
+def _compiled(generator: Any) -> SimpleNamespace:
+    """Return for a ParameterGenerator what catkin makes of a .cfg file at build time: a module that a Server takes."""
     from dynamic_reconfigure.encoding import extract_params
 
     description = generator.group.to_dict()
@@ -187,18 +198,19 @@ def _quiet() -> None:
 class _Process:
     """A master or a node, in a process of its own."""
 
-    def __init__(self, function, *arguments: str):
+    def __init__(self, function: Callable[..., None], *arguments: str):
         context = multiprocessing.get_context('fork')
         self._connection, other = context.Pipe()
         self.process = context.Process(target=function, args=(other, *arguments), daemon=True)
         self.process.start()
+        self._pid = cast(int, self.process.pid)  # None only before the start
         other.close()
         self._asked = 0
         if self._receive(TIME_LIMIT_SEC) is None:
             self.kill()
             raise RecordingError(f'a ROS 1 process was not ready after {TIME_LIMIT_SEC:g} s')
 
-    def ask(self, do, typed: str, limit_sec: float = TIME_LIMIT_SEC) -> str | None:
+    def ask(self, do: Work, typed: str, limit_sec: float = TIME_LIMIT_SEC) -> str | None:
         """Let it do something with what was typed; None if there is no answer in time."""
         self._asked += 1
         self._connection.send((self._asked, do, typed))
@@ -208,19 +220,20 @@ class _Process:
         deadline = time.monotonic() + limit_sec
         while self._connection.poll(max(0.0, deadline - time.monotonic())):
             try:
-                number, answer = self._connection.recv()
+                reply: tuple[int, str] = self._connection.recv()
             except EOFError:
                 raise RecordingError('a ROS 1 process ended before it had answered') from None
+            number, answer = reply
             if number == self._asked:  # and not what a question from before the thaw has led to
                 return answer
         return None
 
     def freeze(self) -> None:
-        os.kill(self.process.pid, signal.SIGSTOP)
-        os.waitpid(self.process.pid, os.WUNTRACED)  # it may go on for a moment after the signal
+        os.kill(self._pid, signal.SIGSTOP)
+        os.waitpid(self._pid, os.WUNTRACED)  # it may go on for a moment after the signal
 
     def thaw(self) -> None:
-        os.kill(self.process.pid, signal.SIGCONT)
+        os.kill(self._pid, signal.SIGCONT)
 
     def kill(self) -> None:
         self.process.kill()
@@ -243,7 +256,7 @@ class System:
         return self.nodes[name]
 
     def ask(self, step: Step) -> str:
-        """Do one step, and give what came of it."""
+        """Do one step, and return what came of it."""
         limit_sec = FROZEN_LIMIT_SEC if self.frozen else TIME_LIMIT_SEC
         if step.prompt == '$':
             done = subprocess.run(step.typed, shell=True, cwd=self.folder, timeout=TIME_LIMIT_SEC,
@@ -294,7 +307,7 @@ def _set_environment(folder: str) -> None:
 
 
 def record(scenes: list[Scene]) -> list[Scene]:
-    """Do every step of every scene, and give them with the answers of now."""
+    """Do every step of every scene, and return them with the answers of now."""
     recorded = []
     for scene in scenes:
         with tempfile.TemporaryDirectory() as folder:

@@ -50,7 +50,7 @@ def choose() -> int:
 
 
 def is_limited_to_this_host() -> bool:
-    """Does discovery leave other machines alone, as the environment of this process has it?"""
+    """True if discovery leaves other machines alone, as the environment of this process has it."""
     if os.environ.get('ROS_STATIC_PEERS'):
         return False
     discovery_range = os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper()
@@ -58,7 +58,7 @@ def is_limited_to_this_host() -> bool:
 
 
 def _on_loopback() -> bool:
-    """Is the profile that of this host: this package's, or that of a copy of it, which has another path?"""
+    """True if the profile is that of this host: this package's, or that of a copy of it, which has another path."""
     return Path(os.environ.get('FASTRTPS_DEFAULT_PROFILES_FILE', '')).name == _THIS_HOST.name
 
 
@@ -87,7 +87,7 @@ def _claim_free_domain() -> tuple[int, int]:
 
 
 def participant_ports(domain_id: int) -> set[int]:
-    """Give the UDP ports of this machine on which participants of a domain listen for discovery.
+    """Return the UDP ports of this machine on which participants of a domain listen for discovery.
 
     Participant number n of a domain listens on port 7400 + 250 * domain + 10 + 2 * n (RTPS specification, 9.6.1.1).
     """

@@ -40,7 +40,7 @@ _REQUESTS = re.compile(rf'rq(/.+)/(?:{"|".join(SERVICE_TYPES)})Request')
 
 
 def nodes_in_graph(observer: Node) -> list[tuple[str, str]]:
-    """Give the name and the namespace of each node in the graph, sorted; twice if two nodes have both.
+    """Return the name and the namespace of each node in the graph, sorted; twice if two nodes have both.
 
     rmw keeps the names of a process that ended while its last message on ros_discovery_info was under way: that
     message comes after the participant's leave, and puts the names into the list again, for good (rmw_dds_common's
@@ -99,7 +99,7 @@ def is_complete(observer: Node) -> bool:
 
 
 def _participants(node: Node) -> tuple[set[bytes], set[bytes]]:
-    """Give the participants that were heard, and those of them whose nodes are known by name."""
+    """Return the participants that were heard, and those of them whose nodes are known by name."""
     heard = {bytes(info.endpoint_gid[:12])
              for info in node.get_publishers_info_by_topic('ros_discovery_info', no_mangle=True)}
     named: dict[bool, set[bytes]] = {True: set(), False: set()}
@@ -114,7 +114,8 @@ def who_talks_to_whom(observer: Node) -> NodeGraph:
 
     :param observer: Whose view of the graph it is; it stands in the picture as "this notebook".
     """
-    serves, asks = [], []
+    serves: list[str] = []
+    asks: list[tuple[str, str]] = []
     for topic, types in observer.get_topic_names_and_types(no_demangle=True):
         requests = _REQUESTS.fullmatch(topic)
         if requests is None or not types[0].startswith('rcl_interfaces::srv::'):

@@ -7,9 +7,15 @@ plain lines without time stamps, so that a cell can show it and a test can compa
 import threading
 import time
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from param_tutorial.errors import WaitTimeoutError
+from param_tutorial.runtime.listeners import Listeners
+
+if TYPE_CHECKING:
+    from rcl_interfaces.msg import Log
 
 LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 CAPACITY = 5000
@@ -29,43 +35,34 @@ class LogLine:
 
 
 class NodeLog:
-    """Collects log lines; ``read`` gives those that have come since the last time, as a terminal would."""
+    """Collects log lines; ``read`` returns those that have come since the last time, as a terminal would."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._lines: deque[LogLine] = deque(maxlen=CAPACITY)
         self._received = 0
         # How many lines had been received when a reader (of one node, or of all: None) read last.
         self._read: dict[str | None, int] = {}
         self._changed = threading.Condition()
-        self._listeners = []
+        self._listeners: Listeners[[LogLine]] = Listeners()
 
-    def receive(self, message) -> None:
+    def receive(self, message: 'Log') -> None:
         """Take a message rcl_interfaces/msg/Log from /rosout; called in the executor's thread."""
         line = LogLine(LEVELS.get(message.level, str(message.level)), message.name, message.msg)
         with self._changed:
             self._lines.append(line)
             self._received += 1
             self._changed.notify_all()
-            listeners = list(self._listeners)
-        for listener in listeners:
-            listener(line)
+        self._listeners.call(line)
 
-    def on_line(self, listener):
+    def on_line(self, listener: Callable[[LogLine], object]) -> Callable[[], None]:
         """Call a listener, in the executor's thread, with each new LogLine.
 
         :return: Call it to stop listening.
         """
-        with self._changed:
-            self._listeners.append(listener)
-
-        def unregister():
-            with self._changed:
-                if listener in self._listeners:
-                    self._listeners.remove(listener)
-        return unregister
+        return self._listeners.add(listener)
 
     def lines(self, node: str | None = None) -> list[str]:
-        """Give all lines that are kept, oldest first.
+        """Return all lines that are kept, oldest first.
 
         :param node: Only those of this node, e.g. '/simple_param_node'.
         """
@@ -73,7 +70,7 @@ class NodeLog:
             return [str(line) for _, line in self._since(0, node)]
 
     def recent(self, node: str | None, count: int) -> list[LogLine]:
-        """Give the newest lines that are kept, oldest first, at most so many.
+        """Return the newest lines that are kept, oldest first, at most so many.
 
         :param node: Only those of this node; None for all.
         """
@@ -81,7 +78,7 @@ class NodeLog:
             return [line for _, line in self._since(0, node)][-count:]
 
     def read(self, until: str, node: str | None = None, timeout_sec: float = 5.0) -> str:
-        """Give what has come since the last read, up to and with the first line that holds a text.
+        """Return what has come since the last read, up to and with the first line that holds a text.
 
         Log messages travel apart from service answers and may arrive after them, so a reader has to say
         what it waits for.
@@ -106,7 +103,7 @@ class NodeLog:
                         f'waited {timeout_sec:g} s for a log line with {until!r}, in vain; what came:\n{came}')
 
     def _since(self, number: int, node: str | None) -> list[tuple[int, LogLine]]:
-        """Give the lines after the numbered one, each with its number; the first ever received is 1."""
+        """Return the lines after the numbered one, each with its number; the first ever received is 1."""
         logger = node.strip('/').replace('/', '.') if node else None
         first = self._received - len(self._lines) + 1
         return [(at, line) for at, line in enumerate(self._lines, first)

@@ -1,11 +1,12 @@
 """Exercises of chapter 1: bring a robot to its goal by parameters alone, and make a parameter of a number."""
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
+from param_tutorial.parameters.client import ParameterClient
 
 CHAPTER = '01_what_are_parameters'
 WORDS = 'The words'
@@ -105,15 +106,15 @@ free = Exercise('1b', CHAPTER, NODE_CLASS, node_name='pump', hints=(
 PARAMETER = 'litres_per_min'
 
 
-def pump(trial: Trial, *ros_args: str) -> tuple:
-    """Start the learner's pump, and give it with a client; it has to have the parameter."""
+def pump(trial: Trial, *ros_args: str) -> tuple[Any, ParameterClient]:
+    """Start the learner's pump, and return it with a client; it has to have the parameter."""
     node = trial.start(ros_args=ros_args)
     client = trial.client(node)
     expect(PARAMETER in client.list_parameters(), f'a parameter `{PARAMETER}`', 'the pump has none of that name')
     return node, client
 
 
-def run(trial: Trial, node: object, minutes: int) -> None:
+def run(trial: Trial, node: Any, minutes: int) -> None:
     trial.call(f'`run({minutes})`', node.run, minutes)
 
 

@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -74,7 +75,7 @@ def build(setup: str) -> Built:
 
 
 def _run(words: list[str], folder: Path, **environment: str) -> tuple[int, str]:
-    """Run Python in a folder, and give its exit status and what it said."""
+    """Run Python in a folder, and return its exit status and what it said."""
     passed_on = {name: value for name, value in os.environ.items() if not name.startswith('PYTHON')}
     done = subprocess.run([sys.executable, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, timeout=TIME_LIMIT_SEC,
@@ -147,7 +148,7 @@ find = Exercise('2b', CHAPTER, FUNCTION, hints=(
     '`No executable found` in it.'))
 
 
-def expect_finds(trial: Trial, spaces: dict[str, tuple[str, ...]], *, because: str = '') -> None:
+def expect_finds(trial: Trial, spaces: Mapping[str, Sequence[str]], *, because: str = '') -> None:
     """Expect the function to answer as ``ros2 run lift lift_node`` does.
 
     :param spaces: For each install space, in the order of AMENT_PREFIX_PATH, the files in it.
@@ -165,12 +166,12 @@ def expect_finds(trial: Trial, spaces: dict[str, tuple[str, ...]], *, because: s
             wanted = str(failure)
         given = trial.call('your function', trial.work, 'lift', 'lift_node', prefixes)
 
-    def shown(answer):
+    def format_answer(answer: object) -> str:
         return f'`{str(answer).replace(f"{folder}/", "")}`'
 
     if not isinstance(given, (str, Path)):
         raise NotYet('a path, or a text', f'it gives `{given!r}`')
-    expect(str(given) == wanted, f'{shown(wanted)}, as `ros2 run` says', f'{shown(given)}{because}')
+    expect(str(given) == wanted, f'{format_answer(wanted)}, as `ros2 run` says', f'{format_answer(given)}{because}')
 
 
 @find.require('a package without a marker is not found, whatever else is there', see=SOURCE)

@@ -1,6 +1,6 @@
 """Exercises of chapter 4: read a parameter at the right moment, and predict what is read."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from rclpy.parameter import Parameter
 
@@ -20,7 +20,7 @@ read = Exercise('4a', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
     'Python’s `min(a, b)` is the smaller of two numbers, so the method is one line: `return min(wanted_rpm, ...)`.'))
 
 
-def limited(trial: Trial, wheel: object, wanted_rpm: int) -> object:
+def limited(trial: Trial, wheel: Any, wanted_rpm: int) -> Any:
     return trial.call(f'`limited({wanted_rpm})`', wheel.limited, wanted_rpm)
 
 
@@ -53,46 +53,55 @@ predict = Exercise('4b', CHAPTER, DICTIONARY, hints=(
     'An override takes the default’s place when the parameter is declared.'))
 
 
-def story(trial: Trial) -> dict[str, object]:
+class Scene(NamedTuple):
+    """What there is when the exercise has been told."""
+
+    robot: SimpleParamNode
+    photo: Parameter
+    fallback: Parameter
+    second: SimpleParamNode
+
+
+def story(trial: Trial) -> Scene:
     """Do what the exercise tells."""
     robot = trial.start(SimpleParamNode)
     photo = robot.get_parameter('max_speed_rpm')
     trial.client(robot).set_parameter('max_speed_rpm', 150)
     fallback = Parameter('battery_volts', value=12.0)
     second = trial.start(SimpleParamNode, ros_args=['-r', '__node:=second', '-p', 'max_speed_rpm:=120'])
-    return {'robot': robot, 'photo': photo, 'fallback': fallback, 'second': second}
+    return Scene(robot, photo, fallback, second)
 
 
 @predict.require_prediction('photo.value', see=OBJECT, because={
     150: 'That is what the robot holds now, and the photograph is older'})
 def photograph(trial: Trial) -> Any:
-    return story(trial)['photo'].value
+    return story(trial).photo.value
 
 
 @predict.require_prediction("robot.get_parameter('max_speed_rpm').value", see=OBJECT, because={
     100: 'A new photograph shows the new value'})
 def present(trial: Trial) -> Any:
-    return story(trial)['robot'].get_parameter('max_speed_rpm').value
+    return story(trial).robot.get_parameter('max_speed_rpm').value
 
 
 @predict.require_prediction("robot.get_parameter_or('battery_volts', fallback).value", see=FALLBACK, because={
     12: 'The fallback holds a double', None: 'The parameter is not declared, so the fallback is used'})
 def fallen_back(trial: Trial) -> Any:
     scene = story(trial)
-    return scene['robot'].get_parameter_or('battery_volts', scene['fallback']).value
+    return scene.robot.get_parameter_or('battery_volts', scene.fallback).value
 
 
 @predict.require_prediction("robot.has_parameter('battery_volts')", see=FALLBACK, because={
     True: 'The fallback is used on the spot and declares nothing'})
 def stored(trial: Trial) -> Any:
-    return story(trial)['robot'].has_parameter('battery_volts')
+    return story(trial).robot.has_parameter('battery_volts')
 
 
 @predict.require_prediction("second.get_parameter('max_speed_rpm').value", see=START, because={
     100: 'That is the default, and somebody has said otherwise',
     150: 'That is what was set on the first robot: a parameter lives in one node'})
 def overridden(trial: Trial) -> Any:
-    return story(trial)['second'].get_parameter('max_speed_rpm').value
+    return story(trial).second.get_parameter('max_speed_rpm').value
 
 
 EXERCISES = (read, predict)

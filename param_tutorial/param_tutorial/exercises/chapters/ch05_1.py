@@ -1,6 +1,7 @@
 """Exercises of chapter 5.1: spell values for the command line, and predict what becomes of them."""
 
 import shlex
+from collections.abc import Mapping
 from typing import Any
 
 from rclpy.node import Node
@@ -26,7 +27,7 @@ class Gripper(Node):
 
 
 def type_in(trial: Trial, node: Node, words: str) -> str:
-    """Type ``ros2 param set NODE`` and some words, as in a terminal, and give what it prints."""
+    """Type ``ros2 param set NODE`` and some words, as in a terminal, and return what it prints."""
     return trial.ros2('param', 'set', f'{CORNER}/{node.get_name()}', *shlex.split(words))
 
 
@@ -76,7 +77,7 @@ foresee = Exercise('5.1b', CHAPTER, DICTIONARY, hints=(
     'The table in the section “Break it: which type did you mean?” shows what YAML 1.1 makes of `off` and `12:30`.'))
 
 
-def require_foresight(words: str, because: dict[object, str], see: str = SPELLING) -> None:
+def require_foresight(words: str, because: Mapping[object, str], see: str = SPELLING) -> None:
     """Add the requirement to know what the robot holds after a command."""
     @foresee.require_prediction(words, see=see, because=because)
     def holds(trial: Trial) -> Any:

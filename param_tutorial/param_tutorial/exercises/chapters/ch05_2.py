@@ -2,6 +2,7 @@
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_accepted, expect_follows, expect_left_alone, expect_refused
@@ -87,9 +88,20 @@ class Ladder(Node):
         self.declare_parameter('speed', 100, ParameterDescriptor(
             integer_range=[IntegerRange(from_value=0, to_value=300, step=1)]))
         self.notes: list[tuple[str, int]] = []
-        self.add_pre_set_parameters_callback(lambda parameters: self.note('d') or parameters)
-        self.add_on_set_parameters_callback(lambda _: self.note('e') or SetParametersResult(successful=True))
-        self.add_post_set_parameters_callback(lambda _: self.note('a'))
+        self.add_pre_set_parameters_callback(self.rewrite)
+        self.add_on_set_parameters_callback(self.judge)
+        self.add_post_set_parameters_callback(self.act)
+
+    def rewrite(self, parameters: list[Parameter]) -> list[Parameter]:
+        self.note('d')
+        return parameters
+
+    def judge(self, _: list[Parameter]) -> SetParametersResult:
+        self.note('e')
+        return SetParametersResult(successful=True)
+
+    def act(self, _: list[Parameter]) -> None:
+        self.note('a')
 
     def note(self, rung: str) -> None:
         self.notes.append((rung, self.get_parameter('speed').value))
@@ -103,7 +115,7 @@ put_in_order = Exercise('5.2c', CHAPTER, TEXT, hints=(
 
 
 def true_order(trial: Trial) -> list[str]:
-    """Let a node climb the ladder, and give the letters of the exercise in the order in which it did."""
+    """Let a node climb the ladder, and return the letters of the exercise in the order in which it did."""
     ladder = trial.start(Ladder)
     trial.client(ladder).set_parameter('speed', 900)  # beyond the range: what is reached comes before the checks
     unchecked = [rung for rung, _ in ladder.notes]

@@ -1,13 +1,15 @@
 """Exercises of chapter 5.3: set two parameters of another node together, and read an answer."""
 
+from typing import Any
+
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
 from rcl_interfaces.srv import SetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import without_deadlock
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.expectations import WithoutDeadlock, derive, expect_service
+from param_tutorial.exercises.trial import NotYet, Trial, expect
 from param_tutorial.parameters.client import ParameterValues
 
 CHAPTER = '05_3_from_another_node'
@@ -47,17 +49,13 @@ supervise = Exercise('5.3a', CHAPTER, NODE_CLASS, node_name='supervisor', hints=
     '`future.result().result` is the one result, and it has a `reason`.'))
 
 
-def slow_down(trial: Trial, rover_class: type[Node]) -> tuple[Node, Node]:
+def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
     """Put a rover and the learner's supervisor on the stage, and press the supervisor's button."""
     rover = trial.start(rover_class)
-    supervisor = trial.start(without_deadlock(trial.work))
+    supervisor: Any = trial.start(derive(WithoutDeadlock, trial.work))
     expect(list(supervisor.clients), 'the supervisor has a client for a service of `/rover`', 'it has none')
     for client in supervisor.clients:
-        try:
-            trial.wait(client.service_is_ready, 'the client finds its service',
-                       lambda client=client: f'nobody offers a service `{client.srv_name}`, of that type')
-        except NotYet as error:
-            raise NoUse(error.expected, error.happened) from None
+        expect_service(trial, client)
     trial.press('`slow_down()`', supervisor.slow_down)
     return rover, supervisor
 
@@ -94,7 +92,7 @@ read = Exercise('5.3b', CHAPTER, FUNCTION, hints=(
 
 
 def answer_to(trial: Trial, *parameters: Parameter) -> tuple[object, dict[str, str]]:
-    """Ask a rover to set parameters one by one; give what the learner's function makes of it, and what is true."""
+    """Ask a rover to set parameters one by one; return what the learner's function makes of it, and what is true."""
     rover = trial.start(Rover)
     request = SetParameters.Request(parameters=[each.to_parameter_msg() for each in parameters])
     results = trial.ros.services.call(rover.get_fully_qualified_name(), 'set_parameters', request).results

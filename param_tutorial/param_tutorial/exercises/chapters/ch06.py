@@ -1,10 +1,12 @@
 """Exercises of chapter 6: write descriptors, foresee refusals, and mend what nobody checks."""
 
 import ast
+from collections.abc import Mapping
 from typing import Any
 
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import client_for, expect_declared, expect_result
@@ -89,7 +91,7 @@ class Oven(Node):
             floating_point_range=[FloatingPointRange(from_value=0.0, to_value=2.0)]))
         self.add_on_set_parameters_callback(self.judge)
 
-    def judge(self, parameters):
+    def judge(self, parameters: list[Parameter]) -> SetParametersResult:
         """At 225 °C the door gets too hot."""
         too_hot = any(each.name == 'target_c' and each.value == 225 for each in parameters)
         return SetParametersResult(successful=not too_hot, reason='the door gets too hot')
@@ -102,7 +104,7 @@ foresee = Exercise('6b', CHAPTER, DICTIONARY, hints=(
     'Count the steps from 50: 75, 100, 125, and so on. Which of the wishes are among them, and which is an end?'))
 
 
-def require_foresight(wish: str, because: dict[object, str], see: str = ORDER) -> None:
+def require_foresight(wish: str, because: Mapping[object, str], see: str = ORDER) -> None:
     """Add the requirement to know of which kind the oven's answer to a wish is.
 
     :param wish: As 'name = value'.

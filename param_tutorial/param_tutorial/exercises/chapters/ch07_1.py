@@ -1,6 +1,7 @@
 """Exercises of chapter 7.1: write a parameter file by hand, and foresee what comes back of a dump."""
 
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -104,7 +105,7 @@ foresee = Exercise('7.1b', CHAPTER, DICTIONARY, hints=(
     'value.'))
 
 
-def require_start(text: str, because: dict[object, str], see: str = LOOKS_LIKE) -> None:
+def require_start(text: str, because: Mapping[object, str], see: str = LOOKS_LIKE) -> None:
     """Add the requirement to know what a node holds that is started with a dump of a value.
 
     :param text: The value; '[]' stands for the list.
@@ -116,7 +117,7 @@ def require_start(text: str, because: dict[object, str], see: str = LOOKS_LIKE) 
         return trial.client(node).get_parameter('value')
 
 
-def require_load(text: str, because: dict[object, str], see: str = SECOND) -> None:
+def require_load(text: str, because: Mapping[object, str], see: str = SECOND) -> None:
     """Add the requirement to know what a node holds after ``ros2 param load`` of a dump of a value; as above."""
     @foresee.require_prediction(f'{text}: load', see=see, because=because)
     def holds(trial: Trial) -> Any:

@@ -2,10 +2,9 @@
 
 import itertools
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
-
-from rclpy.node import Node
 
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
@@ -26,7 +25,7 @@ SOMEBODY_ELSE = 'Break it: a file for somebody else'
 FILE_NAME = 'my_launch.py'
 
 
-def launched(trial: Trial, text: str, **arguments: str) -> Node:
+def launched(trial: Trial, text: str, **arguments: str) -> SimpleParamNode:
     """Put on the stage, in the corner, what a launch file starts, with the words that ``ros2 launch`` gives it.
 
     :param text: Of the launch file; it has to start the robot, and nothing else.
@@ -142,7 +141,7 @@ foresee = Exercise('7.2b', CHAPTER, DICTIONARY, hints=(
     'A dictionary in a launch file holds Python values, and a text is a text. ROS converts nothing.'))
 
 
-def require_foresight(words: str, because: dict[object, str], see: str) -> None:
+def require_foresight(words: str, because: Mapping[object, str], see: str) -> None:
     """Add the requirement to know the speed of a robot that is started with these words in its ``Node``."""
     @foresee.require_prediction(words, see=see, because=because)
     def speed(trial: Trial) -> Any:

@@ -1,5 +1,6 @@
 """Exercises of chapter 7.3: foresee which value wins, and write a file that reaches the right nodes."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from rclpy.node import Node
@@ -41,7 +42,7 @@ predict = Exercise('7.3a', CHAPTER, DICTIONARY, hints=(
     'A block that is open already keeps its place, and gets the new value. The robot is `/robot`.'))
 
 
-def require_foresight(sources: str, because: dict[object, str], see: str = THREE) -> None:
+def require_foresight(sources: str, because: Mapping[object, str], see: str = THREE) -> None:
     """Add the requirement to know the robot's speed after a start.
 
     :param sources: Names of files, or '-p 400', in their order.
@@ -98,10 +99,10 @@ def expect_holds(trial: Trial, place: str, name: str, force_n: float, speed_mmps
                                   '-r', f'__node:={name}', namespace=place)
     wanted = {'force_n': force_n, 'speed_mmps': speed_mmps}
     found = trial.client(node).get_parameters(wanted)
-    expect(dict(found) == wanted, _shown(wanted), _shown(found))
+    expect(dict(found) == wanted, _format_values(wanted), _format_values(found))
 
 
-def _shown(held: dict[str, object]) -> str:
+def _format_values(held: Mapping[str, object]) -> str:
     return ', '.join(f'`{name}` is `{value!r}`' for name, value in held.items())
 
 

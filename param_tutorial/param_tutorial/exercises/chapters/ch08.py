@@ -85,34 +85,42 @@ def acts_late(trial: Trial) -> None:
     expect_left_alone(trial, conveyor, 'motor_mps', {SPEED: 0.8})
 
 
-def belt(follows: int) -> type[Node]:
-    """Derive a class of belts that follow one of the seven practices, and no other."""
-    class Belt(Node):
-        def __init__(self) -> None:
-            super().__init__('belt')
-            limits = ParameterDescriptor()
-            if follows == 2:
-                limits.floating_point_range = [FloatingPointRange(from_value=0.0, to_value=2.0)]
-            self.declare_parameter('speed_mps', 0.5 if follows == 1 else Parameter.Type.DOUBLE, limits)
-            self.declare_parameters('controller' if follows == 4 else '', [('kp', 2.0), ('ki', 0.1)])
-            if follows != 7:
-                self.declare_parameter('gravity_mps2', 9.81)
-            self.motor_mps = self.get_parameter('speed_mps').value
-            self.add_on_set_parameters_callback(self.validate)
-            self.add_post_set_parameters_callback(self.react)
+class Belt(Node):
+    """A belt that follows one of the seven practices, and no other; a class of its own for each, see ``belt``."""
 
-        def validate(self, parameters):
-            for parameter in parameters:
-                if parameter.name == 'speed_mps' and follows != 3:
-                    self.motor_mps = parameter.value
-                if parameter.name == 'kp' and parameter.value < 0.0:
-                    return SetParametersResult(successful=False, reason='kp must not be negative')
-            return SetParametersResult(successful=True)
+    follows: int
 
-        def react(self, _):
-            self.motor_mps = self.get_parameter('speed_mps').value
+    def __init__(self) -> None:
+        super().__init__('belt')
+        limits = ParameterDescriptor()
+        if self.follows == 2:
+            limits.floating_point_range = [FloatingPointRange(from_value=0.0, to_value=2.0)]
+        self.declare_parameter('speed_mps', 0.5 if self.follows == 1 else Parameter.Type.DOUBLE, limits)
+        self.declare_parameters('controller' if self.follows == 4 else '', [('kp', 2.0), ('ki', 0.1)])
+        if self.follows != 7:
+            self.declare_parameter('gravity_mps2', 9.81)
+        self.motor_mps: float = self.get_parameter('speed_mps').value
+        self.add_on_set_parameters_callback(self.validate)
+        self.add_post_set_parameters_callback(self.react)
 
-    return Belt
+    def validate(self, parameters: list[Parameter]) -> SetParametersResult:
+        for parameter in parameters:
+            if parameter.name == 'speed_mps' and self.follows != 3:
+                self.motor_mps = parameter.value
+            if parameter.name == 'kp' and parameter.value < 0.0:
+                return SetParametersResult(successful=False, reason='kp must not be negative')
+        return SetParametersResult(successful=True)
+
+    def react(self, _: list[Parameter]) -> None:
+        self.motor_mps = self.get_parameter('speed_mps').value
+
+
+def belt(follows: int) -> type[Belt]:
+    """Return the class of belts that follow a practice.
+
+    :param follows: Its number, from 1.
+    """
+    return type('Belt', (Belt,), {'follows': follows})
 
 
 find = Exercise('8b', CHAPTER, DICTIONARY, hints=(
@@ -121,14 +129,17 @@ find = Exercise('8b', CHAPTER, DICTIONARY, hints=(
     'Ask of each: when did it hurt? At the start, at a wrong value, at a refusal, in a list, or at a knob that should '
     'not be there?'))
 
+# Does again what a complaint is about, with a belt, and returns how that went; nothing if all was well.
+Reenact = Callable[[Trial, type[Belt]], str]
 
-def require_practice(complaint: str) -> Callable:
+
+def require_practice(complaint: str) -> Callable[[Reenact], Reenact]:
     """Add the requirement to name the practice with which a complaint would not have come up.
 
     The decorated function does again what the complaint is about, on a belt that follows one practice, and tells how
     that went if the complaint still holds.
     """
-    def add(still: Callable[[Trial, type[Node]], str]) -> Callable[[Trial, type[Node]], str]:
+    def add(still: Reenact) -> Reenact:
         # The section of the practice would be the answer.
         @find.require(f'“{complaint}”', see='What you can do now')
         def examine(trial: Trial) -> None:
@@ -142,13 +153,13 @@ def require_practice(complaint: str) -> Callable:
     return add
 
 
-def started(trial: Trial, belt_class: type[Node]) -> Node:
+def started(trial: Trial, belt_class: type[Belt]) -> Belt:
     """Start a belt as its author does, with what the file holds."""
     return trial.start(belt_class, ros_args=['-p', 'speed_mps:=0.5'])
 
 
 @require_practice('Without its parameter file the belt does not even start.')
-def does_not_start(trial, belt_class):
+def does_not_start(trial: Trial, belt_class: type[Belt]) -> str:
     try:
         trial.start(belt_class)
     except NoUse as error:
@@ -157,13 +168,13 @@ def does_not_start(trial, belt_class):
 
 
 @require_practice('I typed 50.0 and meant 0.5, and the belt took it.')
-def takes_everything(trial, belt_class):
+def takes_everything(trial: Trial, belt_class: type[Belt]) -> str:
     client = trial.client(started(trial, belt_class))
     return 'it accepted 50.0 m/s' if client.set_parameter('speed_mps', 50.0).successful else ''
 
 
 @require_practice('My request was refused, and the belt sped up all the same.')
-def acts_on_proposals(trial, belt_class):
+def acts_on_proposals(trial: Trial, belt_class: type[Belt]) -> str:
     node = started(trial, belt_class)
     gain = next(name for name in ('kp', 'controller.kp') if node.has_parameter(name))
     trial.client(node).set_parameters_atomically({'speed_mps': 1.5, gain: -1.0})
@@ -171,13 +182,13 @@ def acts_on_proposals(trial, belt_class):
 
 
 @require_practice('I wanted a list of just the controller gains, and got none.')
-def has_no_groups(trial, belt_class):
+def has_no_groups(trial: Trial, belt_class: type[Belt]) -> str:
     names = trial.client(started(trial, belt_class)).list_parameters(['controller'])
     return '' if names else 'the list of names that begin with `controller.` is empty'
 
 
 @require_practice('Somebody set gravity to 0, and now the load weighs nothing.')
-def has_gravity(trial, belt_class):
+def has_gravity(trial: Trial, belt_class: type[Belt]) -> str:
     client = trial.client(started(trial, belt_class))
     return 'it accepted a gravity of 0' if client.set_parameter('gravity_mps2', 0.0).successful else ''
 

@@ -1,6 +1,7 @@
 """Exercises of chapter 9: translate a parameter file of ROS 1, and predict what ROS 2 makes of ROS 1's habits."""
 
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -47,7 +48,7 @@ translate = Exercise('9a', CHAPTER, TEXT, hints=(
     'What belonged to everybody goes into a block `/**:`, with `ros__parameters` below it as well.'))
 
 
-def expect_values(trial: Trial, node_class: type[Node], wanted: dict[str, Any], because: str = '') -> None:
+def expect_values(trial: Trial, node_class: type[Node], wanted: Mapping[str, Any], because: str = '') -> None:
     """Start a node with the learner's file, and expect it to hold some values.
 
     :param because: What to think of when it holds others.
@@ -119,7 +120,7 @@ foresee = Exercise('9b', CHAPTER, DICTIONARY, hints=(
     'Integers have 64 bits now. And values live in the node, so they end with it.'))
 
 
-def require_foresight(what: str, because: dict[object, str], see: str, *, name: str, value: object,
+def require_foresight(what: str, because: Mapping[object, str], see: str, *, name: str, value: object,
                       restart: bool = False) -> None:
     """Add the requirement to know what the node holds after somebody set a parameter."""
     @foresee.require_prediction(what, see=see, because=because)

@@ -1,13 +1,15 @@
 """Exercises of chapter 10.1: keep a journal of another node's parameters, and predict how many events there are."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.subscription import Subscription
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from param_tutorial.exercises.expectations import derive
 from param_tutorial.exercises.trial import CORNER, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.runtime.waiting import wait_until
@@ -37,23 +39,24 @@ class Gripper(Node):
         self.declare_parameter('speed', 1)
 
 
-def in_the_corner(node_class: type[Node]) -> type[Node]:
-    """Derive a class that hears of the nodes in the corner only, under the names that they have for the learner."""
-    class InTheCorner(node_class):
-        def create_subscription(self, msg_type, topic, callback, *args, **options):
-            def hear(message):
-                if not isinstance(message, ParameterEvent):
+class InTheCorner(Node):
+    """A mixin: hears of the nodes in the corner only, under the names that they have for the learner."""
+
+    events_heard: tuple[ParameterEvent, ...] = ()
+
+    def create_subscription(self, msg_type: Any, topic: str, callback: Callable[[Any], object], *args: Any,
+                            **options: Any) -> Subscription:
+        def hear(message: Any) -> None:
+            if not isinstance(message, ParameterEvent):
+                callback(message)
+            elif message.node.startswith(f'{CORNER}/'):
+                message.node = message.node.removeprefix(CORNER)
+                try:
                     callback(message)
-                elif message.node.startswith(f'{CORNER}/'):
-                    message.node = message.node.removeprefix(CORNER)
-                    try:
-                        callback(message)
-                    finally:
-                        self.events_heard = [*getattr(self, 'events_heard', ()), message]
+                finally:
+                    self.events_heard = (*self.events_heard, message)
 
-            return super().create_subscription(msg_type, topic, hear, *args, **options)
-
-    return InTheCorner
+        return super().create_subscription(msg_type, topic, hear, *args, **options)
 
 
 keep = Exercise('10.1a', CHAPTER, NODE_CLASS, node_name='journal', hints=(
@@ -63,27 +66,27 @@ keep = Exercise('10.1a', CHAPTER, NODE_CLASS, node_name='journal', hints=(
     'For the burst, the last argument of `create_subscription` has to be `qos_profile_parameter_events`.'))
 
 
-def begin(trial: Trial) -> tuple[Node, Node]:
+def begin(trial: Trial) -> tuple[Rover, Any]:
     """Put a rover and the learner's journal on the stage."""
     rover = trial.start(Rover)
-    journal = trial.start(in_the_corner(trial.work))
+    journal: Any = trial.start(derive(InTheCorner, trial.work))
     if TOPIC not in [subscription.topic_name for subscription in journal.subscriptions]:
         raise NoUse(f'the journal subscribes to `{TOPIC}`', 'it does not')
     return rover, journal
 
 
-def pages_after(trial: Trial, rover: Node, journal: Node, action: Callable[[], Any]) -> list:
-    """Let something happen, and give what the journal has written down when it has heard of the end of it."""
+def pages_after(trial: Trial, rover: Rover, journal: Any, action: Callable[[], object]) -> list[Any]:
+    """Let something happen, and return what the journal has written down when it has heard of the end of it."""
     before = len(journal.pages)
     action()
     trial.client(rover).set_parameter('last', 1)
-    trial.wait(lambda: 'last' in [each.name for event in getattr(journal, 'events_heard', ())
+    trial.wait(lambda: 'last' in [each.name for event in journal.events_heard
                                   for each in event.changed_parameters],
                'the events reach the journal', lambda: 'they do not')
     return [page for page in journal.pages[before:] if not (isinstance(page, tuple) and page[1:2] == ('last',))]
 
 
-def expect_pages(trial: Trial, pages: list, wanted: list[tuple[str, str, Any]]) -> None:
+def expect_pages(trial: Trial, pages: Sequence[Any], wanted: Sequence[tuple[str, str, Any]]) -> None:
     """Expect these pages, each value of the right type; numbers of pages first."""
     for page in wanted:
         alike = [each for each in pages if isinstance(each, tuple) and len(each) == 3 and each[:2] == page[:2]]
@@ -105,7 +108,7 @@ def changed(trial: Trial) -> None:
 def kinds(trial: Trial) -> None:
     rover, journal = begin(trial)
 
-    def come_and_go():
+    def come_and_go() -> None:
         lamp = ParameterDescriptor(dynamic_typing=True)
         trial.ros.run(lambda: rover.declare_parameter('lamp', 0, lamp), 'declare a parameter')
         trial.client(rover).delete_parameter('lamp')
@@ -119,7 +122,7 @@ def rover_only(trial: Trial) -> None:
     rover, journal = begin(trial)
     gripper = trial.start(Gripper)
 
-    def both():
+    def both() -> None:
         trial.client(gripper).set_parameter('speed', 3)
         trial.client(rover).set_parameter('speed', 5)
 
@@ -133,7 +136,7 @@ def rover_only(trial: Trial) -> None:
 def burst(trial: Trial) -> None:
     rover, journal = begin(trial)
 
-    def hurry():
+    def hurry() -> None:
         for speed in range(1, BURST_LENGTH + 1):
             rover.set_parameters([Parameter('speed', value=speed)])
 
@@ -149,7 +152,7 @@ count = Exercise('10.1b', CHAPTER, DICTIONARY, hints=(
     'The table in the section “Change it: what is told, and how often” has most of the numbers.'))
 
 
-def require_count(what: str, action: Callable[[Trial, Node], Any], because: dict[int, str]) -> None:
+def require_count(what: str, action: Callable[[Trial, Rover], object], because: Mapping[int, str]) -> None:
     """Add the requirement to know how many events there are when something is done to a rover."""
     @count.require_prediction(what, see=WHAT_IS_TOLD, because=because)
     def counted(trial: Trial) -> Any:
@@ -168,8 +171,8 @@ def require_count(what: str, action: Callable[[Trial, Node], Any], because: dict
 
 
 def _wait_for_last(heard: list[ParameterEvent], value: int) -> int:
-    """Wait for the mark at the end, and give how many events have come since the mark before."""
-    def marks():
+    """Wait for the mark at the end, and return how many events have come since the mark before."""
+    def marks() -> list[int]:
         return [index for index, event in enumerate(heard) if event.changed_parameters
                 and event.changed_parameters[0].name == 'last']
     wait_until(lambda: len(marks()) >= value, 'the last event')

@@ -1,11 +1,15 @@
 """Exercises of chapter 10.2: read all parameters of another node, and find a parameter in all nodes."""
 
+from typing import Any
+
+from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.task import Future
 
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import without_deadlock
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.expectations import WithoutDeadlock, derive, expect_service
+from param_tutorial.exercises.trial import Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.parameters.snapshot import Snapshot, all_parameters
 
@@ -50,32 +54,32 @@ inspect = Exercise('10.2a', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
     'An answer without values means that one of the names has none: ask again, for each name alone.'))
 
 
-def noting_questions(node_class: type[Node]) -> type[Node]:
-    """Derive a class that keeps the futures of all that it asks, so that one can tell when it has done its work."""
-    class NotingQuestions(node_class):
-        def create_client(self, *args, **options):
-            client = super().create_client(*args, **options)
-            call_async = client.call_async
+class NotingQuestions(Node):
+    """A mixin: keeps the futures of all that the node asks, so that one can tell when it has done its work."""
 
-            def note(request):
-                self.questions = [*getattr(self, 'questions', ()), call_async(request)]
-                return self.questions[-1]
+    questions: tuple[Future, ...] = ()
 
-            client.call_async = note
-            return client
+    def create_client(self, *args: Any, **options: Any) -> Client:
+        client = super().create_client(*args, **options)
+        call_async = client.call_async
 
-    return NotingQuestions
+        def note(request: Any) -> Future:
+            self.questions = (*self.questions, call_async(request))
+            return self.questions[-1]
+
+        client.call_async = note  # type: ignore[method-assign]  # for this one client
+        return client
 
 
-def is_done(trial: Trial, inspector: Node) -> bool:
-    """Are all questions answered, and all answers heard, and has nothing more been asked because of them?"""
-    questions = list(getattr(inspector, 'questions', ()))
+def is_done(trial: Trial, inspector: NotingQuestions) -> bool:
+    """True if all questions are answered, all answers heard, and nothing more was asked because of them."""
+    questions = inspector.questions
     if not all(future.done() for future in questions):
         return False
     # The executor has set the last future when the first is over, and has called what waited for it after the second.
     for _ in range(2):
         trial.ros.run(lambda: None, 'let the executor come round')
-    return len(questions) == len(getattr(inspector, 'questions', ()))
+    return len(questions) == len(inspector.questions)
 
 
 def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...] = ()) -> None:
@@ -84,14 +88,10 @@ def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...]
     :param left_out: Names that may be there, with the value None, or not.
     """
     rover = trial.start(rover_class)
-    inspector = trial.start(noting_questions(without_deadlock(trial.work)))
+    inspector: Any = trial.start(derive(NotingQuestions, derive(WithoutDeadlock, trial.work)))
     expect(list(inspector.clients), 'the inspector has clients for services of `/rover`', 'it has none')
     for client in inspector.clients:
-        try:
-            trial.wait(client.service_is_ready, 'the client finds its service',
-                       lambda client=client: f'nobody offers a service `{client.srv_name}`, of that type')
-        except NotYet as error:
-            raise NoUse(error.expected, error.happened) from None
+        expect_service(trial, client)
     wanted = {name: value for name, value in trial.client(rover).get_parameters().items() if name not in left_out}
     trial.press('`inspect()`', inspector.inspect)
 

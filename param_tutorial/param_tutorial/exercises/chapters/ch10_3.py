@@ -1,7 +1,7 @@
 """Exercises of chapter 10.3: tune a PID controller, and write the parameter file of two controllers."""
 
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -30,7 +30,7 @@ TUNED = [f'gains.wheel_joint.{name}' for name in 'pid']
 
 
 def tuned(trial: Trial) -> Figures:
-    """Set the learner's gains on a fresh controller, all together, and give the figures of its wheel."""
+    """Set the learner's gains on a fresh controller, all together, and return the figures of its wheel."""
     others = sorted(set(map(str, trial.work)) - set(TUNED))
     expect(not others, 'the three gains, and nothing else', f'there is also `{"`, `".join(others)}`')
     for name in TUNED:
@@ -62,7 +62,8 @@ def calm(trial: Trial) -> None:
     figures = tuned(trial)
     expect_steady(figures)
     exact(trial)
-    expect(figures.overshoot_percent < 5, 'an overshoot below 5 %', f'{figures}')
+    expect(figures.overshoot_percent is not None and figures.overshoot_percent < 5,
+           'an overshoot below 5 %', f'{figures}')
 
 
 @tune.require('it has settled after less than 0.4 s', see=DERIVATIVE)
@@ -70,7 +71,7 @@ def fast(trial: Trial) -> None:
     figures = tuned(trial)
     expect_steady(figures)
     exact(trial)
-    expect(figures.settling_sec < 0.4, 'a settling time below 0.4 s', f'{figures}')
+    expect(figures.settling_sec is not None and figures.settling_sec < 0.4, 'a settling time below 0.4 s', f'{figures}')
 
 
 write = Exercise('10.3b', CHAPTER, TEXT, hints=(
@@ -94,8 +95,8 @@ class ControllerManager(Node):
 
 
 @contextmanager
-def started(trial: Trial, node_class: type[Node], name: str) -> Iterator[tuple[Node, dict[str, Any]]]:
-    """Start a node under a name with the learner's file, and give it with the parameters that it has."""
+def started(trial: Trial, node_class: type[Node], name: str) -> Iterator[tuple[Node, Mapping[str, Any]]]:
+    """Start a node under a name with the learner's file, and yield it with the parameters that it has."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / 'controllers.yaml'
         path.write_text(trial.work, encoding='utf-8')
@@ -112,7 +113,7 @@ def started(trial: Trial, node_class: type[Node], name: str) -> Iterator[tuple[N
         yield node, parameters
 
 
-def expect_value(parameters: dict[str, Any], name: str, value: Any) -> None:
+def expect_value(parameters: Mapping[str, Any], name: str, value: Any) -> None:
     """Expect a parameter to hold a value of the same type."""
     expect(name in parameters, f'`{name}` is `{value!r}`', 'there is none of that name')
     expect(values.same(parameters[name], value), f'`{name}` is `{value!r}`', f'it is `{parameters[name]!r}`')

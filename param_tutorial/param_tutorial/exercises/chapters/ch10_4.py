@@ -1,5 +1,7 @@
 """Exercises of chapter 10.4: state rules, rename parameters, and bring a node back to its defaults."""
 
+from collections.abc import Mapping, Sequence
+
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
@@ -64,7 +66,7 @@ rename = Exercise('10.4b', CHAPTER, NODE_CLASS, node_name='wagon', hints=(
     "`Aliases(self, {'width': 'width_mm', 'plate': 'plate_number'})`, and the declarations with the new names."))
 
 
-def expect_values(trial: Trial, node: Node, wanted: dict[str, object], when: str) -> None:
+def expect_values(trial: Trial, node: Node, wanted: Mapping[str, object], when: str) -> None:
     """Expect a node to hold values, after something."""
     client = trial.client(node)
     existing = client.list_parameters()
@@ -120,8 +122,8 @@ class Lamp(Node):
                           'dim_percent must be below full_percent')
 
 
-def call(trial: Trial, keep: list[str], ros_args: tuple[str, ...] = ()) -> tuple[Node, object]:
-    """Start a lamp, change it, call the learner's function, and give the lamp with what that returned."""
+def call(trial: Trial, keep: list[str], ros_args: Sequence[str] = ()) -> tuple[Lamp, object]:
+    """Start a lamp, change it, call the learner's function, and return the lamp with what that returned."""
     lamp = trial.start(Lamp, ros_args=ros_args)
     trial.client(lamp).set_parameters_atomically({'dim_percent': 1, 'full_percent': 5, 'colour': 'red'})
     return lamp, trial.call(f'factory_settings(lamp, Lamp, {keep})', trial.work, lamp, Lamp, keep)

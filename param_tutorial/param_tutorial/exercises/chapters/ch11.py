@@ -8,21 +8,25 @@ import functools
 import math
 import tempfile
 from collections import Counter
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from param_tutorial.errors import NodeError, ParameterFileError, WaitTimeoutError
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import (
+    WithSecondJudge,
     client_for,
+    derive,
     expect_accepted,
     expect_answer,
     expect_declared,
     expect_left_alone,
     expect_refused,
-    with_second_judge,
 )
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
@@ -47,7 +51,7 @@ def settings(speed_mps: float, acceleration_mps2: float) -> dict[str, float]:
 
 
 def overrides(speed_mps: float, acceleration_mps2: float) -> list[str]:
-    """Give the words that make a cart start with these."""
+    """Return the words that make a cart start with these."""
     return [word for name, value in settings(speed_mps, acceleration_mps2).items()
             for word in ('-p', f'{name}:={value}')]
 
@@ -106,7 +110,7 @@ judge = Exercise('11b', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
     'the constructor too, and `raise ValueError(reason)` if there is one.'))
 
 
-def start_cart(trial: Trial, *values: float, node_class: type[Node] | None = None) -> Node:
+def start_cart(trial: Trial, *values: float, node_class: type[Node] | None = None) -> Any:
     """Start the learner's cart, perhaps with other values than its own, and expect what was declared before.
 
     :raises NoUse: it lacks a parameter.
@@ -177,7 +181,7 @@ def follows(trial: Trial) -> None:
 
 @act.require('it stays as it is when a change is refused in the end', see=JUDGE)
 def acts_late(trial: Trial) -> None:
-    cart = start_cart(trial, node_class=with_second_judge(trial.work))
+    cart = start_cart(trial, node_class=derive(WithSecondJudge, trial.work))
     expect_accepted(trial, cart, {'max_speed_mps': 1.2})
     expect_trip(cart, 1.2, 0.5, 'once 1.2 m/s is stored')
     expect_left_alone(trial, cart, 'trip_sec', {'max_speed_mps': 0.6})
@@ -209,7 +213,7 @@ def saved_file(trial: Trial, folder: str) -> Path:
     return path
 
 
-def expect_held(client: ParameterClient, wanted: dict[str, Any], because: str = '') -> None:
+def expect_held(client: ParameterClient, wanted: Mapping[str, Any], because: str = '') -> None:
     """Expect a cart to hold values."""
     held = dict(client.get_parameters(wanted))
     expect(held == wanted, ', '.join(f'`{name} = {value!r}`' for name, value in wanted.items()),
@@ -261,7 +265,7 @@ STARTUP_SEC = 30.0
 
 @functools.lru_cache(maxsize=8)
 def values_after_launch(text: str) -> dict[str, Any]:
-    """Launch a text as a process of its own, and give the values of the cart that it starts in the aisle.
+    """Launch a text as a process of its own, and return the values of the cart that it starts in the aisle.
 
     The requirements ask for the same launch one after the other; one that went well need not be repeated.
 
@@ -270,8 +274,8 @@ def values_after_launch(text: str) -> dict[str, Any]:
     ros = stage.current()
     before = Counter(ros.services.node_names())
 
-    def carts() -> Counter:
-        """The carts that were not there before."""
+    def carts() -> Counter[str]:
+        """Return the carts that were not there before."""
         return Counter(name for name in ros.services.node_names() if name.endswith('/cart_node')) - before
 
     with tempfile.TemporaryDirectory() as folder:
@@ -347,7 +351,7 @@ class Watched(CartNode):
         super().__init__()
         self.requests: list[int] = []
 
-    def validate(self, parameters):
+    def validate(self, parameters: list[Parameter]) -> SetParametersResult:
         # It is called for each parameter of set_parameters, and once for set_parameters_atomically.
         self.requests.append(len(parameters))
         return super().validate(parameters)
@@ -355,7 +359,7 @@ class Watched(CartNode):
 
 def tuned(trial: Trial, *start: float) -> Watched:
     """Let the learner's function tune a cart."""
-    cart = start_cart(trial, *start, node_class=Watched)
+    cart: Watched = start_cart(trial, *start, node_class=Watched)
     trial.call('`tune(client)`', trial.work, trial.client(cart))
     return cart
 
