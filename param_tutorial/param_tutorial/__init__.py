@@ -49,7 +49,7 @@ _HOMES = {
 }
 # And modules that the lessons name: `from param_tutorial import parameter_files`.
 _MODULES = {'parameter_files': 'parameters.files'}
-__all__ = sorted(_HOMES)
+__all__ = list(_HOMES)
 
 
 def __getattr__(name: str) -> Any:

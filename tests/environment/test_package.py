@@ -73,7 +73,8 @@ def test_each_entry_point_is_there(setup_py):
         name, module, function = re.fullmatch(r'(\w+) = ([\w.]+):(\w+)', program).groups()
         assert module.endswith(f'.{name}')
         source = ROS_PACKAGE / Path(*module.split('.')).with_suffix('.py')
-        assert re.search(rf'^def {function}\(args: list\[str\] \| None = None\) -> None:', source.read_text(), re.MULTILINE), source
+        signature = rf'^def {function}\(args: list\[str\] \| None = None\) -> None:$'
+        assert re.search(signature, source.read_text(), re.MULTILINE), source
 
 
 def test_each_package_below_the_ros_package_is_installed(setup_py):

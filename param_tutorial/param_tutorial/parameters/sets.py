@@ -106,6 +106,8 @@ class ParameterSet(Mapping[str, Any]):
         """True if all names and values are the same, with their types."""
         return isinstance(other, Mapping) and not compare(self, other)
 
+    __hash__ = None  # type: ignore[assignment]  # every object has one, says object; a list in it could not be hashed
+
     def __repr__(self) -> str:
         return f'<ParameterSet: {self.label}, {_counted(len(self), "parameter")}>'
 

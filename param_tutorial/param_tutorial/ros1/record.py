@@ -189,7 +189,7 @@ def _compiled(generator: Any) -> SimpleNamespace:
 
 def _quiet() -> None:
     """Keep the console to the recorder, and Ctrl+C too, which ends the others in order."""
-    with open(os.devnull, 'w') as nowhere:
+    with Path(os.devnull).open('w') as nowhere:
         os.dup2(nowhere.fileno(), 1)
         os.dup2(nowhere.fileno(), 2)
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -93,8 +93,8 @@ def participant_ports(domain_id: int) -> set[int]:
     """
     first = 7400 + 250 * domain_id + 10
     open_ports = set()
-    for table in ('/proc/net/udp', '/proc/net/udp6'):
-        with contextlib.suppress(OSError, StopIteration), open(table) as lines:
+    for table in (Path('/proc/net/udp'), Path('/proc/net/udp6')):
+        with contextlib.suppress(OSError, StopIteration), table.open() as lines:
             next(lines)
             open_ports |= {int(line.split()[1].rpartition(':')[2], 16) for line in lines}
     return open_ports & set(range(first, first + 240, 2))

@@ -83,7 +83,7 @@ def require_foresight(words: str, because: Mapping[object, str], see: str = SPEL
     def holds(trial: Trial) -> Any:
         robot = trial.start(SimpleParamNode)
         type_in(trial, robot, words)
-        return trial.client(robot).get_parameter(words.split()[0])
+        return trial.client(robot).get_parameter(words.split(maxsplit=1)[0])
 
 
 require_foresight('max_speed_rpm 12:30', {
