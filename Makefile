@@ -39,6 +39,7 @@ bench: setup  ## run the benchmarks
 
 lint: setup  ## check code and notebooks without running them
 	@$(VENV) -m ruff check .
+	@$(VENV) -m mypy
 	@$(VENV) -m tests.tools.notebook_lint notebooks
 
 lock: setup  ## work out environment/requirements.lock anew

@@ -58,7 +58,7 @@ def check(number: str, work: Any) -> Answer:
 
 
 def hint(number: str) -> Answer:
-    """Give the next hint for an exercise; after the last one, say where its solution is."""
+    """Return the next hint for an exercise; after the last one, where its solution is."""
     exercise = EXERCISES.get(str(number))
     if exercise is None:
         return _unknown(number)

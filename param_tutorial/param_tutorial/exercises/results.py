@@ -7,7 +7,7 @@ from param_tutorial.pictures.markup import with_code
 
 _WIDTH = 110
 
-# JupyterLab's own colours, so that it is readable on light and dark; none of them says anything that no word says.
+# JupyterLab's own colors, so that it is readable on light and dark; none of them says anything that no word says.
 _STYLE = """<style>
 .param-check { border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; padding: 8px 12px;
   margin: 4px 0; max-width: 60em; }

@@ -46,7 +46,7 @@ class CartNode(Node):
 
     @staticmethod
     def objection(speed: float, acceleration: float) -> str:
-        """Say what is wrong with a speed and an acceleration, or nothing: the cart has to stop within its sight."""
+        """Return what is wrong with a speed and an acceleration, or nothing: the cart has to stop within its sight."""
         stopping_m = speed ** 2 / (2 * acceleration)
         # Decimal fractions are rarely exact, and a millionth of a millimeter hurts nobody.
         if stopping_m > SIGHT_M + 1e-9:
@@ -54,7 +54,7 @@ class CartNode(Node):
         return ''
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Say whether the proposed parameters may be stored, together with what is stored; change nothing."""
+        """Return whether the proposed parameters may be stored, together with what is stored; change nothing."""
         proposed = {parameter.name: parameter.value for parameter in parameters}
         speed, acceleration = self.settings()
         reason = self.objection(

@@ -43,7 +43,7 @@ class Settings:
     safety_on: bool = True
     sensor_offset_m: float = SENSOR_MOUNT_M
     may_start: bool = True
-    """Is it warm enough to pull away? A robot that is moving already goes on."""
+    """True if it is warm enough to pull away; a robot that is moving already goes on."""
     track_m: float = 4.0
     """From the start line to the wall."""
 
@@ -255,7 +255,7 @@ class ClawbotNode(Node):
     # -- parameters -------------------------------------------------------------------------------------
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Say whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
+        """Return whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
         for parameter in parameters:
             if parameter.name == 'robot_name' and not parameter.value.strip():
                 return SetParametersResult(successful=False, reason='robot_name must not be empty')
@@ -392,7 +392,7 @@ class ClawbotNode(Node):
             say.warning(f'{name} is waiting: {self.waiting_for()}')
 
     def waiting_for(self) -> str:
-        """Say what keeps a waiting robot from driving."""
+        """Return what keeps a waiting robot from driving."""
         if not self.settings.may_start:
             return (f'{self.get_parameter("simulation.ambient_temperature_c").value} °C is below '
                     f'min_operating_temperature_c = {self.get_parameter("min_operating_temperature_c").value}')

@@ -106,7 +106,7 @@ class PalletLiftNode(Node):
         self.log_settings()
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Say whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
+        """Return whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
         proposed = {parameter.name: parameter.value for parameter in parameters}
 
         def value(name: str) -> Any:

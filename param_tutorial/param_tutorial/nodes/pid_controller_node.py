@@ -246,7 +246,7 @@ class PidControllerNode(Node):
         return {name: parameter.value for name, parameter in parameters.items()}
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Say whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
+        """Return whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
         values = self._values()
         values.update((parameter.name, parameter.value) for parameter in parameters)
         for joint in self.joints:

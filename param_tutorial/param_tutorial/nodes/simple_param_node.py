@@ -51,7 +51,7 @@ class SimpleParamNode(Node):
         self.log_parameters()
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Say whether all the proposed parameters may be stored; change nothing."""
+        """Return whether all the proposed parameters may be stored; change nothing."""
         for parameter in parameters:
             if parameter.name == 'max_speed_rpm' and parameter.value < 0:
                 return SetParametersResult(

@@ -21,7 +21,7 @@ _LEFT, _RIGHT = 'ROS 1, recorded', 'ROS 2, now'
 _NO_COUNTERPART = '—'
 _WIDTH = 58
 
-# JupyterLab's own colours, so that it is readable on light and dark. Its own rules for tables and <pre> are as special
+# JupyterLab's own colors, so that it is readable on light and dark. Its own rules for tables and <pre> are as special
 # as ours, so some of ours have to be important.
 _STYLE = """<style>
 .param-ros1 { border-collapse: collapse; width: 100%; max-width: 76em; margin: 4px 0; table-layout: fixed; }
@@ -83,7 +83,7 @@ class Recorded:
         return SideBySide(self.steps, [_answer(each) for each in answers])
 
     def __repr__(self) -> str:
-        return '\n'.join(filter(None, (text for step in self.steps for text in (_typed(step), step.answer))))
+        return '\n'.join(filter(None, (text for step in self.steps for text in (_format_typed(step), step.answer))))
 
     def _repr_html_(self) -> str:
         rows = ''.join(f'<tr><td>{_step_html(step, step.answer)}</td></tr>' for step in self.steps)
@@ -101,13 +101,13 @@ class SideBySide:
     def __repr__(self) -> str:
         lines = [f'{_LEFT:{_WIDTH}}  {_RIGHT}', f'{"-" * _WIDTH}  {"-" * _WIDTH}']
         for step, answer in zip(self.steps, self.answers):
-            left = _wrapped(_typed(step)) + _wrapped(_said(step))
+            left = _wrapped(_format_typed(step)) + _wrapped(_format_answer(step))
             lines += [f'{ours:{_WIDTH}}  {theirs}'.rstrip()
                       for ours, theirs in zip_longest(left, _wrapped(answer), fillvalue='')]
         return '\n'.join(lines)
 
     def _repr_html_(self) -> str:
-        rows = ''.join(f'<tr><td>{_step_html(step, _said(step))}</td>'
+        rows = ''.join(f'<tr><td>{_step_html(step, _format_answer(step))}</td>'
                        f'<td><pre>{html.escape(answer)}</pre></td></tr>'
                        for step, answer in zip(self.steps, self.answers))
         return f'{_STYLE}<table class="param-ros1">{head_row([_LEFT, _RIGHT])}{rows}</table>'
@@ -124,7 +124,7 @@ def _answer(value: Any) -> str:
     return repr(value)
 
 
-def _typed(step: Step) -> str:
+def _format_typed(step: Step) -> str:
     """Return what was typed, as it looked."""
     if step.prompt == '!':
         return f'({step.typed})'
@@ -132,14 +132,14 @@ def _typed(step: Step) -> str:
     return '\n'.join([f'{step.prompt} {first}', *(f'{" " * len(step.prompt)} {line}'.rstrip() for line in more)])
 
 
-def _said(step: Step) -> str:
+def _format_answer(step: Step) -> str:
     """Return ROS 1's answer, and a word where it said nothing."""
     return step.answer or ('' if step.prompt == '!' else '(done)')
 
 
 def _step_html(step: Step, said: str) -> str:
     kind = ' class="param-event"' if step.prompt == '!' else ''
-    return (f'<pre{kind}>{html.escape(_typed(step))}</pre>'
+    return (f'<pre{kind}>{html.escape(_format_typed(step))}</pre>'
             + (f'<pre class="param-said">{html.escape(said)}</pre>' if said else ''))
 
 

@@ -85,7 +85,7 @@ def holder(name: str, **declared: object) -> type[Node]:
 
 
 def start_value(text: str) -> object:
-    """Give the default of the same type."""
+    """Return the default of the same type."""
     return ['dock'] if text == '[]' else 'old'
 
 
