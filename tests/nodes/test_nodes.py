@@ -126,7 +126,7 @@ def test_the_monitor_tells_what_became_of_each_parameter_and_its_true_value(ros)
 def test_the_monitor_loses_nothing_of_a_burst(ros):
     monitor, robot = ros.add(ParamEventMonitor), ros.add(Odd)
     heard = []
-    monitor.shown = lambda parameter: heard.append(parameter.value.integer_value)
+    monitor.format_parameter = lambda parameter: heard.append(parameter.value.integer_value)
     ros.run(lambda: [robot.set_parameters([Parameter('zero', value=value)]) for value in range(300)], 'burst')
     param_tutorial.wait_until(lambda: heard[-1:] == [299], 'the last event')
     assert heard[-300:] == list(range(300))
