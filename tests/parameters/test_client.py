@@ -175,7 +175,7 @@ def test_set(client, name, value, kind, words):
         assert part in str(result)
     after = client.get_parameters()
     if result.successful:
-        assert values.same(after[name], values.normalise(value))
+        assert values.same(after[name], values.normalize(value))
         assert result.raise_for_reason() is result
     else:
         assert repr(after) == repr(before)

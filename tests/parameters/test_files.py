@@ -47,7 +47,7 @@ def rcl_reads(ros, text, node='/lab/reader'):
         # RCLInvalidROSArgsError for a file that does not parse, ValueError for a parameter without a type.
         except Exception:
             return None
-    found = {name: values.normalise(parameter.value) for name, parameter in reader.get_parameters_by_prefix('').items()}
+    found = {name: values.normalize(parameter.value) for name, parameter in reader.get_parameters_by_prefix('').items()}
     own = {'use_sim_time': False, 'start_type_description_service': True}
     return {name: value for name, value in found.items() if name not in own or not values.same(value, own[name])}
 

@@ -67,11 +67,11 @@ def test_what_no_parameter_can_hold_is_refused_by_name(value, word):
 
 def test_numpy_and_tuples_become_plain_python():
     numpy = pytest.importorskip('numpy')  # rclpy depends on it
-    assert values.normalise(numpy.float32(0.5)) == 0.5
-    assert values.type_of(values.normalise(numpy.int64(3))) is values.INTEGER
-    assert values.normalise(numpy.array([1, 2])) == [1, 2]
-    assert values.normalise((numpy.int64(1), 2)) == [1, 2]
-    assert values.normalise(b'\x01\xff') == [b'\x01', b'\xff']
+    assert values.normalize(numpy.float32(0.5)) == 0.5
+    assert values.type_of(values.normalize(numpy.int64(3))) is values.INTEGER
+    assert values.normalize(numpy.array([1, 2])) == [1, 2]
+    assert values.normalize((numpy.int64(1), 2)) == [1, 2]
+    assert values.normalize(b'\x01\xff') == [b'\x01', b'\xff']
 
 
 def test_equality_knows_types_nan_and_signed_zero():

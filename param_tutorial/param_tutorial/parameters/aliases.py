@@ -173,7 +173,7 @@ class Aliases:
 
 
 def _equal(left: Parameter, right: Parameter) -> bool:
-    return left.type_ == right.type_ and values.same(values.normalise(left.value), values.normalise(right.value))
+    return left.type_ == right.type_ and values.same(values.normalize(left.value), values.normalize(right.value))
 
 
 def _refused(reason: str) -> SetParametersResult:

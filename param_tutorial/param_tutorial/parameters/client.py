@@ -68,9 +68,10 @@ class SetResult:
         return self
 
     def __str__(self) -> str:
+        asked = f'{self.name} = {values.format_value(self.value)}'
         if self.successful:
-            return f'{self.node} accepted {self.name} = {values.shown(self.value)}'
-        return f'{self.node} refused {self.name} = {values.shown(self.value)} ({self.kind}): {self.reason}{self.hint}'
+            return f'{self.node} accepted {asked}'
+        return f'{self.node} refused {asked} ({self.kind}): {self.reason}{self.hint}'
 
     __repr__ = __str__
 
@@ -98,7 +99,7 @@ class ParameterValues(dict[str, Any]):
 
     def __repr__(self) -> str:
         width = max(map(len, self), default=0)
-        return '\n'.join(f'{name:{width}}  {values.shown(value)}'
+        return '\n'.join(f'{name:{width}}  {values.format_value(value)}'
                          for name, value in self.items()) or '(no parameters)'
 
 
@@ -283,7 +284,7 @@ class ParameterClient:
         present = self.get_parameters(wanted)
         rows = [('parameter', 'type', 'value', 'enforced', 'meaning'), ('---',) * 5]
         for name, each in self.describe_parameters(wanted).items():
-            rows.append((_code(name), each.type.label, _code(values.shown(present[name])), ', '.join(each.rules),
+            rows.append((_code(name), each.type.label, _code(values.format_value(present[name])), ', '.join(each.rules),
                          _cell(' '.join(filter(None, (each.description, each.additional_constraints))))))
         return Reference(''.join(f'| {" | ".join(row)} |\n' for row in rows))
 
@@ -370,7 +371,7 @@ class ParameterClient:
         raise ParameterNotDeclaredError(self.node, unknown, existing)
 
     def _to_messages(self, new: Mapping[str, Any]) -> list[Parameter]:
-        new = {name: values.normalise(value) for name, value in new.items()}
+        new = {name: values.normalize(value) for name, value in new.items()}
         # An empty list has no type of its own: it gets the one that the node's parameter has.
         empty = [name for name, value in new.items() if values.is_empty_array(value)]
         types = {name: each.type for name, each in self.describe_parameters(empty).items()} if empty else {}
@@ -425,7 +426,7 @@ def _code(text: str) -> str:
 def to_message(name: str, value: Any, parameter_type: ParameterType | None = None) -> Parameter:
     """Return a rcl_interfaces/msg/Parameter.
 
-    :param value: As ``values.normalise`` gives it.
+    :param value: As ``values.normalize`` gives it.
     :param parameter_type: The type of an array that is empty; any other value tells its own.
     :raises InvalidValueError: the value cannot be a parameter.
     """

@@ -380,7 +380,7 @@ def render(node: str, parameters: Mapping[str, Any]) -> Dump:
     """Write the parameters of a node as a parameter file.
 
     :param node: Fully qualified name of the node.
-    :param parameters: Names and values, as ``values.normalise`` gives them.
+    :param parameters: Names and values, as ``values.normalize`` gives them.
     :return: The text, sorted by name, and what it leaves out: what rcl's parser could not read back with the
         same type and value.
     """

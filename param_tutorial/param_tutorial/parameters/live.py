@@ -88,7 +88,7 @@ class LiveParameter:
         return self.busy and time.monotonic() - self.asked_at > _LATE_SEC
 
     def ask(self, value: Any) -> None:
-        """Ask the node for a value; it must be normalised. Does not wait, never raises: see ``message``."""
+        """Ask the node for a value; it must be normalized. Does not wait, never raises: see ``message``."""
         self._live._ask(self, value)
 
     def give_way(self) -> None:

@@ -46,7 +46,7 @@ def record_change(node: Node, name: str, value: Any, *,
     if not any(node is each for each in ros.nodes):
         raise ExecutorError(f'{node!r} is not on this stage: only a node that came from ros.add() can be recorded')
     recorder = _Recorder(node, name)
-    recorder.note('asked', f'set {name} to {values.shown(value)}', comes_from='you')
+    recorder.note('asked', f'set {name} to {values.format_value(value)}', comes_from='you')
     ros.run(recorder.put_on, 'begin to record')
     try:
         result = ParameterClient(node, executor=ros).set_parameter(name, value)
@@ -68,7 +68,7 @@ class _Recorder:
 
     def note(self, what: str, told: str, **ends: str) -> None:
         stored = self._node._parameters.get(self._name)
-        self.steps.append(Step(what, told, 'nothing' if stored is None else values.shown(stored.value), **ends))
+        self.steps.append(Step(what, told, 'nothing' if stored is None else values.format_value(stored.value), **ends))
 
     def put_on(self) -> None:
         for kind, attribute in _CALLBACKS.items():
@@ -87,10 +87,10 @@ class _Recorder:
     def told(self, parameters: Any) -> str:
         """Tell proposed parameters: the value alone where it is the one that was asked for."""
         if not isinstance(parameters, list) or not all(isinstance(each, Parameter) for each in parameters):
-            return f'{values.shown(parameters)}, which is no list of parameters'
+            return f'{values.format_value(parameters)}, which is no list of parameters'
         if [each.name for each in parameters] == [self._name]:
-            return values.shown(parameters[0].value)
-        return ', '.join(f'{each.name} = {values.shown(each.value)}' for each in parameters) or 'nothing'
+            return values.format_value(parameters[0].value)
+        return ', '.join(f'{each.name} = {values.format_value(each.value)}' for each in parameters) or 'nothing'
 
 
 class _Recorded:
@@ -141,7 +141,7 @@ class _RecordedPublisher:
         self._recorder, self.recorded = recorder, recorded
 
     def publish(self, event: Any) -> None:
-        told = ', '.join(f'{name} = {values.shown(value)}' for name, value in changes(event).items())
+        told = ', '.join(f'{name} = {values.format_value(value)}' for name, value in changes(event).items())
         self._recorder.note('stored', 'the value is written')
         self.recorded.publish(event)
         self._recorder.note('event', told, goes_to='everybody')

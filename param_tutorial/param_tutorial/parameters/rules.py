@@ -55,10 +55,11 @@ class Rule:
         :param known: The values by name. The rule gets copies, so it cannot change them.
         :raises RuleError: the rule raised an exception, or said neither yes nor no.
         """
-        present = [values.normalise(known.get(name)) for name in self.names]
+        present = [values.normalize(known.get(name)) for name in self.names]
         if any(value is None for value in present):
             return ''
-        shown = ', '.join(f'{name} = {values.shown(value, _LETTERS)}' for name, value in zip(self.names, present))
+        shown = ', '.join(f'{name} = {values.format_value(value, _LETTERS)}'
+                          for name, value in zip(self.names, present))
         try:
             held = self.holds(*present)
             if held is None:
@@ -109,7 +110,7 @@ class Rules:
 
     def one_of(self, name: str, choices: Iterable[Any]) -> 'Rules':
         """State that a value, or each element of an array, is one of several, of the same type."""
-        listed = [values.normalise(choice) for choice in _listed(choices)]
+        listed = [values.normalize(choice) for choice in _listed(choices)]
         if not listed:
             raise RuleError(f'cannot state a rule for {name}: give a list of at least one choice, not {choices!r}')
         wanted = self._type_of(name)

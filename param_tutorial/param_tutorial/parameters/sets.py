@@ -48,7 +48,7 @@ class ParameterSet(Mapping[str, Any]):
         :param label: Says where they come from.
         :raises InvalidValueError: a name or a value can be none of a parameter.
         """
-        self._parameters = {name: values.normalise(value) for name, value in parameters.items()}
+        self._parameters = {name: values.normalize(value) for name, value in parameters.items()}
         for name, value in self._parameters.items():
             if not isinstance(name, str) or not name:
                 raise InvalidValueError(f'{label}: {name!r} is no name of a parameter')
@@ -364,5 +364,5 @@ def _format(value: Any, kind: str = '') -> str:
     if value is None:
         return 'not set'
     if kind == 'changed type':
-        return f'{values.shown(value)} ({values.type_of(value).label})' if value != [] else '[] (array)'
-    return values.shown(value)
+        return f'{values.format_value(value)} ({values.type_of(value).label})' if value != [] else '[] (array)'
+    return values.format_value(value)

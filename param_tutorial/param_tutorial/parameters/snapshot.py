@@ -43,7 +43,7 @@ class Snapshot(dict):
         return '\n'.join(lines) or '(no nodes)'
 
     def _repr_html_(self) -> str:
-        bodies = [_body(node, [(name, values.shown(value)) for name, value in parameters.items()]
+        bodies = [_body(node, [(name, values.format_value(value)) for name, value in parameters.items()]
                         or [('no parameters', '')]) for node, parameters in self.items()]
         bodies += [_body(node, [('no answer', str(error))]) for node, error in self.unanswered.items()]
         head = head_row(('node', 'parameter', 'value'))

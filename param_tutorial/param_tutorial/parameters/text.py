@@ -139,7 +139,7 @@ def parse_value(descriptor: Descriptor, text: str) -> Any:
 
 def fit(descriptor: Descriptor, value: Any) -> Any:
     """Turn a Python value into what a hand would have entered: a double's control has no whole numbers."""
-    value = values.normalise(value)
+    value = values.normalize(value)
     if not descriptor.dynamic_typing:
         if descriptor.type is values.DOUBLE and isinstance(value, int) and not isinstance(value, bool):
             return float(value)

@@ -89,7 +89,7 @@ def is_empty_array(value: Any) -> bool:
     return isinstance(value, (list, tuple, array.array)) and len(value) == 0
 
 
-def normalise(value: Any) -> Any:
+def normalize(value: Any) -> Any:
     """Return the plain Python value for what numpy, array and tuple hold; anything else unchanged.
 
     numpy is not needed for this: whatever has ``tolist()`` (arrays and numpy's scalars) is asked for it.
@@ -106,7 +106,7 @@ def normalise(value: Any) -> Any:
 
 
 def type_of(value: Any) -> ParameterType:
-    """Return the type that a (normalised) Python value has as a ROS parameter.
+    """Return the type that a (normalized) Python value has as a ROS parameter.
 
     :raises InvalidValueError: it has none; the message says why.
     """
@@ -155,7 +155,7 @@ def to_python(message: Any) -> Any:
     return list(value) if parameter_type.is_array else value
 
 
-def shown(value: Any, letters: int = 200) -> str:
+def format_value(value: Any, letters: int = 200) -> str:
     """Return a value as text for people, as Python does; of a long one the beginning, and how long it is.
 
     :param letters: How many of its text stand at most before the rest is cut off.

@@ -93,5 +93,5 @@ class EventView(FeedView):
 
 
 def _row(change: Change) -> str:
-    value = '' if change.kind == 'deleted' else values.shown(change.value)
+    value = '' if change.kind == 'deleted' else values.format_value(change.value)
     return f'<tr>{cells((change.node, change.kind, change.name, value))}</tr>'

@@ -90,7 +90,7 @@ def expect_pages(trial: Trial, pages: Sequence[Any], wanted: Sequence[tuple[str,
     """Expect these pages, each value of the right type; numbers of pages first."""
     for page in wanted:
         alike = [each for each in pages if isinstance(each, tuple) and len(each) == 3 and each[:2] == page[:2]]
-        expect(any(values.same(values.normalise(each[2]), page[2]) for each in alike),
+        expect(any(values.same(values.normalize(each[2]), page[2]) for each in alike),
                f'a page `{page!r}`', (f'there is `{alike[0]!r}`' if alike else f'the pages are `{pages!r}`')
                + trial.raised())
     expect(len(pages) == len(wanted), f'{len(wanted)} pages', f'there are {len(pages)}')

@@ -96,7 +96,7 @@ def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...]
     trial.press('`inspect()`', inspector.inspect)
 
     trial.wait(lambda: is_done(trial, inspector), 'all questions are answered', lambda: 'one is not')
-    found = {name: values.normalise(value) for name, value in dict(inspector.found).items()
+    found = {name: values.normalize(value) for name, value in dict(inspector.found).items()
              if not (name in left_out and value is None)}
     expect(found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted),
            f'`self.found` is `{dict(wanted)!r}`', f'it is `{inspector.found!r}`{trial.raised()}')

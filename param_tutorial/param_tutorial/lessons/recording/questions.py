@@ -109,7 +109,7 @@ def _as_typed(descriptor: Descriptor, literal: Any) -> str | None:
     if descriptor.type is values.DOUBLE and type(literal) is int:
         literal = float(literal)
     try:
-        normal = values.normalise(literal)
+        normal = values.normalize(literal)
         if values.type_of(normal) is not descriptor.type and not descriptor.dynamic_typing:
             return None
         return format_value(descriptor, normal)
