@@ -128,6 +128,10 @@ class Refusal(Protocol):
         """What it was to be set to."""
 
     @property
+    def kind(self) -> str:
+        """Which of the node's checks said no."""
+
+    @property
     def reason(self) -> str:
         """The node's own words."""
 
