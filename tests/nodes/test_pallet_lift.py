@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.pallet_lift_node import MOTOR_POWER_W, PalletLiftNode, Settings
 from param_tutorial.parameters import files
-from param_tutorial.ros2.launch.reading import read
+from param_tutorial.ros2.launch.reading import load_description
 from tests.support.paths import CONFIG, ROS_PACKAGE
 
 FILES = sorted(CONFIG.glob('pallet_lift_*.yaml'))
@@ -83,5 +83,5 @@ def test_a_file_reaches_the_lift_wherever_it_is_and_each_of_its_values_is_taken(
 
 
 def test_the_launch_file_offers_each_of_the_files():
-    argument, _ = read(ROS_PACKAGE / 'launch' / 'pallet_lift_launch.py').entities
+    argument, _ = load_description(ROS_PACKAGE / 'launch' / 'pallet_lift_launch.py').entities
     assert sorted(f'pallet_lift_{choice}' for choice in argument.choices) == [path.stem for path in FILES]
