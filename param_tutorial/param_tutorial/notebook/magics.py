@@ -14,7 +14,7 @@ import signal
 import subprocess
 import sys
 from contextlib import ExitStack
-from typing import TYPE_CHECKING, NamedTuple, TextIO
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from IPython.core.error import UsageError
 from IPython.core.interactiveshell import InteractiveShell
@@ -25,6 +25,7 @@ from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import command as embedded
 from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.run import keeps_busy
+from param_tutorial.ros2.session import TextStream
 from param_tutorial.runtime import domain, stage
 
 if TYPE_CHECKING:
@@ -69,29 +70,36 @@ class Ros2Magics(Magics):
 
         The exit status is in ``_exit_code`` afterwards.
         """
-        shell = self.shell.user_ns.get(line.strip())
+        shell = self._names.get(line.strip())
         if not isinstance(shell, Shell):
             raise UsageError(f'%%shell wants the name of a Shell, as in: first = param_tutorial.Shell(), and then '
                              f'%%shell first. {line.strip() or "(nothing)"} is none')
         output = shell.run(cell.rstrip('\n'))
         if output:
             print(output)
-        self.shell.user_ns['_exit_code'] = shell.status
+        self._names['_exit_code'] = shell.status
 
     @line_magic('ros2_terminal')
     def terminal(self, line: str) -> 'ipywidgets.HTML':
         """Show the line that makes a terminal join the ROS domain of this notebook."""
         return terminal_hint()
 
+    @property
+    def _names(self) -> dict[str, Any]:
+        """The notebook's variables."""
+        assert self.shell is not None  # register_magics has set it
+        names: dict[str, Any] = self.shell.user_ns
+        return names
+
     def _run(self, lines: list[str]) -> None:
         for line in lines:
             try:
                 command = _parse(line)
                 if command.words:
-                    self.shell.user_ns['_exit_code'] = _run(command)
+                    self._names['_exit_code'] = _run(command)
             except (_NotUnderstood, OSError) as error:
                 print(error, file=sys.stderr)
-                self.shell.user_ns['_exit_code'] = 1
+                self._names['_exit_code'] = 1
 
 
 class _Command(NamedTuple):
@@ -142,7 +150,7 @@ def _parse(line: str) -> _Command:
 def _run(command: _Command) -> int:
     """Run a command and return its exit status."""
     with interruptible(), ExitStack() as stack:
-        output: TextIO = sys.stdout
+        output: TextStream = sys.stdout
         if command.target is not None:
             path = os.path.expanduser(command.target)
             output = stack.enter_context(open(path, 'a' if command.append else 'w', encoding='utf-8'))
@@ -162,7 +170,7 @@ def _run(command: _Command) -> int:
 class _Streams:
     """Two streams of which one is flushed before the other is written, so that a cell keeps their order."""
 
-    def __init__(self, stdout: TextIO, stderr: TextIO):
+    def __init__(self, stdout: TextStream, stderr: TextStream):
         self.stdout = _Stream(stdout, self)
         self.stderr = _Stream(stderr, self)
         self.last = self.stdout
@@ -173,7 +181,7 @@ class _Streams:
 
 
 class _Stream:
-    def __init__(self, stream: TextIO, streams: _Streams):
+    def __init__(self, stream: TextStream, streams: _Streams):
         self._stream = stream
         self._streams = streams
 
@@ -194,6 +202,7 @@ def _run_genuine(words: list[str], streams: _Streams) -> int:
         [*genuine.words(), *words], env=genuine.environment(), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
     with process, selectors.DefaultSelector() as selector:
+        assert process.stdout and process.stderr  # both are pipes
         for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):
             selector.register(pipe, selectors.EVENT_READ, (stream, codecs.getincrementaldecoder('utf-8')('replace')))
         try:
@@ -220,7 +229,7 @@ def terminal_hint() -> 'ipywidgets.HTML':
     """
     import ipywidgets
 
-    class Hint(ipywidgets.HTML):
+    class Hint(ipywidgets.HTML):  # type: ignore[misc]  # ipywidgets ships no annotations
         def __repr__(self) -> str:
             return '(a line to paste into a terminal, so that it joins this notebook)'
 

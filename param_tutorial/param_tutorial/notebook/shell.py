@@ -48,9 +48,14 @@ class Shell:
         :raises FileNotFoundError: there is no bash.
         """
         domain.choose()
-        folder = None if beside else TemporaryDirectory(prefix='param_tutorial_', ignore_cleanup_errors=True)
         self._beside = beside  # so that the home folder stays as long as anybody lives in it
-        self.home = beside.home if beside else Path(folder.name).resolve()
+        if beside:
+            folder = None
+            home = beside.home
+        else:
+            folder = TemporaryDirectory(prefix='param_tutorial_', ignore_cleanup_errors=True)
+            home = Path(folder.name).resolve()
+        self.home: Path = home
         """The home folder."""
         self.status = 0
         """The exit status of the last command."""
@@ -60,7 +65,9 @@ class Shell:
                 stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(), start_new_session=True)
         # Also when a cell that makes a shell runs again, and when the kernel ends.
         self._close = weakref.finalize(self, _close, self._process, folder)
-        os.set_blocking(self._process.stdout.fileno(), False)
+        assert self._process.stdin and self._process.stdout  # both are pipes
+        self._input, self._output = self._process.stdin, self._process.stdout
+        os.set_blocking(self._output.fileno(), False)
         # Ctrl+C ends the command and not the shell.
         self.run('trap : INT')
         if genuine.path() is None:
@@ -102,13 +109,13 @@ class Shell:
         end = re.compile(rf'\n{mark} (\d+)\n'.encode())
         output = b''
         with interruptible(), selectors.DefaultSelector() as selector:
-            selector.register(self._process.stdout, selectors.EVENT_READ)
-            self._process.stdin.write(line.encode())
-            self._process.stdin.flush()
+            selector.register(self._output, selectors.EVENT_READ)
+            self._input.write(line.encode())
+            self._input.flush()
             while not (found := end.search(output)):
                 try:
                     ready = selector.select(max(0.0, deadline - time.monotonic()))
-                    chunk = os.read(self._process.stdout.fileno(), 65536) if ready else b''
+                    chunk = os.read(self._output.fileno(), 65536) if ready else b''
                 except KeyboardInterrupt:
                     os.killpg(self._process.pid, signal.SIGINT)
                     continue
@@ -141,6 +148,7 @@ class Shell:
 
 
 def _close(process: subprocess.Popen[bytes], folder: TemporaryDirectory[str] | None) -> None:
+    assert process.stdin and process.stdout  # both are pipes
     process.stdin.close()  # bash ends with its input
     try:
         process.wait(1.0)

@@ -140,6 +140,7 @@ class Terminal:
         return states
 
     def _collect(self) -> None:
+        assert self._process.stdout  # a pipe
         with self._process.stdout as lines:
             for line in lines:
                 with self._changed:

@@ -95,7 +95,7 @@ def _strtod(text: str) -> float | None:
 def _is_inexact(number: float, hexadecimal: str | None, decimal: str | None) -> bool:
     """True if a number below the smallest normal double differs from its text: C calls that an underflow."""
     mantissa, _, exponent = (hexadecimal[2:].lower().partition('p') if hexadecimal
-                             else decimal.lower().partition('e'))
+                             else (decimal or '').lower().partition('e'))
     if number == 0.0:  # decided without arithmetic: the exponent may have a million digits
         return any(digit not in '0.' for digit in mantissa)
     if decimal:
@@ -179,7 +179,7 @@ class _Parser:
 
     def __init__(self) -> None:
         self.blocks: dict[str, list[_Entry]] = {}
-        self.block: list[_Entry] | None = None
+        self.block: list[_Entry] = []
         self.entry = -1
         self.in_parameters = False
         self.depth = 0
@@ -196,7 +196,8 @@ class _Parser:
         loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
         try:
             for event in yaml.parse(content, Loader=loader):
-                self._handle(event, event.start_mark.line + 1)
+                # Each event of a parser has its place; only one that a program makes may lack it.
+                self._handle(event, event.start_mark.line + 1 if event.start_mark else 1)
         except yaml.YAMLError as error:
             mark = getattr(error, 'problem_mark', None)
             what = getattr(error, 'problem', None) or str(error).splitlines()[0]

@@ -5,7 +5,7 @@ to the byte on every machine, and to be readable in a light and a dark theme, wi
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from param_tutorial.pictures.svg import BRAND, FAINT, INK, line, picture, words
 
@@ -67,7 +67,7 @@ class LinePlot:
         return (_LEFT + (_RIGHT - _LEFT) * x / self._x_end,
                 _BOTTOM - (_BOTTOM - _TOP) * (y - self._y_begin) / (self._y_end - self._y_begin))
 
-    def _axes(self):
+    def _axes(self) -> Iterator[str]:
         for index in range(round(self._y_begin / self._y_step), round(self._y_end / self._y_step) + 1):
             _, at = self._at(0, index * self._y_step)
             yield line(_LEFT, at, _RIGHT, at, f'stroke="{FAINT}"')
@@ -80,13 +80,13 @@ class LinePlot:
         yield words((_LEFT + _RIGHT) / 2, _HEIGHT - 6, self._x, 'middle')
         yield words(6, 16, self._y, 'start')
 
-    def _drawn_marks(self):
+    def _drawn_marks(self) -> Iterator[str]:
         for x, word in self._marks.items():
             at, _ = self._at(x, 0)
             yield line(at, _TOP - 6, at, _BOTTOM, f'stroke="{INK}" stroke-dasharray="1 3"')
             yield words(at, _TOP - 10, word, 'middle')
 
-    def _drawn_lines(self):
+    def _drawn_lines(self) -> Iterator[str]:
         # The key stands in the top right corner, in the order of the lines.
         end = _RIGHT
         for stroke, (name, points) in reversed(list(zip(_STROKES, self._lines.items()))):

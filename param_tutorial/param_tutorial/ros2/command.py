@@ -2,12 +2,11 @@
 
 import functools
 from collections.abc import Callable, Sequence
-from typing import TextIO
 
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.ros2 import node, param, pkg, run
 from param_tutorial.ros2.launch import verb
-from param_tutorial.ros2.session import CommandFailed, Parser, Printed, Session
+from param_tutorial.ros2.session import CommandFailed, Parser, Printed, Session, TextStream
 from param_tutorial.runtime.executor import BackgroundExecutor
 
 
@@ -21,7 +20,7 @@ def _parser() -> Parser:
     return parser
 
 
-def main(argv: Sequence[str], *, stdout: TextIO, stderr: TextIO, get_executor: Callable[[], BackgroundExecutor],
+def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream, get_executor: Callable[[], BackgroundExecutor],
          in_notebook: bool = False) -> int:
     """Run one command.
 

@@ -47,9 +47,9 @@ def share_folder_of(package: str) -> Path:
 def own_package_installed() -> Iterator[None]:
     """Let ``ament_index_python`` find the course's own package, too, unless the environment forbids it."""
     spaces = [os.environ.get(_SEARCH_PATH, '')]
-    if os.environ.get('PARAM_TUTORIAL_OWN_NODES') != '0' and _checkout() is not None:
+    if os.environ.get('PARAM_TUTORIAL_OWN_NODES') != '0' and (checkout := _checkout()):
         # At the end: a package of this name that has been built and sourced comes first.
-        spaces.append(_stand_in())
+        spaces.append(_stand_in(checkout))
     with _searching(os.pathsep.join(filter(None, spaces))):
         yield
 
@@ -83,7 +83,7 @@ def _checkout() -> Path | None:
 
 
 @functools.cache
-def _stand_in() -> str:
+def _stand_in(checkout: Path) -> str:
     """Make what `colcon build` would make of the course's own files, with links, for as long as this process lives."""
     folder = tempfile.TemporaryDirectory(prefix='param_tutorial_')
     atexit.register(folder.cleanup)
@@ -92,6 +92,6 @@ def _stand_in() -> str:
     marker.parent.mkdir(parents=True)
     marker.touch()
     share.mkdir()
-    for name, source in (('launch', _checkout() / PACKAGE / 'launch'), ('config', _checkout() / 'config')):
+    for name, source in (('launch', checkout / PACKAGE / 'launch'), ('config', checkout / 'config')):
         (share / name).symlink_to(source)
     return folder.name

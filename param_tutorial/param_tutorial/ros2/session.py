@@ -5,7 +5,7 @@ import functools
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple, NoReturn, TextIO, TypeAlias
+from typing import Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
 from rclpy.node import HIDDEN_NODE_PREFIX
 
@@ -31,12 +31,22 @@ class CommandFailed(Exception):
     """The command cannot be done; the message goes to standard error, and the exit status is 1."""
 
 
+class TextStream(Protocol):
+    """Where text can be written: a file, a notebook's cell, a StringIO."""
+
+    def write(self, text: str, /) -> int:
+        """Write a text, and return its length."""
+
+    def flush(self) -> None:
+        """Pass on what was written so far."""
+
+
 @dataclass
 class Session:
     """Where a command writes, and what carries its calls."""
 
-    stdout: TextIO
-    stderr: TextIO
+    stdout: TextStream
+    stderr: TextStream
     get_executor: Callable[[], BackgroundExecutor]
     in_notebook: bool
     """True if the executor stays, and the command must not block forever."""
@@ -91,7 +101,7 @@ class Session:
 
     def _patience(self, args: argparse.Namespace) -> float:
         if args.spin_time is not None:
-            return args.spin_time
+            return float(args.spin_time)
         return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:

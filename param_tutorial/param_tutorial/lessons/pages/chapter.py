@@ -1,6 +1,5 @@
 """A chapter with its recordings, as a source for Sphinx: outputs drawn, exercises with hints and solutions."""
 
-import copy
 import html
 import re
 from pathlib import Path
@@ -27,8 +26,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     :param pages: The names, without ending, of all pages of the site; links to others become words.
     :param alone: For a file that is given away, with nothing beside it.
     """
-    stored = nbformat.read(path, as_version=4)
-    notebook = copy.deepcopy(stored)
+    notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
     drawer = drawing.Drawer(path.stem)
     for index, cell in cells_with_widgets(notebook):
         remaining = iter(recordings[index])
@@ -57,7 +55,8 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
 
 def title(path: Path) -> str:
     """Return the title of a chapter."""
-    return nbformat.read(path, as_version=4).cells[0].source.splitlines()[0].removeprefix('# ')
+    source: str = nbformat.read(path, as_version=4).cells[0].source
+    return source.splitlines()[0].removeprefix('# ')
 
 
 def anchor(heading: str) -> str:
@@ -67,8 +66,10 @@ def anchor(heading: str) -> str:
 
 def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
     """Make a cell of which the page shows the output alone; without any source myst-nb would leave it out."""
-    return nbformat.v4.new_code_cell('...', id=name, execution_count=None, metadata={'tags': ['remove-input']},
-                                     outputs=[nbformat.v4.new_output('display_data', {'text/html': content})])
+    cell: nbformat.NotebookNode = nbformat.v4.new_code_cell(
+        '...', id=name, execution_count=None, metadata={'tags': ['remove-input']},
+        outputs=[nbformat.v4.new_output('display_data', {'text/html': content})])
+    return cell
 
 
 def _download_note(path: Path) -> str:

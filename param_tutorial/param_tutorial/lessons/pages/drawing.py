@@ -150,8 +150,8 @@ def _packed(facts: dict[str, Any]) -> str:
 
 def code(source: str) -> str:
     """Return Python code as HTML, in the colours of the page."""
-    return highlight(source, get_lexer_by_name('ipython3'), HtmlFormatter(cssclass='highlight')).replace(
-        '<pre>', '<pre tabindex="0">', 1)
+    html: str = highlight(source, get_lexer_by_name('ipython3'), HtmlFormatter(cssclass='highlight'))
+    return html.replace('<pre>', '<pre tabindex="0">', 1)
 
 
 def details(summary: str, content: str) -> str:

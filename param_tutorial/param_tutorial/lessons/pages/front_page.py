@@ -62,7 +62,7 @@ def _robot_to_try(recordings: dict[Path, Recordings]) -> str:
         robot = next((each for each in views if each['kind'] == 'robot'), None)
         panel = next((each for each in views if robot and each['kind'] == 'panel' and each['node'] == robot['node']),
                      None)
-        if panel:
+        if robot and panel:
             drawer = drawing.Drawer('front')
             return ('Press **Drive**. Then pull a slider, and drive again. What happens without the safety mode?\n\n'
                     f'{_one_block(drawer.draw(robot))}\n\n{_one_block(drawer.draw(panel))}\n\n'

@@ -5,7 +5,7 @@ import mimetypes
 import re
 from pathlib import Path
 
-from bs4 import BeautifulSoup
+from bs4 import BeautifulSoup, Tag
 
 _URL = re.compile(r'url\((["\']?)(?!data:)([^)"\'?#]+)[^)"\']*\1\)')
 _IMPORT = re.compile(r'@import "([^"]+)";')
@@ -14,8 +14,9 @@ _IMPORT = re.compile(r'@import "([^"]+)";')
 def inline_page(page: Path) -> str:
     """Return a page with everything that it loads put into it."""
     soup = BeautifulSoup(page.read_text(encoding='utf-8'), 'html.parser')
+    body = soup.body or soup
     for link in soup.select('link[href]'):
-        target = page.parent / link['href'].split('?')[0]
+        target = page.parent / _attribute(link, 'href').split('?')[0]
         if 'stylesheet' in link['rel']:
             style = soup.new_tag('style')
             style.string = _style(target)
@@ -26,20 +27,27 @@ def inline_page(page: Path) -> str:
             link.decompose()
     for script in soup.select('script[src]'):
         # What is deferred runs when the page is read, and a script in the page runs where it stands: so, at the end.
-        code = (page.parent / script['src'].split('?')[0]).read_text(encoding='utf-8')
+        code = (page.parent / _attribute(script, 'src').split('?')[0]).read_text(encoding='utf-8')
         inline = soup.new_tag('script')
         inline.string = re.sub(r'</(script)', r'<\\/\1', re.sub(r'\n//# sourceMappingURL=.*', '', code))
         if script.has_attr('defer'):
             script.decompose()
-            soup.body.append(inline)
+            body.append(inline)
         else:
             script.replace_with(inline)
     for image in soup.select('img[src]'):
-        if not image['src'].startswith('data:'):
-            image['src'] = _data(page.parent / image['src'])
+        if not (source := _attribute(image, 'src')).startswith('data:'):
+            image['src'] = _data(page.parent / source)
     for link in soup.select(f'a[href^="{page.name}"]'):
-        link['href'] = link['href'].removeprefix(page.name) or '#'
+        link['href'] = _attribute(link, 'href').removeprefix(page.name) or '#'
     return str(soup)
+
+
+def _attribute(tag: Tag, name: str) -> str:
+    """Return an attribute that has one value; Beautiful Soup splits others, such as class, into a list."""
+    value = tag[name]
+    assert isinstance(value, str)
+    return value
 
 
 def _style(path: Path) -> str:

@@ -24,7 +24,7 @@ _ARGUMENTS = ('--disable-plugin-autoload', '-p', 'nbval.plugin', '--nbval', '--c
               '--capture=no', '--noconftest', '-c', os.devnull, '--rootdir', os.sep)
 
 
-class Cell(IPyNbCell):
+class Cell(IPyNbCell):  # type: ignore[misc]  # nbval ships no annotations
     """A code cell as nbval sees it."""
 
     @property

@@ -45,16 +45,17 @@ def interview(node: str, controls: Mapping[str, ControlFacts], literals: Iterabl
     return recording
 
 
+def _take_picture(album: Album, name: str, answer: Answer) -> None:
+    album.take({name: answer['value']})
+
+
 def _ask_all(asker: Asker, rows: list[Row], literals: list[Any], portrait: Portrait | None) -> dict[str, Any]:
     """Ask for everything, and return the pictures that were taken."""
     album = Album(portrait) if portrait else None
 
-    def take_picture(name: str, answer: Answer) -> None:
-        album.take({name: answer['value']})
-
     for row in rows:
         name, row['answers'] = row['name'], {}
-        look = functools.partial(take_picture, name) if album else nothing
+        look = functools.partial(_take_picture, album, name) if album else nothing
         for text in questions.texts_to_try(row, asker.descriptors[name], asker.shown[name], literals):
             row['answers'][text] = asker.ask(name, text, asker.shown, while_accepted=look)
     find_dependence(asker, rows)

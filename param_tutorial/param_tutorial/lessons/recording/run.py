@@ -86,9 +86,10 @@ def read_notebook(path: Path) -> NotebookNode:
     :raises ChapterError: there is none in it.
     """
     try:
-        return nbformat.read(path, as_version=4)
+        notebook: NotebookNode = nbformat.read(path, as_version=4)
     except Exception as error:
         raise ChapterError(path, 0, '', f'it cannot be read: {error}') from None
+    return notebook
 
 
 def cells_with_widgets(notebook: NotebookNode) -> Iterator[tuple[int, NotebookNode]]:

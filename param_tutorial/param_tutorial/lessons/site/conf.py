@@ -14,7 +14,7 @@ language = 'en'
 # The notebooks have been run, and compared, when Sphinx gets them.
 nb_execution_mode = 'off'
 # By default it links two servers, for widgets; ours are drawn without them.
-nb_ipywidgets_js = {}
+nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 nb_merge_streams = True
 myst_heading_anchors = 3
 myst_heading_slug_func = 'param_tutorial.lessons.pages.chapter.anchor'

@@ -265,7 +265,7 @@ class LaunchDescription:
     def add_action(self, action: Any) -> None:
         """Add something at the end."""
         self._check(action)
-        self.entities.append(action)
+        self.entities = [*self.entities, action]
 
     def _check(self, entity: Any) -> None:
         if not isinstance(entity, (Node, DeclareLaunchArgument)):

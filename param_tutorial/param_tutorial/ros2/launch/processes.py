@@ -9,7 +9,9 @@ import subprocess
 import threading
 import time
 from collections.abc import Iterable
-from typing import NamedTuple, TextIO
+from typing import IO, NamedTuple
+
+from param_tutorial.ros2.session import TextStream
 
 # As launch: so long for Ctrl+C, then so long for SIGTERM.
 GRACE_SEC = 5.0
@@ -28,7 +30,7 @@ class Program(NamedTuple):
 class Launcher:
     """Starts programs, shows what they print, and stays until all have ended."""
 
-    def __init__(self, stdout: TextIO):
+    def __init__(self, stdout: TextStream):
         self._stdout = stdout
         self._lock = threading.Lock()
         self._numbers = itertools.count(1)
@@ -81,10 +83,10 @@ class Launcher:
             return
         self._running[name] = process
         self.log('INFO', name, 'process started')
-        threading.Thread(target=self._watch, args=(name, process, program.show_stdout), daemon=True).start()
+        threading.Thread(target=self._watch, args=(name, program, process), daemon=True).start()
 
-    def _watch(self, name: str, process: subprocess.Popen[str], show_stdout: bool) -> None:
-        readers = [threading.Thread(target=self._copy, args=(name, process.stdout, show_stdout), daemon=True),
+    def _watch(self, name: str, program: Program, process: subprocess.Popen[str]) -> None:
+        readers = [threading.Thread(target=self._copy, args=(name, process.stdout, program.show_stdout), daemon=True),
                    threading.Thread(target=self._copy, args=(name, process.stderr, True), daemon=True)]
         for reader in readers:
             reader.start()
@@ -94,10 +96,10 @@ class Launcher:
         if status == 0:
             self.log('INFO', name, 'process has finished cleanly')
         else:
-            self.log('ERROR', name, f"process has died [exit code {status}, cmd '{' '.join(process.args)}'].")
+            self.log('ERROR', name, f"process has died [exit code {status}, cmd '{' '.join(program.command)}'].")
         self._events.put(name)
 
-    def _copy(self, name: str, lines: Iterable[str], show: bool) -> None:
+    def _copy(self, name: str, lines: IO[str], show: bool) -> None:
         with lines:
             for line in lines:
                 if show:

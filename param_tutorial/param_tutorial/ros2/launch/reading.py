@@ -34,7 +34,7 @@ def load_description(path: Path) -> LaunchDescription:
     if path.suffix != '.py':
         raise LaunchFailed(f"{path.name} is no launch file in Python, and the course's own ros2 launch reads no other. "
                            f'{FULL_INSTALLATION}')
-    scope = {'__name__': path.stem, '__file__': str(path)}
+    scope: dict[str, Any] = {'__name__': path.stem, '__file__': str(path)}
     with own_package_installed(), _stand_ins():
         try:
             exec(compile(path.read_text(encoding='utf-8'), str(path), 'exec'), scope)
@@ -98,5 +98,6 @@ def _module(name: str) -> ModuleType:
         raise LaunchFailed(f"the course's own ros2 launch has no {name}.{wanted}; of {name} it has {known}. "
                            f'{FULL_INSTALLATION}')
 
-    module.__getattr__ = refuse
+    # PEP 562: what a module has under this name is asked for names that it lacks.
+    module.__dict__['__getattr__'] = refuse
     return module
