@@ -9,7 +9,7 @@ from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.pictures.styles import style
-from param_tutorial.pictures.tables import grouped_table
+from param_tutorial.pictures.tables import Row, grouped_table
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
@@ -17,7 +17,7 @@ from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 _STYLE = style('parameters/snapshot.css')
 
 
-class Snapshot(dict):
+class Snapshot(dict[str, ParameterValues]):
     """Node names, sorted, and for each its ParameterValues. A plain dictionary, but for how it is shown."""
 
     def __init__(self, nodes: dict[str, ParameterValues], unanswered: dict[str, NodeError]):
@@ -36,8 +36,9 @@ class Snapshot(dict):
         return '\n'.join(lines) or '(no nodes)'
 
     def _repr_html_(self) -> str:
-        groups = {node: [(name, values.format_value(value)) for name, value in parameters.items()] or [('no parameters', '')]
-                  for node, parameters in self.items()}
+        groups: dict[str, list[Row]] = {
+            node: [(name, values.format_value(value)) for name, value in parameters.items()] or [('no parameters', '')]
+            for node, parameters in self.items()}
         groups |= {node: [('no answer', str(error))] for node, error in self.unanswered.items()}
         if not groups:
             return '<p>There are no nodes.</p>'

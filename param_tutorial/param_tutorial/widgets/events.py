@@ -72,8 +72,8 @@ class EventView(FeedView):
             self._worker.wake()
 
     def _markup(self) -> str:
-        rows = [(change.node, change.kind, change.name, '' if change.kind == 'deleted' else values.format_value(change.value))
-                for change in reversed(self.changes)]
+        rows = [(each.node, each.kind, each.name, '' if each.kind == 'deleted' else values.format_value(each.value))
+                for each in reversed(self.changes)]
         return (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
                 f'{table(("node", "what", "parameter", "value"), rows)}</div>')
 
