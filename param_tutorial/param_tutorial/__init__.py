@@ -40,7 +40,7 @@ _HOMES = {
     'compare': 'parameters.sets',
     'load_ipython_extension': 'notebook.magics',
     'node_graph': 'runtime.stage',
-    'plot_responses': 'widgets.step_response',
+    'plot_responses': 'pictures.plots',
     'record_change': 'parameters.recording',
     'restore': 'parameters.sets',
     'start': 'runtime.stage',

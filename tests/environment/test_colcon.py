@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from param_tutorial import ParameterClient, Shell, Terminal
-from tests.support.paths import ROOT
+from tests.support.paths import PACKAGE, ROOT
 
 NAME = 'param_tutorial'
 IGNORED = shutil.ignore_patterns('__pycache__', '*.egg-info', 'build', 'install', 'log')
@@ -77,6 +77,8 @@ def test_the_package_is_imported_from_the_workspace_and_brings_its_data(workspac
     home = workspace.shell.home / 'ws'
     assert module.is_relative_to(home / ('src' if workspace.links else 'install'))
     assert {path.name for path in (module.parent / 'runtime').glob('*.xml')} == {'fastdds.xml', 'fastdds_this_host.xml'}
+    sheets = {path.relative_to(PACKAGE) for path in PACKAGE.rglob('*.css')}
+    assert {path.relative_to(module.parent) for path in module.parent.rglob('*.css')} == sheets
 
 
 def test_a_node_runs_from_the_install_space(workspace, ros):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.paths import ROOT, ROS_PACKAGE
+from tests.support.paths import PACKAGE, ROOT, ROS_PACKAGE
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -17,7 +17,8 @@ else:
     import tomli as tomllib
 
 LOCK = (ROOT / 'environment' / 'requirements.lock').read_text()
-PROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())['project']
+PYPROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())
+PROJECT = PYPROJECT['project']
 REQUIREMENTS = sum(PROJECT['optional-dependencies'].values(), PROJECT['dependencies'])
 DIRECT = sorted(re.match(r'[\w-]+', requirement)[0] for requirement in REQUIREMENTS)
 
@@ -29,6 +30,7 @@ found = run_setup('setup.py', stop_after='init')
 print(json.dumps({
     'name': found.get_name(), 'version': found.get_version(), 'license': found.metadata.license,
     'packages': found.packages, 'entry_points': found.entry_points, 'data_files': found.data_files,
+    'package_data': found.package_data,
 }))
 """
 
@@ -83,6 +85,13 @@ def test_each_package_below_the_ros_package_is_installed(setup_py):
         for init in (ROS_PACKAGE / 'param_tutorial').rglob('__init__.py')
     }
     assert set(setup_py['packages']) == on_disk
+
+
+def test_style_sheets_are_installed_by_pip_and_by_colcon(setup_py):
+    sheets = set(PACKAGE.rglob('*.css'))
+    assert len(sheets) >= 10
+    for data in (PYPROJECT['tool']['setuptools']['package-data'], setup_py['package_data']):
+        assert sheets <= {path for pattern in data['param_tutorial'] for path in PACKAGE.glob(pattern)}
 
 
 def test_marker_and_parameter_files_are_installed(setup_py):

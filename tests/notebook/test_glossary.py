@@ -34,7 +34,9 @@ to set  to ask for it (10.1)'''
 
 def test_a_page_shows_code_text_and_a_link_to_the_chapter(folder):
     page = Glossary.of(folder)._repr_html_()
-    assert '<th scope="row" style="text-align:left"><code>-p</code></th>' in page
+    assert '<table class="param-glossary">' in page
+    assert '.param-glossary th, .param-glossary td { text-align: left' in page
+    assert '<th scope="row"><code>-p</code></th>' in page
     assert 'a <code>x | y</code> or &lt; 3' in page
     assert '<a href="10_1_second.ipynb">10.1</a>' in page
 

@@ -44,7 +44,7 @@ def ladder(ros):
 
 
 def rows(timeline):
-    return [(step.what, step.told, step.stored) for step in timeline.steps]
+    return [(step.what, step.happened, step.stored) for step in timeline.steps]
 
 
 # What chapter 5.2 calls the ladder; claims.md, section 2 (a).
@@ -75,19 +75,19 @@ def test_a_recorded_change_is_told_to_everybody(ros, ladder):
 ])
 def test_a_refusal_ends_where_it_happens(ladder, name, value, last_callback, answer):
     steps = record_change(ladder, name, value).steps
-    assert [steps[-2].what, steps[-1].what, steps[-1].told] == [last_callback, 'answer', answer]
+    assert [steps[-2].what, steps[-1].what, steps[-1].happened] == [last_callback, 'answer', answer]
     assert len({step.stored for step in steps}) == 1
 
 
 def test_a_deleted_parameter_is_stored_no_more(ladder):
     ladder.remove_pre_set_parameters_callback(ladder.trim)
     steps = {step.what: step for step in record_change(ladder, 'note', None).steps}
-    assert (steps['event'].told, steps['event'].stored) == ('note = None', 'nothing')
+    assert (steps['event'].happened, steps['event'].stored) == ('note = None', 'nothing')
 
 
 def test_an_exception_in_a_callback_is_drawn(ladder):
     steps = record_change(ladder, 'speed', 'fast').steps
-    assert [(step.what, step.told) for step in steps[1:]] == [
+    assert [(step.what, step.happened) for step in steps[1:]] == [
         ('pre-set', "trim sees 'fast', raises TypeError"), ('no answer', 'whoever asked would wait for ever')]
 
 

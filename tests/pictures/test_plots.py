@@ -1,4 +1,4 @@
-"""The line plot: its words, its axes, and that what is named in it stays text."""
+"""The line plot and the plot of step responses: words, axes, lines, and that what is named in them stays text."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -7,6 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from param_tutorial import plot_responses
+from param_tutorial.nodes.pid_controller_node import Gains, Motor, simulate
 from param_tutorial.pictures.plots import LinePlot, _scale
 
 RAMP = [(0.0, 0.0), (2.0, 1.0)]
@@ -63,3 +65,56 @@ def test_an_axis_holds_its_largest_value_in_a_few_round_steps(largest):
 def test_it_says_what_it_takes(lines):
     with pytest.raises(ValueError, match='one to 4 lines'):
         LinePlot(lines, x='x', y='y')
+
+
+# -- step responses --------------------------------------------------------------------------------------
+
+
+def respond(*gains, **options):
+    return simulate(Gains(*gains), Motor(), 10.0, **{'rate_hz': 100, 'duration_sec': 3.0, **options})
+
+
+def test_a_plot_tells_the_figures_in_words_instead_of_its_points():
+    plot = plot_responses({'P': respond(0.1), 'PI': respond(0.1, 0.2)})
+    assert plot.text == ('speed in rad/s over time in s. reference: 10 rad/s. '
+                         f'P: {respond(0.1).figures}. PI: {respond(0.1, 0.2).figures}')
+
+
+def test_a_plot_goes_through_the_response_and_ends_with_it():
+    picture = ElementTree.fromstring(plot_responses({'P': respond(0.1)})._repr_html_())
+    # The key of the lines stands from right to left.
+    corners = picture.findall('polyline')[0].get('points').split()
+    assert len(corners) == 151
+    assert corners[0] == '56.0,216.0'
+    x, y = map(float, corners[-1].split(','))
+    # The axis holds half as much again as the reference.
+    assert (x, y) == (620.0, pytest.approx(216 - 176 * 7.143 / 15, abs=0.3))
+
+
+def test_a_plot_has_no_more_points_than_can_be_told_apart():
+    picture = ElementTree.fromstring(
+        plot_responses({'P': respond(0.1, rate_hz=1000, duration_sec=10.0)})._repr_html_())
+    corners = picture.findall('polyline')[0].get('points').split()
+    assert len(corners) <= 201 and corners[-1].startswith('620.0,')
+
+
+def test_a_wheel_that_turns_backwards_is_drawn_below_the_axis():
+    swinging = respond(0.0, 2.0)
+    assert min(swinging.speeds) < -10
+    plot = ElementTree.fromstring(plot_responses({'I': swinging})._repr_html_())
+    heights = [float(corner.split(',')[1]) for line in plot.findall('polyline')
+               for corner in line.get('points').split()]
+    assert min(heights) >= 40 and max(heights) <= 216
+    assert '-20' in {text.text for text in plot.iter('text')}
+
+
+@pytest.mark.parametrize('count', [0, 4])
+def test_a_plot_says_how_many_responses_it_takes(count):
+    with pytest.raises(ValueError, match=f'one to three responses; got {count}'):
+        plot_responses({f'{index}': respond(0.1) for index in range(count)})
+
+
+@pytest.mark.parametrize('nonsense', [3, {'p': 'fast'}])
+def test_a_plot_of_no_responses_is_refused(nonsense):
+    with pytest.raises(TypeError, match='takes a dictionary of step responses'):
+        plot_responses(nonsense)

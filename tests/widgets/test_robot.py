@@ -4,15 +4,12 @@ import math
 import re
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 import param_tutorial
 from param_tutorial import ParameterClient, RobotView, wait_until
 from param_tutorial.errors import NodeNotFoundError
-from param_tutorial.nodes.clawbot_node import ClawbotNode, Settings, plan
+from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.runtime import stage
-from param_tutorial.widgets.robot import _curve
 
 FOREVER = math.inf
 
@@ -37,22 +34,6 @@ def shows(view, word):
 def picture(view):
     """Give the markup that the browser draws."""
     return view.children[1].value
-
-
-def bezier(curve, time):
-    """Give the progress of a CSS cubic-bezier whose x is time itself, as ours are."""
-    x1, y1, x2, y2 = map(float, re.fullmatch(r'cubic-bezier\((.*)\)', curve)[1].split(','))
-    assert (x1, x2) == pytest.approx((1 / 3, 2 / 3), abs=1e-5)
-    return 3 * y1 * time * (1 - time) ** 2 + 3 * y2 * time ** 2 * (1 - time) + time ** 3
-
-
-@given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 2.0), st.booleans(), st.floats(0.0, 1.0))
-def test_the_browser_moves_it_along_the_closed_form(acceleration, speed_rpm, velocity, safety_on, fraction):
-    motion = plan(0.5, velocity, Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, safety_on))
-    for phase in motion.phases:
-        way_m = phase.at(phase.duration_sec).position_m - phase.position_m
-        exact = phase.at(fraction * phase.duration_sec).position_m - phase.position_m
-        assert bezier(_curve(phase), fraction) * way_m == pytest.approx(exact, abs=2e-5)
 
 
 def test_a_drive_is_sent_as_its_phases(view, robot):
@@ -103,6 +84,15 @@ def test_name_safety_and_offset_are_seen_at_once_while_it_stands(view, robot):
     assert stop_line not in picture(view)
     assert '<b>' not in picture(view)
     assert 'A &lt;b&gt;&quot;claw&quot;&lt;/b&gt;' in picture(view)
+
+
+def test_what_it_waits_for_is_kept_up_to_date(view, robot):
+    client = ParameterClient(robot)
+    client.set_parameters({'simulation.ambient_temperature_c': -10})
+    view.drive()
+    wait_until(lambda: '-10 °C is below' in view.text, 'the view to say how cold it is')
+    client.set_parameters({'simulation.ambient_temperature_c': -20})  # still too cold, so the robot waits on
+    wait_until(lambda: '-20 °C is below' in view.text, f'the view to follow; it says {view.text!r}')
 
 
 def test_a_robot_that_goes_while_the_view_looks_for_it_is_gone(ros, view, robot, monkeypatch):

@@ -4,23 +4,18 @@ import itertools
 import math
 import re
 import time
-import xml.etree.ElementTree as ElementTree
 
 import pytest
 from rclpy.node import Node
 
-from param_tutorial import ParameterClient, ParameterPanel, StepResponseView, plot_responses, wait_until
-from param_tutorial.nodes.pid_controller_node import Gains, Motor, PidControllerNode, simulate
+from param_tutorial import ParameterClient, ParameterPanel, StepResponseView, wait_until
+from param_tutorial.nodes.pid_controller_node import PidControllerNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.runtime import stage
 
 KP, KI = 'gains.wheel_joint.p', 'gains.wheel_joint.i'
 START = ('wheel_joint with p = 0.1, i = 0, d = 0: rise time 0.26 s, overshoot 4.5 %, settling time 0.67 s, '
          'steady-state error 2.86 rad/s')
-
-
-def respond(*gains, **options):
-    return simulate(Gains(*gains), Motor(), 10.0, **{'rate_hz': 100, 'duration_sec': 3.0, **options})
 
 
 @pytest.fixture
@@ -42,52 +37,6 @@ def shows(view, words):
 def markup(view):
     """Give what the browser draws: the picture, and the figures."""
     return [each.value for each in view.children[1:]]
-
-
-# -- the plot --------------------------------------------------------------------------------------------
-
-
-def test_a_plot_tells_the_figures_in_words_instead_of_its_points():
-    plot = plot_responses({'P': respond(0.1), 'PI': respond(0.1, 0.2)})
-    assert plot.text == ('speed in rad/s over time in s. reference: 10 rad/s. '
-                         f'P: {respond(0.1).figures}. PI: {respond(0.1, 0.2).figures}')
-
-
-def test_a_plot_goes_through_the_response_and_ends_with_it():
-    picture = ElementTree.fromstring(plot_responses({'P': respond(0.1)})._repr_html_())
-    # The key of the lines stands from right to left.
-    corners = picture.findall('polyline')[0].get('points').split()
-    assert len(corners) == 151
-    assert corners[0] == '56.0,216.0'
-    x, y = map(float, corners[-1].split(','))
-    # The axis holds half as much again as the reference.
-    assert (x, y) == (620.0, pytest.approx(216 - 176 * 7.143 / 15, abs=0.3))
-
-
-def test_a_plot_has_no_more_points_than_can_be_told_apart():
-    picture = ElementTree.fromstring(
-        plot_responses({'P': respond(0.1, rate_hz=1000, duration_sec=10.0)})._repr_html_())
-    corners = picture.findall('polyline')[0].get('points').split()
-    assert len(corners) <= 201 and corners[-1].startswith('620.0,')
-
-
-def test_a_wheel_that_turns_backwards_is_drawn_below_the_axis():
-    swinging = respond(0.0, 2.0)
-    assert min(swinging.speeds) < -10
-    plot = ElementTree.fromstring(plot_responses({'I': swinging})._repr_html_())
-    heights = [float(corner.split(',')[1]) for line in plot.findall('polyline')
-               for corner in line.get('points').split()]
-    assert min(heights) >= 40 and max(heights) <= 216
-    assert '-20' in {text.text for text in plot.iter('text')}
-
-
-@pytest.mark.parametrize('count', [0, 4])
-def test_a_plot_says_how_many_responses_it_takes(count):
-    with pytest.raises(ValueError, match=f'one to three responses; got {count}'):
-        plot_responses({f'{index}': respond(0.1) for index in range(count)})
-
-
-# -- the view --------------------------------------------------------------------------------------------
 
 
 def test_it_shows_the_response_with_its_figures_and_the_same_in_words(view):
@@ -192,12 +141,6 @@ def test_values_that_cannot_be_simulated_are_told(ros, controller, others):
     view = StepResponseView('careless')
     assert view.text.startswith('/careless holds values with which nothing can be simulated: ')
     view.close()
-
-
-@pytest.mark.parametrize('nonsense', [3, {'p': 'fast'}])
-def test_a_plot_of_no_responses_is_refused(nonsense):
-    with pytest.raises(TypeError, match='takes a dictionary of step responses'):
-        plot_responses(nonsense)
 
 
 def test_names_are_text(ros):

@@ -3,30 +3,18 @@
 import textwrap
 from dataclasses import dataclass
 
-from param_tutorial.pictures.markup import with_code
+from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.tables import with_code
 
 _WIDTH = 110
-
-# JupyterLab's own colors, so that it is readable on light and dark; none of them says anything that no word says.
-_STYLE = """<style>
-.param-check { border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; padding: 8px 12px;
-  margin: 4px 0; max-width: 60em; }
-.param-check p { margin: 0; }
-.param-check ul.param-findings { list-style: none; margin: 8px 0; padding: 0; }
-.param-check li { margin: 6px 0; padding-left: 10px; border-left: 4px solid var(--jp-border-color1, #9e9e9e); }
-.param-check li.param-done { border-left-color: var(--jp-success-color1, #388e3c); }
-.param-check li.param-not-yet { border-left-color: var(--jp-warn-color1, #f57c00); }
-.param-check li dl { display: grid; grid-template-columns: max-content 1fr; gap: 2px 12px; margin: 4px 0; }
-.param-check li dl dt { color: var(--jp-ui-font-color2, #616161); font-weight: normal; white-space: nowrap; }
-.param-check li dl dt, .param-check li dl dd { float: none; width: auto; margin: 0; padding: 0; }
-.param-check li dl dd { overflow-wrap: anywhere; }
-</style>"""
+# Its colors follow the page's theme, and none says anything that no word says.
+_STYLE = style('exercises/results.css')
 
 
 class Answer:
-    """A sentence or more; shown as it is."""
+    """A sentence or more, shown as they are."""
 
-    def __init__(self, text: str):
+    def __init__(self, text: str) -> None:
         self.text = text
 
     def __repr__(self) -> str:
@@ -39,7 +27,7 @@ class Answer:
 class Hint(Answer):
     """One of an exercise's hints."""
 
-    def __init__(self, number: str, position: int, hints: tuple[str, ...]):
+    def __init__(self, number: str, position: int, hints: tuple[str, ...]) -> None:
         """
         :param number: Of the exercise.
         :param position: Of the hint, from 1.
@@ -54,7 +42,7 @@ class Finding:
 
     sentence: str
     done: bool | None
-    """None if it could not be tried out."""
+    """None if it could not be tried."""
     expected: str = ''
     happened: str = ''
     see: str = ''
@@ -67,15 +55,15 @@ class Finding:
 
     @property
     def details(self) -> dict[str, str]:
-        """What helps to go on; nothing if there is nothing to say."""
-        told = {'expected': self.expected, 'happened': self.happened, 'look at': self.see and f'“{self.see}”'}
-        return {word: text for word, text in told.items() if text}
+        """What helps you go on, by label; empty if there is nothing to say."""
+        details = {'expected': self.expected, 'happened': self.happened, 'look at': self.see and f'“{self.see}”'}
+        return {word: text for word, text in details.items() if text}
 
 
 class Result(Answer):
     """The answer of a check."""
 
-    def __init__(self, number: str, findings: list[Finding], total: int, after: str):
+    def __init__(self, number: str, findings: list[Finding], total: int, after: str) -> None:
         """
         :param number: Of the exercise.
         :param findings: One for each requirement, in their order; further ones before them.

@@ -1,6 +1,6 @@
-"""The words of the course: gathered from the tables at the ends of the chapters, so that it never says another thing.
+"""The words of the course, gathered from the tables at the ends of the chapters, so that both always say the same.
 
-No ROS. Reads notebooks as plain JSON.
+No ROS. Notebooks are read as plain JSON.
 """
 
 import html
@@ -10,8 +10,10 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from param_tutorial.pictures.markup import with_code
+from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.tables import Markup, table, with_code
 
+_STYLE = style('notebook/glossary.css')
 _TITLE = re.compile(r'^# (\S+) · ', re.MULTILINE)
 _TABLE = re.compile(r'^\| word \| meaning \|\n\|[ |:-]+\|\n((?:\|.*(?:\n|$))+)', re.MULTILINE)
 
@@ -29,13 +31,14 @@ class Entry(NamedTuple):
 
     @property
     def plain_word(self) -> str:
+        """The word without Markdown."""
         return self.word.replace('`', '')
 
 
 class Glossary:
     """Words with their meanings, in alphabetical order; a word has a line for each chapter that explains it."""
 
-    def __init__(self, entries: Iterable[Entry]):
+    def __init__(self, entries: Iterable[Entry]) -> None:
         # Within one word the order of the chapters stays.
         self.entries = sorted(entries, key=lambda entry: re.sub('^(to |--)', '', entry.plain_word).lower())
 
@@ -70,24 +73,20 @@ class Glossary:
                          for entry in self.entries) or '(no words)'
 
     def _repr_html_(self) -> str:
-        head = ''.join(f'<th scope="col" style="text-align:left">{each}</th>'
-                       for each in ('word', 'meaning', 'chapter'))
-        return (f'<table><thead><tr>{head}</tr></thead>'
-                f'<tbody>{"".join(map(_row, self.entries))}</tbody></table>')
+        return _STYLE + table(('word', 'meaning', 'chapter'), map(_row, self.entries), css_class='param-glossary',
+                              row_headers=True)
 
 
-def _row(entry: Entry) -> str:
-    chapter = f'<a href="{html.escape(entry.notebook)}">{entry.chapter}</a>'
-    return (f'<tr><th scope="row" style="text-align:left">{with_code(entry.word)}</th>'
-            f'<td style="text-align:left">{with_code(entry.meaning)}</td>'
-            f'<td style="text-align:left">{chapter}</td></tr>')
+def _row(entry: Entry) -> tuple[str, str, str]:
+    link = Markup(f'<a href="{html.escape(entry.notebook)}">{entry.chapter}</a>')
+    return with_code(entry.word), with_code(entry.meaning), link
 
 
 def _entries(path: Path) -> Iterable[Entry]:
     cells = json.loads(path.read_text(encoding='utf-8'))['cells']
     prose = '\n\n'.join(''.join(cell['source']) for cell in cells if cell['cell_type'] == 'markdown')
     title = _TITLE.search(prose)
-    for table in _TABLE.finditer(prose):
-        for line in table[1].splitlines():
+    for words in _TABLE.finditer(prose):
+        for line in words[1].splitlines():
             word, meaning = (each.strip() for each in line.strip().strip('|').split(' | ', 1))
             yield Entry(word, meaning, title[1] if title else path.stem, path.name)

@@ -8,7 +8,6 @@ Values are compared as ROS stores them: 1, 1.0 and True are three different ones
 tells no type, so it counts as one of the type that the other side has.
 """
 
-import html
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +18,8 @@ from rclpy.node import Node
 from param_tutorial.errors import InvalidValueError
 from param_tutorial.parameters import files, values
 from param_tutorial.parameters.client import Descriptor, ParameterClient
-from param_tutorial.pictures.markup import cells, head_row
+from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.tables import table
 from param_tutorial.runtime import stage
 
 NodeLike = str | Node | ParameterClient
@@ -29,14 +29,7 @@ Comparable = Mapping[str, Any] | NodeLike
 # Where a node for its defaults lives for a moment: another of the same name may be on the stage.
 _CORNER = '/_defaults'
 
-_STYLE = """<style>
-.param-set { margin: 4px 0; border-collapse: collapse; min-width: min(34em, 100%); }
-.param-set caption { caption-side: top; text-align: left; padding: 2px 0 6px; font-weight: 600;
-  color: var(--jp-ui-font-color1, #212121); }
-.param-set th, .param-set td { text-align: left !important; vertical-align: top; padding: 3px 12px 3px 8px;
-  border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); overflow-wrap: break-word; }
-.param-set tbody th { font-family: var(--jp-code-font-family, monospace); font-weight: normal; }
-</style>"""
+_STYLE = style('parameters/sets.css')
 
 
 class ParameterSet(Mapping[str, Any]):
@@ -132,10 +125,9 @@ class _Table:
         return '\n'.join([self.heading, '', *lines])
 
     def _repr_html_(self) -> str:
-        body = ''.join(f'<tr><th scope="row">{html.escape(name)}</th>{cells(words)}</tr>'
-                       for name, *words in self._rows())
-        table = f'<thead>{head_row(self.columns)}</thead><tbody>{body}</tbody>' if body else ''
-        return f'{_STYLE}<table class="param-set"><caption>{html.escape(self.heading)}</caption>{table}</table>'
+        rows = self._rows()
+        return _STYLE + table(self.columns if rows else (), rows, css_class='param-set', caption=self.heading,
+                              row_headers=True)
 
 
 @dataclass(frozen=True)

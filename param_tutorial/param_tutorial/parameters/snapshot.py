@@ -1,6 +1,5 @@
 """The parameters of all nodes in one call, with a word on each node that did not answer. No Jupyter."""
 
-import html
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 
@@ -9,22 +8,16 @@ from rclpy.node import Node
 from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
-from param_tutorial.pictures.markup import cells, head_row
+from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.tables import Row, grouped_table
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 
-_STYLE = """<style>
-.param-snapshot { max-width: 56em; overflow-x: auto; }
-.param-snapshot table { border-collapse: collapse; margin: 4px 0; }
-.param-snapshot table th, .param-snapshot table td { text-align: left !important; padding: 2px 16px 2px 0;
-  vertical-align: top; font-family: var(--jp-code-font-family, monospace); font-size: var(--jp-code-font-size, 13px); }
-.param-snapshot table tbody { border-top: 1px solid var(--jp-border-color2, #bdbdbd); }
-.param-snapshot table td { overflow-wrap: anywhere; }
-</style>"""
+_STYLE = style('parameters/snapshot.css')
 
 
-class Snapshot(dict):
+class Snapshot(dict[str, ParameterValues]):
     """Node names, sorted, and for each its ParameterValues. A plain dictionary, but for how it is shown."""
 
     def __init__(self, nodes: dict[str, ParameterValues], unanswered: dict[str, NodeError]):
@@ -43,18 +36,13 @@ class Snapshot(dict):
         return '\n'.join(lines) or '(no nodes)'
 
     def _repr_html_(self) -> str:
-        bodies = [_body(node, [(name, values.format_value(value)) for name, value in parameters.items()]
-                        or [('no parameters', '')]) for node, parameters in self.items()]
-        bodies += [_body(node, [('no answer', str(error))]) for node, error in self.unanswered.items()]
-        head = head_row(('node', 'parameter', 'value'))
-        return (f'{_STYLE}<div class="param-snapshot"><table><thead>{head}</thead>{"".join(bodies)}'
-                f'</table></div>' if bodies else '<p>There are no nodes.</p>')
-
-
-def _body(node: str, rows: list[tuple[str, str]]) -> str:
-    head = f'<th scope="rowgroup" rowspan="{len(rows)}">{html.escape(node)}</th>'
-    return '<tbody>' + ''.join(f'<tr>{head if index == 0 else ""}{cells(row)}</tr>'
-                               for index, row in enumerate(rows)) + '</tbody>'
+        groups: dict[str, list[Row]] = {
+            node: [(name, values.format_value(value)) for name, value in parameters.items()] or [('no parameters', '')]
+            for node, parameters in self.items()}
+        groups |= {node: [('no answer', str(error))] for node, error in self.unanswered.items()}
+        if not groups:
+            return '<p>There are no nodes.</p>'
+        return f'{_STYLE}<div class="param-snapshot">{grouped_table(("node", "parameter", "value"), groups)}</div>'
 
 
 def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,

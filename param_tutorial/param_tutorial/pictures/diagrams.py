@@ -1,7 +1,7 @@
 """Two pictures of a running system: a change on its way through a node, and who talks to whom. No ROS, no Jupyter.
 
-Both are made of what was observed; ``observe`` does that. Like the plots they come out the same to the byte on every
-machine, and can be read in a light and a dark theme, without colour, and without eyes.
+Both are made of what others observed (``parameters.recording``, ``runtime.graph``). Like the plots they come out the
+same to the byte on every machine, and can be read in a light and a dark theme, without color, and without eyes.
 """
 
 import textwrap
@@ -19,8 +19,8 @@ class Step:
 
     what: str
     """In a word or two, e.g. 'on-set'."""
-    told: str
-    """What happened, e.g. 'validate: sees 300, accepts'."""
+    happened: str
+    """As a sentence, e.g. 'validate: sees 300, accepts'."""
     stored: str
     """The value that the parameter had at this moment."""
     comes_from: str = ''
@@ -30,15 +30,15 @@ class Step:
 
 
 class Timeline:
-    """The steps of one change from top to bottom: what each was told, and what was stored at that moment."""
+    """The steps of one change from top to bottom: what happened, and what was stored at that moment."""
 
     _WIDTH = 720
-    _LINE_X, _WHAT_X, _TOLD_X, _STORED_X = 120, 142, 230, 704
+    _LINE_X, _WHAT_X, _HAPPENED_X, _STORED_X = 120, 142, 230, 704
     _TOP, _ROW, _LINE_HEIGHT = 44, 30, 17
     _LETTERS, _STORED_LETTERS = 54, 20
-    """How many letters of a step stand in one line, and of a value; the rest of a longer value is cut off."""
+    """How many letters of a step fit in one line, and of a value; a longer value is cut off."""
 
-    def __init__(self, node: str, name: str, steps: Iterable[Step]):
+    def __init__(self, node: str, name: str, steps: Iterable[Step]) -> None:
         """
         :param node: The node that was asked.
         :param name: The parameter that was to change.
@@ -52,32 +52,32 @@ class Timeline:
     def text(self) -> str:
         """The picture in words, as a screen reader tells it."""
         return f'{self.name} of {self.node}, step by step. ' + '. '.join(
-            f'{number}, {step.what}: {step.told}; stored is {step.stored}'
+            f'{number}, {step.what}: {step.happened}; stored is {step.stored}'
             for number, step in enumerate(self.steps, start=1))
 
     def __repr__(self) -> str:
         what = max(len(step.what) for step in self.steps)
-        told = max(len(step.told) for step in self.steps)
+        happened = max(len(step.happened) for step in self.steps)
         heading = f'{self.node}: {self.name}'
-        return '\n'.join([f'{heading:<{what + told + 4}}  stored', *(
-            f'  {step.what:<{what}}  {step.told:<{told}}  {step.stored}' for step in self.steps)])
+        return '\n'.join([f'{heading:<{what + happened + 4}}  stored', *(
+            f'  {step.what:<{what}}  {step.happened:<{happened}}  {step.stored}' for step in self.steps)])
 
     def _repr_html_(self) -> str:
-        told = [textwrap.wrap(step.told, self._LETTERS) or [''] for step in self.steps]
+        wrapped = [textwrap.wrap(step.happened, self._LETTERS) or [''] for step in self.steps]
         places = [self._TOP]
-        for lines in told:
+        for lines in wrapped:
             places.append(places[-1] + self._ROW + self._LINE_HEIGHT * (len(lines) - 1))
         height = places[-1] + 8
         parts = [words(12, 18, self.node, 'start', _BOLD),
                  words(self._STORED_X, 18, f'stored {self.name}', 'end', _BOLD),
                  line(self._LINE_X, 28, self._LINE_X, height - 8, f'stroke="{INK}" stroke-width="2"')]
         before = self.steps[0].stored
-        for step, lines, top in zip(self.steps, told, places):
-            parts += self._drawn(step, lines, top + 12, step.stored != before)
+        for step, lines, top in zip(self.steps, wrapped, places):
+            parts += self._step_parts(step, lines, top + 12, step.stored != before)
             before = step.stored
         return picture(self.text, self._WIDTH, height, parts)
 
-    def _drawn(self, step: Step, lines: Sequence[str], y: float, is_new: bool) -> Iterable[str]:
+    def _step_parts(self, step: Step, lines: Sequence[str], y: float, is_new: bool) -> Iterable[str]:
         begin, end = 12, self._LINE_X - 8
         stroke = f'stroke="{INK}" stroke-width="1.5"'
         if step.comes_from or step.goes_to:
@@ -87,8 +87,8 @@ class Timeline:
         yield (f'<circle cx="{self._LINE_X}" cy="{y:.1f}" r="6" stroke="{INK}" stroke-width="2" '
                f'fill="{INK if is_new else PAPER}"/>')
         yield words(self._WHAT_X, y + 4, step.what, 'start', _BOLD)
-        for number, told in enumerate(lines):
-            yield words(self._TOLD_X, y + 4 + number * self._LINE_HEIGHT, told, 'start')
+        for number, text in enumerate(lines):
+            yield words(self._HAPPENED_X, y + 4 + number * self._LINE_HEIGHT, text, 'start')
         yield words(self._STORED_X, y + 4, _cut(step.stored, self._STORED_LETTERS), 'end', _BOLD if is_new else '')
 
 
@@ -100,10 +100,10 @@ class NodeGraph:
     _BOX_WIDTH, _BOX_HEIGHT, _ROW, _TOP = 184, 30, 44, 36
     _INDENT = 28
     _LETTER_WIDTH = 7.5
-    """The width of a letter is known to the browser only; a name that is longer than its box is cut off."""
+    """An estimate, since only the browser knows it; a name that is too long for its box is cut off."""
 
     def __init__(self, *, serves: Iterable[str], asks: Iterable[tuple[str, str]], tells: Iterable[str],
-                 listens: Iterable[str]):
+                 listens: Iterable[str]) -> None:
         """
         :param serves: Nodes that offer parameter services.
         :param asks: Pairs of a node that has a client for such a service, and the node whose service it is.
@@ -120,7 +120,7 @@ class NodeGraph:
 
     @property
     def missing(self) -> list[str]:
-        """Nodes that somebody wants to ask and that offer no parameter services, or are not there."""
+        """Nodes that somebody wants to ask, but that offer no parameter services or do not exist."""
         return sorted({asked for _, asked in self.asks} - set(self.serves))
 
     @property
@@ -177,12 +177,11 @@ class NodeGraph:
 
     def _box(self, x: float, y: float, name: str, *, width: float = _BOX_WIDTH, rounded: bool = False,
              missing: bool = False) -> str:
-        shown = _cut(name, int(width / self._LETTER_WIDTH))
         rounding = self._BOX_HEIGHT / 2 if rounded else 3
         dashes = ' stroke-dasharray="5 4"' if missing else ''
         return (f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{self._BOX_HEIGHT}" rx="{rounding:.1f}" '
                 f'fill="{PAPER}" stroke="{INK}" stroke-width="1.5"{dashes}/>'
-                + words(x + width / 2, y + 20, shown, 'middle'))
+                + words(x + width / 2, y + 20, _cut(name, int(width / self._LETTER_WIDTH)), 'middle'))
 
 
 def _joined(names: Iterable[str]) -> str:

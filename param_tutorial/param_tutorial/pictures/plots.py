@@ -1,11 +1,12 @@
-"""A line plot as a picture in the page's own colours. No ROS, and no plotting library.
+"""Curves as pictures in the page's own colors. No ROS, and no plotting library.
 
 The lessons draw curves with few corners, and compare the stored picture with a new one: it has to come out the same
-to the byte on every machine, and to be readable in a light and a dark theme, without colour, and without eyes.
+to the byte on every machine, and to be readable in a light and a dark theme, without color, and without eyes.
 """
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Protocol, runtime_checkable
 
 from param_tutorial.pictures.svg import BRAND, FAINT, INK, line, picture, words
 
@@ -14,27 +15,31 @@ Points = Sequence[tuple[float, float]]
 _WIDTH, _HEIGHT = 640, 260
 _LEFT, _RIGHT, _TOP, _BOTTOM = 56, 620, 40, 216
 _TICKS = 6
-# Lines differ by their dashes too, so that colour is not needed.
+# Lines differ by their dashes too, so that color is not needed.
 _STROKES = (
     f'stroke="{INK}" stroke-dasharray="7 5"',
     f'stroke="{BRAND}"',
     'stroke="var(--jp-error-color1, #d32f2f)" stroke-dasharray="2 4"',
     f'stroke="{INK}" stroke-dasharray="12 3 2 3"',
 )
+# A step response with more points than this is drawn with fewer, since they would lie on one another.
+_MAX_POINTS = 200
+# The axis has room for this much overshoot, so that it does not change while a gain is dragged.
+_ROOM_FOR_OVERSHOOT = 1.5
 
 
 class LinePlot:
     """Lines through points, with axes and a key. Show it as the last line of a cell."""
 
     def __init__(self, lines: Mapping[str, Points], *, x: str, y: str, marks: Mapping[float, str] | None = None,
-                 y_reaches: float = 0.0, text: str = ''):
+                 y_reaches: float = 0.0, text: str = '') -> None:
         """
         :param lines: For each line its name and its points, x and y; four lines at most.
         :param x: What the horizontal axis shows, with its unit, e.g. ``'time in s'``. It begins at 0.
         :param y: What the vertical axis shows. It begins at 0, or below where a line goes there.
         :param marks: Places on the horizontal axis, each with a word.
-        :param y_reaches: What the vertical axis holds at least, so that plots can be compared.
-        :param text: The lines in words, where they have too many points to be told one by one.
+        :param y_reaches: What the vertical axis reaches at least, so that plots can be compared.
+        :param text: The lines in words, where they have too many points to name each.
         :raises ValueError: there is no point, or there are more than four lines.
         """
         if not any(lines.values()) or len(lines) > len(_STROKES):
@@ -60,14 +65,14 @@ class LinePlot:
         return f'<LinePlot: {self.text}>'
 
     def _repr_html_(self) -> str:
-        parts = [*self._axes(), *self._drawn_marks(), *self._drawn_lines()]
+        parts = [*self._axis_parts(), *self._mark_parts(), *self._line_parts()]
         return picture(self.text, _WIDTH, _HEIGHT, parts)
 
     def _at(self, x: float, y: float) -> tuple[float, float]:
         return (_LEFT + (_RIGHT - _LEFT) * x / self._x_end,
                 _BOTTOM - (_BOTTOM - _TOP) * (y - self._y_begin) / (self._y_end - self._y_begin))
 
-    def _axes(self) -> Iterator[str]:
+    def _axis_parts(self) -> Iterator[str]:
         for index in range(round(self._y_begin / self._y_step), round(self._y_end / self._y_step) + 1):
             _, at = self._at(0, index * self._y_step)
             yield line(_LEFT, at, _RIGHT, at, f'stroke="{FAINT}"')
@@ -80,28 +85,69 @@ class LinePlot:
         yield words((_LEFT + _RIGHT) / 2, _HEIGHT - 6, self._x, 'middle')
         yield words(6, 16, self._y, 'start')
 
-    def _drawn_marks(self) -> Iterator[str]:
+    def _mark_parts(self) -> Iterator[str]:
         for x, word in self._marks.items():
             at, _ = self._at(x, 0)
             yield line(at, _TOP - 6, at, _BOTTOM, f'stroke="{INK}" stroke-dasharray="1 3"')
             yield words(at, _TOP - 10, word, 'middle')
 
-    def _drawn_lines(self) -> Iterator[str]:
+    def _line_parts(self) -> Iterator[str]:
         # The key stands in the top right corner, in the order of the lines.
         end = _RIGHT
         for stroke, (name, points) in reversed(list(zip(_STROKES, self._lines.items()))):
             corners = ' '.join('{:.1f},{:.1f}'.format(*self._at(*point)) for point in points)
             yield f'<polyline points="{corners}" fill="none" stroke-width="2.5" stroke-linejoin="round" {stroke}/>'
-            # The width of the text is known to the browser only; 8 is that of a letter, on the safe side. What is too
-            # much stands behind the name, so that each name keeps to its own stroke.
+            # Only the browser knows the width of the text; 8 is that of a letter, on the safe side. Any room left over
+            # comes after the name, so that each name stays beside its own stroke.
             begin = end - 8 * len(name)
             yield words(begin, 16, name, 'start')
             yield line(begin - 38, 12, begin - 8, 12, f'stroke-width="2.5" {stroke}')
             end = begin - 54
 
 
+@runtime_checkable
+class Response(Protocol):
+    """What ``plot_responses`` draws: a StepResponse of the nodes, or whatever has the same attributes."""
+
+    @property
+    def reference(self) -> float:
+        """The speed that was asked for, in rad/s."""
+    @property
+    def points(self) -> Points:
+        """Time in s, and speed in rad/s."""
+    @property
+    def figures(self) -> object:
+        """Rise time, overshoot and so on, as ``str`` puts them."""
+
+
+def plot_responses(responses: Mapping[str, Response]) -> LinePlot:
+    """Draw step responses over one another, with the reference of the first.
+
+    :param responses: One to three, by name.
+    :raises ValueError: there is none, or there are more.
+    :raises TypeError: they are no step responses.
+    """
+    if not isinstance(responses, Mapping) or not all(isinstance(each, Response) for each in responses.values()):
+        raise TypeError(f'plot_responses takes a dictionary of step responses, such as '
+                        f'{{"p = 0.4": node.response()}}; got {responses!r}')
+    if not 1 <= len(responses) <= 3:
+        raise ValueError(f'plot_responses takes one to three responses; got {len(responses)}')
+    first = next(iter(responses.values()))
+    reference = [(0.0, first.reference), (first.points[-1][0], first.reference)]
+    text = [f'reference: {first.reference:g} rad/s',
+            *(f'{name}: {response.figures}' for name, response in responses.items())]
+    return LinePlot({'reference': reference, **{name: _thinned(each.points) for name, each in responses.items()}},
+                    x='time in s', y='speed in rad/s', y_reaches=_ROOM_FOR_OVERSHOOT * first.reference,
+                    text='. '.join(text))
+
+
+def _thinned(points: Points) -> Points:
+    every = math.ceil(len(points) / _MAX_POINTS)
+    return [*points[:-1:every], points[-1]]
+
+
 def _scale(largest: float) -> tuple[float, float]:
-    """Give a step of 1, 2 or 5 times a power of ten, and the first of its multiples that is not less."""
+    """Return a step of 1, 2 or 5 times a power of ten, and its first multiple that is not less than a value."""
     if largest <= 0:
         return 1.0, 1.0
     rough = largest / _TICKS

@@ -1,7 +1,7 @@
-"""The strokes and words of which plots and diagrams are drawn, in the page's own colours. No ROS, no Jupyter.
+"""The strokes and words that plots and diagrams consist of, in the page's own colors. No ROS, no Jupyter.
 
 Pictures are stored in the chapters and compared, so they have to come out the same to the byte on every machine.
-JupyterLab's variables follow its theme; the colours behind them are for a page without any.
+JupyterLab's variables follow its theme; the colors behind them are for a page that has no such variables.
 """
 
 import html
@@ -15,7 +15,7 @@ _TEXT = f'fill="{INK}" font-size="13" font-family="var(--jp-ui-font-family, sans
 
 
 def picture(text: str, width: int, height: int, parts: Iterable[str]) -> str:
-    """Put parts together as a picture that shrinks with its page.
+    """Return parts put together as a picture that shrinks with its page.
 
     :param text: The picture in words, for those who cannot see it.
     """
@@ -24,12 +24,12 @@ def picture(text: str, width: int, height: int, parts: Iterable[str]) -> str:
 
 
 def line(x1: float, y1: float, x2: float, y2: float, style: str) -> str:
-    """Draw a line."""
+    """Return a line."""
     return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" {style}/>'
 
 
 def words(x: float, y: float, text: str, anchor: str, style: str = '') -> str:
-    """Write a line of text.
+    """Return a line of text.
 
     :param anchor: What stands at x: the text's 'start', 'middle' or 'end'.
     """
@@ -37,7 +37,7 @@ def words(x: float, y: float, text: str, anchor: str, style: str = '') -> str:
 
 
 def arrow(x1: float, y1: float, x2: float, y2: float, style: str) -> str:
-    """Draw a line with a head at its second end."""
+    """Return a line with a head at its second end."""
     length = ((x2 - x1) ** 2 + (y2 - y1) ** 2) ** 0.5
     along_x, along_y = (x2 - x1) / length, (y2 - y1) / length
     foot_x, foot_y = x2 - 9 * along_x, y2 - 9 * along_y

@@ -14,24 +14,16 @@ from itertools import zip_longest
 from typing import Any
 
 from param_tutorial.errors import nearest
-from param_tutorial.pictures.markup import head_row
+from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.tables import Markup, table
 from param_tutorial.ros1.record import RECORDING, Scene, Step, parse
 
 _LEFT, _RIGHT = 'ROS 1, recorded', 'ROS 2, now'
 _NO_COUNTERPART = '—'
 _WIDTH = 58
-
-# JupyterLab's own colors, so that it is readable on light and dark. Its own rules for tables and <pre> are as special
-# as ours, so some of ours have to be important.
-_STYLE = """<style>
-.param-ros1 { border-collapse: collapse; width: 100%; max-width: 76em; margin: 4px 0; table-layout: fixed; }
-.param-ros1 th, .param-ros1 td { text-align: left !important; vertical-align: top; padding: 6px 10px;
-  border: 1px solid var(--jp-border-color2, #bdbdbd); }
-.param-ros1 pre { margin: 0; padding: 0; background: none !important; white-space: pre-wrap !important;
-  word-break: normal !important; overflow-wrap: anywhere; }
-.param-ros1 .param-said { font-weight: 600; }
-.param-ros1 .param-event { font-style: italic; }
-</style>"""
+_CSS_CLASS = 'param-ros1'
+# JupyterLab's own rules for tables and <pre> are as specific as these, so some of these have to be important.
+_STYLE = style('ros1/recorded.css')
 
 
 def scene(name: str) -> 'Recorded':
@@ -86,8 +78,7 @@ class Recorded:
         return '\n'.join(filter(None, (text for step in self.steps for text in (_format_typed(step), step.answer))))
 
     def _repr_html_(self) -> str:
-        rows = ''.join(f'<tr><td>{_step_html(step, step.answer)}</td></tr>' for step in self.steps)
-        return f'{_STYLE}<table class="param-ros1">{head_row([_LEFT])}{rows}</table>'
+        return _STYLE + table([_LEFT], [[_step_markup(step, step.answer)] for step in self.steps], css_class=_CSS_CLASS)
 
 
 class SideBySide:
@@ -107,10 +98,9 @@ class SideBySide:
         return '\n'.join(lines)
 
     def _repr_html_(self) -> str:
-        rows = ''.join(f'<tr><td>{_step_html(step, _format_answer(step))}</td>'
-                       f'<td><pre>{html.escape(answer)}</pre></td></tr>'
-                       for step, answer in zip(self.steps, self.answers))
-        return f'{_STYLE}<table class="param-ros1">{head_row([_LEFT, _RIGHT])}{rows}</table>'
+        rows = [(_step_markup(step, _format_answer(step)), Markup(f'<pre>{html.escape(answer)}</pre>'))
+                for step, answer in zip(self.steps, self.answers)]
+        return _STYLE + table([_LEFT, _RIGHT], rows, css_class=_CSS_CLASS)
 
 
 def _answer(value: Any) -> str:
@@ -125,7 +115,7 @@ def _answer(value: Any) -> str:
 
 
 def _format_typed(step: Step) -> str:
-    """Return what was typed, as it looked."""
+    """Return what was typed as it looked, or what happened in parentheses."""
     if step.prompt == '!':
         return f'({step.typed})'
     first, *more = step.typed.split('\n')
@@ -133,14 +123,14 @@ def _format_typed(step: Step) -> str:
 
 
 def _format_answer(step: Step) -> str:
-    """Return ROS 1's answer, and a word where it said nothing."""
+    """Return ROS 1's answer, or a word in its place if it printed nothing."""
     return step.answer or ('' if step.prompt == '!' else '(done)')
 
 
-def _step_html(step: Step, said: str) -> str:
+def _step_markup(step: Step, answer: str) -> Markup:
     kind = ' class="param-event"' if step.prompt == '!' else ''
-    return (f'<pre{kind}>{html.escape(_format_typed(step))}</pre>'
-            + (f'<pre class="param-said">{html.escape(said)}</pre>' if said else ''))
+    return Markup(f'<pre{kind}>{html.escape(_format_typed(step))}</pre>'
+                  + (f'<pre class="param-said">{html.escape(answer)}</pre>' if answer else ''))
 
 
 def _wrapped(text: str) -> list[str]:

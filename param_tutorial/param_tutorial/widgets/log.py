@@ -4,29 +4,17 @@ import html
 from collections.abc import Callable
 from typing import Any
 
+from param_tutorial.pictures.styles import style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.node_log import LogLine, NodeLog
 from param_tutorial.runtime.services import full_name
 from param_tutorial.widgets.recordable import LOG
 from param_tutorial.widgets.view import FeedView
 
-# What fits on several screens; a browser that gets more on every update of a chatty node becomes slow.
+# As many as fit on several screens. More, sent again with each line of a chatty node, would slow a browser down.
 CAPACITY = 300
 
-_STYLE = """<style>
-.param-log { border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; padding: 0;
-  background: var(--jp-layout-color1, #fff); margin: 4px 0; }
-.param-log .param-log-title { margin: 0; padding: 2px 10px; line-height: 20px;
-  border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); color: var(--jp-ui-font-color1, #212121); }
-.param-log .param-log-lines { display: flex; flex-direction: column-reverse; overflow: auto; max-height: 16em;
-  margin: 0; padding: 0; }
-.param-log .param-log-lines .widget-html-content { display: block; width: 100%; }
-.param-log pre { font-family: var(--jp-code-font-family, monospace); font-size: var(--jp-code-font-size, 13px);
-  line-height: 1.4; margin: 0; padding: 6px 10px; color: var(--jp-content-font-color1, #212121);
-  background: transparent; white-space: pre-wrap; overflow-wrap: anywhere; outline-offset: -2px; }
-.param-log .param-log-quiet { color: var(--jp-ui-font-color2, #616161); }
-.param-log .param-log-loud { font-weight: bold; }
-</style>"""
+_STYLE = style('widgets/log.css')
 _NOTHING_YET = '<span class="param-log-quiet">(nothing logged yet)</span>'
 
 
@@ -35,10 +23,10 @@ class LogView(FeedView):
 
     follows = frozenset({LOG})
 
-    def __init__(self, node: str | None = None, *, executor: BackgroundExecutor | None = None):
+    def __init__(self, node: str | None = None, *, executor: BackgroundExecutor | None = None) -> None:
         """
-        :param node: Only what this node logs; by default what all do.
-        :param executor: By default whichever runs in the background, also after a stop and a new start.
+        :param node: Only what this node logs; by default what all nodes log.
+        :param executor: By default the one that runs in the background, also after a stop and a new start.
         """
         self._logger = None if node is None else full_name(node).strip('/').replace('/', '.')
         self._log: NodeLog | None = None
@@ -47,7 +35,7 @@ class LogView(FeedView):
 
     @property
     def lines(self) -> list[str]:
-        """The lines that it holds, oldest first."""
+        """The lines in the view, oldest first."""
         return list(map(str, self._recent()))
 
     def _recent(self) -> list[LogLine]:

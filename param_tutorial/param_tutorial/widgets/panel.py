@@ -22,6 +22,7 @@ from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor, ParameterClient, is_housekeeping
 from param_tutorial.parameters.live import LiveParameter, LiveParameters
 from param_tutorial.parameters.text import fit
+from param_tutorial.pictures.styles import style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.widgets.cells import close_with_cell
@@ -40,59 +41,7 @@ from param_tutorial.widgets.view import View
 # Seldom what one came for, and of qos_overrides.… there may be dozens.
 HOUSEKEEPING_HEADING = 'In every node'
 
-_STYLE = """<style>
-.param-panel { container-type: inline-size; box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0 0 10px;
-  border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px; overflow: hidden;
-  background: var(--jp-layout-color1, #fff); color: var(--jp-ui-font-color1, #212121); }
-.param-panel .widget-html, .param-panel .widget-html-content { line-height: 1.4; height: auto; margin: 0;
-  min-height: 0; width: auto; overflow: visible; overflow-wrap: anywhere; }
-.param-panel .param-head { padding: 6px 14px; margin: 0 0 6px;
-  border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); background: var(--jp-layout-color2, #eee); }
-.param-panel .param-node { font-family: var(--jp-code-font-family, monospace); font-weight: 600; }
-.param-panel .param-status { margin-left: .6em; color: var(--jp-ui-font-color1, #616161); }
-.param-panel .param-status-bad { display: block; margin: 2px 0 0; font-weight: 600; }
-.param-panel .param-group { padding: 10px 14px 0; font-weight: 600; }
-.param-panel .param-row { padding: 4px 14px 2px; margin: 0; overflow: visible; }
-.param-panel .param-line { display: flex; flex-flow: row wrap; align-items: center; column-gap: 14px; margin: 0;
-  overflow: visible; }
-.param-panel .param-line > * { margin: 0; height: auto; min-height: 28px; }
-.param-panel .widget-label, .param-panel .widget-checkbox span { flex: 0 0 221px; width: 221px; text-align: left;
-  font-family: var(--jp-code-font-family, monospace); font-size: var(--jp-code-font-size, 13px); margin: 0;
-  padding-right: 8px; box-sizing: border-box; height: auto; line-height: 1.3; align-self: center; color: inherit;
-  white-space: normal; overflow: visible; overflow-wrap: anywhere; }
-.param-panel .widget-checkbox { width: auto; align-items: center; }
-.param-panel .widget-checkbox label { display: flex; flex-direction: row-reverse; justify-content: flex-end;
-  align-items: center; width: auto; }
-.param-panel .widget-checkbox input { flex: none; width: 16px; height: 16px; margin: 0; }
-.param-panel .widget-text, .param-panel .widget-textarea { flex: 0 0 410px; width: auto; }
-.param-panel .param-long .widget-text, .param-panel .param-long .widget-textarea { flex: 1 1 410px; }
-.param-panel .widget-text input, .param-panel .widget-textarea textarea {
-  font-family: var(--jp-code-font-family, monospace); font-size: var(--jp-code-font-size, 13px); }
-.param-panel .widget-slider { flex: 1 1 10em; width: auto; min-width: 8em; }
-.param-panel .widget-slider .noUi-handle { background: var(--jp-brand-color1, #1976d2);
-  border-color: var(--jp-brand-color1, #1976d2); }
-.param-panel .widget-slider [disabled] .noUi-handle { background: var(--jp-layout-color3, #bdbdbd);
-  border-color: var(--jp-layout-color3, #bdbdbd); }
-.param-panel .param-note { padding-left: 222px; font-size: var(--jp-ui-font-size1, 13px); }
-.param-panel .param-help { color: var(--jp-ui-font-color1, #616161); opacity: .85; white-space: pre-line; }
-.param-panel .param-facts { white-space: nowrap; }
-.param-panel .param-message { display: inline-block; margin: 2px 0 4px; padding: 2px 8px;
-  border-left: 4px solid var(--jp-error-color1, #d32f2f); background: var(--jp-layout-color2, #eee);
-  color: var(--jp-ui-font-color1, #212121); white-space: pre-line; overflow-wrap: anywhere; }
-.param-panel .param-waiting { border-left-color: var(--jp-border-color1, #9e9e9e); }
-.param-panel .param-quiet .widget-label, .param-panel .param-quiet .widget-checkbox span { font-size: 12px;
-  padding-right: 2px; }
-.param-panel .param-quiet .param-note { font-size: 12px; }
-.param-panel input:disabled, .param-panel textarea:disabled { opacity: .75; border-style: dashed; }
-@container (max-width: 620px) {
-  .param-panel .widget-label, .param-panel .widget-checkbox span { flex: 0 1 auto; width: auto; max-width: 100%; }
-  .param-panel .widget-text .widget-label, .param-panel .widget-textarea .widget-label { flex-basis: 100%; }
-  .param-panel .widget-text, .param-panel .widget-textarea, .param-panel .param-long .widget-text,
-  .param-panel .param-long .widget-textarea { flex: 1 1 100%; flex-wrap: wrap; }
-  .param-panel .widget-slider { flex-basis: 100%; margin: 0; }
-  .param-panel .param-note { padding-left: 0; }
-}
-</style>"""
+_STYLE = style('widgets/panel.css')
 
 
 class Control:

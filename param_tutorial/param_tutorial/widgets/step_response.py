@@ -1,86 +1,42 @@
-"""Step responses as pictures: of some that are at hand, and live, of a controller whose gains are being changed.
+"""The step response of a controller, drawn again whenever somebody changes its gains.
 
 The view asks the node for nothing but its parameters and simulates the wheel itself. So it works as well on a
 controller in another process, and what it shows is what the node has confirmed.
 """
 
 import html
-import math
 import re
-from collections.abc import Mapping
 from typing import Any
 
 import ipywidgets as widgets
 from rclpy.node import Node
 
-from param_tutorial.nodes.pid_controller_node import StepResponse, response_of
+from param_tutorial.nodes.pid_controller_node import response_of
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.live import LiveParameters
-from param_tutorial.pictures.plots import LinePlot
+from param_tutorial.pictures.plots import plot_responses
+from param_tutorial.pictures.styles import style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.recordable import html_of
 from param_tutorial.widgets.view import View
 
-# More points than this would fall upon one another.
-_MAX_POINTS = 200
-# The axis has room for this overshoot, so that it does not change with every move of a hand.
-_ROOM = 1.5
-
-_STYLE = """<style>
-.step-view { box-sizing: border-box; max-width: 56em; margin: 4px 0; padding: 0; overflow: hidden;
-  border: 1px solid var(--jp-border-color2, #bdbdbd); border-radius: 6px;
-  background: var(--jp-layout-color1, #fff); color: var(--jp-ui-font-color1, #212121); }
-.step-view .widget-html, .step-view .widget-html-content { line-height: 1.4; height: auto; margin: 0; min-height: 0;
-  width: auto; overflow: visible; color: inherit; }
-.step-view .step-head { display: flex; flex-wrap: wrap; align-items: baseline; gap: 2px 18px; padding: 6px 14px;
-  border-bottom: 1px solid var(--jp-border-color2, #bdbdbd); background: var(--jp-layout-color2, #eee);
-  font-variant-numeric: tabular-nums; }
-.step-view .step-node { font-family: var(--jp-code-font-family, monospace); font-weight: 600; }
-.step-view svg { display: block; margin: 8px auto 0; }
-.step-view .step-figures { display: flex; flex-wrap: wrap; gap: 2px 22px; padding: 6px 14px 8px;
-  font-variant-numeric: tabular-nums; }
-</style>"""
-
-
-def plot_responses(responses: Mapping[str, StepResponse]) -> LinePlot:
-    """Draw step responses over one another, with the reference of the first.
-
-    :param responses: One to three, by name.
-    :raises ValueError: there is none, or there are more.
-    :raises TypeError: they are no step responses.
-    """
-    if not isinstance(responses, Mapping) or not all(isinstance(each, StepResponse) for each in responses.values()):
-        raise TypeError(f'plot_responses takes a dictionary of step responses, such as '
-                        f'{{"p = 0.4": node.response()}}; got {responses!r}')
-    if not 1 <= len(responses) <= 3:
-        raise ValueError(f'plot_responses takes one to three responses; got {len(responses)}')
-    first = next(iter(responses.values()))
-    reference = [(0.0, first.reference), (first.points[-1][0], first.reference)]
-    words = [f'reference: {first.reference:g} rad/s',
-             *(f'{name}: {response.figures}' for name, response in responses.items())]
-    return LinePlot({'reference': reference, **{name: _thinned(each.points) for name, each in responses.items()}},
-                    x='time in s', y='speed in rad/s', y_reaches=_ROOM * first.reference, text='. '.join(words))
-
-
-def _thinned(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    every = math.ceil(len(points) / _MAX_POINTS)
-    return [*points[:-1:every], points[-1]]
+_STYLE = style('widgets/step_response.css')
 
 
 class StepResponseView(View):
-    """The step response of a PidControllerNode, drawn anew whenever its parameters change, until it is closed.
+    """The step response of a PidControllerNode, drawn again whenever its parameters change, until it is closed.
 
     Show it as the last line of a cell.
     """
 
     def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
+                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC) -> None:
         """
         :param node: The node or its name; it may run in another process, and it may be absent now.
         :param joint: Which of its joints; by default the first.
-        :param executor: Carries the requests; by default whichever runs in the background.
+        :param executor: Carries the requests; by default the one that runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         """
         self._node = node.node if isinstance(node, ParameterClient) else full_name(node)

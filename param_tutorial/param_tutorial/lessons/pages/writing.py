@@ -8,7 +8,7 @@ from typing import Any
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace
 
-from param_tutorial.widgets import robot
+from param_tutorial.pictures.styles import sheet
 
 SITE = Path(__file__).parents[1] / 'site'
 _COLOR = re.compile(r'\x1b\[[0-9;]*m')
@@ -21,8 +21,7 @@ class BuildError(Exception):
 def write_static(source: Path) -> None:
     """Write, beside Sphinx's sources, the styles that the notebook's own views bring along."""
     (source / 'static').mkdir(exist_ok=True)
-    (source / 'static' / 'robot.css').write_text(
-        robot.STYLE.replace('<style>', '').replace('</style>', '').strip() + '\n', encoding='utf-8')
+    (source / 'static' / 'robot.css').write_text(sheet('pictures/robot.css'), encoding='utf-8')
 
 
 def write_pages(source: Path, target: Path, doctrees: Path, *, processes: int = 1,

@@ -7,7 +7,7 @@ from rclpy.node import Node
 
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.node_log import LogLine
-from param_tutorial.widgets.events import told_by
+from param_tutorial.widgets.events import changes_in
 
 _MARK = 'param_tutorial: end of an answer'
 _TIMEOUT_SEC = 5.0
@@ -69,7 +69,7 @@ class EventTap:
                 raise RuntimeError(f'{self._node} published {len(self._events)} changes and not {count}')
             events, self._events = self._events, []
         return [[change.kind, change.name, '' if change.kind == 'deleted' else repr(change.value)]
-                for event in events for change in told_by(event)]
+                for event in events for change in changes_in(event)]
 
 
 def node_here(name: str) -> Node | None:

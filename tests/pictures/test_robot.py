@@ -1,0 +1,136 @@
+"""The robot's scene: how it moves, what it says in words, and that names in it stay text. No node is needed."""
+
+import math
+import re
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from param_tutorial.nodes.clawbot_node import Motion, Settings, State, plan
+from param_tutorial.pictures import robot as scene
+
+FAST, SLOW = Settings(1.0, 0.5), Settings(0.2, 0.5)
+
+
+def robot(motion, settings=FAST, **others):
+    facts = {'name': 'Clawbot', 'serial_number': 'SN-1', 'length_m': 0.6, 'wheel_radius_m': 0.1, **others}
+    return scene.Robot(settings=settings, motion=motion, **facts)
+
+
+def drawn(picture):
+    """Parse a picture, without the keyframes before it."""
+    return ElementTree.fromstring(picture.rpartition('</style>')[2])
+
+
+def texts(picture):
+    return [text for text in drawn(picture).itertext() if text.strip()]
+
+
+def bezier(curve, time):
+    """Return the progress of a CSS cubic-bezier whose x is time itself, as ours are."""
+    x1, y1, x2, y2 = map(float, re.fullmatch(r'cubic-bezier\((.*)\)', curve)[1].split(','))
+    assert (x1, x2) == pytest.approx((1 / 3, 2 / 3), abs=1e-5)
+    return 3 * y1 * time * (1 - time) ** 2 + 3 * y2 * time ** 2 * (1 - time) + time ** 3
+
+
+@given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 2.0), st.booleans(), st.floats(0.0, 1.0))
+def test_the_browser_moves_it_along_the_closed_form(acceleration, speed_rpm, velocity, safety_on, fraction):
+    motion = plan(0.5, velocity, Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, safety_on))
+    for phase in motion.phases:
+        way_m = phase.at(phase.duration_sec).position_m - phase.position_m
+        exact = phase.at(fraction * phase.duration_sec).position_m - phase.position_m
+        assert bezier(scene._timing_function(phase), fraction) * way_m == pytest.approx(exact, abs=2e-5)
+
+
+def test_an_animation_is_one_step_for_each_phase_and_the_end():
+    motion = plan(0.0, 0.0, FAST)
+    picture = scene.moving(robot(motion), 0.0, 'one')
+    for kind in ('robot', 'wheel'):
+        steps = re.search(rf'@keyframes one-{kind} \{{(.*?)\}}\}}', picture)[1]
+        assert steps.count('cubic-bezier') == len(motion.phases) == 3
+    assert [float(turn) for turn in re.findall(r'rotate\(([\d.]+)rad\)', re.search(
+        r'@keyframes one-wheel .*?\}\}', picture)[0])] == pytest.approx(
+            [*(phase.position_m / 0.1 for phase in motion.phases), 38.0], abs=1e-3)
+
+
+def test_it_goes_on_from_where_the_robot_is():
+    motion = plan(0.0, 0.0, FAST)
+    picture = scene.moving(robot(motion), 2.0, 'one')
+    assert picture.count(f'{motion.duration_sec:.4f}s linear -2.0000s both') == 4  # robot, two wheels, numbers
+    # Where nothing may move, it stands where it is at this moment.
+    assert drawn(picture).find('.//div[@class="robot-mover"]').get('style').startswith(
+        f'transform:translateX({100 * 1.0 / 5.15:.4f}%);')
+
+
+def test_the_numbers_are_those_of_the_motion_from_begin_to_end():
+    numbers = drawn(scene.moving(robot(plan(0.0, 0.0, FAST)), 0.0, 'one')).find('.//*[@class="robot-strip"]').text
+    lines = numbers.splitlines()
+    assert lines[0] == 'speed 0.00 m/s, 4.00 m to the wall'
+    assert lines[-1] == 'speed 0.00 m/s, 0.20 m to the wall'
+    assert 'speed 1.00 m/s, 3.00 m to the wall' in lines
+
+
+def test_what_stands_still_is_not_animated():
+    assert 'animation' not in scene.still(robot(Motion((), State('READY', 0.0))).at(0.0))
+    assert 'animation' not in scene.moving(robot(Motion((), State('WAITING', 0.0))), 0.0, 'one')
+
+
+@pytest.mark.parametrize(('state', 'settings', 'sentence'), [
+    (State('READY', 0.0), FAST, 'Clawbot stands at the start.'),
+    (State('SPEEDING UP', 1.0, 0.5, 0.5), FAST, 'Clawbot is speeding up with 0.50 m/s², up to 1.00 m/s.'),
+    (State('CRUISING', 1.0, 1.0), FAST, 'Clawbot is driving at a steady speed.'),
+    (State('SLOWING DOWN', 1.0, 1.0), SLOW, 'Clawbot is slowing down to 0.20 m/s.'),
+    (State('BRAKING', 3.0, 1.0), FAST, 'Clawbot is braking, to stop 0.20 m from the wall.'),
+    (State('EMERGENCY BRAKING', 3.5, 1.0), FAST, 'Clawbot is braking as hard as it can, to stop 0.20 m from the wall.'),
+    (State('WAITING', 0.0), FAST, 'Clawbot is waiting: it is cold.'),
+    (State('STOPPED', 3.8), FAST, 'Clawbot has stopped 0.20 m from the wall.'),
+    (State('CRASHED', 4.0, crash_speed_mps=1.05), FAST, 'Clawbot has run into the wall at 1.05 m/s.'),
+])
+def test_each_state_has_its_sentence(state, settings, sentence):
+    facts = robot(Motion((), State('STOPPED', 3.8)), settings, waiting_for='it is cold')
+    moment = scene.Moment(facts, state)
+    assert moment.sentence == sentence
+    assert moment.text.startswith(f'{state.word}. {sentence} Speed ')
+    assert drawn(scene.still(moment)).find('.//*[@role="img"]').get('aria-label') == moment.text
+
+
+def test_braking_too_late_is_said():
+    facts = robot(Motion((), State('CRASHED', 4.0, crash_speed_mps=0.5)))
+    assert scene.Moment(facts, State('BRAKING', 3.9, 1.0)).sentence == 'Clawbot is braking, too late.'
+
+
+def test_a_state_without_words_is_a_mistake():
+    with pytest.raises(AssertionError, match='no words for FLYING'):
+        _ = robot(Motion((), State('FLYING', 0.0))).at(0.0).sentence
+
+
+def test_a_crash_has_a_burst_and_safety_a_line_at_which_to_stop():
+    safe = scene.still(robot(Motion((), State('STOPPED', 3.8))).at(0.0))
+    crashed = scene.still(robot(Motion((), State('CRASHED', 4.0)), Settings(1.0, 0.5, safety_on=False)).at(0.0))
+    assert ('robot-burst' in safe, 'robot-burst' in crashed) == (False, True)
+    assert ('stop' in texts(safe), 'stop' in texts(crashed)) == (True, False)
+    assert ('safety on' in texts(safe), 'safety off' in texts(crashed)) == (True, True)
+
+
+def test_a_long_track_has_its_ruler_and_the_robot_its_place():
+    long = scene.still(robot(Motion((), State('READY', 0.0)), Settings(1.0, 0.5, track_m=12.0)).at(0.0))
+    assert [text for text in texts(long) if re.fullmatch(r'\d+ m', text)] == [f'{m} m' for m in range(0, 13, 2)]
+
+
+def test_a_film_tells_each_phase_when_it_begins():
+    motion = plan(0.0, 0.0, FAST)
+    facts = robot(motion)
+    film = scene.film(facts, 'one')
+    times, states, full_texts, sentences = zip(*film.scenes)
+    assert states == ('SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED')
+    assert times == pytest.approx((0.0, 2.0, 3.8, 5.8))
+    assert film.picture == scene.moving(facts, 0.0, 'one')
+    assert film.end == scene.still(facts.at(math.inf))
+    assert all(sentence in text for sentence, text in zip(sentences, full_texts))
+
+
+def test_names_are_text():
+    picture = scene.still(robot(Motion((), State('READY', 0.0)), name='<b>"', serial_number='<i>').at(0.0))
+    assert '<b>" (<i>)' in texts(picture)

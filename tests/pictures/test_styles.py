@@ -1,0 +1,46 @@
+"""The style sheets: each belongs to a module, and none has to be looked for."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+from param_tutorial.pictures.styles import sheet, style
+from tests.support.paths import PACKAGE
+
+SITE = PACKAGE / 'lessons' / 'site'
+SHEETS = {str(path.relative_to(PACKAGE)) for path in PACKAGE.rglob('*.css') if SITE not in path.parents}
+MODULES = {path: path.read_text() for path in PACKAGE.rglob('*.py')}
+
+
+def test_a_style_is_an_element_with_the_text_of_its_sheet():
+    text = (PACKAGE / 'widgets' / 'panel.css').read_text()
+    assert sheet('widgets/panel.css') == text
+    assert style('widgets/panel.css') == f'<style>\n{text}</style>'
+
+
+def test_a_sheet_that_is_not_there_is_named():
+    with pytest.raises(FileNotFoundError, match=r'nothing\.css'):
+        style('widgets/nothing.css')
+
+
+def test_each_sheet_is_used_by_a_module_beside_it():
+    used = {path: re.findall(r"\bstyle\('(.*?)'\)", text) for path, text in MODULES.items()}
+    beside = {name for path, names in used.items() for name in names if PACKAGE / name in path.parent.iterdir()}
+    assert len(SHEETS) >= 10
+    assert beside == SHEETS == {name for names in used.values() for name in names}
+
+
+def test_no_module_holds_a_style_sheet_of_its_own():
+    """What a module may write is the keyframes of one picture."""
+    assert [path.name for path, text in MODULES.items() if re.search(r'<style>\s*[.#@\w][^{<\']*\{', text)] == []
+
+
+@pytest.mark.parametrize('module', sorted(path.stem for path in (PACKAGE / 'pictures').glob('[a-z]*.py')))
+def test_pictures_can_be_imported_without_ros_and_widgets(module):
+    """Also through what they import in turn."""
+    code = (f'import sys, param_tutorial.pictures.{module}\n'
+            'print(sorted({"rclpy", "rcl_interfaces", "ipywidgets", "IPython"} & sys.modules.keys()))')
+    done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, check=True)
+    assert done.stdout == '[]\n'
