@@ -1,7 +1,11 @@
 """What all tests need: a clean start, the fixture `ros`, a time limit, and the longest files first."""
 
+import atexit
 import collections
+import os
+import shutil
 import signal
+import tempfile
 from collections.abc import Iterator
 
 import hypothesis
@@ -17,6 +21,11 @@ pytest_plugins = ['tests.support.time_limit']
 # Ctrl+C, so they take back what a process has in the foreground.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 signal.pthread_sigmask(signal.SIG_SETMASK, [])
+
+# A node cannot start where it cannot write its log, as in a home folder that is full. Workers share their parent's.
+if 'PYTEST_XDIST_WORKER' not in os.environ:
+    os.environ['ROS_LOG_DIR'] = tempfile.mkdtemp(prefix='ros_log_')
+    atexit.register(shutil.rmtree, os.environ['ROS_LOG_DIR'], ignore_errors=True)
 
 # By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside.
 hypothesis.settings.register_profile('no deadline', deadline=None)

@@ -15,7 +15,7 @@ from tests.support import lab as lab_module
 from tests.support import lesson
 from tests.support.lab import ROOT, TIMEOUT_SEC, Lab, LabPage
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
 # What JupyterLab itself complains of in a browser without a way to the world; nothing of ours.
 KNOWN_ERRORS = (

@@ -335,10 +335,12 @@ def test_a_process_without_a_domain_is_where_everybody_is():
     assert done.stdout.splitlines()[-1] == '0'
 
 
-def test_a_reader_that_goes_away_causes_no_traceback(ros):
+@pytest.mark.parametrize('unbuffered', ['', '1'])
+def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
     ros.add(SimpleParamNode)
     done = subprocess.run(['bash', '-c', f'"{sys.executable}" -m param_tutorial param dump /simple_param_node | true'],
-                          capture_output=True, text=True, timeout=60)
+                          capture_output=True, text=True, timeout=60,
+                          env={**os.environ, 'PYTHONUNBUFFERED': unbuffered})
     assert 'Traceback' not in done.stderr
     assert 'Exception' not in done.stderr
 

@@ -50,7 +50,7 @@ class Lab:
         self.token = os.urandom(16).hex()
         # Each test's kernels choose a domain of their own, as a learner's do.
         inherited = {name: value for name, value in os.environ.items()
-                     if not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST'))}
+                     if name == 'ROS_LOG_DIR' or not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST'))}
         self._environment = {
             **inherited,
             'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
