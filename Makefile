@@ -21,10 +21,7 @@ setup:  ## create or repair .venv from the lock file
 lab: setup  ## start JupyterLab on the course, after the set-up if needed
 	@$(VENV) environment/lab.py $(ARGS)
 
-# The learner's IPython start-up files would run in each notebook under test.
-test: export IPYTHONDIR := $(CURDIR)/.venv/jupyter/ipython
 test: setup lint  ## run the whole test suite, as CI does
-	@mkdir -p "$$IPYTHONDIR"
 	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.

@@ -22,10 +22,12 @@ pytest_plugins = ['tests.support.time_limit']
 signal.signal(signal.SIGINT, signal.default_int_handler)
 signal.pthread_sigmask(signal.SIG_SETMASK, [])
 
-# A node cannot start where it cannot write its log, as in a home folder that is full. Workers share their parent's.
+# No IPython start-up file of the user's runs in a kernel under test, and nothing needs the home folder, which may be
+# full: a kernel starts only where it can write, and so does a node. Workers share the folders of their parent.
 if 'PYTEST_XDIST_WORKER' not in os.environ:
-    os.environ['ROS_LOG_DIR'] = tempfile.mkdtemp(prefix='ros_log_')
-    atexit.register(shutil.rmtree, os.environ['ROS_LOG_DIR'], ignore_errors=True)
+    _folder = tempfile.mkdtemp(prefix='param_tutorial_tests_')
+    atexit.register(shutil.rmtree, _folder, ignore_errors=True)
+    os.environ |= {name: f'{_folder}/{name}' for name in ('IPYTHONDIR', 'JUPYTER_RUNTIME_DIR', 'ROS_LOG_DIR')}
 
 # By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside.
 hypothesis.settings.register_profile('no deadline', deadline=None)
