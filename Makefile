@@ -12,7 +12,7 @@ VENV := .venv/bin/python
 LOCK := environment/requirements.lock
 
 help:  ## list these targets
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
 setup:  ## create or repair .venv from the lock file
 	@command -v python3 >/dev/null || { echo "There is no python3 here: install CPython 3.10 to 3.14 first." >&2; exit 1; }
@@ -21,11 +21,12 @@ setup:  ## create or repair .venv from the lock file
 lab: setup  ## start JupyterLab on the course, after the set-up if needed
 	@$(VENV) environment/lab.py $(ARGS)
 
-# The learner's IPython start-up files would run in each notebook under test.
-test: export IPYTHONDIR := $(CURDIR)/.venv/jupyter/ipython
 test: setup lint  ## run the whole test suite, as CI does
-	@mkdir -p "$$IPYTHONDIR"
 	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
+
+# All but the tests marked `slow`, the notebooks, and the lint.
+test-fast: setup  ## run the tests that take seconds in all, while you edit
+	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
 
 html: setup  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.lessons $(ARGS)
@@ -51,4 +52,4 @@ clean:  ## remove everything that these targets made
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis environment/.setup.lock
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup lab test html lesson bench lint lock clean
+.PHONY: help setup lab test test-fast html lesson bench lint lock clean

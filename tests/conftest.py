@@ -1,31 +1,45 @@
-"""Fixtures that more than one test file uses, and which files begin first."""
+"""What all tests need: a clean start, the fixture `ros`, a time limit, and the longest files first."""
 
-from pathlib import Path
+import atexit
+import collections
+import os
+import shutil
+import signal
+import tempfile
+from collections.abc import Iterator
 
 import hypothesis
 import pytest
 
 import param_tutorial
 from param_tutorial.notebook import terminal
+from param_tutorial.runtime.executor import BackgroundExecutor
+
+pytest_plugins = ['tests.support.time_limit']
+
+# A shell starts a job in the background with Ctrl+C ignored, and every process in it inherits that. The tests press
+# Ctrl+C, so they take back what a process has in the foreground.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+signal.pthread_sigmask(signal.SIG_SETMASK, [])
+
+# No IPython start-up file of the user's runs in a kernel under test, and nothing needs the home folder, which may be
+# full: a kernel starts only where it can write, and so does a node. Workers share the folders of their parent.
+if 'PYTEST_XDIST_WORKER' not in os.environ:
+    _folder = tempfile.mkdtemp(prefix='param_tutorial_tests_')
+    atexit.register(shutil.rmtree, _folder, ignore_errors=True)
+    os.environ |= {name: f'{_folder}/{name}' for name in ('IPYTHONDIR', 'JUPYTER_RUNTIME_DIR', 'ROS_LOG_DIR')}
 
 # By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside.
 hypothesis.settings.register_profile('no deadline', deadline=None)
 hypothesis.settings.load_profile('no deadline')
 
-# The files that take longest, from 80 s down to 10 s on two idle cores. A file stays on one worker, so a long one that
-# begins late is waited for by all: these begin first.
-LONG_FILES = (
-    'tests/exercises/test_exercises.py', 'tests/browser/test_lab.py', 'notebooks/07_2_launch_files.ipynb',
-    'tests/browser/test_robot_moves.py', 'notebooks/02_workspace.ipynb', 'tests/environment/test_colcon.py',
-    'tests/widgets/test_panel.py', 'tests/runtime/test_executor.py', 'tests/runtime/test_kernel.py',
-    'tests/nodes/test_nodes.py', 'tests/ros2/test_ros2.py', 'notebooks/01_what_are_parameters.ipynb',
-    'notebooks/05_3_from_another_node.ipynb', 'tests/ros2/test_launch.py', 'tests/parameters/test_client.py',
-    'tests/ros1/test_ros1.py')
+_DURATIONS = 'param_tutorial/seconds_of_files'
+_seconds: collections.Counter[str] = collections.Counter()
 
 
 @pytest.fixture
-def ros():
-    """Give a BackgroundExecutor with an empty stage; it is cleared again afterwards, and all terminals are ended."""
+def ros() -> Iterator[BackgroundExecutor]:
+    """Yield a BackgroundExecutor with an empty stage; clear it and end all terminals afterwards."""
     executor = param_tutorial.start()
     yield executor
     terminal.end_all()
@@ -33,11 +47,29 @@ def ros():
 
 
 @pytest.hookimpl(trylast=True)
-def pytest_collection_modifyitems(config, items):
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Let the longest files begin first; the others, and the tests in each, stay in pytest-randomly's order.
 
-    In effect with --no-loadscope-reorder: otherwise pytest-xdist begins with the files that have most tests.
+    A file stays on one worker, so a long one that begins late is waited for by all. How long each took is known from
+    earlier runs; before the first one, a slow test or a cell counts for a second. In effect with
+    --no-loadscope-reorder: otherwise pytest-xdist begins with the files that have most tests.
     """
-    places = {config.rootpath / name: place for place, name in enumerate(LONG_FILES)}
-    assert all(path.exists() for path in places), 'a file in LONG_FILES is gone: take it out'
-    items.sort(key=lambda item: places.get(Path(item.path), len(places)))
+    slow = (item for item in items if item.get_closest_marker('slow') or item.path.suffix == '.ipynb')
+    seconds = dict(collections.Counter(map(_file, slow))) | config.cache.get(_DURATIONS, {})
+    items.sort(key=lambda item: -seconds.get(_file(item), 0.0))
+
+
+def _file(test: pytest.Item | pytest.TestReport) -> str:
+    return test.nodeid.partition('::')[0]
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    """Add up how long each file takes."""
+    _seconds[_file(report)] += report.duration
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Remember it for the next run, at its longest, since a run may be of some tests only."""
+    if not hasattr(session.config, 'workerinput'):  # pytest-xdist's workers leave it to the process that started them
+        known = collections.Counter(session.config.cache.get(_DURATIONS, {}))
+        session.config.cache.set(_DURATIONS, known | _seconds)

@@ -15,7 +15,9 @@ def main() -> int:
         from param_tutorial.ros2 import command
         from param_tutorial.runtime import stage
 
-        return command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=stage.start)
+        status = command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=stage.start)
+        sys.stdout.flush()  # at the interpreter's end a broken pipe could only be complained of
+        return status
     except KeyboardInterrupt:
         return signal.SIGINT
     except BrokenPipeError:  # e.g. `| head -1`

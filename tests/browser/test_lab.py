@@ -15,6 +15,8 @@ from tests.support import lab as lab_module
 from tests.support import lesson
 from tests.support.lab import ROOT, TIMEOUT_SEC, Lab, LabPage
 
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+
 # What JupyterLab itself complains of in a browser without a way to the world; nothing of ours.
 KNOWN_ERRORS = (
     # The page asks for its own favicon in a busy variant that this server does not have.

@@ -22,11 +22,13 @@ from param_tutorial.lessons.build import Site
 from param_tutorial.lessons.pages import writing
 from param_tutorial.lessons.recording import run
 from tests.support import lesson
-from tests.support.lab import _CHROMIUM_FLAGS, CHROMIUM, ROOT
+from tests.support.lab import CHROMIUM, CHROMIUM_FLAGS, ROOT
 from tests.tools.site_rules import check_page, open_page
 
 # Sphinx and its extensions tell each other, in each release, what the next one will bring.
-pytestmark = [pytest.mark.filterwarnings(f'ignore::{kind}Warning') for kind in ('Deprecation', 'PendingDeprecation')]
+pytestmark = [
+    pytest.mark.slow, pytest.mark.timeout(600),  # the site is made in the first one's time
+    *(pytest.mark.filterwarnings(f'ignore::{kind}Warning') for kind in ('Deprecation', 'PendingDeprecation'))]
 
 # What a chapter with all that the pages know looks like. Its node has a rule over two parameters, a limit that a
 # callback applies, and a log.
@@ -128,7 +130,7 @@ def made(tmp_path_factory):
 def browser():
     """Give Chromium, which can reach this machine and nothing else."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(_CHROMIUM_FLAGS))
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(CHROMIUM_FLAGS))
         yield browser
         browser.close()
 

@@ -68,6 +68,7 @@ def test_a_name_alone_is_deprecated_and_the_parameter_takes_any_type(ros, robot,
 
 
 # A026, A111
+@pytest.mark.slow
 @pytest.mark.parametrize('caught', ['KeyboardInterrupt', 'KeyboardInterrupt, ExternalShutdownException'])
 def test_after_ctrl_c_a_second_shutdown_is_an_error(tmp_path, caught):
     program = tmp_path / 'program.py'
@@ -288,6 +289,7 @@ def test_the_nodes_own_setters_answer_one_by_one(ros, robot):
 
 
 # A143
+@pytest.mark.slow
 def test_a_node_that_crashes_takes_no_other_ones_parameters_along(ros, client, tmp_path):
     program = tmp_path / 'program.py'
     program.write_text(textwrap.dedent('''

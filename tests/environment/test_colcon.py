@@ -9,6 +9,8 @@ import pytest
 from param_tutorial import ParameterClient, Shell, Terminal
 from tests.support.paths import PACKAGE, ROOT
 
+pytestmark = pytest.mark.slow
+
 NAME = 'param_tutorial'
 IGNORED = shutil.ignore_patterns('__pycache__', '*.egg-info', 'build', 'install', 'log')
 

@@ -95,6 +95,7 @@ def test_a_solution_is_done(ros, number):
     assert not ros.nodes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(('number', 'replacements', 'met', 'word'), [
     pytest.param(number, *wrong, id=f'{number}-{position}') for number, all_wrong in WRONG.items()
     for position, wrong in enumerate(all_wrong)])
@@ -206,6 +207,7 @@ def test_an_exception_in_a_callback_is_told(ros):
     assert not ros.nodes
 
 
+@pytest.mark.slow
 def test_a_callback_that_never_returns_is_interrupted(ros, monkeypatch):
     monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
     result = exercises.check('5.2a', NeverReturns)
@@ -242,6 +244,7 @@ def waits(parameters, results):
             continue
 
 
+@pytest.mark.slow
 def test_what_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
     monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
     result = exercises.check('3a', WaitsInConstructor)
@@ -262,6 +265,7 @@ class Loops(Node):
             pass
 
 
+@pytest.mark.slow
 def test_a_button_that_never_comes_up_is_told(ros):
     result = exercises.check('5.3a', Loops)
     assert 'kept the executor busy' in repr(result)
@@ -282,6 +286,7 @@ def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):
     assert 'not yet' in result.heading
 
 
+@pytest.mark.slow
 def test_the_stage_is_afterwards_as_before(ros):
     own = ros.add(solution('3a'))
     client = ParameterClient(own)

@@ -25,12 +25,14 @@ def write(path, *cells):
     return path
 
 
+@pytest.mark.slow
 def test_a_chapter_that_does_what_is_stored(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('print(1)', '1\n'), ('# NBVAL_IGNORE_OUTPUT\nprint(id(print))', '2\n'))
     assert list(run.cells_with_widgets(run.read_notebook(path))) == []
     assert run.run_chapter(path) == []
 
 
+@pytest.mark.slow
 def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('x = 1', ''), ('print(x)\nprint(2)', '7\n2\n'))
     with pytest.raises(run.ChapterError) as error:
@@ -40,6 +42,7 @@ def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
     assert '    -7\n    +1\n     2' in str(error.value)
 
 
+@pytest.mark.slow
 def test_a_chapter_that_fails(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('1 / 0', ''))
     with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(1 / 0\): it ends in ZeroDivisionError: division'):
@@ -153,6 +156,7 @@ def test_a_node_that_takes_nothing_back_is_not_asked_further(ros):
     assert 'did not take one value back' in drawing.Drawer('page').draw(recording)
 
 
+@pytest.mark.slow
 def test_a_panel_whose_node_is_not_there(ros):
     panel = ParameterPanel('/nobody')
     recording = recorder.record(panel.model_id, NO_PAGE)

@@ -31,6 +31,7 @@ def test_a_node_can_be_copied_out(path):
     assert imported - set(sys.stdlib_module_names) <= {'rclpy', 'rcl_interfaces'}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
 def test_a_copied_node_runs_and_ends_on_ctrl_c_without_a_traceback(ros, path, tmp_path):
     copy = tmp_path / 'copied.py'

@@ -159,6 +159,7 @@ def test_a_folder_that_is_there_is_left_alone(here):
     assert (here / 'x' / 'setup.py').read_text() == 'mine'
 
 
+@pytest.mark.slow
 def test_a_first_executable_is_built_and_greets(shell):
     shell.run('mkdir -p ws/src; cd ws/src; ros2 pkg create hello --build-type ament_python --node-name greeter; cd ..')
     assert 'Finished <<< hello' in shell.run('colcon build')

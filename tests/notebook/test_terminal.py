@@ -8,6 +8,8 @@ import pytest
 from param_tutorial import ParameterClient, Terminal
 from param_tutorial.errors import WaitTimeoutError
 
+pytestmark = pytest.mark.slow
+
 
 def test_a_node_runs_is_reached_and_ends_in_good_order(ros):
     terminal = Terminal('ros2 run param_tutorial simple_param_node --ros-args -p max_speed_rpm:=7')

@@ -237,6 +237,7 @@ def test_any_value_arrives_and_comes_back_unchanged(ros, value):
     assert values.same(client.get_parameter('any'), value)
 
 
+@pytest.mark.slow
 def test_no_such_node(ros):
     ros.add(SimpleParamNode)
     client = ParameterClient('simple_parm_node')
@@ -249,6 +250,7 @@ def test_no_such_node(ros):
         client.list_parameters()
 
 
+@pytest.mark.slow
 def test_a_node_without_parameter_services(ros):
     class Silent(Node):
         def __init__(self):
@@ -332,6 +334,7 @@ def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatc
     assert node.sets == 1
 
 
+@pytest.mark.slow
 def test_a_node_that_does_not_answer(ros, remote_node):
     ParameterClient('/remote', timeout_sec=30).list_parameters()
     client = ParameterClient('/remote', timeout_sec=0.3)
@@ -346,6 +349,7 @@ def test_a_node_that_does_not_answer(ros, remote_node):
     assert ros.services._pending == {}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('waiting', [True, False])
 def test_a_node_that_leaves_in_mid_call(ros, waiting):
     child = process("""

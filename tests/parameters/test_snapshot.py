@@ -66,6 +66,7 @@ def test_without_names_it_is_every_node_but_the_hidden_ones(ros):
     assert not any('/_' in node for node in [*snapshot, *snapshot.unanswered])
 
 
+@pytest.mark.slow
 def test_who_does_not_answer_is_named_and_keeps_nobody(ros, dozing):
     arm = ros.add(Arm)
     snapshot = all_parameters([arm, dozing, ros.add(Mute), '/gone'], timeout_sec=1.0)

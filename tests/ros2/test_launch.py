@@ -252,6 +252,7 @@ def test_mistakes_have_a_sentence(launch_file):
         '[ERROR] [launch]: Caught exception in launch (see debug for traceback): No executable found\n', 1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(('words', 'expected'), [
     (['simple_param_launch.py'], {'robot_name': 'AlphaClaw', 'max_speed_rpm': 180, 'enable_safety_mode': False}),
     (['override_param_launch.py'], {'robot_name': 'AlphaClaw', 'max_speed_rpm': 200, 'enable_safety_mode': True}),
@@ -270,6 +271,7 @@ def test_the_courses_launch_files_start_the_robot(ros, words, expected):
                           '[INFO] [simple_param_node-1]: process has finished cleanly']
 
 
+@pytest.mark.slow
 def test_several_nodes_are_ended_together_also_by_sigterm(ros, launch_file):
     path = launch_file("""
         Node(package='param_tutorial', executable='simple_param_node', name='a', output='screen'),

@@ -196,6 +196,7 @@ def test_a_node_without_parameter_services_is_passed_over_and_named_when_asked(r
     assert 'start_parameter_services=False' in stderr
 
 
+@pytest.mark.slow
 def test_a_busy_node_is_given_up_after_a_while(ros, monkeypatch, start_process):
     monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
     stopped = start_process(*program_of('sleeper'), stdout=subprocess.PIPE)
@@ -220,6 +221,7 @@ def test_a_callback_that_raises_is_told(ros):
     assert run('param', 'get', '/simple_param_node', 'max_speed_rpm') == ('Integer value is: 100\n', '', 0)
 
 
+@pytest.mark.slow
 def test_two_nodes_of_one_name_are_warned_of(ros, start_process):
     ros.add(SimpleParamNode)
     start_process(*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node',
@@ -261,6 +263,7 @@ def test_a_port_that_never_answers_is_not_waited_for_for_ever(ros, monkeypatch):
 # -- run ------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('program', node_programs())
 def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
     process = start_process(*EMBEDDED, 'run', 'param_tutorial', program, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -272,6 +275,7 @@ def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
     assert 'Traceback' not in stderr
 
 
+@pytest.mark.slow
 def test_run_hands_arguments_on(ros, start_process):
     process = start_process(
         *EMBEDDED, 'run', 'param_tutorial', 'simple_param_node',
@@ -331,10 +335,12 @@ def test_a_process_without_a_domain_is_where_everybody_is():
     assert done.stdout.splitlines()[-1] == '0'
 
 
-def test_a_reader_that_goes_away_causes_no_traceback(ros):
+@pytest.mark.parametrize('unbuffered', ['', '1'])
+def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
     ros.add(SimpleParamNode)
     done = subprocess.run(['bash', '-c', f'"{sys.executable}" -m param_tutorial param dump /simple_param_node | true'],
-                          capture_output=True, text=True, timeout=60)
+                          capture_output=True, text=True, timeout=60,
+                          env={**os.environ, 'PYTHONUNBUFFERED': unbuffered})
     assert 'Traceback' not in done.stderr
     assert 'Exception' not in done.stderr
 

@@ -1,13 +1,16 @@
 """The embedded ros2 against recordings of the genuine one, in this process and as processes of their own.
 
-data/ros2_transcripts/README.md says how the recordings were made and how closely to agree.
+transcripts/README.md says how the recordings were made and how closely to agree.
 """
 
 import io
+import itertools
 import json
 import shlex
 import subprocess
 import sys
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -21,6 +24,8 @@ from param_tutorial.runtime import stage
 DATA = Path(__file__).parent / 'transcripts'
 NODES = json.loads((DATA / 'nodes.json').read_text())['nodes']
 SCENARIOS = json.loads((DATA / 'transcripts.json').read_text())['scenarios']
+
+WRITES = (['param', 'set'], ['param', 'load'], ['param', 'delete'])
 
 # What our own sentences must hold where the genuine command prints a usage or a traceback.
 MEANING = {
@@ -51,19 +56,32 @@ class RecordedNode(Node):
                 each['name'], Parameter(each['name'], Parameter.Type[each['type'].upper()], value).value, descriptor)
 
 
-def in_this_process(words, folder):
-    stdout, stderr = io.StringIO(), io.StringIO()
-    status = command.main(words, stdout=stdout, stderr=stderr, get_executor=stage.current, in_notebook=True)
-    return stdout.getvalue(), stderr.getvalue(), status
+Answer = tuple[str, str, int]
 
 
-def as_new_process(words, folder):
-    done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words], cwd=folder, capture_output=True, text=True,
+def in_this_process(commands: list[list[str]]) -> Iterator[Answer]:
+    """Yield standard output, standard error and exit status of each command."""
+    for words in commands:
+        stdout, stderr = io.StringIO(), io.StringIO()
+        status = command.main(words, stdout=stdout, stderr=stderr, get_executor=stage.current, in_notebook=True)
+        yield stdout.getvalue(), stderr.getvalue(), status
+
+
+def as_new_processes(commands: list[list[str]]) -> Iterator[Answer]:
+    """Yield the same; commands that change nothing run side by side, since a process waits most of its time."""
+    with ThreadPoolExecutor(4) as pool:
+        for reads, some in itertools.groupby(commands, lambda words: words[:2] not in WRITES):
+            yield from (pool.map if reads else map)(as_new_process, some)
+
+
+def as_new_process(words: list[str]) -> Answer:
+    done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words], capture_output=True, text=True,
                           stdin=subprocess.DEVNULL, timeout=60)
     return done.stdout, done.stderr, done.returncode
 
 
-@pytest.mark.parametrize('run', [in_this_process, as_new_process])
+@pytest.mark.parametrize('run', [
+    in_this_process, pytest.param(as_new_processes, marks=pytest.mark.slow)])
 @pytest.mark.parametrize('scenario', SCENARIOS, ids=lambda scenario: scenario['scenario'].replace(' ', '_'))
 def test_agrees_with_the_genuine_command(scenario, run, ros, tmp_path, monkeypatch):
     for description in NODES:
@@ -71,8 +89,8 @@ def test_agrees_with_the_genuine_command(scenario, run, ros, tmp_path, monkeypat
     for name, text in scenario['files'].items():
         (tmp_path / name).write_text(text)
     monkeypatch.chdir(tmp_path)
-    for step in scenario['steps']:
-        stdout, stderr, status = run(shlex.split(step['command'])[1:], tmp_path)
+    steps = scenario['steps']
+    for step, (stdout, stderr, status) in zip(steps, run([shlex.split(step['command'])[1:] for step in steps])):
         assert status == step['returncode'], step['command']
         if step['match'] == 'exact':
             assert (stdout, stderr) == (step['stdout'], step['stderr']), step['command']

@@ -245,6 +245,7 @@ def test_wait_until_says_what_it_waited_for():
 
 
 # A thread that spins while the interpreter ends aborts the process with status 134 (claims.md, 2g).
+@pytest.mark.slow
 @pytest.mark.parametrize('ending', ['', 'sys.exit(0)', 'param_tutorial.stop()', 'rclpy.shutdown()', 'del ros, node'])
 def test_the_interpreter_ends_well_with_a_busy_node(ending):
     done = run_python(f'''

@@ -5,6 +5,8 @@ import os
 import pytest
 from jupyter_client.manager import KernelManager
 
+pytestmark = pytest.mark.slow
+
 START = '''
 import param_tutorial
 from param_tutorial import ParameterClient, ParameterPanel

@@ -29,7 +29,7 @@ CHROMIUM = shutil.which('chromium') or shutil.which('chromium-browser') or shuti
 TIMEOUT_SEC = 120.0
 expect.set_options(timeout=TIMEOUT_SEC * 1000)
 
-_CHROMIUM_FLAGS = (
+CHROMIUM_FLAGS = (
     '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
     '--disable-component-update', '--disable-sync', '--disable-default-apps', '--disable-domain-reliability',
     '--disable-client-side-phishing-detection', '--no-pings', '--metrics-recording-only',
@@ -50,7 +50,7 @@ class Lab:
         self.token = os.urandom(16).hex()
         # Each test's kernels choose a domain of their own, as a learner's do.
         inherited = {name: value for name, value in os.environ.items()
-                     if not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST'))}
+                     if name == 'ROS_LOG_DIR' or not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST'))}
         self._environment = {
             **inherited,
             'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
@@ -108,7 +108,7 @@ class Lab:
     def browser(self):
         """Start Chromium, and end it afterwards."""
         with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(_CHROMIUM_FLAGS))
+            browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(CHROMIUM_FLAGS))
             try:
                 yield browser
             finally:

@@ -10,7 +10,7 @@ from pathlib import Path
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import sync_playwright
 
-from tests.support.lab import _CHROMIUM_FLAGS, CHROMIUM
+from tests.support.lab import CHROMIUM, CHROMIUM_FLAGS
 
 WCAG = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa']
 MAX_LESSON_BYTES = 3_000_000
@@ -55,7 +55,7 @@ def main(folder):
     """Check every page of a site, and print what is wrong."""
     problems = []
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(_CHROMIUM_FLAGS))
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(CHROMIUM_FLAGS))
         for path in sorted(folder.glob('*.html')):
             if path.stat().st_size > MAX_LESSON_BYTES:
                 problems.append(f'{path.name}: {path.stat().st_size / 1e6:.1f} MB')

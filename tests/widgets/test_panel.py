@@ -604,6 +604,7 @@ def remote(ros):
         process.stdout.close()
 
 
+@pytest.mark.slow
 def test_a_node_elsewhere_that_goes_and_comes_back(ros, remote):
     process = remote('comes_and_goes')
     panel = ParameterPanel('comes_and_goes')
@@ -636,6 +637,7 @@ def test_a_node_that_does_not_answer(ros, remote):
     assert panel.status == ''
 
 
+@pytest.mark.slow
 def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote):
     process = remote('stopped')
     panel = ParameterPanel('stopped', timeout_sec=2.0)
@@ -737,6 +739,7 @@ def test_a_request_under_way_when_the_executor_stops(ros):
     assert panel.status
 
 
+@pytest.mark.slow
 def test_a_panel_of_a_node_that_is_not_there_waits_for_it(ros):
     ros.add(SimpleParamNode)
     panel = ParameterPanel('simple_parm_node')

@@ -1,0 +1,83 @@
+"""A time limit for each test: one that hangs is named, and ended with all that it has started.
+
+pytest-timeout keeps the time. Its method `signal` would lose its alarm to the exercises, which set one themselves,
+and cannot interrupt rclpy's C++. Its method `thread` ends the process and leaves kernels, browsers and terminals
+running. So the timer is this one. With pytest-xdist only one worker ends; a new one runs the tests that it had left.
+"""
+
+import contextlib
+import faulthandler
+import os
+import sys
+import threading
+
+import psutil
+import pytest
+from pytest_timeout import Settings, is_debugging
+from xdist.remote import Producer
+from xdist.scheduler import LoadScopeScheduling
+from xdist.workermanage import WorkerController
+
+_limit_sec = pytest.StashKey[float]()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_timeout_set_timer(item: pytest.Item, settings: Settings) -> bool:
+    """Start the timer in place of pytest-timeout's own, which cancels it when the test is over."""
+    item.stash[_limit_sec] = settings.timeout
+    _start(item)
+    return True
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_teardown(item: pytest.Item) -> None:
+    """Give the teardown the same time; pytest-timeout would let it hang forever after a test that fails."""
+    if _limit_sec in item.stash:
+        item.cancel_timeout()
+        _start(item)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadScopeScheduling | None:
+    """Return the scheduler for --dist loadscope; others are up to pytest-xdist."""
+    return _Scheduling(config, log) if config.getoption('dist') == 'loadscope' else None
+
+
+class _Scheduling(LoadScopeScheduling):
+    """Does not run a test again that has ended its worker: pytest-xdist 3.8 tries it on four new ones for each."""
+
+    def remove_node(self, node: WorkerController) -> str | None:
+        for tests in self.assigned_work[node].values():
+            for name, completed in tests.items():
+                if not completed:
+                    tests[name] = True
+                    super().remove_node(node)
+                    return name
+        return super().remove_node(node)
+
+
+def _start(item: pytest.Item) -> None:
+    timer = threading.Timer(item.stash[_limit_sec], _end, [item])
+    timer.daemon = True
+    timer.start()
+    item.cancel_timeout = timer.cancel
+
+
+def _end(item: pytest.Item) -> None:
+    """Show where each thread is, then kill this process and its descendants."""
+    if is_debugging():
+        return
+    try:
+        capture = item.config.pluginmanager.getplugin('capturemanager')
+        capture.suspend_global_capture(in_=True)
+        output = ''.join(capture.read_global_capture())
+        print(f'\n{item.nodeid} is still running after {item.stash[_limit_sec]:g} s, so its process ends here.\n'
+              f'{output}Its threads:', file=sys.__stderr__, flush=True)
+        faulthandler.dump_traceback(sys.__stderr__)
+        # Parents come before their children.
+        for process in psutil.Process().children(recursive=True):
+            with contextlib.suppress(psutil.NoSuchProcess):
+                print(f'Killed with it: {" ".join(process.cmdline())[:120]}', file=sys.__stderr__, flush=True)
+                process.kill()
+    finally:
+        os._exit(1)
