@@ -7,11 +7,13 @@ import ast
 import functools
 import inspect
 import re
+import threading
 import time
 from pathlib import Path
 
 import nbformat
 import pytest
+import rclpy
 from rclpy.node import Node
 
 import param_tutorial
@@ -269,6 +271,30 @@ class Loops(Node):
 def test_a_button_that_never_comes_up_is_told(ros):
     result = exercises.check('5.3a', Loops)
     assert 'kept the executor busy' in repr(result)
+    assert exercises.check('5.3a', solution('5.3a')).done
+
+
+class Sleeps(Loops):
+    def slow_down(self):
+        threading.Event().wait()
+
+
+class Spins(Loops):
+    def slow_down(self):
+        rclpy.spin_until_future_complete(self, self.client.call_async(exercises.ch05_3.SetParameters.Request()))
+
+
+def test_a_button_that_waits_for_its_own_executor_is_told_at_once(ros):
+    result = exercises.check('5.3a', Spins)
+    assert 'runs inside the executor that it waits for' in result.findings[0].happened
+    assert stage.current() is ros
+    assert exercises.check('5.3a', solution('5.3a')).done
+
+
+def test_a_button_that_cannot_be_interrupted_is_told_and_the_next_check_is_as_ever(ros):
+    result = exercises.check('5.3a', Sleeps)
+    assert 'does not return and cannot be interrupted' in result.findings[0].happened
+    assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried']
     assert exercises.check('5.3a', solution('5.3a')).done
 
 

@@ -1,5 +1,6 @@
 """background: life and death of the executor, its nodes and its thread."""
 
+import inspect
 import subprocess
 import sys
 import textwrap
@@ -8,8 +9,11 @@ from pathlib import Path
 
 import pytest
 import rclpy
-from rcl_interfaces.msg import SetParametersResult
+from rcl_interfaces.msg import ParameterEvent, SetParametersResult
+from rcl_interfaces.srv import GetParameters
+from rclpy.client import Client
 from rclpy.exceptions import InvalidHandle
+from rclpy.executors import Executor, SingleThreadedExecutor
 from rclpy.node import Node
 
 import param_tutorial
@@ -291,3 +295,198 @@ def test_a_refusing_callback_is_no_error(ros):
     errors = len(ros.errors)
     assert ParameterClient(ros.add(Refusing)).set_parameter('rpm', 2).reason == 'no'
     assert len(ros.errors) == errors
+
+
+class Asking(Speed):
+    """Does in a timer callback what it is told, once, and notes what comes of it."""
+
+    def __init__(self, act):
+        super().__init__('asking')
+        self.act = act
+        self.outcome = None
+        self.client = self.create_client(GetParameters, '/asking/get_parameters')
+        self.timer = self.create_timer(0.001, self.tick)
+
+    def tick(self):
+        self.timer.cancel()
+        try:
+            self.outcome = self.act(self)
+        except Exception as error:
+            self.outcome = error
+
+
+def ask(node):
+    return node.client.call_async(GetParameters.Request(names=['rpm']))
+
+
+# The commonest ways to wait for an answer in a callback.
+WAITS = {
+    'spin_until_future_complete': lambda node: rclpy.spin_until_future_complete(node, ask(node)),
+    'spin_once': lambda node: rclpy.spin_once(node),
+    'spin': lambda node: rclpy.spin(node),
+    'executor': lambda node: SingleThreadedExecutor().spin_until_future_complete(ask(node)),
+    'executor of a helper': lambda node: rclpy.spin_once(rclpy.create_node('helper')),
+    'call': lambda node: node.client.call(GetParameters.Request(names=['rpm'])),
+}
+
+
+@pytest.mark.parametrize('wait', WAITS.values(), ids=WAITS)
+def test_a_callback_that_waits_for_its_own_executor_is_told_at_once(ros, wait):
+    node = ros.add(Asking, wait)
+    param_tutorial.wait_until(lambda: node.outcome is not None, 'the callback')
+    assert isinstance(node.outcome, ExecutorError)
+    assert 'runs inside the executor that it waits for' in str(node.outcome)
+    assert 'add_done_callback' in str(node.outcome)
+    assert ParameterClient(node).set_parameter('rpm', 2).successful
+
+
+def test_a_callback_may_wait_for_an_answer_with_a_time_limit_in_vain(ros):
+    node = ros.add(Asking, lambda node: [node.client.call(GetParameters.Request(), timeout_sec=0.01)])
+    param_tutorial.wait_until(lambda: node.outcome is not None, 'the callback')
+    assert node.outcome == [None]
+
+
+@pytest.mark.parametrize('spin', [rclpy.spin, rclpy.spin_once], ids=['spin', 'spin_once'])
+def test_a_cell_cannot_take_a_node_away_from_the_stage(ros, spin):
+    node = ros.add(Speed)
+    for _ in range(2):
+        with pytest.raises(ExecutorError, match=r'/speed is spun in the background already.*wait_until'):
+            spin(node)
+    assert ParameterClient(node).set_parameter('rpm', 2).successful
+
+
+def test_an_executor_of_ones_own_spins_in_any_other_thread(ros):
+    context = rclpy.Context()
+    rclpy.init(context=context)
+    executor = SingleThreadedExecutor(context=context)
+    node = Node('own', context=context)
+    ticks = []
+    node.create_timer(0.001, lambda: ticks.append(1))
+    executor.add_node(node)
+    param_tutorial.wait_until(lambda: executor.spin_once(timeout_sec=0.01) or len(ticks) > 2, 'the timer')
+    executor.shutdown()
+    node.destroy_node()
+    rclpy.shutdown(context=context)
+
+
+def test_stop_leaves_rclpy_as_it_was():
+    param_tutorial.stop()
+    before = Executor.wait_for_ready_callbacks, Client.call
+    param_tutorial.start()
+    assert Executor.wait_for_ready_callbacks is not before[0]
+    param_tutorial.stop()
+    assert (Executor.wait_for_ready_callbacks, Client.call) == before
+
+
+class Failing(Speed):
+    """Raises the same exception again and again."""
+
+    def __init__(self):
+        super().__init__('failing')
+        self.count = 0
+        self.create_timer(0.001, self.tick)
+
+    def tick(self):
+        self.count += 1
+        raise ValueError(f'tick {self.count}')
+
+
+def test_an_exception_that_repeats_is_shown_once_with_its_node_and_counted(ros, capfd):
+    node = ros.add(Failing)
+    param_tutorial.wait_until(lambda: ros.failures and ros.failures[0].times > 20, 'the timer to go on')
+    ros.remove(node)
+    error = capfd.readouterr().err
+    assert error.startswith('The timer callback tick of /failing raised an exception')
+    assert error.count('Traceback') == 1
+    assert 'ValueError: tick 1\n' in error
+    assert error.count('From now on, repeats are only counted') == 1
+    assert error.count('\n') < 15
+    failure, = ros.failures
+    assert 20 < failure.times <= node.count
+    assert [str(each) for each in ros.errors] == ['tick 1']
+
+
+def test_the_same_mistake_in_a_new_node_is_shown_again(ros, capfd):
+    for _ in range(2):
+        node = ros.add(Failing)
+        param_tutorial.wait_until(lambda: node.count > 2, 'the timer to go on')  # noqa: B023
+        ros.remove(node)
+    assert capfd.readouterr().err.count('Traceback') == 2
+
+
+def test_a_callback_is_as_its_author_wrote_it(ros):
+    class Curious(Speed):
+        def __init__(self):
+            super().__init__('curious')
+            self.create_subscription(ParameterEvent, '/parameter_events', self.hear, 10)
+            self.create_timer(0.001, self.wait)
+
+        def hear(self, event, info):
+            """Take the message and where it comes from."""
+
+        async def wait(self):
+            """Await something."""
+
+    node = ros.add(Curious)
+    subscription, = [each for each in node.subscriptions if each.topic_name == '/parameter_events']
+    assert (subscription.callback.__name__, subscription.callback.__doc__) == ('hear', node.hear.__doc__)
+    assert list(inspect.signature(subscription.callback).parameters) == ['event', 'info']
+    timer, = node.timers
+    assert inspect.iscoroutinefunction(timer.callback)
+
+
+# What keeps a thread for good: asleep in a lock, or awake and catching everything.
+STUCK = '''
+    import sys, threading, time, param_tutorial
+    from rclpy.node import Node
+    from param_tutorial import ParameterClient
+    from param_tutorial.errors import ExecutorError
+    from param_tutorial.nodes.simple_param_node import SimpleParamNode
+    from param_tutorial.runtime import executor
+    executor.STOP_TIMEOUT_SEC = 0.3
+    entered = threading.Event()
+    class Stuck(Node):
+        def __init__(self):
+            super().__init__('simple_param_node')
+            self.timer = self.create_timer(0.3, self.tick)
+        def tick(self):
+            entered.set()
+            if {asleep}:
+                threading.Event().wait()
+            while True:
+                try:
+                    time.sleep(0.001)
+                except BaseException:
+                    pass
+    ros = param_tutorial.start()
+    ros.add(Stuck)
+    entered.wait()
+'''
+
+
+@pytest.mark.parametrize('asleep', [True, False])
+def test_start_gives_a_new_stage_when_a_callback_never_returns(asleep):
+    done = run_python(STUCK.format(asleep=asleep) + '''
+    try:
+        ros.run(lambda: None, 'work', timeout_sec=0.3)
+    except ExecutorError as error:
+        print(error)
+    fresh = param_tutorial.start()
+    print(fresh is not ros, fresh.services.node_names())
+    print(ParameterClient(fresh.add(SimpleParamNode)).set_parameter('max_speed_rpm', 3))
+    param_tutorial.wait_until(lambda: [each.node_name for each in fresh.tool_node.get_publishers_info_by_topic(
+        '/parameter_events')].count('simple_param_node') == 1, 'the old node to be gone')
+    print(fresh.services.node_names())
+    ''')
+    assert (done.returncode, done.stderr) == (0, '')
+    assert done.stdout.splitlines() == [
+        'cannot work: the timer callback tick of /simple_param_node does not return and cannot be interrupted. Call '
+        'param_tutorial.start() for a new executor, without this callback',
+        'True []', '/simple_param_node accepted max_speed_rpm = 3', "['/simple_param_node']"]
+
+
+@pytest.mark.parametrize('asleep', [True, False])
+@pytest.mark.parametrize(('ending', 'status'), [('', 0), ('sys.exit(3)', 3), ('param_tutorial.stop()', 0)])
+def test_the_interpreter_ends_well_with_a_callback_that_never_returns(asleep, ending, status):
+    done = run_python(STUCK.format(asleep=asleep) + f'    {ending}')
+    assert (done.returncode, done.stdout, done.stderr) == (status, '', '')

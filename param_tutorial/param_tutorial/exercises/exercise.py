@@ -142,7 +142,7 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     """
     try:
         with cleared(trial.ros):
-            requirement.examine(trial)
+            _examine(requirement, trial)
     except NoUse:
         raise
     except NotYet as error:
@@ -154,6 +154,22 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     except Exception as error:  # whatever a learner's object may do when it is looked at
         return _finding(requirement, NotYet('', describe_error(error)))
     return Finding(requirement.sentence, True)
+
+
+def _examine(requirement: Requirement, trial: Trial) -> None:
+    """Examine one requirement. If a callback raised an exception, that explains more than what came of it.
+
+    :raises NotYet: the requirement is not met.
+    :raises NoUse: it is not met, and a callback raised an exception, as it would at the other requirements.
+    """
+    try:
+        requirement.examine(trial)
+    except NoUse:
+        raise
+    except NotYet as error:
+        if raised := trial.raised():
+            raise NoUse(error.expected, raised) from None
+        raise
 
 
 def _finding(requirement: Requirement, error: NotYet) -> Finding:

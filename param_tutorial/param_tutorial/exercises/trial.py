@@ -19,7 +19,7 @@ from param_tutorial.errors import CallbackError, ExecutorError, ParameterToolErr
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.ros2 import command
 from param_tutorial.runtime import stage
-from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.executor import BackgroundExecutor, Failure
 from param_tutorial.runtime.service_types import SERVICE_TYPES
 from param_tutorial.runtime.waiting import wait_until
 
@@ -78,7 +78,7 @@ class Trial:
         self.work = work
         self.names: list[str] = []
         """The names of the nodes that were made of the work."""
-        self._errors = list(ros.errors)
+        self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
     @overload
     def start(self, node_class: None = None, *, ros_args: Sequence[str] = (), namespace: str = '') -> Any: ...
@@ -140,7 +140,7 @@ class Trial:
         return printed.getvalue().strip()
 
     def call(self, what: str, function: Callable[..., Any], *args: Any) -> Any:
-        """Call a function of the learner's here.
+        """Call a function of the learner's in this thread.
 
         :param what: Names the call.
         """
@@ -151,11 +151,16 @@ class Trial:
             raise NotYet(f'{what} comes to an end', describe_error(error)) from None
 
     def press(self, what: str, function: Callable[[], Any]) -> None:
-        """Call a function of the learner's in the executor's thread, as a timer would."""
+        """Call a function of the learner's in the executor's thread, as a timer would.
+
+        :raises NotYet: the function raised an exception.
+        :raises NoUse: it did not return.
+        """
         try:
             self.ros.run(function, what)
         except (Exception, SystemExit) as error:
-            raise NotYet(f'{what} comes to an end', describe_error(error)) from None
+            kind = NotYet if self.ros.is_running else NoUse
+            raise kind(f'{what} comes to an end', describe_error(error)) from None
         except KeyboardInterrupt:
             raise
         except BaseException:  # the executor has interrupted it
@@ -163,26 +168,39 @@ class Trial:
                         'busy that would have to bring what it waits for') from None
 
     def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str]) -> None:
-        """Wait until something is so.
+        """Wait until a condition is true, or a callback raises an exception.
 
-        :param happened: Tells what is so instead.
+        :param happened: Returns what is the case instead.
+        :raises NotYet: the condition is not true.
         """
         try:
-            wait_until(condition, expected, TIME_LIMIT_SEC)
+            met = wait_until(lambda: condition() or self._failure(), expected, TIME_LIMIT_SEC)
         except WaitTimeoutError:
-            raise NotYet(expected, f'{happened()}, after {TIME_LIMIT_SEC:g} s{self.raised()}') from None
+            raise NotYet(expected, f'{happened()}, after {TIME_LIMIT_SEC:g} s') from None
+        if isinstance(met, Failure) and not condition():  # looked at again: it may have come true before the failure
+            raise NotYet(expected, happened())
 
     def raised(self) -> str:
-        """Return a sentence about what callbacks have raised in the meantime; empty if they have not."""
-        new = [error for error in self.ros.errors if not any(error is old for old in self._errors)]
-        return ''.join(f'. Meanwhile a callback raised {describe_error(error)}' for error in new[-1:])
+        """Return what a callback has raised in this trial, with its name; nothing if none did.
+
+        An exception that ended a service call does not count: the caller raises it.
+        """
+        if self.ros.is_running:
+            self.ros.run(lambda: None, 'see the callbacks through')
+        failure = self._failure()
+        return '' if failure is None else f'{failure} raised {describe_error(failure.error)}'
+
+    def _failure(self) -> Failure | None:
+        return next((failure for failure in list(self.ros.failures)
+                     if failure.times_shown > self._times_shown_before.get(id(failure), 0)
+                     and (failure.callback is None or failure.callback.node_name.startswith(f'{CORNER}/'))), None)
 
 
 @contextlib.contextmanager
 def borrowed_stage() -> Iterator[BackgroundExecutor]:
-    """Yield the executor in the background, or one for the time being, and clear it of what was added.
+    """Yield the executor in the background, or a temporary one, and clear it of what was added.
 
-    :raises ExecutorError: there can be none.
+    :raises ExecutorError: no executor can be started.
     """
     try:
         ros, borrowed = stage.current(), True
@@ -191,7 +209,8 @@ def borrowed_stage() -> Iterator[BackgroundExecutor]:
     try:
         with cleared(ros):
             yield ros
-        ros.run(lambda: ros.services.forget(CORNER), 'tidy up')
+        if ros.is_running:
+            ros.run(lambda: ros.services.forget(CORNER), 'tidy up')
     finally:
         if not borrowed:
             stage.stop()
@@ -199,13 +218,13 @@ def borrowed_stage() -> Iterator[BackgroundExecutor]:
 
 @contextlib.contextmanager
 def cleared(ros: BackgroundExecutor) -> Iterator[None]:
-    """Take away the nodes that are added in this block."""
+    """Remove the nodes that are added in this block, unless a callback has stopped the executor for good."""
     before = ros.nodes
     try:
         yield
     finally:
         for node in reversed(ros.nodes):
-            if not any(node is other for other in before):
+            if ros.is_running and not any(node is other for other in before):
                 ros.remove(node)
 
 

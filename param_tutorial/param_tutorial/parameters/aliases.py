@@ -10,7 +10,7 @@ the new one, and a pre-set callback makes of every change to one of the names th
 step. So set, get, list, describe, events and dumps know the old name. Overrides are moved to the new name before it is
 declared. Two limits are rclpy's: who *reads* an old name gets no notice; and in set_parameters, where each parameter is
 a change of its own, two names with two values are two changes, of which the later one stays (set atomically, they are
-refused). Needs rclpy and this package's errors and values.
+refused). Needs rclpy and three modules of this package: errors, values, rclpy_private.
 """
 
 import copy
@@ -23,6 +23,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.errors import AliasError
 from param_tutorial.parameters import values
+from param_tutorial.runtime import rclpy_private
 
 _have_aliases: 'weakref.WeakSet[Node]' = weakref.WeakSet()
 
@@ -82,8 +83,7 @@ class Aliases:
                                      f'declaration, and do not declare old names')
 
     def _move_overrides(self) -> None:
-        # Here they wait for a declaration of their name. rclcpp has get_parameter_overrides() for this; rclpy has none.
-        overrides = self._node._parameter_overrides
+        overrides = rclpy_private.pending_overrides(self._node)
         for old, new in self._new_names.items():
             if old not in overrides:
                 continue

@@ -8,7 +8,7 @@ Declare first, then state the rules:
 A rule is judged twice. When it is stated, on what the node holds by then, be it default or override: a node that is
 started with bad values does not start. And in an on-set callback, on the values as they would be after the whole
 change. It is also written into the parameters' ``additional_constraints``, where ``ros2 param describe`` and panels
-show it. Needs rclpy and the errors and values of this package.
+show it. Needs rclpy and three modules of this package: errors, values, rclpy_private.
 """
 
 import math
@@ -25,6 +25,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.errors import InvalidValueError, ParameterNotDeclaredError, RuleError
 from param_tutorial.parameters import values
+from param_tutorial.runtime import rclpy_private
 
 _NUMBERS = (values.INTEGER, values.DOUBLE, values.INTEGER_ARRAY, values.DOUBLE_ARRAY)
 _TEXTS = (values.STRING, values.STRING_ARRAY)
@@ -220,8 +221,7 @@ class Rules:
         if not words.startswith(rule.names):
             words = words[0].upper() + words[1:]
         for name in rule.names:
-            # The node's own object. set_descriptor would refuse that of a read-only parameter.
-            descriptor = self._node.describe_parameter(name)
+            descriptor = rclpy_private.own_descriptor(self._node, name)
             descriptor.additional_constraints = '; '.join(
                 filter(None, (descriptor.additional_constraints, words)))
         return self

@@ -13,21 +13,21 @@ import time
 import traceback
 from collections import deque
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import rclpy
 from rcl_interfaces.msg import Log, ParameterEvent
-from rclpy.executors import ExternalShutdownException
-from rclpy.experimental.events_executor import EventsExecutor
+from rclpy.executors import Executor, ExternalShutdownException
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
-from rclpy.service import Service
 from rclpy.signals import SignalHandlerOptions
 
 from param_tutorial.errors import ExecutorError
-from param_tutorial.runtime import domain
+from param_tutorial.runtime import domain, rclpy_private
 from param_tutorial.runtime.graph import incarnations
 from param_tutorial.runtime.listeners import Listeners
+from param_tutorial.runtime.managed import Callback, CallbackWatch, managed
 from param_tutorial.runtime.node_log import NodeLog
 from param_tutorial.runtime.services import Services
 
@@ -35,6 +35,7 @@ from param_tutorial.runtime.services import Services
 TOOL_NODE_NAME = '_param_tutorial'
 GRAPH_PERIOD_SEC = 0.5
 STOP_TIMEOUT_SEC = 3.0
+_PARK_TIMEOUT_SEC = 1.0
 
 T = TypeVar('T')
 
@@ -46,13 +47,60 @@ class _CallbackInterrupted(BaseException):
         return 'this callback did not return, so it was interrupted: the executor has one thread for all nodes'
 
 
+class _Parked(BaseException):
+    """Raised inside a callback that cannot be interrupted, to keep its thread from ever running again.
+
+    The interpreter creates the exception object in that thread, and creating it never ends. A daemon thread that is
+    asleep in a lock lets the interpreter end; one that still runs Python aborts it with status 134.
+    """
+
+    is_parked = threading.Event()
+
+    def __init__(self) -> None:
+        self.is_parked.set()
+        threading.Event().wait()
+
+
+@dataclass
+class Failure:
+    """An exception that left a callback, and how often it did."""
+
+    error: BaseException
+    """The first one."""
+    callback: Callback | None
+    """None if it is not the callback of a node on the stage."""
+    times: int = 1
+    times_shown: int = 0
+
+    def __str__(self) -> str:
+        """Name the callback."""
+        return 'a callback' if self.callback is None else str(self.callback)
+
+    def is_repeated_by(self, error: BaseException, callback: Callback | None) -> bool:
+        """True if the same callback of the same node raised the same type of exception, in the same line."""
+        return (type(error) is type(self.error) and _line_of(error) == _line_of(self.error)
+                and _identity(callback) == _identity(self.callback))
+
+
+def _identity(callback: Callback | None) -> tuple[object, ...]:
+    return () if callback is None else (id(callback.node), callback.kind, callback.function)
+
+
+def _line_of(error: BaseException) -> tuple[str, int]:
+    """Return the file and the line in which an exception came up."""
+    step = error.__traceback__
+    while step is not None and step.tb_next is not None:
+        step = step.tb_next
+    return ('', 0) if step is None else (step.tb_frame.f_code.co_filename, step.tb_lineno)
+
+
 class BackgroundExecutor:
     """Spins nodes in a thread of its own until it is stopped. Get it from ``start()``."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         if rclpy.ok():
-            raise ExecutorError('rclpy is initialised already in this process, by somebody else: call '
-                                'rclpy.shutdown() first, then start() again')
+            raise ExecutorError('other code has initialized rclpy in this process: call rclpy.shutdown() first, then '
+                                'start() again')
         self.domain_id = domain.choose()
         # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
         # are off because a thread's output lands in whichever cell is running: node_log reads /rosout instead.
@@ -60,15 +108,16 @@ class BackgroundExecutor:
                    domain_id=self.domain_id, signal_handler_options=SignalHandlerOptions.NO)
         self.context = rclpy.get_default_context()
         self.node_log = NodeLog()
-        self.errors: deque[BaseException] = deque(maxlen=100)
+        self.failures: deque[Failure] = deque(maxlen=100)
+        """The exceptions that callbacks raised, oldest first; those that repeat are counted in one."""
+        self.callback_watch = CallbackWatch()
         self._nodes: list[Node] = []
         self._event_listeners: Listeners[[ParameterEvent]] = Listeners()
         self._graph_listeners: Listeners[[]] = Listeners()
         self._incarnations: frozenset[tuple[str, bytes]] = frozenset()
         self._stopping = False
-        # Answers in a third of the SingleThreadedExecutor's time. Its own spin() serves nothing in the wheel
-        # of rclpy 7.1.6, so the thread below calls spin_once() with a time limit, which works.
-        self._executor = EventsExecutor(context=self.context)
+        self._stuck_in = ''
+        self._executor = rclpy_private.new_executor(self.context)
         self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
         self.tool_node.create_subscription(
             Log, '/rosout', self.node_log.receive,
@@ -78,12 +127,18 @@ class BackgroundExecutor:
         self._executor.add_node(self.tool_node)
         self.services = Services(self.tool_node, lambda: threading.current_thread() is self._thread)
         self._thread = threading.Thread(target=self._spin, name='ros-background-executor', daemon=True)
+        self._allow_waiting = rclpy_private.forbid_waiting(self._error_if_in_callback)
         self._thread.start()
 
     @property
     def is_running(self) -> bool:
-        """Does the thread spin, on a context that is alive?"""
-        return self._thread.is_alive() and self.context.ok() and not self._stopping
+        """True if the thread spins, on a context that is alive."""
+        return self._thread.is_alive() and self.context.ok() and not self._stopping and not self._stuck_in
+
+    @property
+    def errors(self) -> list[BaseException]:
+        """The exceptions that callbacks raised, oldest first, each once."""
+        return [failure.error for failure in list(self.failures)]
 
     @property
     def nodes(self) -> tuple[Node, ...]:
@@ -100,7 +155,7 @@ class BackgroundExecutor:
         """Create a node and spin it. A node of the same name is destroyed first.
 
         :param node_class: A class derived from rclpy.node.Node; further arguments go to its constructor.
-        :param ros_args: What would stand behind ``--ros-args`` on its command line, e.g.
+        :param ros_args: What would come after ``--ros-args`` on its command line, e.g.
             ``['-p', 'max_speed_rpm:=120']`` or ``['--params-file', path]``.
         :return: The node. Change it through its services (see ``client``), not through its own setters:
             rclpy's parameter storage has no lock, and the executor's thread is reading it.
@@ -109,43 +164,31 @@ class BackgroundExecutor:
         self._require_running()
         if not (isinstance(node_class, type) and issubclass(node_class, Node)):
             raise ExecutorError(f'add() takes a class derived from rclpy.node.Node, not {node_class!r}')
-        managed = _managed(node_class)
-        node = managed.__new__(managed)
-        node._before_init = functools.partial(self._before_node_init, list(ros_args))
+        managed_class = managed(node_class)
+        node = managed_class.__new__(managed_class)
+        node.host_of_node = _NodeHost(self, list(ros_args))
         try:
             node.__init__(*args, **kwargs)
         except BaseException:
             # Half a node still has services on the network that nobody would ever serve.
-            if hasattr(node, '_Node__node'):
+            if rclpy_private.is_in_graph(node):
                 node.destroy_node()
             raise
-        # Known before it is spun: its first callback, and whoever is told of the graph, may look for it.
+        what = f'add {_full_name(node)}'
+        # Known before it is spun: its first callback, and listeners to the graph, may look for it.
         self._nodes.append(node)
-        self.run(lambda: self._executor.add_node(node), f'add {_full_name(node)}')
+        self.run(lambda: self._executor.add_node(node), what)
         self._check_graph_soon()
         return node
-
-    def _before_node_init(self, ros_args: list[str], node_name: str, options: dict[str, Any]) -> None:
-        """Make room for a node that is about to be created under this name, and pass its ros_args on."""
-        options['cli_args'] = [*(options.get('cli_args') or ()), *(['--ros-args', *ros_args] if ros_args else ())]
-        name, namespace = node_name, options.get('namespace') or '/'
-        for argument in options['cli_args']:
-            key, separator, value = argument.partition(':=')
-            if separator and key in ('__node', '__name'):
-                name = value
-            elif separator and key == '__ns':
-                namespace = value
-        self.remove(f'/{namespace.strip("/")}/{name}'.replace('//', '/'))
 
     def remove(self, node: Node | str) -> bool:
         """Stop spinning a node and destroy it.
 
         :param node: The node, or its fully qualified name.
-        :return: Was there such a node?
+        :return: True if there was such a node.
         """
         doomed = [each for each in self._nodes if node is each or _full_name(each) == node]
         for each in doomed:
-            self._nodes.remove(each)
             self.run(functools.partial(self._destroy, each), f'remove {_full_name(each)}')
         if doomed:
             self._check_graph_soon()
@@ -156,26 +199,36 @@ class BackgroundExecutor:
         for node in reversed(self.nodes):
             self.remove(node)
 
+    def clear(self) -> None:
+        """Destroy all nodes that were added, and forget what was logged and what failed.
+
+        :raises ExecutorError: a callback does not return; from then on, this executor is stopped.
+        """
+        self.remove_all()
+        self.run(self.node_log.clear, 'clear the log')
+        self.failures.clear()
+
     def _destroy(self, node: Node) -> None:
+        self._nodes.remove(node)
         self._executor.remove_node(node)
         node.destroy_node()
 
     # -- the thread -------------------------------------------------------------------------------------
 
     def run(self, function: Callable[[], T], what: str, timeout_sec: float = STOP_TIMEOUT_SEC) -> T:
-        """Run a function in the executor's thread, between two callbacks, and give its result.
+        """Run a function in the executor's thread, between two callbacks, and return its result.
 
         A callback that does not return within the time limit is interrupted with an exception.
 
         :param what: Names the work in the error.
-        :raises ExecutorError: the thread cannot be had even so.
+        :raises ExecutorError: the callback does not return even so; from then on, this executor is stopped.
         """
         if threading.current_thread() is self._thread:
             return function()
         outcome: dict[str, Any] = {}
         finished = threading.Event()
 
-        def work():
+        def work() -> None:
             try:
                 outcome['value'] = function()
             except BaseException as error:
@@ -186,10 +239,11 @@ class BackgroundExecutor:
         self._require_running()
         self._executor.create_task(work)
         if not finished.wait(timeout_sec):
-            self._interrupt_callback()
+            self._raise_in_thread(_CallbackInterrupted)
             if not finished.wait(timeout_sec):
-                raise ExecutorError(f'cannot {what}: a callback keeps the executor busy and cannot be interrupted. '
-                                    f'Restart the kernel')
+                self._stuck_in = str(self.callback_watch.running or 'a callback')
+                raise ExecutorError(f'cannot {what}: {self._stuck_in} does not return and cannot be interrupted. '
+                                    f'Call param_tutorial.start() for a new executor, without this callback')
         if 'error' in outcome:
             raise outcome['error']
         return outcome['value']
@@ -210,52 +264,89 @@ class BackgroundExecutor:
                 if self.context.ok() and not self._stopping:
                     self._show_once(error)
 
-    def _interrupt_callback(self) -> None:
-        ctypes.pythonapi.PyThreadState_SetAsyncExc(
-            ctypes.c_ulong(self._thread.ident), ctypes.py_object(_CallbackInterrupted))
+    def _raise_in_thread(self, error: type[BaseException]) -> None:
+        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread.ident or 0), ctypes.py_object(error))
+
+    def _error_if_in_callback(self) -> ExecutorError | None:
+        """Return what to raise where rclpy is about to wait in the executor's thread."""
+        if threading.current_thread() is not self._thread:
+            return None
+        return ExecutorError(
+            'this callback already runs inside the executor that it waits for, so the wait could never end: use '
+            'call_async() and future.add_done_callback(...), or await the future in an async callback')
+
+    def refusal(self, node: Node, other: Executor) -> Exception | None:
+        """Return the exception to raise when another executor wants to spin a node, None if it may."""
+        if other is self._executor or not self.is_running or node not in self._nodes:
+            return None
+        return self._error_if_in_callback() or ExecutorError(
+            f'{_full_name(node)} is spun in the background already, and spinning it here would take it away from '
+            f'there: to wait for something in a cell, use param_tutorial.wait_until(...)')
+
+    # -- exceptions in callbacks ------------------------------------------------------------------------
 
     def _show_once(self, error: BaseException) -> None:
-        if self._is_of_a_removed_node(error):
-            return
-        self.errors.append(error)
-        if self.services.take(error):
-            return  # whoever made that call raises it
-        text = ''.join(traceback.format_exception(error))
-        print(f'A callback raised an exception; the node goes on.\n{text}', file=sys.stderr, end='')
+        callback = self.callback_watch.culprit(error)
+        if callback is not None and callback.node not in self._nodes:
+            return  # a callback or an answer was due when its node was removed, and has found its handles gone
+        failure = self._count(error, callback)
+        if callback is not None and callback.parameter_service and self.services.take(
+                error, callback.node_name, callback.parameter_service, callback.request):
+            return  # the caller raises it
+        failure.times_shown += 1
+        if failure.times_shown == 1:
+            name = str(failure)
+            text = ''.join(traceback.format_exception(error))
+            print(f'{name[0].upper()}{name[1:]} raised an exception; the node keeps running.\n{text}',
+                  file=sys.stderr, end='')
+        elif failure.times_shown == 2:
+            print(f'The same {type(error).__name__} again in {failure}. From now on, repeats are only counted, in '
+                  f'the failures of the executor.', file=sys.stderr)
 
-    def _is_of_a_removed_node(self, error: BaseException) -> bool:
-        """Was a callback or an answer due when its node was removed, and has found its handles gone?"""
-        nodes = (*self._nodes, self.tool_node)
-        for frame, _ in traceback.walk_tb(error.__traceback__):
-            owner = frame.f_locals.get('self')
-            if isinstance(owner, Node):
-                return owner not in nodes
-            if isinstance(owner, Service):
-                return all(owner not in node.services for node in nodes)
-        return False
+    def _count(self, error: BaseException, callback: Callback | None) -> Failure:
+        for failure in self.failures:
+            if failure.is_repeated_by(error, callback):
+                failure.times += 1
+                return failure
+        self.failures.append(Failure(error, callback))
+        return self.failures[-1]
+
+    # -- the end ----------------------------------------------------------------------------------------
 
     def stop(self) -> None:
-        """Stop spinning, destroy all nodes and shut the context down. Twice is as good as once.
+        """Stop spinning, destroy all nodes and shut the context down; safe to call more than once.
 
-        :raises ExecutorError: a callback does not return and cannot be interrupted.
+        A callback that never returns is left behind in its thread, asleep, with its context shut down.
         """
         # This order is not free: shutting down without joining the thread aborts the interpreter at its exit.
         self._stopping = True
+        self._allow_waiting()
         if self._thread.is_alive() and self.context.ok():
             self._executor.create_task(lambda: None)
-        self._thread.join(STOP_TIMEOUT_SEC)
-        if self._thread.is_alive():
-            self._interrupt_callback()
+        if not self._stuck_in:
             self._thread.join(STOP_TIMEOUT_SEC)
             if self._thread.is_alive():
-                raise ExecutorError('a callback keeps the executor busy and cannot be interrupted: '
-                                    'restart the kernel')
-        self._executor.shutdown()
-        for node in [*reversed(self._nodes), self.tool_node]:
-            node.destroy_node()
-        self._nodes.clear()
+                self._raise_in_thread(_CallbackInterrupted)
+                self._thread.join(STOP_TIMEOUT_SEC)
+        if self._thread.is_alive():
+            self._abandon_thread()
+        else:
+            self._executor.shutdown()
+            for node in [*reversed(self._nodes), self.tool_node]:
+                node.destroy_node()
+            self._nodes.clear()
         if self.context.ok():
             rclpy.shutdown()  # without naming the context, so that the next init gets a new default one
+
+    def _abandon_thread(self) -> None:
+        """Leave a callback that never returns behind: its thread sleeps until the process ends."""
+        _Parked.is_parked.clear()
+        self._raise_in_thread(_Parked)
+        _Parked.is_parked.wait(_PARK_TIMEOUT_SEC)  # times out if the thread is asleep already, which is as good
+        # Left as they are, other nodes would see them for as long as this process lives, and never get an answer.
+        for node in [*reversed(self._nodes), self.tool_node]:
+            rclpy_private.destroy_by_force(node)
+        self._nodes.clear()
 
     def _require_running(self) -> None:
         if not self.is_running:
@@ -278,10 +369,10 @@ class BackgroundExecutor:
         return self._graph_listeners.add(listener)
 
     def node_incarnations(self, node: str) -> frozenset[bytes]:
-        """Tell which nodes of this name there are; a restarted node is another one.
+        """Return an identity of each node of this name; a restarted node has another one.
 
         :param node: Fully qualified name.
-        :return: For each, the DDS identity of its publisher on /parameter_events, which every node has.
+        :return: The DDS identities of their publishers on /parameter_events; every node has one.
         """
         return frozenset(gid for name, gid in self._incarnations if name == node)
 
@@ -301,20 +392,30 @@ def _full_name(node: Node) -> str:
     return node.get_fully_qualified_name()
 
 
-@functools.cache
-def _managed(node_class: type[Node]) -> type[Node]:
-    """Derive a class that tells its name to the executor before the node exists.
+@dataclass(frozen=True)
+class _NodeHost:
+    """What one node on the stage sees of its executor."""
 
-    A node's name is known only when its constructor calls ``super().__init__(name)``, and two nodes of one
-    name must never exist at once: both would obey every set, and the second would log nothing. The hook is
-    a base class that comes just before Node in the method resolution order.
-    """
-    bases = (_NameHook,) if node_class is Node else (node_class, _NameHook)
-    return type(node_class.__name__, bases, {
-        '__module__': node_class.__module__, '__doc__': node_class.__doc__, '__qualname__': node_class.__qualname__})
+    ros: BackgroundExecutor
+    ros_args: list[str]
 
+    @property
+    def callback_watch(self) -> CallbackWatch:
+        return self.ros.callback_watch
 
-class _NameHook(Node):
-    def __init__(self, node_name: str, **options: Any):
-        self._before_init(node_name, options)
-        super().__init__(node_name, **options)
+    def before_node_init(self, node_name: str, options: dict[str, Any]) -> None:
+        """Make room for a node that is about to be created under this name, and pass its ros_args on."""
+        ros_args = ['--ros-args', *self.ros_args] if self.ros_args else []
+        options['cli_args'] = [*(options.get('cli_args') or ()), *ros_args]
+        name, namespace = node_name, options.get('namespace') or '/'
+        for argument in options['cli_args']:
+            key, separator, value = argument.partition(':=')
+            if separator and key in ('__node', '__name'):
+                name = value
+            elif separator and key == '__ns':
+                namespace = value
+        self.ros.remove(f'/{namespace.strip("/")}/{name}'.replace('//', '/'))
+
+    def refusal(self, node: Node, other: Executor) -> Exception | None:
+        """Return the exception to raise when another executor wants to spin a node, None if it may."""
+        return self.ros.refusal(node, other)

@@ -14,7 +14,6 @@ from rcl_interfaces.srv import SetParameters
 from rclpy.client import Client
 from rclpy.exceptions import NameValidationException
 from rclpy.node import Node
-from rclpy.parameter_service import ParameterService
 from rclpy.task import Future
 
 from param_tutorial.errors import (
@@ -39,7 +38,7 @@ _REPEAT_PERIOD_SEC = 0.7
 
 
 def full_name(node: str | Node) -> str:
-    """Give a node's fully qualified name: ``talker`` is ``/talker``.
+    """Return a node's fully qualified name: ``talker`` is ``/talker``.
 
     :raises TypeError: it is neither a name nor a node.
     """
@@ -66,7 +65,7 @@ class Services:
     def __init__(self, tool_node: Node, in_executor_thread: Callable[[], bool]):
         """
         :param tool_node: Owns the service clients; its executor must be spinning.
-        :param in_executor_thread: Is the caller in the thread that spins it?
+        :param in_executor_thread: Returns True in the thread that spins it.
         """
         self._tool_node = tool_node
         self.in_executor_thread = in_executor_thread
@@ -77,7 +76,7 @@ class Services:
         self._lock = threading.RLock()
 
     def node_names(self, *, hidden: bool = False) -> list[str]:
-        """Give the fully qualified names of the nodes in the graph, sorted, a name twice if two nodes have it.
+        """Return the fully qualified names of the nodes in the graph, sorted, a name twice if two nodes have it.
 
         :param hidden: Also those with a part that starts with an underscore.
         """
@@ -162,7 +161,7 @@ class Services:
         return future
 
     def is_ready(self, node: str, service: str = 'set_parameters') -> bool:
-        """Is the node there, so that a call now would reach it?"""
+        """True if the node is there, so that a call now would reach it."""
         return self._client(node, service).service_is_ready()
 
     def forget(self, namespace: str) -> None:
@@ -191,15 +190,12 @@ class Services:
             elif not call.client.service_is_ready():
                 self._fail(future, NodeGoneError(call.node, call.service))
 
-    def take(self, error: BaseException) -> bool:
-        """Give an exception that ended a service callback to the call from this process that it leaves unanswered.
+    def take(self, error: BaseException, node: str, service: str, request: Any) -> bool:
+        """Hand an exception that ended a service callback to the call from this process that it leaves unanswered.
 
-        :return: Was there such a call?
+        :param node: Fully qualified name of the node that raised it while it served this request.
+        :return: True if there was such a call.
         """
-        served = _served_request(error)
-        if served is None:
-            return False
-        node, service, request = served
         with self._lock:
             unanswered = next((future for future, call in self._pending.items()
                                if (call.node, call.service, call.request) == (node, service, request)), None)
@@ -251,19 +247,3 @@ class Services:
             del self._pending[future]
         future.set_exception(error)
 
-
-def _served_request(error: BaseException) -> tuple[str, str, Any] | None:
-    """Find in a traceback which node was serving which request when the exception came up.
-
-    :return: Fully qualified node name, name of the service, request; None if no parameter service was served.
-    """
-    step = error.__traceback__
-    while step is not None:
-        local = step.tb_frame.f_locals
-        server = local.get('self')
-        if isinstance(server, ParameterService) and 'request' in local:
-            # The methods are called _set_parameters_callback, _get_parameters_callback and so on.
-            service = step.tb_frame.f_code.co_name.removeprefix('_').removesuffix('_callback')
-            return server._get_node().get_fully_qualified_name(), service, local['request']
-        step = step.tb_next
-    return None

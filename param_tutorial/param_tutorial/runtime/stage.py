@@ -22,17 +22,20 @@ _lifecycle_lock = threading.RLock()
 def start() -> BackgroundExecutor:
     """Return the process's BackgroundExecutor: running, without any node, and with an empty log.
 
-    Safe to call again at any time: it destroys the nodes of an earlier run, and replaces an executor that has died.
+    Safe to call again at any time: it destroys the nodes of an earlier run, and replaces an executor that has died or
+    is stuck in a callback that never returns.
 
     :raises ExecutorError: other code has initialized rclpy in this process.
     """
     global _current
     with _lifecycle_lock:
         if _current is not None and _current.is_running:
-            _current.remove_all()
-            _current.node_log.clear()
-            _current.errors.clear()
-            return _current
+            try:
+                _current.clear()
+                return _current
+            except ExecutorError:
+                if _current.is_running:
+                    raise
         if _current is not None:
             _current.stop()
         started = _current = BackgroundExecutor()

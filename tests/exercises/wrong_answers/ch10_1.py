@@ -6,6 +6,10 @@ WRONG = {
         ([('parameter_value_to_python(parameter.value)',
            'parameter.value.string_value or parameter.value.integer_value or parameter.value.double_value '
            'or parameter.value.bool_value')], 2, "there is `('changed', 'offset', False)`"),
+        # Raises an exception at each event.
+        ([('event.deleted_parameters', 'event.removed_parameters')], 1,
+         "the subscription callback write of /journal raised AttributeError: 'ParameterEvent' object has no attribute "
+         "'removed_parameters'"),
         ([('self.write, qos_profile_parameter_events', 'self.write, 10')], 3, '10 of the speeds are in it'),
         ([("if event.node == '/rover':", "if event.node == 'rover':")], 0, 'the pages are `[]`'),
         ([("if event.node == '/rover':", 'if event.node:')], 3, "('changed', 'speed', 3), ('changed', 'speed', 5)"),

@@ -12,6 +12,7 @@ from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import derive
 from param_tutorial.exercises.trial import CORNER, NoUse, Trial, expect
 from param_tutorial.parameters import values
+from param_tutorial.runtime.managed import function_name
 from param_tutorial.runtime.waiting import wait_until
 
 CHAPTER = '10_1_parameter_events'
@@ -56,6 +57,7 @@ class InTheCorner(Node):
                 finally:
                     self.events_heard = (*self.events_heard, message)
 
+        hear.__name__ = function_name(callback)
         return super().create_subscription(msg_type, topic, hear, *args, **options)
 
 
@@ -91,8 +93,7 @@ def expect_pages(trial: Trial, pages: Sequence[Any], wanted: Sequence[tuple[str,
     for page in wanted:
         alike = [each for each in pages if isinstance(each, tuple) and len(each) == 3 and each[:2] == page[:2]]
         expect(any(values.same(values.normalize(each[2]), page[2]) for each in alike),
-               f'a page `{page!r}`', (f'there is `{alike[0]!r}`' if alike else f'the pages are `{pages!r}`')
-               + trial.raised())
+               f'a page `{page!r}`', f'there is `{alike[0]!r}`' if alike else f'the pages are `{pages!r}`')
     expect(len(pages) == len(wanted), f'{len(wanted)} pages', f'there are {len(pages)}')
 
 
@@ -128,7 +129,7 @@ def rover_only(trial: Trial) -> None:
 
     pages = pages_after(trial, rover, journal, both)
     expect(('changed', 'speed', 5) in pages, "a page `('changed', 'speed', 5)` of the rover",
-           f'the pages are `{pages!r}`{trial.raised()}')
+           f'the pages are `{pages!r}`')
     expect(len(pages) == 1, 'no page of the gripper', f'the pages are `{pages!r}`')
 
 
@@ -143,7 +144,7 @@ def burst(trial: Trial) -> None:
     pages = pages_after(trial, rover, journal, lambda: trial.ros.run(hurry, 'set the speed in a burst'))
     speeds = {page[2] for page in pages if isinstance(page, tuple) and len(page) == 3 and page[1] == 'speed'}
     expect(speeds.issuperset(range(1, BURST_LENGTH + 1)), f'{BURST_LENGTH} pages',
-           f'{len(speeds)} of the speeds are in it{trial.raised()}')
+           f'{len(speeds)} of the speeds are in it')
 
 
 count = Exercise('10.1b', CHAPTER, DICTIONARY, hints=(

@@ -99,7 +99,7 @@ def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...]
     found = {name: values.normalize(value) for name, value in dict(inspector.found).items()
              if not (name in left_out and value is None)}
     expect(found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted),
-           f'`self.found` is `{dict(wanted)!r}`', f'it is `{inspector.found!r}`{trial.raised()}')
+           f'`self.found` is `{dict(wanted)!r}`', f'it is `{inspector.found!r}`')
 
 
 @inspect.require('`self.found` holds every parameter with its value, and `inspect()` does not wait', see=BY_NAME)

@@ -1,0 +1,214 @@
+"""What the tools assume of rclpy beyond its documentation: one test for each assumption, named like it.
+
+If one of these fails with a new rclpy, mend the function in rclpy_private that it calls.
+"""
+
+import ast
+import re
+import threading
+
+import pytest
+import rclpy
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from rcl_interfaces.srv import GetParameters
+from rclpy.exceptions import InvalidHandle
+from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial import ParameterClient, wait_until
+from param_tutorial.runtime import rclpy_private
+from tests.support.paths import PACKAGE
+
+
+class Lamp(Node):
+    """One parameter, and a callback of each kind."""
+
+    def __init__(self):
+        super().__init__('lamp')
+        self.declare_parameter('watts', 5)
+        self.seen = []
+        self.add_pre_set_parameters_callback(self.pre)
+        self.add_on_set_parameters_callback(self.judge)
+        self.add_post_set_parameters_callback(self.post)
+
+    def pre(self, parameters):
+        self.seen.append('pre')
+        return parameters
+
+    def judge(self, parameters):
+        self.seen.append('judge')
+        return SetParametersResult(successful=True)
+
+    def post(self, parameters):
+        self.seen.append('post')
+
+
+@pytest.fixture
+def lamp(ros):
+    return ros.add(Lamp)
+
+
+@pytest.fixture
+def other_context():
+    """A context and nodes that have nothing to do with the stage."""
+    context = rclpy.Context()
+    rclpy.init(context=context)
+    yield context
+    rclpy.shutdown(context=context)
+
+
+def forbid_in_this_thread():
+    this = threading.current_thread()
+    return rclpy_private.forbid_waiting(
+        lambda: ZeroDivisionError('waits') if threading.current_thread() is this else None)
+
+
+def test_the_events_executor_serves_what_is_ready_when_spin_once_is_called_in_a_loop(other_context):
+    executor = rclpy_private.new_executor(other_context)
+    node = Node('ticking', context=other_context)
+    ticks = []
+    node.create_timer(0.001, lambda: ticks.append(1))
+    executor.add_node(node)
+    wait_until(lambda: executor.spin_once(timeout_sec=0.01) or len(ticks) > 3, 'the timer')
+    executor.shutdown()
+    node.destroy_node()
+
+
+@pytest.mark.parametrize('executor_class', [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_rclpys_own_executors_wait_in_wait_for_ready_callbacks_only(other_context, executor_class):
+    executor = executor_class(context=other_context)
+    future = rclpy.task.Future()
+    allow = forbid_in_this_thread()
+    try:
+        for spin in (executor.spin_once, executor.spin, lambda: executor.spin_until_future_complete(future),
+                     lambda: executor.spin_once_until_future_complete(future)):
+            with pytest.raises(ZeroDivisionError, match='waits'):
+                spin()
+    finally:
+        allow()
+    executor.spin_once(timeout_sec=0.0)
+    executor.shutdown()
+
+
+def test_a_client_waits_for_an_answer_in_call_only(other_context):
+    node = Node('asking', context=other_context)
+    client = node.create_client(GetParameters, '/nobody/get_parameters')
+    allow = forbid_in_this_thread()
+    try:
+        with pytest.raises(ZeroDivisionError, match='waits'):
+            client.call(GetParameters.Request())
+        client.call_async(GetParameters.Request()).cancel()
+    finally:
+        allow()
+    with pytest.raises(TypeError):
+        client.call('nonsense')
+    node.destroy_node()
+
+
+def test_an_attribute_of_a_node_says_whether_it_is_in_the_graph(ros):
+    assert not rclpy_private.is_in_graph(Node.__new__(Node))
+    assert rclpy_private.is_in_graph(ros.tool_node)
+
+
+def test_a_handle_is_destroyed_when_its_last_user_has_left(other_context):
+    """Here a ``with`` block that does not end stands for the executor that never runs again."""
+    node = Node('held', context=other_context)
+    observer = Node('observer', context=other_context)
+    service = next(node.services)
+    service.handle.__enter__()
+    wait_until(lambda: 'held' in observer.get_node_names(), 'the node')
+    rclpy_private.destroy_by_force(node)
+    wait_until(lambda: 'held' not in observer.get_node_names(), 'the node to be gone')
+    observer.destroy_node()
+
+
+def test_answers_are_sent_through_an_attribute_of_the_service(ros, lamp):
+    service = next(each for each in lamp.services if each.service_name == '/lamp/get_parameters')
+    errors = []
+    sent = service.send_response
+
+    def fail_once(response, header):
+        service.send_response = sent
+        raise InvalidHandle('on purpose')
+
+    service.send_response = fail_once
+    rclpy_private.watch_answers(service, errors.append)
+    future = ros.services.call_async('/lamp', 'get_parameters', GetParameters.Request(names=['watts']))
+    wait_until(lambda: errors, 'the answer that fails')
+    assert str(errors[0]) == 'on purpose'
+    future.cancel()
+
+
+def test_a_declaration_takes_its_override_from_the_nodes_own_dictionary(ros):
+    node = ros.add(Node, 'empty', ros_args=['-p', 'old:=7'])
+    overrides = rclpy_private.pending_overrides(node)
+    overrides['new'] = Parameter('new', value=overrides.pop('old').value)
+    assert ros.run(lambda: [node.declare_parameter(name, 1).value for name in ('new', 'old')], 'declare') == [7, 1]
+
+
+def test_what_is_written_into_the_own_descriptor_is_described(ros):
+    node = ros.add(Node, 'empty')
+    ros.run(lambda: node.declare_parameter('serial', 'A', ParameterDescriptor(read_only=True)), 'declare')
+    rclpy_private.own_descriptor(node, 'serial').additional_constraints = 'one letter'
+    assert ParameterClient(node).describe_parameter('serial').additional_constraints == 'one letter'
+
+
+def test_parameter_callbacks_are_called_by_going_through_three_lists(ros, lamp):
+    calls = []
+
+    def call_instead(kind, callback, parameters):
+        calls.append((kind, callback))
+        return callback(parameters)
+
+    stop = ros.run(lambda: rclpy_private.observe_changes(lamp, call_instead, lambda publish, event: publish(event)),
+                   'observe')
+    ParameterClient(lamp).set_parameter('watts', 6)
+    ros.run(stop, 'stop observing')
+    ParameterClient(lamp).set_parameter('watts', 7)
+    assert [call for call in calls if getattr(call[1], '__self__', None) is lamp] == [
+        ('pre-set', lamp.pre), ('on-set', lamp.judge), ('post-set', lamp.post)]
+    assert lamp.seen == ['pre', 'judge', 'post'] * 2
+
+
+def test_parameter_callbacks_are_removed_while_they_are_observed_as_ever(ros, lamp):
+    stop = ros.run(lambda: rclpy_private.observe_changes(
+        lamp, lambda kind, callback, parameters: callback(parameters), lambda publish, event: publish(event)),
+        'observe')
+    lamp.remove_on_set_parameters_callback(lamp.judge)
+    ros.run(stop, 'stop observing')
+    ParameterClient(lamp).set_parameter('watts', 6)
+    assert lamp.seen == ['pre', 'post']
+
+
+def test_a_parameter_event_is_published_through_the_nodes_own_publisher(ros, lamp):
+    events = []
+    stop = ros.run(lambda: rclpy_private.observe_changes(
+        lamp, lambda kind, callback, parameters: callback(parameters), lambda publish, event: events.append(event)),
+        'observe')
+    ParameterClient(lamp).set_parameter('watts', 6)
+    ros.run(stop, 'stop observing')
+    ParameterClient(lamp).set_parameter('watts', 7)
+    assert [event.changed_parameters[0].value.integer_value for event in events] == [6]
+
+
+def test_no_other_file_uses_private_names_of_rclpy(ros, lamp):
+    client = lamp.create_client(GetParameters, '/nobody/get_parameters')
+    private = {name for thing in (lamp, client, lamp._parameter_service, rclpy.task.Future(), *lamp.services)
+               for name in dir(thing) if re.match('_[^_]', name)}
+    private.remove('_lock')  # a name that classes of ours use as well
+    assert {'_parameters', '_pending_requests', '_get_node'} <= private
+    found = []
+    for path in PACKAGE.rglob('*.py'):
+        if path.name == 'rclpy_private.py':
+            continue
+        for step in ast.walk(ast.parse(path.read_text())):
+            # What a class keeps in self is its own.
+            if (isinstance(step, ast.Attribute) and step.attr in private
+                    and ast.unparse(step.value) not in ('self', 'cls')):
+                found.append(f'{path.name}: {ast.unparse(step)}')
+            elif isinstance(step, ast.Constant) and step.value in private:
+                found.append(f'{path.name}: {step.value!r}')
+            elif isinstance(step, ast.ImportFrom) and 'rclpy.experimental' in (step.module or ''):
+                found.append(f'{path.name}: {step.module}')
+    assert found == []
