@@ -31,6 +31,10 @@ test: lint  ## run the whole test suite, as CI does
 	@mkdir -p "$$IPYTHONDIR"
 	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
+# On two cores about a minute for each; a version that isn't here is named and passed over.
+test-pythons: setup-all  ## run the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
+	@$(VENV) -m tests.tools.pythons $(ARGS)
+
 html: setup-all  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.lessons $(ARGS)
 
@@ -56,7 +60,7 @@ lock: setup  ## work out the locks in environment/ anew
 	@$(COMPILE) --upgrade --group uv --output-file $(LOCK)-uv.lock
 
 clean:  ## remove everything that these targets made
-	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis environment/.setup.lock
+	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab test html lesson bench lint lock clean
+.PHONY: help setup setup-all lab test test-pythons html lesson bench lint lock clean

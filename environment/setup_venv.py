@@ -129,11 +129,10 @@ def fetch_uv():
     with open(os.path.join(ROOT, UV), encoding='utf-8') as file:
         uv = os.path.join(BUILD, 'uv-' + re.search(r'^uv==(\S+)', file.read(), flags=re.MULTILINE).group(1))
     if not os.path.exists(uv):
-        os.makedirs(BUILD, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=BUILD) as folder:
             python, made = os.path.join(folder, 'bin', 'python'), os.path.join(folder, 'bin', 'uv')
             run([base_python(), '-I', '-m', 'venv', folder], f"{base_python()} can't run venv, for the reason above.")
-            options = ['--quiet', '--disable-pip-version-check', '--no-input', '--no-deps', '--require-hashes']
+            options = ['-qq', '--disable-pip-version-check', '--no-input', '--no-deps', '--require-hashes']
             run([python, '-I', '-m', 'pip', 'install', *options, '-r', UV], 'pip could not fetch uv, ' + AGAIN)
             os.replace(made, uv)
     return uv
@@ -173,7 +172,8 @@ def only_one():
     """Let one set-up of this checkout run at a time; a second one waits, then finds the work done."""
     import fcntl  # not on Windows, where the checks end the run before this
 
-    with open(os.path.join(ROOT, 'environment', '.setup.lock'), 'w', encoding='utf-8') as file:
+    os.makedirs(BUILD, exist_ok=True)
+    with open(os.path.join(BUILD, '.setup.lock'), 'w', encoding='utf-8') as file:
         # uv holds the lock too: it works on when this process is killed.
         os.set_inheritable(file.fileno(), True)
         try:
@@ -213,7 +213,7 @@ def set_up(lock, wanted_python):
     part, stamp = outdated(lock, wanted_python), read_stamp()
     if part is None:
         return
-    print('Setting up .venv (the first time, 100 to 200 MB are downloaded).', flush=True)
+    print('Setting up .venv; the first time there are up to 200 MB to download.', flush=True)
     # What tests and website need stays once it is there.
     lock = EVERYTHING if stamp and stamp.get('installed') == EVERYTHING else lock
     uv = fetch_uv()
