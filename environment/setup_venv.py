@@ -47,13 +47,13 @@ class SetupError(Exception):
 def system_problem():
     """Return what is wrong with this system, or None. No other Python on it could help."""
     libc, version = platform.libc_ver()
+    found = platform.system(), platform.machine(), libc
     # The ROS wheels are tagged manylinux_2_28_x86_64.
-    if (platform.system(), platform.machine(), libc) == ('Linux', 'x86_64', 'glibc'):
-        if [int(number) for number in version.split('.')] >= [2, 28]:
-            return None
+    if found == ('Linux', 'x86_64', 'glibc') and [int(number) for number in version.split('.')] >= [2, 28]:
+        return None
     return (
         f'This set-up needs Linux on x86-64 with glibc 2.28 or newer, because ROS 2 wheels exist for nothing else, and '
-        f'this is {platform.platform()}: see environment/README.md for the ways with RoboStack (conda or pixi) and Docker.'
+        f'this is {platform.platform()}: see environment/README.md for RoboStack (conda or pixi) and Docker.'
     )
 
 
@@ -106,9 +106,8 @@ def wanted_stamp(lock, python):
 
 
 def read_stamp():
-    with contextlib.suppress(OSError, ValueError):
-        with open(STAMP, encoding='utf-8') as file:
-            return json.load(file)
+    with contextlib.suppress(OSError, ValueError), open(STAMP, encoding='utf-8') as file:
+        return json.load(file)
     return None
 
 

@@ -49,7 +49,7 @@ class Checkout:
 
     def start(self, *arguments: str, code: str | None = None, python: str | Path = sys.executable,
               **variables: str) -> subprocess.Popen[str]:
-        """Start the script, or code that ends by running it; no network, whose part the cache of this checkout plays."""
+        """Start the script, or code that ends by running it; the cache of this checkout stands for the network."""
         cache = os.environ.get('UV_CACHE_DIR', str(ROOT / 'build' / 'uv-cache'))
         return subprocess.Popen(
             [python, *(['-c', code] if code else []), self.script, *arguments], text=True, start_new_session=True,

@@ -1,7 +1,7 @@
 """Run the tests that talk to rclpy on every other CPython that the lock is for, as far as this machine has it.
 
-Each gets an environment under build/pythons/, from the lock and so with the same versions. uv finds the interpreters: on
-the PATH, and here also those that pyenv keeps beside it. It downloads none.
+Each gets an environment under build/pythons/, from the lock and so with the same versions. uv finds the interpreters on
+the PATH, to which those of pyenv are added here. It downloads none.
 """
 
 import os
