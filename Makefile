@@ -2,54 +2,67 @@
 # PYTHON=python3.12 chooses the interpreter; ARGS="…" is handed to JupyterLab or pytest.
 
 # Someone who works with ROS has sourced a setup.bash. Its Python packages and libraries must not mix with those in
-# .venv, which are of another build. PATH stays, so the genuine `ros2` is still found; it needs what is taken away here
-# under its old names, and whoever starts it puts that back.
-export PARAM_TUTORIAL_OUTER_PYTHONPATH := $(PYTHONPATH)
-export PARAM_TUTORIAL_OUTER_LD_LIBRARY_PATH := $(LD_LIBRARY_PATH)
+# .venv, which are of another build. PATH stays, so the genuine `ros2` is still found; whoever starts it gives it back
+# what is taken away here.
 unexport PYTHONPATH PYTHONHOME LD_LIBRARY_PATH _ROS_WHEELS_BOOTSTRAP_COMPLETE
 
 VENV := .venv/bin/python
-LOCK := environment/requirements.lock
+OUTER := $(or $(PYTHON),python3)
+# The script says what is wrong with a Python from 3.6 on.
+SET_UP = $(OUTER) -c 'import sys; sys.exit(sys.version_info < (3, 6))' 2>/dev/null \
+    || { echo "$(OUTER) does not run as Python 3: install CPython 3.10 to 3.14, or name it: PYTHON=python3.12 make lab" >&2; exit 1; }; \
+    PYTHON="$(PYTHON)" $(OUTER) environment/setup_venv.py
 
 help:  ## list these targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
-setup:  ## create or repair .venv from the lock file
-	@command -v python3 >/dev/null || { echo "There is no python3 here: install CPython 3.10 to 3.14 first." >&2; exit 1; }
-	@PYTHON="$(PYTHON)" python3 environment/setup_venv.py
+setup:  ## create or repair .venv, with what the lessons need
+	@$(SET_UP)
+
+setup-all:  ## the same, with what tests, website and lint need as well
+	@$(SET_UP) --everything
 
 lab: setup  ## start JupyterLab on the course, after the set-up if needed
 	@$(VENV) environment/lab.py $(ARGS)
 
-test: setup lint  ## run the whole test suite, as CI does
+test: lint  ## run the whole test suite, as CI does
 	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
-test-fast: setup  ## run the tests that take seconds in all, while you edit
+test-fast: setup-all  ## run the tests that take seconds in all, while you edit
 	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
 
-html: setup  ## make the HTML lessons, in build/html/
+# On two cores about a minute for each; a version that isn't here is named and passed over.
+test-pythons: setup-all  ## run the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
+	@$(VENV) -m tests.tools.pythons $(ARGS)
+
+html: setup-all  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.lessons $(ARGS)
 
-lesson: setup  ## make one lesson as one file: make lesson CHAPTER=06
+lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=06
 	@test -n "$(CHAPTER)" || { echo "Which one? make lesson CHAPTER=06" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.lessons --lesson "$(CHAPTER)" $(ARGS)
 
-bench: setup  ## run the benchmarks
+bench: setup-all  ## run the benchmarks
 	@$(VENV) -m tests.tools.bench $(ARGS)
 
-lint: setup  ## check code and notebooks without running them
+lint: setup-all  ## check code and notebooks without running them
 	@$(VENV) -m ruff check .
 	@$(VENV) -m mypy
 	@$(VENV) -m tests.tools.notebook_lint notebooks
 
-lock: setup  ## work out environment/requirements.lock anew
-	@test -x build/uv/bin/uv || $(VENV) -m pip install --quiet --target build/uv uv
-	@build/uv/bin/uv pip compile --quiet --universal --python-version 3.10 --extra test --extra html --extra setup --upgrade \
-	    --generate-hashes --no-annotate --custom-compile-command "make lock" --output-file $(LOCK) pyproject.toml
+# The second lock is a part of the first, at the same versions.
+LOCK := environment/requirements
+COMPILE = build/uv-$$(sed -n 's/^uv==\([^ ]*\).*/\1/p' $(LOCK)-uv.lock) pip compile --quiet --universal \
+    --python-version 3.10 --generate-hashes --no-annotate --custom-compile-command "make lock"
+lock: export UV_CACHE_DIR ?= $(CURDIR)/build/uv-cache
+lock: setup  ## work out the locks in environment/ anew
+	@$(COMPILE) --upgrade --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml
+	@$(COMPILE) --upgrade --constraints $(LOCK)-dev.lock --output-file $(LOCK).lock pyproject.toml
+	@$(COMPILE) --upgrade --group uv --output-file $(LOCK)-uv.lock
 
 clean:  ## remove everything that these targets made
-	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis environment/.setup.lock
+	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup lab test test-fast html lesson bench lint lock clean
+.PHONY: help setup setup-all lab test test-fast test-pythons html lesson bench lint lock clean

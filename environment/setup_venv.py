@@ -1,10 +1,10 @@
-"""Make .venv in this checkout from the lock file, or say in one sentence why that can't be done.
+"""Bring .venv up to date with its lock, or say in one sentence why that can't be done.
 
-`make lab` and `make test` run this before anything else, with whatever `python3` there is. It therefore uses the
-standard library only, keeps to the syntax of Python 3.6, and downloads nothing until every check has passed.
+`make` runs this before anything else, with whatever `python3` there is. It therefore uses the standard library only,
+keeps to the syntax of Python 3.6, and downloads nothing until every check has passed. uv does the work: pip fetches
+that one program, with its hash, and uv makes .venv and fills it.
 
-A stamp, written last, says what .venv was made from. While it holds, a run does nothing; without it, after an
-interruption or a change of the lock, .venv is made afresh.
+A stamp in .venv, written last, says what .venv was made from. Without it, after an interruption, .venv is made afresh.
 """
 
 import contextlib
@@ -17,348 +17,227 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), os.pardir))
-LOCK = os.path.join('environment', 'requirements.lock')
-PROJECT = 'pyproject.toml'
-STAMP = 'param_tutorial_setup.json'
+VENV = os.path.join(ROOT, '.venv')
+VENV_PYTHON = os.path.join(VENV, 'bin', 'python')
+STAMP = os.path.join(VENV, 'param_tutorial_setup.json')
+BUILD = os.path.join(ROOT, 'build')
+# What a lesson needs; that and what tests, website and lint need; uv.
+LEARNER, EVERYTHING, UV = ('environment/requirements{}.lock'.format(part) for part in ('', '-dev', '-uv'))
 
-OLDEST, NEWEST = (3, 10), (3, 14)
-# Tried in this order when `python3` itself won't do; the middle ones have had the most use.
+# Tried in this order when `python3` itself won't do; the first ones have had the most use.
 FALLBACKS = ('python3.12', 'python3.13', 'python3.11', 'python3.10', 'python3.14')
-# 0.7 GB installed, and pip unpacks its downloads beside that.
-BYTES_NEEDED = 2 * 10**9
-# The wheels are tagged manylinux_2_28.
-OLDEST_GLIBC = (2, 28)
+# A sourced ROS or an activated environment would lead Python astray, and so would options of the user's that send
+# packages somewhere else. What says which index to ask, and how, stays.
+FOREIGN = {'PYTHONPATH', 'PYTHONHOME', 'LD_LIBRARY_PATH', '_ROS_WHEELS_BOOTSTRAP_COMPLETE', '__PYVENV_LAUNCHER__'}
+FOREIGN |= {'PIP_USER', 'PIP_TARGET', 'PIP_PREFIX', 'PIP_ROOT', 'PIP_CONSTRAINT', 'UV_CONSTRAINT', 'UV_OVERRIDE'}
+# The cache is in the checkout, so that uv links files in place of copying them, and needs no writable home.
+ENVIRONMENT = {'UV_CACHE_DIR': os.path.join(BUILD, 'uv-cache')}
+ENVIRONMENT.update((name, value) for name, value in os.environ.items() if name not in FOREIGN)
 
-
-UNISOLATED = ('--no-deps', '--no-build-isolation', '--use-pep517')
+AGAIN = 'for the reason above: the set-up needs the network; run the same command again once that is put right.'
 
 
 class SetupError(Exception):
     """A sentence for the learner; printed without a traceback."""
 
 
-def facts():
-    """Describe the interpreter that runs this, and its system; printed as JSON for the one that asks."""
-    libc = ''
-    with contextlib.suppress(AttributeError, OSError, ValueError):
-        libc = os.confstr('CS_GNU_LIBC_VERSION') or ''
-    return {
-        'python': sys.executable,
-        'system': platform.system(),
-        'machine': platform.machine(),
-        'libc': libc,
-        'implementation': platform.python_implementation(),
-        'version': list(sys.version_info[:3]),
-        'pointer_bits': 64 if sys.maxsize > 2**32 else 32,
-        # Inside an activated .venv the interpreter behind it counts; a venv made from a venv breaks with the first.
-        'base': getattr(sys, '_base_executable', None) or sys.executable,
-        'free_threaded': hasattr(sys, 'abiflags') and 't' in sys.abiflags,
-        'venv': all(importlib.util.find_spec(name) for name in ('venv', 'ensurepip')),
-    }
-
-
-def system_problem(found):
-    """Say what is wrong with the system, or None. No other Python on it could help."""
-    elsewhere = 'see environment/README.md for the ways with RoboStack (conda or pixi) and Docker.'
-    if found['system'] != 'Linux' or found['machine'] != 'x86_64':
-        return (
-            f'This set-up needs Linux on x86-64, because ROS 2 wheels exist for nothing else, and this is '
-            f'{found["system"]} on {found["machine"]}: {elsewhere}'
-        )
-    numbers = re.match(r'glibc (\d+)\.(\d+)', found['libc'])
-    if not numbers:
-        return f'This set-up needs a Linux with glibc, and this one has another C library (musl?): {elsewhere}'
-    if tuple(int(number) for number in numbers.groups()) < OLDEST_GLIBC:
-        return f'This set-up needs glibc 2.28 or newer, and this system has {found["libc"]}: {elsewhere}'
-    return None
-
-
-def python_problem(found):
-    """Say what is wrong with this interpreter, or None. Another one may do."""
-    version = '.'.join(str(number) for number in found['version'])
-    if found['implementation'] != 'CPython' or not OLDEST <= tuple(found['version'][:2]) <= NEWEST:
-        return (
-            f'The course needs CPython 3.10 to 3.14, and {found["python"]} is {found["implementation"]} {version}: '
-            f'install one of these and name it, as in `PYTHON=python3.12 make lab`, or see environment/README.md.'
-        )
-    if found['pointer_bits'] != 64 or found['free_threaded']:
-        return (
-            f'The course needs a 64-bit CPython with the usual GIL, and {found["python"]} is another build: '
-            f'name such a one, as in `PYTHON=python3.12 make lab`, or see environment/README.md.'
-        )
-    if not found['venv']:
-        return (
-            f'{found["python"]} comes without venv or ensurepip: '
-            f'`sudo apt install python3-venv` adds them on Debian and Ubuntu; environment/README.md has other ways.'
-        )
-    return None
-
-
-def place_problem(root, free_bytes=None):
-    """Say why .venv can't be made in this folder, or None."""
-    if not os.access(root, os.W_OK):
-        return f"The folder {root} can't be written to: copy or clone the course to a folder of your own."
-    if ':' in root:
-        return f"Python can't make a virtual environment below a folder with a colon in its name: move {root}."
-    if free_bytes is None:
-        free_bytes = shutil.disk_usage(root).free
-    if free_bytes < BYTES_NEEDED:
-        return (
-            f'The disk that holds {root} has {free_bytes / 1e9:.1f} GB free and the set-up needs '
-            f'{BYTES_NEEDED / 1e9:.1f} GB: make room, or clone the course to another disk.'
-        )
-    if os.path.isdir(venv_path(root)) and os.listdir(venv_path(root)) and read_stamp(root) is None:
-        return (
-            f'{venv_path(root)} was not made by this course, so it is left alone: '
-            f'move it away or delete it, then try again.'
-        )
-    return None
-
-
-def ask(python):
-    """Return the facts of another interpreter, or None when it doesn't run."""
-    path = shutil.which(python)
-    if path is None:
+def system_problem():
+    """Return what is wrong with this system, or None. No other Python on it could help."""
+    libc, version = platform.libc_ver()
+    found = platform.system(), platform.machine(), libc
+    # The ROS wheels are tagged manylinux_2_28_x86_64.
+    if found == ('Linux', 'x86_64', 'glibc') and [int(number) for number in version.split('.')] >= [2, 28]:
         return None
-    # A name found may still be a stub, such as pyenv's shim of a version that isn't selected.
-    done = subprocess.run(
-        [path, os.path.abspath(__file__), '--facts'],
-        env=clean_environment(),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        check=False,
+    return (
+        f'This set-up needs Linux on x86-64 with glibc 2.28 or newer, because ROS 2 wheels exist for nothing else, and '
+        f'this is {platform.platform()}: see environment/README.md for RoboStack (conda or pixi) and Docker.'
     )
-    try:
-        return json.loads(done.stdout.decode())
-    except ValueError:
-        return None
 
 
-def choose_python(wanted=None, own=None):
-    """Return the facts of the interpreter to use, or raise the sentence that says why there is none."""
-    if wanted:
-        found = ask(wanted)
-        if found is None:
-            raise SetupError(
-                f'PYTHON={wanted} does not run as Python 3.6 or newer: '
-                f'name an interpreter of CPython 3.10 to 3.14, as in `PYTHON=python3.12 make lab`.'
-            )
-        problem = python_problem(found)
-        if problem:
-            raise SetupError(problem)
-        return found
-    own = own or facts()
-    problem = python_problem(own)
-    if problem is None:
-        return own
-    for name in FALLBACKS:
-        found = ask(name)
-        if found is not None and python_problem(found) is None:
-            return found
-    raise SetupError(problem)
+def python_problem():
+    """Return what is wrong with the Python that runs this, or None. Another one may do."""
+    implementation, has_gil = platform.python_implementation(), 't' not in getattr(sys, 'abiflags', '')
+    if implementation != 'CPython' or not (3, 10) <= sys.version_info < (3, 15) or sys.maxsize < 2**32 or not has_gil:
+        return (
+            f'The course needs CPython 3.10 to 3.14, 64-bit and with the usual GIL, and {sys.executable} is '
+            f'{implementation} {platform.python_version()}{"" if has_gil else "t"}: install one of these and name it, '
+            f'as in `PYTHON=python3.12 make lab`, or see environment/README.md.'
+        )
+    if not all(map(importlib.util.find_spec, ('venv', 'ensurepip'))):
+        return (
+            f'{sys.executable} comes without venv or ensurepip: `sudo apt install python3-venv` adds them on Debian '
+            f'and Ubuntu; environment/README.md has other ways.'
+        )
+    return None
 
 
-def clean_environment():
-    """Return this process's environment without what would lead another Python astray.
-
-    A sourced ROS sets PYTHONPATH, an activated environment may set PYTHONHOME, and the ROS wheels leave word that the
-    libraries of *some* environment are on the path already.
-    """
-    drop = ('PYTHONPATH', 'PYTHONHOME', '_ROS_WHEELS_BOOTSTRAP_COMPLETE', '__PYVENV_LAUNCHER__')
-    # Options of the user's that would send the packages somewhere else, or refuse them.
-    drop += ('PIP_USER', 'PIP_TARGET', 'PIP_PREFIX', 'PIP_ROOT', 'PIP_CONSTRAINT', 'PIP_DRY_RUN')
-    return {name: value for name, value in os.environ.items() if name not in drop}
+def run_with_another_python():
+    """Start this script anew with a Python that will do; return if there is none."""
+    for path in filter(None, map(shutil.which, FALLBACKS)):
+        # A name found may still be a stub, such as pyenv's shim of a version that isn't selected.
+        if subprocess.call([path, __file__, '--check'], stderr=subprocess.DEVNULL, env=ENVIRONMENT) == 0:
+            os.execve(path, [path] + sys.argv, ENVIRONMENT)
 
 
-def venv_path(root):
-    return os.path.join(root, '.venv')
+def base_python():
+    """Return the interpreter that runs this; inside an activated .venv, the one behind it."""
+    return os.path.realpath(getattr(sys, '_base_executable', None) or sys.executable)
 
 
-def venv_python(root):
-    return os.path.join(venv_path(root), 'bin', 'python')
-
-
-def digest(path):
-    with open(path, 'rb') as file:
+def digest(name):
+    with open(os.path.join(ROOT, name), 'rb') as file:
         return hashlib.sha256(file.read()).hexdigest()
 
 
-def wanted_stamp(root, python):
+def wanted_stamp(lock, python):
     """Return what the stamp says when .venv is up to date."""
     return {
-        'lock': digest(os.path.join(root, LOCK)),
-        'project': digest(os.path.join(root, PROJECT)),
         # Scripts in .venv/bin hold the folder's path, so a checkout that was moved or copied needs a new one.
-        'folder': os.path.realpath(venv_path(root)),
+        'folder': VENV,
         # A system upgrade can put another Python behind the name that .venv links to.
         'python': os.path.realpath(python),
+        'locks': [digest(LEARNER), digest(EVERYTHING)],
+        'project': digest('pyproject.toml'),
+        'installed': lock,
     }
 
 
-def read_stamp(root):
-    try:
-        with open(os.path.join(venv_path(root), STAMP), encoding='utf-8') as file:
-            return json.load(file)
-    except (OSError, ValueError):
-        return None
+def read_stamp():
+    with contextlib.suppress(OSError, ValueError), open(STAMP, encoding='utf-8') as file:
+        return json.load(file)
+    return None
 
 
-def write_stamp(root, stamp):
-    path = os.path.join(venv_path(root), STAMP)
-    with open(path + '.new', 'w', encoding='utf-8') as file:
+def write_stamp(stamp):
+    with open(STAMP + '.new', 'w', encoding='utf-8') as file:
         json.dump(stamp, file, indent=1)
-    os.replace(path + '.new', path)
+    os.replace(STAMP + '.new', STAMP)
 
 
-def outdated(root, wanted=None):
-    """Return what is out of date: "venv", "project" (the course's own metadata) or None; quick, as every run asks."""
-    stamp = read_stamp(root)
-    if stamp is None or not os.path.exists(venv_python(root)):
-        return 'venv'
-    expected = wanted_stamp(root, venv_python(root))
-    if any(stamp.get(key) != expected[key] for key in ('lock', 'folder', 'python')):
-        return 'venv'
-    if wanted and os.path.realpath(choose_python(wanted)['base']) != stamp['python']:
-        return 'venv'
-    return None if stamp == expected else 'project'
+def run(words, problem):
+    """Run a command, which says itself what it does and what goes wrong; raise the sentence if it fails."""
+    if subprocess.call(words, cwd=ROOT, env=ENVIRONMENT, close_fds=False) != 0:
+        raise SetupError(problem)
 
 
-def say(text):
-    print(text, flush=True)
+def fetch_uv():
+    """Return the path of the locked uv, fetched if need be. A file of that name is whole: it is moved there last."""
+    with open(os.path.join(ROOT, UV), encoding='utf-8') as file:
+        uv = os.path.join(BUILD, 'uv-' + re.search(r'^uv==(\S+)', file.read(), flags=re.MULTILINE).group(1))
+    if not os.path.exists(uv):
+        with tempfile.TemporaryDirectory(dir=BUILD) as folder:
+            python, made = os.path.join(folder, 'bin', 'python'), os.path.join(folder, 'bin', 'uv')
+            run([base_python(), '-I', '-m', 'venv', folder], f"{base_python()} can't run venv, for the reason above.")
+            options = ['-qq', '--disable-pip-version-check', '--no-input', '--no-deps', '--require-hashes']
+            run([python, '-I', '-m', 'pip', 'install', *options, '-r', UV], 'pip could not fetch uv, ' + AGAIN)
+            os.replace(made, uv)
+    return uv
 
 
-def run_pip(root, arguments, total=None):
-    """Run .venv's pip, showing a count of packages in place of its hundreds of lines."""
-    command = [venv_python(root), '-I', '-m', 'pip', 'install', '--disable-pip-version-check', '--no-input']
-    lines, seen, on_screen = [], 0, sys.stdout.isatty()
-    with subprocess.Popen(
-        command + arguments,
-        cwd=root,
-        env=clean_environment(),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        universal_newlines=True,
-    ) as process:
-        for line in process.stdout:
-            lines.append(line.rstrip())
-            if not total:
-                continue
-            if line.startswith('Collecting '):
-                seen += 1
-                if on_screen:
-                    print(f'\r  {seen} of about {total} packages fetched', end='', flush=True)
-                elif seen % 50 == 0:
-                    say(f'  {seen} of about {total} packages fetched')
-            elif line.startswith('Installing collected packages'):
-                say(('\r' if on_screen else '') + f'  {seen} of about {total} packages fetched; unpacking them')
-    if process.returncode != 0:
-        say('\n'.join(lines[-15:]))
-        raise SetupError(
-            'pip could not install the packages, for the reason above; '
-            'nothing is left half done, so run the same command again once that is put right.'
-        )
+def make_venv(uv):
+    """Make .venv afresh, with no packages in it."""
+    os.makedirs(VENV, exist_ok=True)
+    # From here on the folder is ours, finished or not: one without this file is never touched.
+    write_stamp({})
+    for entry in os.scandir(VENV):
+        if entry.is_dir(follow_symlinks=False):
+            shutil.rmtree(entry.path)
+        elif entry.path != STAMP:
+            os.remove(entry.path)
+    options = ['--quiet', '--no-project', '--no-python-downloads', '--allow-existing', '--python', base_python()]
+    run([uv, 'venv', *options, VENV], f"uv can't make a virtual environment with {base_python()}.")
+
+
+def install(uv, lock):
+    """Put what is locked into .venv, and the course itself; what is there already stays."""
+    # Never `uv pip sync`, nor --exact: a ROS wheel has a second package inside, such as rclpy in ros-rclpy. No lock
+    # names it, so both would uninstall it, and with it the files of the first.
+    # The locked setuptools builds the course itself and empy, the one dependency that is published as source only.
+    options = ['--no-deps', '--build-constraints', lock, '--require-build-hashes', '--reinstall-package=param-tutorial']
+    options += [] if sys.stderr.isatty() else ['--quiet']
+    run(
+        [uv, 'pip', 'install', '--python', VENV_PYTHON, *options, '--requirement', lock, '--editable', '.'],
+        'uv could not install the packages, ' + AGAIN,
+    )
+    # So that a broken library is found now and not in a lesson.
+    run([VENV_PYTHON, '-I', '-c', 'import param_tutorial'], "The course can't be imported, for the reason above.")
 
 
 @contextlib.contextmanager
-def only_one(root):
+def only_one():
     """Let one set-up of this checkout run at a time; a second one waits, then finds the work done."""
     import fcntl  # not on Windows, where the checks end the run before this
 
-    with open(os.path.join(root, 'environment', '.setup.lock'), 'w', encoding='utf-8') as file:
+    os.makedirs(BUILD, exist_ok=True)
+    with open(os.path.join(BUILD, '.setup.lock'), 'w', encoding='utf-8') as file:
+        # uv holds the lock too: it works on when this process is killed.
+        os.set_inheritable(file.fileno(), True)
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            say('Another set-up of this checkout is running; waiting for it to end.')
+            print('Another set-up of this checkout is running; waiting for it to end.', flush=True)
             fcntl.flock(file, fcntl.LOCK_EX)
         yield
 
 
-def setuptools_pins(lock):
-    """Return the lock's entry for setuptools, by itself."""
-    return ''.join(re.findall(r'^setuptools==.*\n(?: .*\n)+', lock, flags=re.MULTILINE))
+def check(wanted_python):
+    """Raise the sentence that says why .venv can't be made here, or start anew with a Python that can."""
+    problem = system_problem()
+    if problem is None:
+        problem = python_problem()
+        if problem and not wanted_python:
+            run_with_another_python()
+    if problem:
+        raise SetupError(problem)
+    if os.path.isdir(VENV) and os.listdir(VENV) and read_stamp() is None:
+        raise SetupError(f'This course did not make {VENV}, so it is left alone: move it away, then try again.')
 
 
-def check_imports(root):
-    """Import once what every lesson needs, so that a broken library is found now and not in a lesson."""
-    done = subprocess.run(
-        [venv_python(root), '-I', '-c', 'import ipywidgets, jupyterlab, param_tutorial, rclpy'],
-        env=clean_environment(),
-        check=False,
-    )
-    if done.returncode != 0:
-        raise SetupError("The packages are installed but can't be imported, for the reason above.")
+def outdated(lock, wanted_python):
+    """Return what of .venv is out of date: "venv", "packages" or None; quick, as every run asks."""
+    stamp = read_stamp()
+    if not stamp or not os.path.exists(VENV_PYTHON):
+        return 'venv'
+    wanted = wanted_stamp(lock, base_python() if wanted_python else VENV_PYTHON)
+    if any(stamp[key] != wanted[key] for key in ('folder', 'python', 'locks')):
+        return 'venv'
+    return None if stamp['project'] == wanted['project'] and stamp['installed'] in (lock, EVERYTHING) else 'packages'
 
 
-def make_venv(root, python):
-    """Make .venv afresh and fill it; the stamp is written when everything is in place."""
-    with open(os.path.join(root, LOCK), encoding='utf-8') as file:
-        lock = file.read()
-    say(f'Setting up .venv with {python} (once; about 150 MB to download).')
-    stamp = wanted_stamp(root, python)
-    os.makedirs(venv_path(root), exist_ok=True)
-    # From here on the folder is ours, finished or not: one without this file is never touched.
-    write_stamp(root, {'unfinished': True})
-    for entry in os.scandir(venv_path(root)):
-        if entry.is_dir(follow_symlinks=False):
-            shutil.rmtree(entry.path)
-        elif entry.name != STAMP:
-            os.remove(entry.path)
-    made = subprocess.run([python, '-I', '-m', 'venv', venv_path(root)], env=clean_environment(), check=False)
-    if made.returncode != 0:
-        raise SetupError(f'{python} could not make a virtual environment, for the reason above.')
-
-    # One dependency, empy, is published as source only. The locked setuptools builds it, and the course itself;
-    # pip's build isolation would fetch another, unlocked one for that.
-    pins = os.path.join(venv_path(root), 'setuptools.txt')
-    with open(pins, 'w', encoding='utf-8') as file:
-        file.write(setuptools_pins(lock))
-    run_pip(root, ['--no-deps', '--require-hashes', '-r', pins])
-    names = set(re.findall(r'^([a-z0-9-]+)==', lock, flags=re.MULTILINE))
-    run_pip(root, [*UNISOLATED, '--require-hashes', '-r', LOCK], total=len(names))
-    run_pip(root, [*UNISOLATED, '--editable', '.'])
-
-    check_imports(root)
-    write_stamp(root, stamp)
-    say('The set-up is done.')
-
-
-def refresh_project(root):
-    """Install the course itself again, after a change of its metadata; the packages it needs are as locked."""
-    stamp = wanted_stamp(root, venv_python(root))
-    run_pip(root, [*UNISOLATED, '--editable', '.'])
-    write_stamp(root, stamp)
-
-
-def set_up(root, wanted=None):
-    """Bring .venv up to date, or raise the sentence that says why that can't be."""
-    if outdated(root, wanted) is None:
+def set_up(lock, wanted_python):
+    """Bring .venv up to date; nothing else may do so meanwhile."""
+    part, stamp = outdated(lock, wanted_python), read_stamp()
+    if part is None:
         return
-    problem = system_problem(facts())
-    if problem:
-        raise SetupError(problem)
-    python = choose_python(wanted)['base']
-    problem = place_problem(root)
-    if problem:
-        raise SetupError(problem)
-    with only_one(root):
-        # Asked again, for another run may have done the work while this one waited.
-        part = outdated(root, wanted)
-        if part == 'venv':
-            make_venv(root, python)
-        elif part == 'project':
-            refresh_project(root)
+    print('Setting up .venv; the first time there are up to 200 MB to download.', flush=True)
+    # What tests and website need stays once it is there.
+    lock = EVERYTHING if stamp and stamp.get('installed') == EVERYTHING else lock
+    uv = fetch_uv()
+    if part == 'venv':
+        make_venv(uv)
+    write_stamp({})
+    install(uv, lock)
+    write_stamp(wanted_stamp(lock, VENV_PYTHON))
+    print('The set-up is done.', flush=True)
 
 
 def main(arguments):
-    if arguments == ['--facts']:
-        print(json.dumps(facts()))
-        return 0
+    if arguments == ['--check']:
+        return 1 if python_problem() else 0
+    lock, wanted_python = EVERYTHING if arguments == ['--everything'] else LEARNER, os.environ.get('PYTHON')
     try:
-        set_up(ROOT, os.environ.get('PYTHON'))
+        if outdated(lock, wanted_python):
+            check(wanted_python)
+            with only_one():
+                set_up(lock, wanted_python)
     except SetupError as error:
         print(error, file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f'The set-up could not write to this checkout: {error}.', file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print('\nStopped; the next run starts the set-up again.', file=sys.stderr)

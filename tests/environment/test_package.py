@@ -5,6 +5,8 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from collections import defaultdict
+from importlib.metadata import distributions
 from pathlib import Path
 
 import pytest
@@ -16,11 +18,20 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
-LOCK = (ROOT / 'environment' / 'requirements.lock').read_text()
+LOCKS = {path.name: path.read_text() for path in (ROOT / 'environment').glob('*.lock')}
+# Everything, and the part that a learner gets.
+LOCK, LEARNER_LOCK = LOCKS['requirements-dev.lock'], LOCKS['requirements.lock']
 PYPROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())
 PROJECT = PYPROJECT['project']
-REQUIREMENTS = sum(PROJECT['optional-dependencies'].values(), PROJECT['dependencies'])
-DIRECT = sorted(re.match(r'[\w-]+', requirement)[0] for requirement in REQUIREMENTS)
+# What each lock is made from.
+REQUIREMENTS = {
+    'requirements.lock': PROJECT['dependencies'],
+    'requirements-dev.lock': [
+        *PROJECT['dependencies'], *PROJECT['optional-dependencies']['html'], *PYPROJECT['dependency-groups']['test']],
+    'requirements-uv.lock': PYPROJECT['dependency-groups']['uv'],
+}
+DIRECT = sorted({(lock, re.match(r'[\w-]+', requirement)[0])
+                 for lock, requirements in REQUIREMENTS.items() for requirement in requirements})
 
 # setup.py as setuptools sees it, from a process of its own: it has to run in its own folder.
 DESCRIBE = """
@@ -105,22 +116,53 @@ def test_marker_and_parameter_files_are_installed(setup_py):
         assert all((ROS_PACKAGE / file).is_file() for file in files)
 
 
-def test_the_lock_names_no_address():
-    assert '://' not in LOCK
-    assert not re.search(r'^\s*--(?!hash=sha256:)', LOCK, re.MULTILINE)
+@pytest.mark.parametrize('lock', LOCKS.values(), ids=LOCKS)
+def test_the_lock_names_no_address(lock):
+    assert '://' not in lock
+    assert not re.search(r'^\s*--(?!hash=sha256:)', lock, re.MULTILINE)
 
 
-@pytest.mark.parametrize('name', DIRECT)
-def test_each_direct_dependency_is_locked_and_has_its_reason(name):
-    assert re.search(rf'^{name}==', LOCK, re.MULTILINE)
+@pytest.mark.parametrize(('lock', 'name'), DIRECT)
+def test_each_direct_dependency_is_locked_and_has_its_reason(lock, name):
+    assert re.search(rf'^{name}==', LOCKS[lock], re.MULTILINE)
     readme = (ROOT / 'environment' / 'README.md').read_text()
     assert re.search(rf'^\| `{name}` \| .{{10,}} \|$', readme, re.MULTILINE)
 
 
+def entries(lock: str) -> list[str]:
+    """Return a lock's packages, each with its version, its marker and its hashes."""
+    return re.split(r'^(?=[a-z])', lock, flags=re.MULTILINE)[1:]
+
+
 def test_each_locked_package_has_hashes():
-    blocks = re.split(r'^(?=[a-z])', LOCK, flags=re.MULTILINE)[1:]
-    assert len(blocks) > 100
-    assert [block for block in blocks if '--hash=sha256:' not in block] == []
+    assert len(entries(LOCK)) > 100
+    assert [entry for lock in LOCKS.values() for entry in entries(lock) if '--hash=sha256:' not in entry] == []
+
+
+def test_what_is_tested_is_what_a_learner_gets():
+    assert len(entries(LEARNER_LOCK)) > 100
+    assert set(entries(LEARNER_LOCK)) <= set(entries(LOCK))
+
+
+def test_a_learner_is_spared_what_only_tests_and_website_need():
+    names = {re.match(r'[a-z0-9-]+', entry)[0] for entry in entries(LEARNER_LOCK)}
+    assert not names & {'playwright', 'sphinx', 'hypothesis', 'ruff', 'sqlalchemy', 'coverage', 'lark-parser'}
+
+
+def test_no_two_packages_write_the_same_file():
+    """Which of the two would win is left to chance, as with lark and lark-parser, which share the folder lark/."""
+    everything = list(distributions())
+    # A ROS wheel brings the metadata of a second package along, such as rclpy in ros-rclpy: one package, two names.
+    inner = {Path(str(file)).parts[0] for each in everything for file in each.files or []
+             if Path(str(file)).parts[0].endswith(('.dist-info', '.egg-info'))
+             and Path(str(file)).parts[0] != each._path.name}
+    owners = defaultdict(set)
+    for each in everything:
+        if each._path.name not in inner:
+            for file in each.files or []:
+                owners[str(each.locate_file(file).resolve())].add(each.name)
+    assert len(owners) > 10_000
+    assert {file: names for file, names in owners.items() if len(names) > 1} == {}
 
 
 def test_the_other_environments_name_the_same_packages():

@@ -1,296 +1,323 @@
-"""The set-up's checks and its stamp. pip itself is replaced here; `make test` on a fresh clone runs the real one."""
+"""The set-up: the real script and the real uv, in small checkouts with a lock of one or two packages."""
 
 import ast
 import importlib.util
+import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
-import threading
+from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType, SimpleNamespace
 
 import pytest
 
 from tests.support.paths import ROOT
 
 SCRIPT = ROOT / 'environment' / 'setup_venv.py'
-GOOD = {
-    'python': '/usr/bin/python3',
-    'base': '/usr/bin/python3',
-    'system': 'Linux',
-    'machine': 'x86_64',
-    'libc': 'glibc 2.36',
-    'implementation': 'CPython',
-    'version': [3, 12, 1],
-    'pointer_bits': 64,
-    'free_threaded': False,
-    'venv': True,
-}
 # Passes only where something hangs: a machine that does much else beside needs half a minute for a new environment.
-DEADLINE_SEC = 180
+DEADLINE_SEC = 120
 
 
-@pytest.fixture
-def setup_venv():
-    """A fresh copy of the script as a module, so that a test may replace its parts."""
-    spec = importlib.util.spec_from_file_location('setup_venv_under_test', SCRIPT)
+class Checkout:
+    """A small course: a script, its locks, a package that does nothing, and the uv that this checkout has."""
+
+    def __init__(self, root: Path):
+        self.root = root
+        self.venv = root / '.venv'
+        self.python = self.venv / 'bin' / 'python'
+        self.script = root / 'environment' / SCRIPT.name
+        self.lock = root / 'environment' / 'requirements.lock'
+        self.project = root / 'pyproject.toml'
+        self.package = root / 'param_tutorial.py'
+        self.script.parent.mkdir(parents=True)
+        shutil.copy(SCRIPT, self.script)
+        shutil.copy(ROOT / 'Makefile', root)
+        shutil.copy(ROOT / 'environment' / 'requirements-uv.lock', self.script.parent)
+        self.lock.write_text(locked('setuptools'))
+        (root / 'environment' / 'requirements-dev.lock').write_text(locked('setuptools') + locked('six'))
+        self.project.write_text(
+            '[build-system]\nrequires = ["setuptools"]\nbuild-backend = "setuptools.build_meta"\n'
+            '[project]\nname = "param-tutorial"\nversion = "1"\n[tool.setuptools]\npy-modules = ["param_tutorial"]\n')
+        self.package.touch()
+        uv = Path(load(SCRIPT).fetch_uv())
+        (root / 'build').mkdir()
+        (root / 'build' / uv.name).symlink_to(uv)
+
+    def start(self, *arguments: str, code: str | None = None, python: str | Path = sys.executable,
+              **variables: str) -> subprocess.Popen[str]:
+        """Start the script, or code that ends by running it; the cache of this checkout stands for the network."""
+        cache = os.environ.get('UV_CACHE_DIR', str(ROOT / 'build' / 'uv-cache'))
+        return subprocess.Popen(
+            [python, *(['-c', code] if code else []), self.script, *arguments], text=True, start_new_session=True,
+            env={'PATH': os.defpath, 'UV_CACHE_DIR': cache, 'UV_OFFLINE': '1', **variables},
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def run(self, *arguments: str, status: int = 0, **options: str | Path) -> SimpleNamespace:
+        """Run the script; return what it prints."""
+        with self.start(*arguments, **options) as process:
+            out, err = process.communicate(timeout=DEADLINE_SEC)
+        assert process.returncode == status, out + err
+        return SimpleNamespace(out=out, err=err)
+
+    def has(self, module: str) -> bool:
+        return subprocess.run([self.python, '-c', f'import {module}'], stderr=subprocess.DEVNULL).returncode == 0
+
+    def mark(self) -> Path:
+        """Return a file put into .venv that is gone when .venv is made afresh."""
+        mark = self.venv / 'mark'
+        mark.touch()
+        return mark
+
+
+def locked(name: str) -> str:
+    """Return the real lock's entry for this package."""
+    lock = (ROOT / 'environment' / 'requirements-dev.lock').read_text()
+    return re.search(rf'^{name}==.*\n(?: .*\n)+', lock, flags=re.MULTILINE)[0]
+
+
+def load(script: Path) -> ModuleType:
+    """Return the script as a module of its own, so that a test may replace its parts."""
+    spec = importlib.util.spec_from_file_location('setup_venv_under_test', script)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
 
 
 @pytest.fixture
-def checkout(tmp_path):
-    """A folder that looks like a checkout to the script."""
-    root = tmp_path / 'a checkout'
-    (root / 'environment').mkdir(parents=True)
-    shutil.copy(SCRIPT, root / 'environment')
-    (root / 'environment' / 'requirements.lock').write_text('six==1.17.0 \\\n    --hash=sha256:00\n')
-    (root / 'pyproject.toml').write_text('[project]\n')
-    return root
+def checkout(tmp_path: Path) -> Checkout:
+    return Checkout(tmp_path / 'ein Käse')
 
 
 @pytest.fixture
-def pip_calls(setup_venv, monkeypatch):
-    """Replace pip, and the import of what it would have installed; the list of its calls."""
-    calls = []
-    run = subprocess.run
-
-    def without_pip(words, **options):
-        """Make a real virtual environment; most of the time would go into the pip that nobody calls here."""
-        return run([*words, '--without-pip'] if 'venv' in words else words, **options)
-
-    monkeypatch.setattr(subprocess, 'run', without_pip)
-    monkeypatch.setattr(setup_venv, 'run_pip', lambda root, arguments, total=None: calls.append(arguments))
-    monkeypatch.setattr(setup_venv, 'check_imports', lambda root: None)
-    return calls
+def setup_venv() -> ModuleType:
+    return load(SCRIPT)
 
 
-def run_script(python, root, path, **variables):
-    return subprocess.run(
-        [python, root / 'environment' / 'setup_venv.py'],
-        env={'PATH': str(path), **variables},
-        capture_output=True,
-        text=True,
-        timeout=DEADLINE_SEC,
-        check=False,
-    )
+@pytest.fixture
+def blocked(checkout: Checkout) -> Iterator[Path]:
+    """A pipe: a set-up reads from it near its end, so it waits there until a test writes to it."""
+    pipe = checkout.root / 'pipe'
+    os.mkfifo(pipe)
+    checkout.package.write_text(f'open({str(pipe)!r}).read()\n')
+    return pipe
 
 
-def is_one_sentence(text):
+def is_one_sentence(text: str) -> bool:
     return text.count('\n') == 1 and text.endswith('.\n') and 'Traceback' not in text
 
 
 # The checks
 
 
-@pytest.mark.parametrize(
-    ('change', 'words'),
-    [
-        ({'system': 'Darwin', 'machine': 'arm64'}, 'Darwin on arm64'),
-        ({'system': 'Windows', 'machine': 'AMD64'}, 'Windows on AMD64'),
-        ({'machine': 'aarch64'}, 'Linux on aarch64'),
-        ({'libc': ''}, 'another C library'),
-        ({'libc': 'glibc 2.27'}, 'glibc 2.28 or newer'),
-    ],
-)
-def test_an_unsuitable_system_is_named(setup_venv, change, words):
-    problem = setup_venv.system_problem({**GOOD, **change})
-    assert words in problem and 'environment/README.md' in problem
+@pytest.mark.parametrize(('system', 'machine', 'libc', 'described'), [
+    ('Darwin', 'arm64', ('', ''), 'macOS-15.0-arm64-arm-64bit'),
+    ('Windows', 'AMD64', ('', ''), 'Windows-11-10.0.22631-SP0'),
+    ('Linux', 'aarch64', ('glibc', '2.39'), 'Linux-6.8.0-aarch64-with-glibc2.39'),
+    ('Linux', 'x86_64', ('', ''), 'Linux-6.8.0-x86_64-with'),
+    ('Linux', 'x86_64', ('glibc', '2.27'), 'Linux-4.15.0-x86_64-with-glibc2.27'),
+])
+def test_an_unsuitable_system_is_named(setup_venv, monkeypatch, system, machine, libc, described):
+    answers = {'system': system, 'machine': machine, 'libc_ver': libc, 'platform': described}
+    for name, answer in answers.items():
+        monkeypatch.setattr(setup_venv.platform, name, lambda answer=answer: answer)
+    problem = setup_venv.system_problem()
+    assert described in problem and 'environment/README.md' in problem
     assert is_one_sentence(problem + '\n')
 
 
-@pytest.mark.parametrize(
-    ('change', 'words'),
-    [
-        ({'version': [3, 9, 18]}, 'is CPython 3.9.18'),
-        ({'version': [3, 15, 0]}, 'is CPython 3.15.0'),
-        ({'implementation': 'PyPy'}, 'is PyPy 3.12.1'),
-        ({'pointer_bits': 32}, '64-bit CPython'),
-        ({'free_threaded': True}, 'usual GIL'),
-        ({'venv': False}, 'sudo apt install python3-venv'),
-    ],
-)
-def test_an_unsuitable_python_is_named(setup_venv, change, words):
-    problem = setup_venv.python_problem({**GOOD, **change})
-    assert words in problem and GOOD['python'] in problem
+@pytest.mark.parametrize(('version', 'maxsize', 'abiflags', 'implementation', 'words'), [
+    ((3, 9, 18), 2**63 - 1, '', 'CPython', 'CPython 3.10 to 3.14'),
+    ((3, 15, 0), 2**63 - 1, '', 'CPython', 'CPython 3.10 to 3.14'),
+    ((3, 12, 1), 2**63 - 1, '', 'PyPy', 'is PyPy'),
+    ((3, 12, 1), 2**31 - 1, '', 'CPython', '64-bit'),
+    ((3, 13, 0), 2**63 - 1, 't', 'CPython', 'usual GIL'),
+])
+def test_an_unsuitable_python_is_named(setup_venv, monkeypatch, version, maxsize, abiflags, implementation, words):
+    python = SimpleNamespace(executable='/usr/bin/python3', version_info=version, maxsize=maxsize, abiflags=abiflags)
+    monkeypatch.setattr(setup_venv, 'sys', python)
+    monkeypatch.setattr(setup_venv.platform, 'python_implementation', lambda: implementation)
+    problem = setup_venv.python_problem()
+    assert words in problem and '/usr/bin/python3' in problem
+    assert is_one_sentence(problem + '\n')
+
+
+def test_a_python_without_venv_is_named(setup_venv, monkeypatch):
+    monkeypatch.setattr(setup_venv.importlib.util, 'find_spec', lambda name: None if name == 'ensurepip' else name)
+    problem = setup_venv.python_problem()
+    assert 'sudo apt install python3-venv' in problem and sys.executable in problem
     assert is_one_sentence(problem + '\n')
 
 
 @pytest.mark.parametrize('minor', range(10, 15))
-def test_every_python_of_the_lock_will_do(setup_venv, minor):
-    assert setup_venv.system_problem(GOOD) is None
-    assert setup_venv.python_problem({**GOOD, 'version': [3, minor, 0]}) is None
-
-
-def test_this_system_will_do(setup_venv):
-    assert setup_venv.system_problem(setup_venv.facts()) is None
-    assert setup_venv.python_problem(setup_venv.facts()) is None
-
-
-def test_an_unsuitable_place_is_named(setup_venv, checkout, monkeypatch):
-    assert setup_venv.place_problem(str(checkout)) is None
-    assert '0.5 GB free' in setup_venv.place_problem(str(checkout), free_bytes=5 * 10**8)
-    with_colon = checkout.with_name('a:b')
-    with_colon.mkdir()
-    assert 'with a colon' in setup_venv.place_problem(str(with_colon))
-    monkeypatch.setattr(os, 'access', lambda path, mode: False)
-    assert "can't be written to" in setup_venv.place_problem(str(checkout))
-
-
-def test_nothing_is_made_or_fetched_when_a_check_fails(setup_venv, checkout, pip_calls, monkeypatch):
-    monkeypatch.setattr(setup_venv, 'facts', lambda: {**GOOD, 'system': 'Darwin'})
-    with pytest.raises(setup_venv.SetupError, match='Darwin'):
-        setup_venv.set_up(str(checkout))
-    assert pip_calls == []
-    assert not (checkout / '.venv').exists()
-
-
-# The interpreter
+def test_every_python_of_the_lock_will_do(setup_venv, monkeypatch, minor):
+    assert setup_venv.system_problem() is None
+    monkeypatch.setattr(setup_venv, 'sys', SimpleNamespace(version_info=(3, minor, 0), maxsize=2**63 - 1))
+    assert setup_venv.python_problem() is None
 
 
 def test_the_script_keeps_to_the_syntax_of_python_3_6():
     ast.parse(SCRIPT.read_text(), feature_version=(3, 6))
 
 
-def test_old_pythons_say_one_sentence(checkout, tmp_path):
+def test_old_pythons_say_one_sentence(checkout):
     """Run the script with every old Python that this machine happens to have; a machine may have none."""
     for python in Path.home().glob('.pyenv/versions/3.[6-9].*/bin/python3'):
-        done = run_script(python, checkout, tmp_path)
-        assert done.returncode == 1
-        assert is_one_sentence(done.stderr), done.stderr
-        assert 'CPython 3.10 to 3.14' in done.stderr and str(python.parent) in done.stderr
-        assert done.stdout == ''
-        assert not (checkout / '.venv').exists()
+        said = checkout.run(python=python, status=1, PATH=str(checkout.root))
+        assert is_one_sentence(said.err), said.err
+        assert 'CPython 3.10 to 3.14' in said.err and str(python.parent) in said.err
+        assert said.out == '' and not checkout.venv.exists()
 
 
-def executable(path, text):
-    path.write_text(text)
-    path.chmod(0o755)
+# What makes the script think that it runs on an unsuitable Python.
+AS_PYPY = ('import platform, runpy, sys; sys.argv = sys.argv[1:]; platform.python_implementation = lambda: "PyPy"; '
+           'runpy.run_path(sys.argv[0], run_name="__main__")')
 
 
-def test_another_python_is_found_when_python3_will_not_do(setup_venv, tmp_path, monkeypatch):
+def test_another_python_is_found_when_python3_will_not_do(checkout, tmp_path):
     # A name that is found but doesn't run, as pyenv's shim of a version that isn't selected.
-    executable(tmp_path / 'python3.12', '#!/bin/sh\necho "pyenv: python3.12: command not found" >&2\nexit 127\n')
-    executable(tmp_path / 'python3.13', f'#!/bin/sh\nexec {sys.executable} "$@"\n')
-    monkeypatch.setenv('PATH', str(tmp_path))
-    chosen = setup_venv.choose_python(own={**GOOD, 'version': [3, 8, 18]})
-    assert chosen['version'] == list(sys.version_info[:3])
+    for name, text in {'python3.12': 'exit 127', 'python3.13': f'exec {sys.executable} "$@"'}.items():
+        (tmp_path / name).write_text(f'#!/bin/sh\n{text}\n')
+        (tmp_path / name).chmod(0o755)
+    checkout.run('--everything', code=AS_PYPY, PATH=f'{tmp_path}:{os.defpath}')
+    assert checkout.has('six')
 
 
-def test_a_python_asked_for_is_used_or_refused_by_name(setup_venv, tmp_path, monkeypatch):
-    assert setup_venv.choose_python(sys.executable)['version'] == list(sys.version_info[:3])
-    monkeypatch.setenv('PATH', str(tmp_path))
-    with pytest.raises(setup_venv.SetupError, match=r'PYTHON=python3\.99 does not run'):
-        setup_venv.choose_python('python3.99')
+def test_no_other_python_is_used_than_the_one_asked_for(checkout, tmp_path):
+    (tmp_path / 'python3.12').symlink_to(sys.executable)
+    said = checkout.run(code=AS_PYPY, status=1, PATH=str(tmp_path), PYTHON='pypy3')
+    assert is_one_sentence(said.err) and 'is PyPy' in said.err
+    assert not checkout.venv.exists()
 
 
-def test_a_python_asked_for_in_vain_is_one_sentence(checkout, tmp_path):
-    done = run_script(sys.executable, checkout, tmp_path, PYTHON='python3.99')
-    assert done.returncode == 1
-    assert is_one_sentence(done.stderr) and 'PYTHON=python3.99' in done.stderr
+def test_make_names_a_python_that_does_not_run(checkout):
+    done = subprocess.run(['make', 'setup', 'PYTHON=python3.99'], cwd=checkout.root, capture_output=True, text=True)
+    assert done.returncode and done.stderr.startswith('python3.99 does not run as Python 3: ')
 
 
-def test_a_sourced_ros_does_not_reach_the_new_environment(setup_venv, monkeypatch):
-    for name in ('PYTHONPATH', '_ROS_WHEELS_BOOTSTRAP_COMPLETE', 'PIP_USER'):
-        monkeypatch.setenv(name, 'x')
-    assert not {'PYTHONPATH', '_ROS_WHEELS_BOOTSTRAP_COMPLETE', 'PIP_USER'} & set(setup_venv.clean_environment())
+# What .venv is made from
 
 
-# The stamp
+def test_a_learner_gets_what_lessons_need_and_the_rest_is_added_when_asked_for(checkout):
+    checkout.run()
+    assert checkout.has('param_tutorial') and not checkout.has('six')
+    mark = checkout.mark()
+    checkout.run('--everything')
+    assert checkout.has('six') and mark.exists()
+    # And it stays, though a lesson needs less.
+    checkout.project.write_text(checkout.project.read_text() + '# changed\n')
+    assert 'is done' in checkout.run().out
+    assert checkout.has('six') and mark.exists()
+    assert checkout.run('--everything').out == ''
 
 
-def test_a_second_run_does_nothing(setup_venv, checkout, pip_calls):
-    setup_venv.set_up(str(checkout))
-    assert [arguments[-1] for arguments in pip_calls][1:] == [setup_venv.LOCK, '.']
-    first = list(pip_calls)
-    setup_venv.set_up(str(checkout))
-    assert pip_calls == first
+def test_a_second_run_does_nothing(checkout):
+    assert 'is done' in checkout.run().out
+    (checkout.root / 'build').rename(checkout.root / 'gone')
+    said = checkout.run()
+    assert (said.out, said.err) == ('', '')
+    assert not (checkout.root / 'build').exists()
 
 
-def test_an_interrupted_set_up_starts_afresh(setup_venv, checkout, pip_calls, monkeypatch):
-    with monkeypatch.context() as interrupted:
-        interrupted.setattr(setup_venv, 'check_imports', lambda root: 1 / 0)
-        with pytest.raises(ZeroDivisionError):
-            setup_venv.set_up(str(checkout))
-    (checkout / '.venv' / 'half').mkdir()
-    assert setup_venv.outdated(str(checkout)) == 'venv'
-    setup_venv.set_up(str(checkout))
-    assert setup_venv.outdated(str(checkout)) is None
-    assert not (checkout / '.venv' / 'half').exists()
+def test_a_stale_venv_is_made_afresh(checkout):
+    checkout.run()
+    mark = checkout.mark()
+    checkout.lock.write_text(checkout.lock.read_text() + locked('six'))
+    checkout.run()
+    assert checkout.has('six') and not mark.exists()
 
-
-def test_a_stale_venv_is_noticed(setup_venv, checkout, pip_calls):
-    setup_venv.set_up(str(checkout))
-    lock, project = checkout / 'environment' / 'requirements.lock', checkout / 'pyproject.toml'
-
-    before = lock.read_text()
-    lock.write_text('six==1.16.0\n')
-    assert setup_venv.outdated(str(checkout)) == 'venv'
-    lock.write_text(before)
-    assert setup_venv.outdated(str(checkout)) is None
-
-    project.write_text('[project]\nname = "other"\n')
-    assert setup_venv.outdated(str(checkout)) == 'project'
-    pip_calls.clear()
-    setup_venv.set_up(str(checkout))
-    assert [arguments[-1] for arguments in pip_calls] == ['.']
-    assert setup_venv.outdated(str(checkout)) is None
-
-    moved = checkout.with_name('moved')
-    checkout.rename(moved)
-    assert setup_venv.outdated(str(moved)) == 'venv'
-    moved.rename(checkout)
-    assert setup_venv.outdated(str(checkout)) is None
-
+    mark = checkout.mark()
     # The Python that it was made with is gone.
-    (checkout / '.venv' / 'bin' / 'python').unlink()
-    assert setup_venv.outdated(str(checkout)) == 'venv'
+    checkout.python.unlink()
+    checkout.run()
+    assert checkout.has('param_tutorial') and not mark.exists()
 
 
-def test_a_venv_of_somebody_else_is_left_alone(setup_venv, checkout, pip_calls):
-    (checkout / '.venv').mkdir()
-    (checkout / '.venv' / 'pyvenv.cfg').write_text('')
-    with pytest.raises(setup_venv.SetupError, match='was not made by this course'):
-        setup_venv.set_up(str(checkout))
-    assert (checkout / '.venv' / 'pyvenv.cfg').exists()
-    assert pip_calls == []
+def test_a_checkout_that_was_moved_gets_a_new_venv(checkout):
+    checkout.run()
+    mark = checkout.mark()
+    moved = checkout.root.with_name('moved')
+    checkout.root.rename(moved)
+    said = subprocess.run([sys.executable, moved / 'environment' / SCRIPT.name], check=True, capture_output=True,
+                          text=True, env=os.environ | {'UV_CACHE_DIR': str(ROOT / 'build' / 'uv-cache')})
+    assert 'is done' in said.stdout
+    assert not (moved / '.venv' / mark.name).exists()
 
 
-def test_two_runs_at_once_make_it_once(setup_venv, checkout, pip_calls, monkeypatch):
-    waiting = threading.Event()
-    monkeypatch.setattr(setup_venv, 'say', lambda text: waiting.set() if 'waiting for it' in text else None)
-    make_venv = setup_venv.make_venv
-    made = []
-
-    def make_while_another_waits(root, python):
-        assert waiting.wait(DEADLINE_SEC), 'the second run never waited for the first'
-        made.append(root)
-        make_venv(root, python)
-
-    monkeypatch.setattr(setup_venv, 'make_venv', make_while_another_waits)
-    runs = [threading.Thread(target=setup_venv.set_up, args=[str(checkout)]) for _ in range(2)]
-    for run in runs:
-        run.start()
-    for run in runs:
-        run.join(DEADLINE_SEC)
-    assert made == [str(checkout)]
-    assert setup_venv.outdated(str(checkout)) is None
+def test_another_python_asked_for_makes_it_afresh(checkout):
+    """As far as this machine happens to have another one."""
+    checkout.run()
+    for python in list(Path.home().glob('.pyenv/versions/3.1[0-4].*/bin/python3'))[:2]:
+        checkout.run(python=python, PYTHON=str(python))
+        version = subprocess.check_output([python, '--version'])
+        assert subprocess.check_output([checkout.python, '--version']) == version
+        # Without a wish, it stays.
+        assert checkout.run().out == ''
 
 
-# pip
+def test_an_interrupted_set_up_starts_afresh(checkout, blocked):
+    with checkout.start() as process, blocked.open('w'):
+        os.killpg(process.pid, signal.SIGKILL)
+    assert json.loads((checkout.venv / 'param_tutorial_setup.json').read_text()) == {}
+    mark = checkout.mark()
+    checkout.package.write_text('')
+    checkout.run()
+    assert checkout.has('param_tutorial') and not mark.exists()
 
 
-def test_pip_failing_shows_its_last_words(setup_venv, checkout, capsys):
-    (checkout / '.venv' / 'bin').mkdir(parents=True)
-    executable(checkout / '.venv' / 'bin' / 'python', '#!/bin/sh\necho "ERROR: no such package"\nexit 1\n')
-    with pytest.raises(setup_venv.SetupError, match='for the reason above'):
-        setup_venv.run_pip(str(checkout), ['x'])
-    assert 'ERROR: no such package' in capsys.readouterr().out
+def test_two_runs_at_once_make_it_once(checkout, blocked):
+    first = checkout.start()
+    # This waits until the first run reads from the pipe, and it reads on until the pipe is closed.
+    with blocked.open('w'):
+        second = checkout.start()
+        line = second.stdout.readline()
+    said = [run.communicate(timeout=DEADLINE_SEC)[0] for run in (first, second)]
+    assert (first.returncode, second.returncode) == (0, 0)
+    assert line == 'Another set-up of this checkout is running; waiting for it to end.\n'
+    assert 'is done' in said[0] and said[1] == ''
 
 
-def test_the_lock_pins_the_build_backend(setup_venv):
-    pins = setup_venv.setuptools_pins((SCRIPT.parent / 'requirements.lock').read_text())
-    assert re.findall(r'^[a-z]\S*', pins, flags=re.MULTILINE) == [re.match(r'setuptools==\S+', pins)[0]]
-    assert '--hash=sha256:' in pins
+def test_a_venv_of_somebody_else_is_left_alone(checkout):
+    checkout.venv.mkdir()
+    (checkout.venv / 'pyvenv.cfg').touch()
+    said = checkout.run(status=1)
+    assert 'did not make' in said.err and is_one_sentence(said.err)
+    assert [path.name for path in checkout.venv.iterdir()] == ['pyvenv.cfg']
+
+
+# What goes wrong on the way
+
+
+def test_a_package_with_another_hash_is_not_installed(checkout):
+    checkout.lock.write_text(re.sub('sha256:[0-9a-f]{60}', 'sha256:' + 60 * '0', checkout.lock.read_text()))
+    said = checkout.run(status=1)
+    assert 'hash' in said.err.lower()
+    assert 'run the same command again' in said.err.splitlines()[-1]
+    assert not checkout.has('setuptools')
+
+
+def test_a_library_that_is_broken_is_found_at_once(checkout):
+    checkout.package.write_text('import no_such_library\n')
+    said = checkout.run(status=1)
+    assert 'no_such_library' in said.err
+    assert said.err.splitlines()[-1] == "The course can't be imported, for the reason above."
+
+
+def test_a_checkout_that_cannot_be_written_to_is_named(checkout):
+    shutil.rmtree(checkout.root / 'build')
+    (checkout.root / 'build').touch()
+    said = checkout.run(status=1)
+    assert is_one_sentence(said.err) and str(checkout.root / 'build') in said.err
+
+
+def test_a_sourced_ros_does_not_reach_the_new_environment(checkout, tmp_path):
+    (tmp_path / 'six.py').touch()
+    (tmp_path / 'contextlib.py').write_text('raise ImportError("from another Python")\n')
+    # As the Makefile does for the script itself.
+    code = f'import os, runpy, sys; sys.argv = sys.argv[1:]; os.environ["PYTHONPATH"] = {str(tmp_path)!r}; ' \
+           'runpy.run_path(sys.argv[0], run_name="__main__")'
+    checkout.run(code=code)
+    assert checkout.has('param_tutorial')
