@@ -160,7 +160,7 @@ class Control:
 
     def _build(self, descriptor: Descriptor, editor: type[Editor]) -> None:
         parameter = self._parameter
-        self._editor = editor(descriptor, self._label, self._lock, parameter.ask, parameter.refuse, parameter.give_way)
+        self._editor = editor(descriptor, self._label, self._lock, parameter.ask, parameter.reject, parameter.give_way)
         old, self._line.children = self._line.children, self._editor.widgets
         for widget in old:
             widget.close()
