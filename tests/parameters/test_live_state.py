@@ -220,7 +220,8 @@ def test_without_an_executor_nothing_is_tried(state, x):
     state.begin_reading(10.0)
     state.executor_lost('no executor is running')
     assert state.reading_failed(ExecutorError('stopped'), 10.0) == NOTHING
-    assert (state.status, state.read_again_in(10.0), state.begin_reading(20.0)) == ('no executor is running', None, None)
+    assert state.status == 'no executor is running'
+    assert (state.read_again_in(10.0), state.begin_reading(20.0)) == (None, None)
     assert state.graph_changed(HERE, is_ready=True) == NOTHING
     assert state.executor_found(AGAIN).read
     describe(state, x=1)
@@ -283,9 +284,10 @@ def test_closed_it_reads_no_more_and_waits_for_nothing(state, x):
 # -- any events in any order ------------------------------------------------------------------------------
 
 
-NAMES = st.sampled_from(['x', 'y', 'z'])
-NUMBERS = st.integers(-2, 3)
-COUNTS = st.integers(0, 5)
+# Few, so that things coincide.
+NAMES = st.sampled_from(['x', 'y'])
+NUMBERS = st.integers(-1, 1)
+COUNTS = st.integers(0, 2)
 
 
 class AnyOrder(RuleBasedStateMachine):
@@ -547,8 +549,14 @@ class AnyOrderWhileTheNodeStays(AnyOrder):
     def answer_reading(self):
         super().answer_reading()
 
+    @rule(name=NAMES, value=NUMBERS)
+    def change_and_report(self, name, value):
+        self.change_elsewhere(name, value)
+        while self.events:
+            self.deliver_event()
+
 
 TestAnyOrder = AnyOrder.TestCase
-TestAnyOrder.settings = settings(max_examples=200, stateful_step_count=40)
+TestAnyOrder.settings = settings(max_examples=100, stateful_step_count=40)
 TestAnyOrderWhileTheNodeStays = AnyOrderWhileTheNodeStays.TestCase
-TestAnyOrderWhileTheNodeStays.settings = settings(max_examples=500, stateful_step_count=40)
+TestAnyOrderWhileTheNodeStays.settings = settings(max_examples=200, stateful_step_count=60)
