@@ -4,6 +4,8 @@ import threading
 import time
 from collections.abc import Callable
 
+# What the name of every worker's thread begins with.
+THREAD_NAME_PREFIX = 'worker: '
 _LOOK_PERIOD_SEC = 0.25
 _IDLE_LOOKS = 4
 
@@ -45,7 +47,7 @@ class Worker:
             if self._thread is not None:
                 self._changed.notify()
                 return
-            self._thread = threading.Thread(target=self._run, name=self._name, daemon=True)
+            self._thread = threading.Thread(target=self._run, name=f'{THREAD_NAME_PREFIX}{self._name}', daemon=True)
         try:
             self._thread.start()
         except RuntimeError:  # the interpreter is ending: nobody will look any more

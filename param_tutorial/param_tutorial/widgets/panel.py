@@ -1,6 +1,6 @@
 """The parameter panel: the parameters of any node as controls that show what the node confirmed.
 
-``live`` follows the node, ``panel_editors`` knows the controls; here they are put on the page and kept in step.
+``parameters.live`` follows the node, ``editors`` has the controls; here they are put on the page and kept in step.
 
 Threads. A hand's changes come in the kernel's main thread and go straight to ``LiveParameter.ask``, before
 anything is drawn. Everything that is drawn is drawn in ``_show``, which ``live`` calls in its worker's thread or
@@ -205,11 +205,11 @@ class ParameterPanel(View):
         elif self._live.status:
             fact = 'not available'
         else:
-            fact = _counted(len(self._controls))
+            fact = _format_count(len(self._controls))
         return f'<ParameterPanel: {self._node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
-        """Give the control of a parameter.
+        """Return the control of a parameter.
 
         :raises ParameterNotDeclaredError: there is none.
         """
@@ -333,10 +333,11 @@ def _control_facts(control: Control, unavailable: bool) -> ControlFacts:
 
 
 def group_of(name: str) -> str:
+    """Return what a parameter's name has before its last dot, which is the heading of its group."""
     return '' if is_housekeeping(name) else name.rpartition('.')[0]
 
 
-def _counted(count: int) -> str:
+def _format_count(count: int) -> str:
     return f'{count} parameter{"" if count == 1 else "s"}'
 
 
@@ -347,7 +348,7 @@ def _heading(group: str) -> widgets.HTML:
 
 
 def _head_markup(node: str, status: str, count: int) -> str:
-    words = (f'<span class="param-status">{_counted(count)}</span>' if not status else
+    words = (f'<span class="param-status">{_format_count(count)}</span>' if not status else
              f'<span class="param-status param-status-bad">&#9888; {html.escape(status)}</span>')
     return f'<div role="status"><span class="param-node">{html.escape(node)}</span>{words}</div>'
 
