@@ -6,12 +6,14 @@ import re
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from rclpy.node import Node
 
 import param_tutorial
 from param_tutorial import ParameterClient, RobotView, wait_until
 from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.nodes.clawbot_node import ClawbotNode, Settings, plan
-from param_tutorial.runtime import stage
+from param_tutorial.runtime import stage, worker
+from param_tutorial.widgets import robot as robot_module
 from param_tutorial.widgets.robot import _curve
 
 FOREVER = math.inf
@@ -179,4 +181,17 @@ def test_it_may_be_made_before_its_robot(ros):
     assert view.text == '/clawbot_node is not running. It comes back here when it does.'
     ros.add(ClawbotNode, real_time=False)
     shows(view, 'READY')
+    view.close()
+
+
+def test_it_looks_as_often_as_it_says_for_a_robot_that_is_coming_and_then_no_more(ros, monkeypatch):
+    """The graph tells of a node of this name, but this process has no robot to show, or not yet."""
+    monkeypatch.setattr(worker, '_LOOK_PERIOD_SEC', 3600.0)  # the worker by itself looks never
+    view = RobotView('clawbot_node')
+    looks = []
+    show = view._worker._step
+    monkeypatch.setattr(view._worker, '_step', lambda: looks.append(show()) or looks[-1])
+    ros.add(Node, 'clawbot_node')
+    wait_until(lambda: looks and looks[-1] is None, 'the view to give up', 60.0)
+    assert looks.count(robot_module._LOOK_PERIOD_SEC) == robot_module._LOOKS_FOR_ROBOT - 1
     view.close()
