@@ -239,7 +239,9 @@ def check_that_it_works(describing, value, descriptor):
             by_hand(slider, position)
             panel.settle()
             assert limits.from_value <= node.value <= limits.to_value
-            assert slider.value == position
+            # Positions may lie so close together that they are one value.
+            assert node.value == (editors.Positions(limits).value(slider.value) if descriptor.floating_point_range
+                                  else slider.value)
     by_hand(box, '1')
     panel.settle()
     assert panel['x'].message == ''

@@ -185,9 +185,7 @@ class IntegerSliderEditor(TextEditor):
     """A number box, and a slider beside it."""
 
     def _create(self) -> tuple[widgets.Widget, ...]:
-        limits = self.descriptor.range
-        step = min(max(1, limits.step), limits.to_value - limits.from_value)  # more than the browser could count
-        return (*super()._create(), self._slider(limits.from_value, limits.to_value, step))
+        return (*super()._create(), self._slider(*whole_positions(range_of(self.descriptor))))
 
     def _slider(self, first: int, last: int, step: int) -> _IntSlider:
         return _IntSlider(editor=self, min=first, max=last, value=first, step=step, readout=False,
@@ -200,8 +198,8 @@ class IntegerSliderEditor(TextEditor):
         return position
 
     def _position(self, value: Any) -> int:
-        limits = self.descriptor.range
-        return min(max(value, limits.from_value), limits.to_value)
+        first, last, _ = whole_positions(range_of(self.descriptor))
+        return min(max(int(value), first), last)
 
     def is_echo(self, widget: widgets.Widget, raw: Any) -> bool:
         """True if a slider reports the position at which it is drawn."""
@@ -221,7 +219,7 @@ class DoubleSliderEditor(IntegerSliderEditor):
     """
 
     def _create(self) -> tuple[widgets.Widget, ...]:
-        self._positions = Positions(self.descriptor.range)
+        self._positions = Positions(range_of(self.descriptor))
         return (*TextEditor._create(self), self._slider(0, self._positions.last, 1))
 
     def _value(self, position: int) -> float:
@@ -229,6 +227,19 @@ class DoubleSliderEditor(IntegerSliderEditor):
 
     def _position(self, value: float) -> int:
         return self._positions.nearest(value)
+
+
+def range_of(descriptor: Descriptor) -> Range:
+    """Return the range of a parameter that has a slider, which no other parameter gets."""
+    assert descriptor.range is not None, f'{descriptor.name} has no range'
+    return descriptor.range
+
+
+def whole_positions(limits: Range) -> tuple[int, int, int]:
+    """Return the first and the last position of a slider of integers, and the step between positions."""
+    first, last = int(limits.from_value), int(limits.to_value)
+    # A step that is wider than the range leaves its two ends; and it may be more than the browser can count.
+    return first, last, min(max(1, int(limits.step)), last - first)
 
 
 class Positions:

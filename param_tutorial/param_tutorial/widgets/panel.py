@@ -33,6 +33,8 @@ from param_tutorial.widgets.editors import (
     LinesEditor,
     Positions,
     editor_class,
+    range_of,
+    whole_positions,
 )
 from param_tutorial.widgets.recordable import ControlFacts, Scale, WholeNumbers
 from param_tutorial.widgets.view import View
@@ -289,7 +291,9 @@ class ParameterPanel(View):
 
     def _place(self) -> None:
         """Put the controls onto the page, each group under its heading."""
-        children, headings, group = [self._style, self._head], {}, ''
+        children: list[widgets.Widget] = [self._style, self._head]
+        headings: dict[str, widgets.HTML] = {}
+        group = ''
         for name, control in self._controls.items():
             wanted = HOUSEKEEPING_HEADING if is_housekeeping(name) else group_of(name)
             if wanted and wanted != group:
@@ -320,10 +324,10 @@ def _control_facts(control: Control, unavailable: bool) -> ControlFacts:
     editor, group, quiet = editor_class(descriptor, control.value), group_of(name), is_housekeeping(name)
     scale: Scale | None = None
     if issubclass(editor, DoubleSliderEditor):
-        scale = Positions(descriptor.range)
+        scale = Positions(range_of(descriptor))
     elif issubclass(editor, IntegerSliderEditor):
-        first, step = descriptor.range.from_value, max(1, descriptor.range.step)
-        scale = WholeNumbers(first, step, (descriptor.range.to_value - first) // step)
+        first, last, step = whole_positions(range_of(descriptor))
+        scale = WholeNumbers(first, step, (last - first) // step)
     return ControlFacts(
         descriptor=descriptor, value=control.value, message=control.message,
         label=name.removeprefix(f'{group}.') if group else name,
