@@ -202,9 +202,10 @@ def outdated(lock, wanted_python):
     if not stamp or not os.path.exists(VENV_PYTHON):
         return 'venv'
     wanted = wanted_stamp(lock, base_python() if wanted_python else VENV_PYTHON)
-    if any(stamp[key] != wanted[key] for key in ('folder', 'python', 'locks')):
+    if any(stamp.get(key) != wanted[key] for key in ('folder', 'python', 'locks')):
         return 'venv'
-    return None if stamp['project'] == wanted['project'] and stamp['installed'] in (lock, EVERYTHING) else 'packages'
+    complete = stamp.get('project') == wanted['project'] and stamp.get('installed') in (lock, EVERYTHING)
+    return None if complete else 'packages'
 
 
 def set_up(lock, wanted_python):

@@ -144,6 +144,11 @@ class ParameterRefusedError(NodeError):
         self.result = result
 
 
+def describe_error(error: BaseException) -> str:
+    """Return an error as a sentence for learners; one that is not ours keeps its class, since its text may be terse."""
+    return str(error) if isinstance(error, ParameterToolError) else f'{type(error).__name__}: {error}'
+
+
 def nearest(name: str, existing: Sequence[str], none_at_all: str) -> str:
     """End the sentence "there is no NAME" with the likeliest names that do exist.
 

@@ -236,6 +236,15 @@ def test_a_stale_venv_is_made_afresh(checkout):
     assert checkout.has('param_tutorial') and not mark.exists()
 
 
+def test_the_venv_of_an_older_set_up_is_made_afresh(checkout):
+    """Its stamp says other things; it is the course's all the same."""
+    checkout.run()
+    mark = checkout.mark()
+    (checkout.root / '.venv' / 'param_tutorial_setup.json').write_text('{"lock": "0", "folder": "/elsewhere"}')
+    checkout.run()
+    assert checkout.has('param_tutorial') and not mark.exists()
+
+
 def test_a_checkout_that_was_moved_gets_a_new_venv(checkout):
     checkout.run()
     mark = checkout.mark()

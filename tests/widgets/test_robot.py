@@ -4,12 +4,14 @@ import math
 import re
 
 import pytest
+from rclpy.node import Node
 
 import param_tutorial
 from param_tutorial import ParameterClient, RobotView, wait_until
 from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.nodes.clawbot_node import ClawbotNode
-from param_tutorial.runtime import stage
+from param_tutorial.runtime import stage, worker
+from param_tutorial.widgets import robot as robot_module
 
 FOREVER = math.inf
 
@@ -169,4 +171,18 @@ def test_it_may_be_made_before_its_robot(ros):
     assert view.text == '/clawbot_node is not running. It comes back here when it does.'
     ros.add(ClawbotNode, real_time=False)
     shows(view, 'READY')
+    view.close()
+
+
+def test_it_looks_as_often_as_it_says_for_a_robot_that_is_coming_and_then_no_more(ros, monkeypatch):
+    """The graph tells of a node of this name, but this process has no robot to show, or not yet."""
+    monkeypatch.setattr(worker, '_LOOK_PERIOD_SEC', 3600.0)  # the worker by itself looks never
+    monkeypatch.setattr(robot_module, '_LOOKS_FOR_ROBOT', 7)
+    view = RobotView('clawbot_node')
+    looks = []
+    show = view._worker._step
+    monkeypatch.setattr(view._worker, '_step', lambda: looks.append(show()) or looks[-1])
+    ros.add(Node, 'clawbot_node')
+    wait_until(lambda: looks and looks[-1] is None, 'the view to give up', 60.0)
+    assert looks.count(robot_module._LOOK_PERIOD_SEC) == 6
     view.close()

@@ -4,6 +4,8 @@ import threading
 import time
 from collections.abc import Callable
 
+# What the name of every worker's thread begins with.
+THREAD_NAME_PREFIX = 'worker: '
 _LOOK_PERIOD_SEC = 0.25
 _IDLE_LOOKS = 4
 
@@ -16,10 +18,11 @@ class Worker:
     become late, and ends when there is nothing left to wait for.
     """
 
-    def __init__(self, step: Callable[[], bool], name: str, period_sec: float):
+    def __init__(self, step: Callable[[], float | None], name: str, period_sec: float):
         """
-        :param step: Does all that there is to do. Returns whether something is outstanding, so that it should be
-            called again soon even if nobody wakes it. Must not raise.
+        :param step: Does all that there is to do. Returns in how many seconds at the latest it should be called
+            again even if nobody wakes it; None if nothing is outstanding. Should not raise: that ends the thread,
+            until somebody wakes it again.
         """
         self._step = step
         self._name = name
@@ -30,8 +33,13 @@ class Worker:
         self._thread: threading.Thread | None = None
         self._one_at_a_time = threading.Lock()
 
+    @property
+    def is_idle(self) -> bool:
+        """True if it has no thread, so that nothing is called until somebody wakes it."""
+        return self._thread is None
+
     def wake(self) -> None:
-        """See to it that the function is called after now. Cheap; from any thread."""
+        """Make sure that the function is called after now. Cheap; from any thread."""
         with self._changed:
             if self._ended:
                 return
@@ -39,14 +47,14 @@ class Worker:
             if self._thread is not None:
                 self._changed.notify()
                 return
-            self._thread = threading.Thread(target=self._run, name=self._name, daemon=True)
+            self._thread = threading.Thread(target=self._run, name=f'{THREAD_NAME_PREFIX}{self._name}', daemon=True)
         try:
             self._thread.start()
         except RuntimeError:  # the interpreter is ending: nobody will look any more
             self._thread = None
 
     def stay(self) -> None:
-        """See to it that the thread is there and looks after what is outstanding. Cheaper than waking it."""
+        """Make sure that the thread is there and looks after what is outstanding. Cheaper than waking it."""
         if self._thread is None:
             self.wake()
 
@@ -58,10 +66,10 @@ class Worker:
         if not self._one_at_a_time.acquire(timeout=max(0.0, timeout_sec)):
             return False
         try:
-            outstanding = self._step()
+            again_sec = self._step()
         finally:
             self._one_at_a_time.release()
-        if outstanding:
+        if again_sec is not None:
             self.stay()
         return True
 
@@ -72,15 +80,25 @@ class Worker:
             self._changed.notify()
 
     def _run(self) -> None:
-        idle_looks = 0
+        try:
+            self._work()
+        finally:
+            with self._changed:
+                if self._thread is threading.current_thread():  # the function raised an exception
+                    self._thread = None
+
+    def _work(self) -> None:
+        idle_looks, pause_sec = 0, _LOOK_PERIOD_SEC
         while True:
             with self._changed:
-                woken = self._woken or self._ended or self._changed.wait(_LOOK_PERIOD_SEC)
+                woken = self._woken or self._ended or self._changed.wait(pause_sec)
                 if self._ended or (not woken and idle_looks >= _IDLE_LOOKS):
                     self._thread = None
                     return
                 self._woken = False
             with self._one_at_a_time:
-                outstanding = self._step()
-            idle_looks = 0 if woken or outstanding else idle_looks + 1
+                again_sec = self._step()
+            idle_looks = 0 if woken or again_sec is not None else idle_looks + 1
+            pause_sec = _LOOK_PERIOD_SEC if again_sec is None else min(again_sec, _LOOK_PERIOD_SEC)
             time.sleep(self._period_sec)
+            pause_sec = max(0.0, pause_sec - self._period_sec)

@@ -2,17 +2,16 @@
 
 ``EDITORS`` says which editor a type gets; a range adds a slider. All editors have one shape: ``show`` a value
 that the node confirmed, ``enable``, and call ``on_hand`` with what a hand entered, as a Python value, or
-``on_error`` with the reason why it is no value. How a
-value is typed and read is in ``parameters.text``.
+``on_error`` with the reason why it is no value. ``parameters.text`` formats and parses what is typed.
 
-Threads. A widget is written to, or hears from the browser, with the panel's lock held; see ``panels``.
+Threads. A widget is written to, or hears from the browser, with the panel's lock held; see ``panel``.
 """
 
 import contextlib
 import math
 import re
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from decimal import Decimal
 from typing import Any
 
@@ -41,7 +40,7 @@ class _FromBrowser:
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
         """Take what the browser sent; called by ipywidgets in the kernel's main thread."""
-        if 'value' in sync_data and not self._editor.stands(self, sync_data['value']):
+        if 'value' in sync_data and not self._editor.is_echo(self, sync_data['value']):
             self._editor.moved(self, sync_data['value'])
             self._editor.give_way()
         with self._editor.quietly():
@@ -95,30 +94,34 @@ class Editor:
     def _create(self) -> tuple[widgets.Widget, ...]:
         raise NotImplementedError
 
-    def _read(self, widget: widgets.Widget, raw: Any) -> Any:
-        """Turn what a widget holds into a Python value, or raise ValueError."""
+    def _parse(self, widget: widgets.Widget, raw: Any) -> Any:
+        """Return what a widget holds as a Python value.
+
+        :raises ValueError: it is no value of the parameter's type.
+        """
         raise NotImplementedError
 
-    def _write(self, value: Any) -> None:
+    def _display(self, value: Any) -> None:
+        """Put a value into the widgets."""
         raise NotImplementedError
 
     def moved(self, widget: widgets.Widget, raw: Any) -> None:
         """Take what a hand, or Python code in its place, put into a widget."""
         try:
-            value = self._read(widget, raw)
+            value = self._parse(widget, raw)
         except ValueError as error:
             self._on_error(str(error))
         else:
             self._on_hand(value)
 
-    def stands(self, widget: widgets.Widget, raw: Any) -> bool:
-        """Did the browser send where a widget stands anyway, without a hand having moved it?"""
+    def is_echo(self, widget: widgets.Widget, raw: Any) -> bool:
+        """True if the browser sent the value that a widget has anyway, without a hand having moved it."""
         return False
 
     def show(self, value: Any) -> None:
         """Show a value that the node confirmed."""
         with self.quietly():
-            self._write(value)
+            self._display(value)
 
     def enable(self, enabled: bool) -> None:
         """Let a hand change it, or not."""
@@ -127,7 +130,7 @@ class Editor:
                 widget.disabled = not enabled
 
     @contextlib.contextmanager
-    def quietly(self):
+    def quietly(self) -> Iterator[None]:
         """Write to widgets without taking that for a hand."""
         with self.lock:
             before, self.quiet = self.quiet, True
@@ -146,26 +149,26 @@ class Editor:
 class CheckBoxEditor(Editor):
     """A check box."""
 
-    def _create(self):
+    def _create(self) -> tuple[widgets.Widget, ...]:
         return (_Checkbox(indent=False, **self._common),)
 
-    def _read(self, widget, raw):
+    def _parse(self, widget: widgets.Widget, raw: Any) -> bool:
         return bool(raw)
 
-    def _write(self, value):
+    def _display(self, value: bool) -> None:
         self.widgets[0].value = value
 
 
 class TextEditor(Editor):
     """One line of text, taken when Enter is pressed or the box is left."""
 
-    def _create(self):
+    def _create(self) -> tuple[widgets.Widget, ...]:
         return (_Text(continuous_update=False, **self._common),)
 
-    def _read(self, widget, raw):
+    def _parse(self, widget: widgets.Widget, raw: Any) -> Any:
         return parse_value(self.descriptor, raw)
 
-    def _write(self, value):
+    def _display(self, value: Any) -> None:
         box = self.widgets[0]
         box.placeholder = 'not set' if value is None else ''
         box.value = format_value(self.descriptor, value)
@@ -174,37 +177,36 @@ class TextEditor(Editor):
 class LinesEditor(TextEditor):
     """Several lines of text, taken when the box is left: a line of text would lose the breaks."""
 
-    def _create(self):
+    def _create(self) -> tuple[widgets.Widget, ...]:
         return (_Textarea(continuous_update=False, rows=3, **self._common),)
 
 
 class IntegerSliderEditor(TextEditor):
     """A number box, and a slider beside it."""
 
-    def _create(self):
-        limits = self.descriptor.range
-        return (*super()._create(), self._slider(limits.from_value, limits.to_value, max(1, limits.step)))
+    def _create(self) -> tuple[widgets.Widget, ...]:
+        return (*super()._create(), self._slider(*whole_positions(range_of(self.descriptor))))
 
-    def _slider(self, first, last, step):
+    def _slider(self, first: int, last: int, step: int) -> _IntSlider:
         return _IntSlider(editor=self, min=first, max=last, value=first, step=step, readout=False,
                           tooltip=self.descriptor.name)
 
-    def _read(self, widget, raw):
-        return super()._read(widget, raw) if widget is self.widgets[0] else self._value(raw)
+    def _parse(self, widget: widgets.Widget, raw: Any) -> Any:
+        return super()._parse(widget, raw) if widget is self.widgets[0] else self._value(raw)
 
-    def _value(self, position):
+    def _value(self, position: int) -> float:
         return position
 
-    def _position(self, value):
-        limits = self.descriptor.range
-        return min(max(value, limits.from_value), limits.to_value)
+    def _position(self, value: Any) -> int:
+        first, last, _ = whole_positions(range_of(self.descriptor))
+        return min(max(int(value), first), last)
 
-    def stands(self, widget, raw):
-        """A slider may report its position when it is drawn."""
+    def is_echo(self, widget: widgets.Widget, raw: Any) -> bool:
+        """True if a slider reports the position at which it is drawn."""
         return widget is self.widgets[1] and raw == widget.value
 
-    def _write(self, value):
-        super()._write(value)
+    def _display(self, value: Any) -> None:
+        super()._display(value)
         if value is not None and math.isfinite(value):
             self.widgets[1].value = self._position(value)
 
@@ -216,15 +218,28 @@ class DoubleSliderEditor(IntegerSliderEditor):
     it. If the hand has meanwhile gone on, the report undoes what it did last. Whole numbers have no such noise.
     """
 
-    def _create(self):
-        self._positions = Positions(self.descriptor.range)
+    def _create(self) -> tuple[widgets.Widget, ...]:
+        self._positions = Positions(range_of(self.descriptor))
         return (*TextEditor._create(self), self._slider(0, self._positions.last, 1))
 
-    def _value(self, position):
+    def _value(self, position: int) -> float:
         return self._positions.value(position)
 
-    def _position(self, value):
+    def _position(self, value: float) -> int:
         return self._positions.nearest(value)
+
+
+def range_of(descriptor: Descriptor) -> Range:
+    """Return the range of a parameter that has a slider, which no other parameter gets."""
+    assert descriptor.range is not None, f'{descriptor.name} has no range'
+    return descriptor.range
+
+
+def whole_positions(limits: Range) -> tuple[int, int, int]:
+    """Return the first and the last position of a slider of integers, and the step between positions."""
+    first, last = int(limits.from_value), int(limits.to_value)
+    # A step that is wider than the range leaves its two ends; and it may be more than the browser can count.
+    return first, last, min(max(1, int(limits.step)), last - first)
 
 
 class Positions:
@@ -233,19 +248,20 @@ class Positions:
     def __init__(self, limits: Range):
         self._limits = limits
         self._low, self._high = Decimal(str(limits.from_value)), Decimal(str(limits.to_value))
-        # Without a step in the range, one that gives round numbers.
+        # Without a step in the range, one that gives round numbers. The hundredth part of the smallest double is 0.0,
+        # but not that of the smallest Decimal.
         self._step = Decimal(str(limits.step)) if limits.step > 0 else Decimal(1).scaleb(
-            math.floor(math.log10((limits.to_value - limits.from_value) / _FINE_POSITIONS)))
+            ((self._high - self._low) / _FINE_POSITIONS).adjusted())
         self.last = math.ceil((self._high - self._low) / self._step)
 
     def value(self, position: int) -> float:
-        """Give the value at a position. Both ends are valid even off the step, as the node sees it too."""
+        """Return the value at a position. Both ends are valid even off the step, as the node sees it too."""
         if position >= self.last:
             return self._limits.to_value
         return float(self._low + position * self._step)
 
     def nearest(self, value: float) -> int:
-        """Give the position next to a value."""
+        """Return the position next to a value."""
         position = math.floor((Decimal(str(value)) - self._low) / self._step)
         return min(range(max(0, position), min(self.last, position + 1) + 1),
                    key=lambda each: abs(self.value(each) - value), default=0 if position < 0 else self.last)
@@ -281,9 +297,10 @@ def editor_class(descriptor: Descriptor, value: Any) -> type[Editor]:
 
 
 def _fits_slider(limits: Range) -> bool:
-    """Can a browser's slider express this range? It cannot stand still, be endless, or count beyond 2**53."""
+    """True if a browser's slider can express this range: it cannot stand still, be endless, or count beyond 2**53."""
     if not (limits.from_value < limits.to_value and math.isfinite(limits.to_value - limits.from_value)):
         return False
     if isinstance(limits.from_value, int):
         return max(abs(limits.from_value), abs(limits.to_value)) <= _JS_SAFE
-    return not limits.step > 0 or (limits.to_value - limits.from_value) / limits.step <= _JS_SAFE
+    return not limits.step > 0 or (math.isfinite(limits.step)
+                                   and (limits.to_value - limits.from_value) / limits.step <= _JS_SAFE)

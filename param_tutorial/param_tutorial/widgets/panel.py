@@ -1,6 +1,6 @@
 """The parameter panel: the parameters of any node as controls that show what the node confirmed.
 
-``live`` follows the node, ``panel_editors`` knows the controls; here they are put on the page and kept in step.
+``parameters.live`` follows the node, ``editors`` has the controls; here they are put on the page and kept in step.
 
 Threads. A hand's changes come in the kernel's main thread and go straight to ``LiveParameter.ask``, before
 anything is drawn. Everything that is drawn is drawn in ``_show``, which ``live`` calls in its worker's thread or
@@ -34,6 +34,8 @@ from param_tutorial.widgets.editors import (
     LinesEditor,
     Positions,
     editor_class,
+    range_of,
+    whole_positions,
 )
 from param_tutorial.widgets.recordable import ControlFacts, Scale, WholeNumbers
 from param_tutorial.widgets.view import View
@@ -109,7 +111,7 @@ class Control:
 
     def _build(self, descriptor: Descriptor, editor: type[Editor]) -> None:
         parameter = self._parameter
-        self._editor = editor(descriptor, self._label, self._lock, parameter.ask, parameter.refuse, parameter.give_way)
+        self._editor = editor(descriptor, self._label, self._lock, parameter.ask, parameter.reject, parameter.give_way)
         old, self._line.children = self._line.children, self._editor.widgets
         for widget in old:
             widget.close()
@@ -154,11 +156,11 @@ class ParameterPanel(View):
         elif self._live.status:
             fact = 'not available'
         else:
-            fact = _counted(len(self._controls))
+            fact = _format_count(len(self._controls))
         return f'<ParameterPanel: {self._node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
-        """Give the control of a parameter.
+        """Return the control of a parameter.
 
         :raises ParameterNotDeclaredError: there is none.
         """
@@ -238,7 +240,9 @@ class ParameterPanel(View):
 
     def _place(self) -> None:
         """Put the controls onto the page, each group under its heading."""
-        children, headings, group = [self._style, self._head], {}, ''
+        children: list[widgets.Widget] = [self._style, self._head]
+        headings: dict[str, widgets.HTML] = {}
+        group = ''
         for name, control in self._controls.items():
             wanted = HOUSEKEEPING_HEADING if is_housekeeping(name) else group_of(name)
             if wanted and wanted != group:
@@ -269,10 +273,10 @@ def _control_facts(control: Control, unavailable: bool) -> ControlFacts:
     editor, group, quiet = editor_class(descriptor, control.value), group_of(name), is_housekeeping(name)
     scale: Scale | None = None
     if issubclass(editor, DoubleSliderEditor):
-        scale = Positions(descriptor.range)
+        scale = Positions(range_of(descriptor))
     elif issubclass(editor, IntegerSliderEditor):
-        first, step = descriptor.range.from_value, max(1, descriptor.range.step)
-        scale = WholeNumbers(first, step, (descriptor.range.to_value - first) // step)
+        first, last, step = whole_positions(range_of(descriptor))
+        scale = WholeNumbers(first, step, (last - first) // step)
     return ControlFacts(
         descriptor=descriptor, value=control.value, message=control.message,
         label=name.removeprefix(f'{group}.') if group else name,
@@ -282,10 +286,11 @@ def _control_facts(control: Control, unavailable: bool) -> ControlFacts:
 
 
 def group_of(name: str) -> str:
+    """Return what a parameter's name has before its last dot, which is the heading of its group."""
     return '' if is_housekeeping(name) else name.rpartition('.')[0]
 
 
-def _counted(count: int) -> str:
+def _format_count(count: int) -> str:
     return f'{count} parameter{"" if count == 1 else "s"}'
 
 
@@ -296,7 +301,7 @@ def _heading(group: str) -> widgets.HTML:
 
 
 def _head_markup(node: str, status: str, count: int) -> str:
-    words = (f'<span class="param-status">{_counted(count)}</span>' if not status else
+    words = (f'<span class="param-status">{_format_count(count)}</span>' if not status else
              f'<span class="param-status param-status-bad">&#9888; {html.escape(status)}</span>')
     return f'<div role="status"><span class="param-node">{html.escape(node)}</span>{words}</div>'
 

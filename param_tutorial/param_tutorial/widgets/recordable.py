@@ -21,7 +21,9 @@ EVENTS = 'events'
 class Scale(Protocol):
     """The values at which a slider can stand, counted from 0."""
 
-    last: int
+    @property
+    def last(self) -> int:
+        """The last position."""
 
     def value(self, position: int, /) -> Any:
         """Return the value at a position."""

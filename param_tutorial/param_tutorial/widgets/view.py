@@ -1,6 +1,6 @@
 """What the live views have in common: they follow something until they are closed, and are closed with their cell.
 
-What each of them shows is in ``panels``, ``robot_view``, ``step_view``, ``event_view`` and ``log_view``.
+What each of them shows is in ``panel``, ``robot``, ``step_response``, ``events`` and ``log``.
 """
 
 import contextlib
@@ -43,7 +43,7 @@ class View(widgets.VBox):
         recordable.register(self.model_id, self)
 
     def close(self) -> None:
-        """Stop following, and remove the view from the page. Twice is as good as once."""
+        """Stop following, and remove the view from the page. Safe to call more than once."""
         if self._closed:
             return
         with self._drawing:
@@ -86,12 +86,12 @@ def _all_within(box: widgets.Box) -> list[widgets.Widget]:
 
 
 class FeedView(View):
-    """What one node or all nodes tell, as text under a title."""
+    """What one node or all nodes report, as text under a title."""
 
     def __init__(self, node: str | None, executor: BackgroundExecutor | None, *, subject: str,
                  css_class: str, content_class: str, style: str):
         """
-        :param node: Only what this one tells; None for all.
+        :param node: Only what this one reports; None for all.
         :param executor: None for whichever runs in the background, also after a stop and a new start.
         """
         self._node = None if node is None else full_name(node)
@@ -113,11 +113,14 @@ class FeedView(View):
         return f'<{type(self).__name__}: {self._node or "all nodes"}>'
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], Any]:
-        """Wake the worker whenever there is something to show; give the function that ends that."""
+        """Wake the worker whenever there is something to show.
+
+        :return: Ends that.
+        """
         raise NotImplementedError
 
     def _markup(self) -> str:
-        """Give all that there is to show, as HTML."""
+        """Return all that there is to show, as HTML."""
         raise NotImplementedError
 
     def _end(self) -> None:
@@ -133,14 +136,13 @@ class FeedView(View):
     def _listen(self) -> None:
         self._stop_listening()
         self._stop_listening = nothing
-        with contextlib.suppress(ExecutorError):  # stopped: what was told before stays readable
+        with contextlib.suppress(ExecutorError):  # stopped: what was reported before stays readable
             self._stop_listening = self._subscribe(self._chosen_executor or stage.current())
 
-    def _show(self) -> bool:
+    def _show(self) -> None:
         with self._drawing:
             if not self._closed:
                 self._content.value = self._markup()
-        return False
 
     @property
     def node(self) -> str:

@@ -3,12 +3,11 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from param_tutorial.errors import ParameterToolError
+from param_tutorial.errors import ParameterToolError, describe_error
 from param_tutorial.lessons.recording.recorded import Answer
 from param_tutorial.lessons.recording.taps import EventTap, NodeLogTap, node_here
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor, ParameterClient
-from param_tutorial.parameters.live import words_of
 from param_tutorial.parameters.text import format_value, parse_value
 
 # The values that a node has, by the parameters' names.
@@ -94,7 +93,7 @@ class Asker:
         try:
             result = self._client.set_parameter(name, value)
         except ParameterToolError as error:
-            return words_of(error)
+            return describe_error(error)
         return '' if result.successful else result.reason or 'The node gave no reason.'
 
     def _read(self) -> State:

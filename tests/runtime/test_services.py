@@ -1,0 +1,115 @@
+"""Calls with a deadline: what comes back, and with which error each way to fail ends."""
+
+import pytest
+from rcl_interfaces.srv import GetParameters, ListParameters, SetParameters
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial.errors import CallbackError, ExecutorError, NoAnswerError, NodeError, NodeNotFoundError
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.runtime.services import full_name
+from param_tutorial.runtime.waiting import wait_until
+from tests.support.nodes import Gate
+
+ROBOT = '/simple_param_node'
+
+
+def set_x(value):
+    return SetParameters.Request(parameters=[Parameter('x', value=value).to_parameter_msg()])
+
+
+@pytest.mark.parametrize(('given', 'name'), [
+    ('talker', '/talker'), ('/talker', '/talker'), ('/left/talker/', '/left/talker')])
+def test_a_name_becomes_fully_qualified(given, name):
+    assert full_name(given) == name
+
+
+def test_so_does_a_node_and_nothing_else(ros):
+    assert full_name(ros.add(Node, 'talker', namespace='/left')) == '/left/talker'
+    with pytest.raises(TypeError, match='3 is no node'):
+        full_name(3)
+
+
+def test_a_call_returns_the_answer(ros):
+    ros.add(SimpleParamNode)
+    answer = ros.services.call(ROBOT, 'get_parameters', GetParameters.Request(names=['max_speed_rpm']))
+    assert answer.values[0].integer_value == 100
+
+
+def test_a_node_that_is_not_there_is_named_with_its_likeliest_neighbor(ros):
+    ros.add(SimpleParamNode)
+    for name in ('/simple_parm_node', '/simple param node'):  # the second no node can have
+        with pytest.raises(NodeNotFoundError) as caught:
+            ros.services.call(name, 'list_parameters', ListParameters.Request(), discovery_timeout_sec=0.0)
+        assert str(caught.value) == f'there is no node {name}. Did you mean {ROBOT}?'
+
+
+def test_a_node_without_parameter_services_is_told_from_one_that_is_not_there(ros):
+    ros.add(Node, 'mute', start_parameter_services=False)
+    with pytest.raises(NodeError, match='/mute is running but offers no list_parameters service') as caught:
+        ros.services.call('/mute', 'list_parameters', ListParameters.Request(), discovery_timeout_sec=0.0)
+    assert not isinstance(caught.value, NodeNotFoundError)
+    assert not ros.services.is_ready('/mute')
+
+
+def test_a_node_that_does_not_answer_in_time_costs_no_more_than_that(ros):
+    node = ros.add(Gate)
+    ros.services.greet('/gate')
+    with pytest.raises(NoAnswerError, match=r'/gate did not answer set_parameters within 0\.1 s'):
+        ros.services.call('/gate', 'set_parameters', set_x(1), timeout_sec=0.1)
+    assert ros.services._pending == {}
+    for _ in range(2):
+        node.open.release()
+    ros.services.call('/gate', 'set_parameters', set_x(2))
+    assert node.seen == [1, 2]  # each was sent once
+
+
+def test_an_exception_in_the_nodes_callback_comes_back_to_the_caller(ros):
+    class Faulty(Node):
+        def __init__(self):
+            super().__init__('faulty')
+            self.declare_parameter('x', 1)
+            self.add_on_set_parameters_callback(lambda parameters: 1 / 0 if parameters else None)
+
+    ros.add(Faulty)
+    with pytest.raises(CallbackError, match='/faulty raised ZeroDivisionError') as caught:
+        ros.services.call('/faulty', 'set_parameters', set_x(1))
+    assert isinstance(caught.value.__cause__, ZeroDivisionError)
+
+
+def test_a_callback_cannot_wait_for_a_service(ros):
+    ros.add(SimpleParamNode)
+    with pytest.raises(ExecutorError, match='a callback cannot wait for a service'):
+        ros.run(lambda: ros.services.call(ROBOT, 'list_parameters', ListParameters.Request()), 'call')
+
+
+def test_a_call_without_waiting_completes_in_the_executors_thread(ros):
+    ros.add(SimpleParamNode)
+    ros.services.greet(ROBOT)
+    where = []
+    future = ros.services.call_async(ROBOT, 'list_parameters', ListParameters.Request())
+    future.add_done_callback(lambda _: where.append(ros.services.in_executor_thread()))
+    wait_until(lambda: where, 'the answer', 30.0)
+    assert 'max_speed_rpm' in future.result().result.names
+    assert ros.services._pending == {}
+
+
+def test_a_call_without_waiting_fails_at_once_where_there_is_no_node_and_later_where_it_is_late(ros):
+    with pytest.raises(NodeNotFoundError):
+        ros.services.call_async('/nobody', 'set_parameters', set_x(1))
+    node = ros.add(Gate)
+    ros.services.greet('/gate')
+    future = ros.services.call_async('/gate', 'set_parameters', set_x(1), timeout_sec=0.0)
+    assert node.entered.acquire(timeout=30)
+    ros.services.expire()
+    assert isinstance(future.exception(), NoAnswerError)
+    node.open.release()
+
+
+def test_clients_of_a_namespace_are_forgotten_and_made_again(ros):
+    ros.add(Node, 'talker', namespace='/trial')
+    ros.services.call('/trial/talker', 'list_parameters', ListParameters.Request())
+    assert ('/trial/talker', 'list_parameters') in ros.services._clients
+    ros.run(lambda: ros.services.forget('/trial'), 'forget')
+    assert not [key for key in ros.services._clients if key[0].startswith('/trial/')]
+    assert ros.services.call('/trial/talker', 'list_parameters', ListParameters.Request()).result.names

@@ -1,0 +1,170 @@
+"""The thread behind a view: when it calls, and when it ends. Waits for conditions, never for a time."""
+
+import threading
+
+import pytest
+
+from param_tutorial.runtime import worker as module
+from param_tutorial.runtime.waiting import wait_until
+from param_tutorial.runtime.worker import THREAD_NAME_PREFIX, Worker
+
+TIMEOUT_SEC = 30.0
+
+
+class Step:
+    """What a worker calls: counts, returns what it is told to, and can be held in mid-call."""
+
+    def __init__(self, *answers):
+        self.answers = list(answers)
+        self.calls = 0
+        self.threads = set()
+        self.at_once = self.most_at_once = 0
+        self.gate = threading.Event()
+        self.gate.set()
+        self.entered = threading.Event()
+
+    def __call__(self):
+        self.at_once += 1
+        self.most_at_once = max(self.most_at_once, self.at_once)
+        self.threads.add(threading.current_thread())
+        self.entered.set()
+        assert self.gate.wait(TIMEOUT_SEC)
+        self.at_once -= 1
+        self.calls += 1
+        return self.answers.pop(0) if self.answers else None
+
+
+@pytest.fixture
+def make():
+    """Return a function that makes a worker of a step; all are ended afterwards."""
+    made = []
+
+    def make(step, period_sec=0.001):
+        made.append(Worker(step, 'test', period_sec))
+        return made[-1]
+
+    yield make
+    for each in made:
+        each.end()
+        wait_until(lambda each=each: each.is_idle, 'the thread to end', TIMEOUT_SEC)
+
+
+@pytest.fixture
+def never_by_itself(monkeypatch):
+    """Let no worker look by itself, so that what is called was asked for."""
+    monkeypatch.setattr(module, '_LOOK_PERIOD_SEC', 3600.0)
+
+
+def wait_for_calls(step, count):
+    wait_until(lambda: step.calls >= count, f'{count} calls; there were {step.calls}', TIMEOUT_SEC)
+
+
+def test_it_has_no_thread_until_it_is_needed_and_none_when_nothing_is_left(make, monkeypatch):
+    monkeypatch.setattr(module, '_LOOK_PERIOD_SEC', 0.001)
+    step = Step()
+    worker = make(step)
+    assert worker.is_idle
+    worker.wake()
+    wait_for_calls(step, 1)
+    wait_until(lambda: worker.is_idle, 'the thread to end', TIMEOUT_SEC)
+    # Once because it was woken, and a few times to see what has become late.
+    assert step.calls == 1 + module._IDLE_LOOKS
+    worker.wake()
+    wait_for_calls(step, 2 + module._IDLE_LOOKS)
+    assert all(each.name == f'{THREAD_NAME_PREFIX}test' and each.daemon for each in step.threads)
+
+
+def test_a_step_is_called_again_when_it_says_so_and_not_only_when_the_worker_looks_by_itself(make, never_by_itself):
+    step = Step(*[0.001] * 20)
+    make(step).wake()
+    wait_for_calls(step, 21)
+
+
+def test_zero_seconds_are_an_answer_too(make, never_by_itself):
+    step = Step(*[0.0] * 20)
+    make(step).wake()
+    wait_for_calls(step, 21)
+
+
+def test_a_step_with_nothing_outstanding_is_left_alone(make, never_by_itself):
+    step = Step()
+    worker = make(step)
+    worker.wake()
+    wait_for_calls(step, 1)
+    worker.wake()
+    wait_for_calls(step, 2)
+    assert step.calls == 2
+
+
+def test_waking_during_a_call_leads_to_another_one(make, never_by_itself):
+    step = Step()
+    step.gate.clear()
+    worker = make(step)
+    worker.wake()
+    assert step.entered.wait(TIMEOUT_SEC)
+    for _ in range(10):
+        worker.wake()
+    step.gate.set()
+    wait_for_calls(step, 2)
+    assert step.calls == 2
+
+
+def test_staying_starts_a_thread_where_there_is_none(make, never_by_itself):
+    step = Step()
+    worker = make(step)
+    worker.stay()
+    wait_for_calls(step, 1)
+
+
+def test_a_call_in_the_callers_thread_waits_its_turn_or_gives_up(make, never_by_itself):
+    step = Step()
+    step.gate.clear()
+    worker = make(step)
+    worker.wake()
+    assert step.entered.wait(TIMEOUT_SEC)
+    assert not worker.call_now(0.0)
+    step.gate.set()
+    assert worker.call_now(TIMEOUT_SEC)
+    assert threading.current_thread() in step.threads
+    assert step.most_at_once == 1
+
+
+def test_what_a_call_in_the_callers_thread_leaves_outstanding_is_looked_after(make, never_by_itself):
+    step = Step(0.0)
+    worker = make(step)
+    assert worker.call_now(TIMEOUT_SEC)
+    wait_for_calls(step, 2)
+    nothing_left = Step()
+    idle = make(nothing_left)
+    assert idle.call_now(TIMEOUT_SEC)
+    assert idle.is_idle
+
+
+def test_ended_it_calls_no_more(make, never_by_itself):
+    step = Step(0.0)
+    worker = make(step)
+    worker.wake()
+    wait_for_calls(step, 2)
+    worker.end()
+    wait_until(lambda: worker.is_idle, 'the thread to end', TIMEOUT_SEC)
+    worker.wake()
+    worker.stay()
+    assert worker.is_idle
+
+
+def test_after_an_exception_it_can_be_woken_again(make, never_by_itself, monkeypatch):
+    raised = []
+    monkeypatch.setattr(threading, 'excepthook', raised.append)
+    step = Step()
+
+    def step_that_raises_once():
+        if not raised:
+            raise ZeroDivisionError
+        return step()
+
+    worker = make(step_that_raises_once)
+    worker.wake()
+    wait_until(lambda: raised and worker.is_idle, 'the exception', TIMEOUT_SEC)
+    assert raised[0].exc_type is ZeroDivisionError
+    worker.wake()
+    wait_for_calls(step, 1)

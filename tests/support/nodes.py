@@ -1,0 +1,119 @@
+"""Nodes on which tests of panels and clients are tried."""
+
+import math
+import threading
+
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, SetParametersResult
+from rcl_interfaces.msg import ParameterDescriptor as Describe
+from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+INT64_MAX = 2**63 - 1
+
+
+class Arm(Node):
+    """Has a parameter of every type and shape."""
+
+    def __init__(self):
+        super().__init__('arm')
+        declare = self.declare_parameter
+        declare('enabled', True)
+        declare('serial', 2**62 + 1)
+        declare('joints', 5, Describe(integer_range=[IntegerRange(from_value=1, to_value=12, step=4)]))
+        declare('offset', 0.5)
+        declare('reach', 0.5, Describe(floating_point_range=[FloatingPointRange(from_value=0.01, to_value=2.0)]))
+        declare('gains.kp', 0.3, Describe(
+            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0, step=0.3)]))
+        declare('gains.ki', 0.0)
+        declare('tool', 'gripper')
+        declare('notes', 'one\ntwo')
+        declare('flags', [True, False])
+        declare('order', [3, 1, 2])
+        declare('limits', [-1.5, math.inf])
+        declare('names', ['base', 'elbow, left'])
+        declare('firmware', [b'\x00', b'\xff'])
+        declare('model', 'A1', Describe(read_only=True))
+        declare('payload', 1.5, Describe(dynamic_typing=True))
+        declare('calibrated_at', Parameter.Type.STRING)
+        declare('endless', 1.0, Describe(
+            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=math.inf)]))
+        declare('fixed', 7, Describe(integer_range=[IntegerRange(from_value=7, to_value=7, step=1)]))
+        declare('huge', 0, Describe(
+            integer_range=[IntegerRange(from_value=-INT64_MAX, to_value=INT64_MAX, step=1)]))
+
+
+class Gate(Node):
+    """Lets each value through only when the test opens the gate, and keeps what it saw."""
+
+    def __init__(self):
+        super().__init__('gate')
+        self.declare_parameter('x', 0)
+        self.declare_parameter('y', 0)
+        self.seen = []
+        self.entered = threading.Semaphore(0)
+        self.open = threading.Semaphore(0)
+        self.add_on_set_parameters_callback(self.check)
+
+    def check(self, parameters):
+        """Wait at the gate."""
+        self.seen.append(parameters[0].value)
+        self.entered.release()
+        self.open.acquire(timeout=20)
+        return SetParametersResult(successful=parameters[0].value >= 0, reason='must not be negative')
+
+
+class Counter(Node):
+    """Counts the values that it is asked for."""
+
+    def __init__(self):
+        super().__init__('counter')
+        self.declare_parameter('x', 0)
+        self.seen = []
+        self.add_on_set_parameters_callback(self.check)
+
+    def check(self, parameters):
+        """Take everything."""
+        self.seen += [each.value for each in parameters]
+        return SetParametersResult(successful=True)
+
+
+class Describing(Node):
+    """Has one parameter, x, and describes it as the test likes, as no parameter storage would let it."""
+
+    def __init__(self):
+        super().__init__('describing', start_parameter_services=False)
+        self.value: int | float = 0
+        self.descriptor = Describe(name='x')
+        self.create_service(ListParameters, '~/list_parameters', self.list)
+        self.create_service(GetParameters, '~/get_parameters', self.get)
+        self.create_service(DescribeParameters, '~/describe_parameters', self.describe)
+        self.create_service(SetParameters, '~/set_parameters', self.set)
+
+    def describe_as(self, value: int | float, descriptor: Describe) -> None:
+        """Have this value, and describe it so."""
+        descriptor.name = 'x'
+        descriptor.type = Parameter('x', value=value).type_.value
+        self.value, self.descriptor = value, descriptor
+
+    def list(self, request, response):
+        """Serve list_parameters."""
+        response.result.names = ['x']
+        return response
+
+    def get(self, request, response):
+        """Serve get_parameters."""
+        response.values = [Parameter('x', value=self.value).to_parameter_msg().value for _ in request.names]
+        return response
+
+    def describe(self, request, response):
+        """Serve describe_parameters."""
+        response.descriptors = [self.descriptor for _ in request.names]
+        return response
+
+    def set(self, request, response):
+        """Serve set_parameters: take everything."""
+        for each in request.parameters:
+            self.value = Parameter.from_parameter_msg(each).value
+        response.results = [SetParametersResult(successful=True) for _ in request.parameters]
+        return response

@@ -1,0 +1,292 @@
+"""The controls of a panel: which editor a parameter gets, what a hand enters, what springs back.
+
+What a hand does in the browser arrives as ``set_state`` of a widget; ``by_hand`` calls just that.
+"""
+
+import contextlib
+import math
+
+import pytest
+from hypothesis import HealthCheck, assume, example, given, settings
+from hypothesis import strategies as st
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange
+from rcl_interfaces.msg import ParameterDescriptor as Describe
+from rclpy.node import Node
+
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import ParameterClient, Range
+from param_tutorial.runtime.waiting import wait_until
+from param_tutorial.widgets import editors
+from param_tutorial.widgets.panel import ParameterPanel
+from tests.support.nodes import INT64_MAX, Describing
+from tests.support.strategies import INT64
+from tests.support.widgets import by_hand, shows, texts
+
+NODE = '/arm'
+
+EDITORS = {
+    'enabled': ['_Checkbox'], 'serial': ['_Text'], 'joints': ['_Text', '_IntSlider'], 'offset': ['_Text'],
+    'reach': ['_Text', '_IntSlider'], 'gains.kp': ['_Text', '_IntSlider'], 'gains.ki': ['_Text'],
+    'tool': ['_Text'], 'notes': ['_Textarea'], 'flags': ['_Text'], 'order': ['_Text'], 'limits': ['_Text'],
+    'names': ['_Text'], 'firmware': ['_Text'], 'model': ['_Text'], 'payload': ['_Text'], 'calibrated_at': ['_Text'],
+    'endless': ['_Text'], 'fixed': ['_Text'], 'huge': ['_Text'],
+}
+
+
+def test_every_parameter_gets_the_editor_of_its_type_and_range(arm):
+    assert {name: [type(widget).__name__ for widget in arm[name].editors] for name in EDITORS} == EDITORS
+
+
+def test_what_the_widgets_hold_at_first(arm):
+    assert {name: shows(arm, name) for name in EDITORS} == {
+        'enabled': (True,), 'serial': ('4611686018427387905',), 'joints': ('5', 5), 'offset': ('0.5',),
+        'reach': ('0.5', 49), 'gains.kp': ('0.3', 1), 'gains.ki': ('0.0',), 'tool': ('gripper',),
+        'notes': ('one\ntwo',), 'flags': ('[true, false]',), 'order': ('[3, 1, 2]',), 'limits': ('[-1.5, inf]',),
+        'names': ('[base, "elbow, left"]',), 'firmware': ('[0x00, 0xff]',), 'model': ('A1',), 'payload': ('1.5',),
+        'calibrated_at': ('',), 'endless': ('1.0',), 'fixed': ('7',), 'huge': ('0',)}
+
+
+@pytest.mark.parametrize(('name', 'entered', 'stored', 'shown'), [
+    ('enabled', False, False, (False,)),
+    ('serial', str(INT64_MAX), INT64_MAX, (str(INT64_MAX),)),
+    ('serial', ' -0x10 ', -16, ('-16',)),
+    ('serial', '007', 7, ('7',)),
+    ('offset', '3', 3.0, ('3.0',)),
+    ('offset', '.nan', math.nan, ('nan',)),
+    ('offset', '-inf', -math.inf, ('-inf',)),
+    ('offset', '1e-300', 1e-300, ('1e-300',)),
+    ('reach', '0.123456789', 0.123456789, ('0.123456789', 11)),
+    ('tool', '', '', ('',)),
+    ('tool', '  <b>ü 机械</b> "quoted" ', '  <b>ü 机械</b> "quoted" ', ('  <b>ü 机械</b> "quoted" ',)),
+    ('notes', 'a\nb\n', 'a\nb\n', ('a\nb\n',)),
+    ('notes', 'one line', 'one line', ('one line',)),
+    ('flags', '[]', [], ('[]',)),
+    ('flags', 'true, TRUE, false', [True, True, False], ('[true, true, false]',)),
+    ('order', '[1, 0xff,]', [1, 255], ('[1, 255]',)),
+    ('order', '', [], ('[]',)),
+    ('limits', '[1, -.inf, nan]', [1.0, -math.inf, math.nan], ('[1.0, -inf, nan]',)),
+    ('limits', '[]', [], ('[]',)),
+    ('names', '[a, "b, c", \'d\'\'e\', 007, true]', ['a', 'b, c', "d'e", '007', 'true'],
+     ('[a, "b, c", "d\'e", 007, true]',)),
+    ('names', '[]', [], ('[]',)),
+    ('firmware', '[0, 0x7f, 255]', [b'\x00', b'\x7f', b'\xff'], ('[0x00, 0x7f, 0xff]',)),
+    ('firmware', '[]', [], ('[]',)),
+    ('payload', '2', 2, ('2',)),
+    ('payload', 'off', False, ('false',)),
+    ('payload', '"off"', 'off', ('"off"',)),
+    ('payload', '[1.5, .nan]', [1.5, math.nan], ('[1.5, .nan]',)),
+    ('payload', 'some words', 'some words', ('some words',)),
+    ('calibrated_at', 'today', 'today', ('today',)),
+    ('endless', '1e9', 1e9, ('1000000000.0',)),
+    ('huge', str(-INT64_MAX), -INT64_MAX, (str(-INT64_MAX),)),
+])
+def test_what_a_hand_enters_reaches_the_node_with_its_type(arm, name, entered, stored, shown):
+    by_hand(arm[name].editors[0], entered)
+    arm.settle()
+    assert values.same(ParameterClient(NODE).get_parameter(name), stored)
+    assert arm[name].message == ''
+    assert shows(arm, name) == shown
+
+
+@pytest.mark.parametrize(('name', 'entered', 'reason'), [
+    ('serial', '1.5', "'1.5' cannot be read: serial wants a whole number, e.g. 42"),
+    ('serial', '', "'' cannot be read: serial wants a whole number, e.g. 42"),
+    ('serial', str(2**63), '9223372036854775808 does not fit into the 64 bits of a ROS integer '
+                           '(-9223372036854775808 to 9223372036854775807)'),
+    ('offset', '1,5', "'1,5' cannot be read: offset wants a number, e.g. 0.5"),
+    ('flags', '[yes]', "'[yes]' cannot be read: flags wants booleans, e.g. [true, false]"),
+    ('order', '[1, 2', "'[1, 2' cannot be read: order wants whole numbers, e.g. [1, 2, 3]"),
+    ('order', '[1,,2]', "'[1,,2]' cannot be read: order wants whole numbers, e.g. [1, 2, 3]"),
+    ('limits', '[a]', "'[a]' cannot be read: limits wants numbers, e.g. [0.5, 1.0]"),
+    ('names', '["a]', '\'["a]\' cannot be read: names wants texts, e.g. [left, "right, far"]'),
+    ('firmware', '[256]', "'[256]' cannot be read: firmware wants bytes, e.g. [0x00, 0xff]"),
+    ('tool', 'a\0b', 'a ROS string ends at its first NUL character, so it cannot hold one'),
+])
+def test_what_is_no_value_springs_back_and_says_why(arm, name, entered, reason):
+    before = shows(arm, name)
+    by_hand(arm[name].editors[0], entered)
+    arm.settle()
+    assert shows(arm, name) == before
+    assert arm[name].message == reason
+
+
+def test_a_slider_reaches_its_valid_positions_and_both_ends(arm):
+    slider = arm['joints'].editors[1]
+    assert (slider.min, slider.max, slider.step) == (1, 12, 4)
+    for position in (9, 12, 1):
+        by_hand(slider, position)
+        arm.settle()
+        assert arm['joints'].value == position
+        assert arm['joints'].message == ''
+        assert shows(arm, 'joints') == (str(position), position)
+
+
+def test_a_double_slider_counts_round_numbers_up_to_the_end(arm):
+    slider = arm['reach'].editors[1]
+    assert (slider.min, slider.max, slider.step) == (0, 199, 1)
+    for position, stored in ((29, 0.3), (199, 2.0), (0, 0.01)):
+        by_hand(slider, position)
+        arm.settle()
+        assert shows(arm, 'reach') == (repr(stored), position)
+    slider = arm['gains.kp'].editors[1]
+    assert (slider.min, slider.max, slider.step) == (0, 4, 1)
+    for position, stored in ((3, 0.9), (4, 1.0), (0, 0.0)):
+        by_hand(slider, position)
+        arm.settle()
+        assert arm['gains.kp'].message == ''
+        assert values.same(arm['gains.kp'].value, stored)
+
+
+def test_a_slider_that_is_only_drawn_changes_nothing(ros, arm):
+    changes = []
+    ros.on_parameter_event(changes.append)
+    by_hand(arm['reach'].editors[0], '0.123456')
+    arm.settle()
+    by_hand(arm['reach'].editors[1], 11)  # where it stands
+    arm.settle()
+    assert shows(arm, 'reach') == ('0.123456', 11)
+    by_hand(arm['joints'].editors[1], 5)
+    by_hand(arm['joints'].editors[1], 9)
+    arm.settle()
+    wait_until(lambda: len(changes) >= 2, 'the two changes')
+    assert [event.changed_parameters[0].name for event in changes] == ['reach', 'joints']
+
+
+@given(st.floats(-1e6, 1e6), st.floats(1e-3, 1e6), st.floats(0, 1), st.booleans())
+def test_every_position_of_a_slider_is_valid_to_rclpy(low, width, where, stepped):
+    limits = Range(low, low + width, width / 7 if stepped else 0.0)
+    assume(limits.from_value < limits.to_value)
+    positions = editors.Positions(limits)
+    position = round(where * positions.last)
+    value = positions.value(position)
+    assert low <= value <= limits.to_value
+    assert abs(positions.nearest(value) - position) <= 1
+    assert math.isclose(positions.value(positions.nearest(value)), value)
+    if stepped and value != limits.to_value:
+        steps = round((value - low) / limits.step)
+        assert math.isclose(value, low + steps * limits.step, rel_tol=1e-9, abs_tol=1e-9)
+
+
+@given(st.floats(-1e9, 1e9))
+def test_a_slider_stands_at_the_nearest_position(value):
+    positions = editors.Positions(Range(0.0, 1.0, 0.3))
+    assert abs(positions.value(positions.nearest(value)) - value) == min(
+        abs(each - value) for each in (0.0, 0.3, 0.6, 0.9, 1.0))
+
+
+def test_python_code_moves_a_widget_as_a_hand_does(arm):
+    arm['joints'].editors[1].value = 9
+    arm['enabled'].editors[0].value = False
+    arm.settle()
+    assert ParameterClient(NODE).get_parameters(['joints', 'enabled']) == {'joints': 9, 'enabled': False}
+
+
+def test_a_locked_parameter_is_locked_and_the_node_has_the_last_word(arm):
+    assert arm['model'].editors[0].disabled
+    assert not arm['tool'].editors[0].disabled
+    assert 'read only' in texts(arm)
+    arm['model'].value = 'B2'
+    arm.settle()
+    assert 'read-only' in arm['model'].message
+    assert shows(arm, 'model') == ('A1',)
+
+
+def test_an_unset_parameter_says_so_until_it_is_set(arm):
+    box = arm['calibrated_at'].editors[0]
+    assert (box.value, box.placeholder) == ('', 'not set')
+    by_hand(box, 'now')
+    arm.settle()
+    box = arm['calibrated_at'].editors[0]
+    assert (box.value, box.placeholder) == ('now', '')
+
+
+# -- whatever a node describes --------------------------------------------------------------------------
+
+
+# Where arithmetic with doubles goes wrong.
+EDGES = st.sampled_from([0.0, -0.0, 5e-324, -5e-324, 2.2250738585072014e-308, 1.0, math.nextafter(1.0, 2.0), 1e16,
+                         1e308, 1.7976931348623157e308, -1.7976931348623157e308, math.inf, -math.inf, math.nan])
+DOUBLES = st.one_of(EDGES, st.floats())
+INTEGERS = st.one_of(st.sampled_from([-2**63, -2**63 + 1, -2**53, -1, 0, 1, 2**53, 2**53 + 1, 2**63 - 1]), INT64)
+STEPS = st.one_of(st.sampled_from([0, 1, 2**53, 2**63, 2**64 - 1]), st.integers(0, 2**64 - 1))
+
+
+@pytest.fixture
+def describing(ros):
+    """Return a node that describes its parameter as a test likes, and its panel."""
+    node = ros.add(Describing)
+    return node, ParameterPanel(node)
+
+
+# Many examples for one node and one panel.
+MANY = settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+def check_that_it_works(describing, value, descriptor):
+    """Let the node describe its parameter so; the panel must show it, and let a hand change it."""
+    node, panel = describing
+    node.describe_as(value, descriptor)
+    panel.settle()
+    assert panel.status == ''
+    assert values.same(panel['x'].value, value)
+    box, *sliders = panel['x'].editors
+    assert box.value == repr(value)
+    for slider in sliders:
+        assert 0 < slider.step <= slider.max - slider.min
+        limits = panel['x'].descriptor.range
+        by_hand(slider, slider.min)  # where it may stand already, if the value is out of the range
+        for position in (slider.max, slider.min):
+            by_hand(slider, position)
+            panel.settle()
+            assert limits.from_value <= node.value <= limits.to_value
+            # Positions may lie so close together that they are one value.
+            assert node.value == (editors.Positions(limits).value(slider.value) if descriptor.floating_point_range
+                                  else slider.value)
+    by_hand(box, '1')
+    panel.settle()
+    assert panel['x'].message == ''
+    assert (type(node.value), node.value) == (type(value), 1)
+
+
+@MANY
+@given(DOUBLES, DOUBLES, DOUBLES, DOUBLES)
+@example(0.0, 0.0, 5e-324, 0.0)  # what a range declared with the integers 0 and 16 may arrive as
+@example(0.5, 1.0, 0.0, 0.1)  # reversed
+@example(0.5, 0.5, 0.5, 0.0)  # no width
+@example(0.0, 0.0, 1.0, math.inf)
+@example(0.0, 0.0, 1.0, -0.5)
+@example(0.0, 0.0, 1.0, math.nan)
+@example(0.0, 0.0, 1e308, 5e-324)
+@example(math.nan, 0.0, 1.0, 0.1)
+def test_a_double_of_any_range_can_be_shown_and_changed(describing, value, first, last, step):
+    check_that_it_works(describing, value, Describe(floating_point_range=[
+        FloatingPointRange(from_value=first, to_value=last, step=step)]))
+
+
+@MANY
+@given(INTEGERS, INTEGERS, INTEGERS, STEPS)
+@example(0, -2**63, 2**63 - 1, 2**64 - 1)
+@example(0, 0, 10, 2**64 - 1)
+@example(5, 5, 5, 0)
+@example(0, 10, 0, 0)
+def test_an_integer_of_any_range_can_be_shown_and_changed(describing, value, first, last, step):
+    check_that_it_works(describing, value, Describe(integer_range=[
+        IntegerRange(from_value=first, to_value=last, step=step)]))
+
+
+def test_a_range_of_doubles_declared_with_integers_leaves_the_panel_alive(ros):
+    """Its ends arrive as other numbers: a Python integer's header is taken for a double."""
+    class Cart(Node):
+        def __init__(self):
+            super().__init__('cart')
+            self.declare_parameter('speed', 0.0)
+            limits = FloatingPointRange()
+            with contextlib.suppress(AssertionError):  # where messages check their fields
+                limits = FloatingPointRange(from_value=0, to_value=16)
+            self.declare_parameter('gain', 0.0, Describe(floating_point_range=[limits]))
+
+    ros.add(Cart)
+    panel = ParameterPanel('/cart')
+    by_hand(panel['speed'].editors[0], '2')
+    panel.settle()
+    assert (panel['speed'].value, panel['gain'].value) == (2.0, 0.0)

@@ -1,0 +1,97 @@
+"""What all live views have in common: they follow, they say what is wrong, and they let go."""
+
+import gc
+import sys
+import weakref
+
+import pytest
+from rcl_interfaces.msg import ParameterDescriptor as Describe
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.node import Node
+
+import param_tutorial
+from param_tutorial import EventView, RobotView, StepResponseView
+from param_tutorial.nodes.pid_controller_node import PidControllerNode
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.runtime import stage
+from param_tutorial.runtime.waiting import wait_until
+from param_tutorial.widgets.log import LogView
+from param_tutorial.widgets.panel import ParameterPanel
+from tests.support.widgets import texts, worker_threads
+
+
+@pytest.mark.parametrize('view', [ParameterPanel, StepResponseView])
+def test_a_panel_without_an_executor_says_so_and_comes_alive_with_one(view):
+    param_tutorial.stop()
+    panel = view('/pid_controller_node')
+    assert 'no executor is running' in (panel.status if view is ParameterPanel else panel.text)
+    param_tutorial.start().add(PidControllerNode)
+    panel.settle()
+    assert panel.names if view is ParameterPanel else 'rise time' in panel.text
+    panel.close()
+    param_tutorial.start()
+
+
+@pytest.mark.parametrize('view', [ParameterPanel, LogView, EventView, RobotView, StepResponseView])
+def test_a_view_of_nonsense_says_so_and_nothing_else(ros, view, monkeypatch):
+    others = []
+    monkeypatch.setattr(sys, 'unraisablehook', lambda each: others.append(each.exc_value))
+    with pytest.raises(TypeError, match='3 is no node'):
+        view(3)
+    gc.collect()  # and ipywidgets closes what was never built
+    assert others == []
+
+
+def test_text_from_a_node_is_not_taken_for_html(ros):
+    evil = '<img src=x onerror=alert(1)>'
+
+    class Evil(Node):
+        def __init__(self):
+            super().__init__('evil')
+            self.declare_parameter('x', 1, Describe(description=evil, additional_constraints=evil))
+            self.declare_parameter('<img src=y>.z', evil)
+            self.add_on_set_parameters_callback(
+                lambda parameters: SetParametersResult(successful=False, reason=evil))
+            self.get_logger().warning(evil)
+
+    ros.add(Evil)
+    panel, view = ParameterPanel('/evil'), LogView('/evil')
+    panel['x'].value = 2
+    panel.settle()
+    wait_until(lambda: '&lt;img src=x' in texts(view), 'the log')
+    assert panel['x'].message == evil
+    assert texts(panel).count('&lt;img src=x onerror=alert(1)&gt;') == 3
+    assert '<img' not in texts(panel) + texts(view)
+    assert not panel['x'].editors[0].description_allow_html
+
+
+def test_after_closing_nothing_listens_any_more(ros):
+    ros.add(SimpleParamNode)
+    def listeners():
+        return [len(each) for each in (ros._event_listeners, ros._graph_listeners, stage._change_listeners,
+                                       ros.node_log._listeners)]
+    before = listeners()
+    panel, view = ParameterPanel('/simple_param_node'), LogView()
+    assert listeners() == [before[0] + 1, before[1] + 1, before[2] + 2, before[3] + 1]
+    gone = weakref.ref(panel), weakref.ref(view)
+    panel.close()
+    panel.close()
+    view.close()
+    assert listeners() == before
+    del panel, view
+
+    def all_gone():
+        gc.collect()
+        return not any(reference() for reference in gone)
+    wait_until(all_gone, 'the closed widgets to be collected')
+
+
+@pytest.mark.parametrize('make', [LogView, EventView, lambda: ParameterPanel('/arm'), lambda: RobotView('/arm')])
+def test_its_thread_is_known_as_one_of_a_view_and_ends_with_it(ros, make):
+    """Each test of widgets waits for these threads to end: that guards nothing unless they are found by their names."""
+    assert worker_threads() == []
+    view = make()
+    (view._live._reader if isinstance(view, ParameterPanel) else view._worker).wake()
+    assert worker_threads() != []
+    view.close()
+    wait_until(lambda: not worker_threads(), 'the thread of the closed view to end')
