@@ -164,6 +164,7 @@ def test_what_is_no_rover_is_told(ros, work, word):
     assert not own_names(ros)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('number', EXERCISES)
 @pytest.mark.parametrize('work', [None, 5, '', [], {}, object(), Node, len, lambda: None], ids=[
     'none', 'number', 'text', 'list', 'dictionary', 'object', 'Node', 'builtin', 'lambda'])
@@ -298,6 +299,7 @@ def test_a_button_that_cannot_be_interrupted_is_told_and_the_next_check_is_as_ev
     assert exercises.check('5.3a', solution('5.3a')).done
 
 
+@pytest.mark.slow
 def test_a_cart_that_is_launched_already_is_told(ros):
     cart = ros.add(ch11.CartNode, ros_args=['-r', '__ns:=/aisle_3'])
     result = exercises.check('11e', solution('11e'))

@@ -73,6 +73,7 @@ def notebook(tmp_path_factory):
     return path, executed
 
 
+@pytest.mark.slow
 def test_the_verdict_is_that_of_pytest(notebook):
     path, executed = notebook
     ours = {name: not cell.difference(new.outputs)
@@ -87,6 +88,7 @@ def test_the_verdict_is_that_of_pytest(notebook):
     assert ours == theirs
 
 
+@pytest.mark.slow
 def test_a_difference_names_what_differs_and_shows_the_lines(notebook):
     path, executed = notebook
     told = {name: cell.difference(new.outputs)
@@ -97,6 +99,7 @@ def test_a_difference_names_what_differs_and_shows_the_lines(notebook):
     assert 'dissimilar number of outputs for key "text/plain"' in told['one result of two']
 
 
+@pytest.mark.slow
 def test_comparing_leaves_the_outputs_as_they_are(notebook):
     path, _ = notebook
     pieces = [printed('1\n'), printed('2\n')]

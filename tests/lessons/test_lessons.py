@@ -49,6 +49,7 @@ def test_a_chapter_that_fails(tmp_path):
         run.run_chapter(path)
 
 
+@pytest.mark.slow
 def test_a_chapter_that_was_not_run(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('x = 1', ''))
     notebook = nbformat.read(path, as_version=4)
@@ -114,6 +115,7 @@ def recorded(ros):
     panel.close()
 
 
+@pytest.mark.slow
 def test_answers_are_the_nodes_and_the_node_is_as_before(recorded):
     node, recording = recorded
     least, most, label = (rows_of(recording)[name]['answers'] for name in ('least', 'most', 'label'))
@@ -128,6 +130,7 @@ def test_answers_are_the_nodes_and_the_node_is_as_before(recorded):
     assert 'incomplete' not in recording
 
 
+@pytest.mark.slow
 def test_who_depends_on_whom_is_found_out_and_recorded(recorded):
     _, recording = recorded
     rows = rows_of(recording)

@@ -223,6 +223,7 @@ def test_a_refused_atomic_set_changes_nothing_on_the_way(robot, client):
 # -- the node, in real time -----------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_in_real_time_it_arrives_by_itself_and_then_its_timer_is_off(ros):
     robot = ros.add(ClawbotNode, ros_args=['-p', 'max_speed_rpm:=300', '-p', 'max_acceleration_mps2:=2.0',
                                            '-p', 'simulation.track_length_meters:=2.0'])

@@ -191,6 +191,7 @@ DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
     lambda items: ''.join(f'{node}: {block}\n' for node, block in items))
 
 
+@pytest.mark.slow
 @settings(property_test, max_examples=400)
 @given(DOCUMENTS)
 @example('/**: {ros__parameters: {a: 1}}\n/lab/reader: {ros__parameters: {a: 2}}\n/**: {ros__parameters: {a: 3}}')
@@ -210,6 +211,7 @@ def test_documents_are_read_or_refused_as_rcl_reads_or_refuses_them(ros, text):
         assert expected is not None and same(found, expected)
 
 
+@pytest.mark.slow
 @settings(property_test, max_examples=400)
 @given(DOCUMENTS)
 @example('/n:\n  ros__parameters:\n    a: [1, x]\n')

@@ -237,6 +237,7 @@ def test_two_nodes_of_one_name_are_warned_of(ros, start_process):
 # -- discovery ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_node_that_has_just_been_started_is_found_at_once(ros, start_process):
     late = start_process(*program_of('late'), stdout=subprocess.PIPE)
     ready(late)  # its participant exists, and nothing has been waited for
@@ -286,6 +287,7 @@ def test_run_hands_arguments_on(ros, start_process):
     assert process.poll() is None
 
 
+@pytest.mark.slow
 def test_run_gives_the_exit_status_and_takes_a_prefix():
     done = subprocess.run(
         [*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', '--ros-args', '--params-file', '/nowhere'],
@@ -345,6 +347,7 @@ def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
     assert 'Exception' not in done.stderr
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_a_command_that_waits(ros, start_process):
     process = start_process(*EMBEDDED, 'param', 'get', '--timeout', '600', '/nobody', 'x',
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)

@@ -270,6 +270,7 @@ def test_the_interpreter_ends_well_with_a_busy_node(ending):
     assert (done.returncode, done.stdout, done.stderr) == (0, '', '')
 
 
+@pytest.mark.slow
 def test_an_interrupt_hits_the_main_thread_and_not_the_node():
     done = run_python('''
         import os, signal, time, threading, param_tutorial

@@ -27,7 +27,7 @@ _JS_SAFE = 2**53
 _FINE_POSITIONS = 100
 
 
-class _FromBrowser:
+class _FromBrowser(widgets.ValueWidget):
     """Mixed into a widget: takes a value from the browser before ipywidgets begins to answer it.
 
     ipywidgets would send an echo and run its notifications first, which takes as long as the node's whole answer.

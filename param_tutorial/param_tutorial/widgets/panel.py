@@ -254,7 +254,7 @@ class ParameterPanel(View):
         for heading in self._headings.values():
             heading.close()
         self._headings = headings
-        if tuple(children) != self.children:
+        if children != list(self.children):
             self.children = children
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
