@@ -14,8 +14,8 @@ from tests.support.paths import ROOT
 
 LOCK = ROOT / 'environment' / 'requirements-dev.lock'
 MINORS = range(10, 15)
-# No notebook, browser, website or build: those are about Jupyter and colcon, and take minutes.
-TESTS = [f'tests/{room}' for room in ('nodes', 'parameters', 'ros2', 'runtime', 'widgets')]
+# What runs nodes in this process. Notebooks, browser, website, builds and commands take minutes, and are about others.
+TESTS = [f'tests/{room}' for room in ('nodes', 'parameters', 'runtime', 'widgets')]
 
 
 def find_uv() -> Path:
