@@ -140,7 +140,7 @@ def test_a_line_is_split_as_bash_splits_it(tmp_path, line, words, target):
     done = subprocess.run(['bash', '-c', f'{functions}\n{line}'], cwd=tmp_path, capture_output=True, check=True)
     output = done.stdout if target is None else (tmp_path / target).read_bytes()
     assert output.decode().split('\0')[:-1] == words
-    assert os.listdir(tmp_path) == ([] if target is None else [target])
+    assert [path.name for path in tmp_path.iterdir()] == ([] if target is None else [target])
 
 
 def test_nothing_typed_does_nothing_and_help_is_help(cell, ros):

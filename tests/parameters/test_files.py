@@ -308,7 +308,7 @@ def test_a_failed_save_leaves_the_old_file_and_nothing_else(tmp_path, monkeypatc
     with pytest.raises(OSError, match=r'No space left on device; the parameters were not written.*robot\.yaml'):
         render('/n', {'a': 1}).save(path)
     assert path.read_text() == 'old'
-    assert os.listdir(tmp_path) == ['robot.yaml']
+    assert [path.name for path in tmp_path.iterdir()] == ['robot.yaml']
 
 
 def test_saving_keeps_permissions_and_links(tmp_path):
@@ -327,7 +327,7 @@ def test_saving_keeps_permissions_and_links(tmp_path):
 def test_where_nothing_can_be_written_the_error_says_so(tmp_path, path):
     with pytest.raises(OSError, match='the parameters were not written'):
         render('/n', {}).save(tmp_path / path)
-    assert os.listdir(tmp_path) == []
+    assert [path.name for path in tmp_path.iterdir()] == []
 
 
 # -- the client, on live nodes ------------------------------------------------------------------------------
@@ -401,5 +401,5 @@ def test_a_bad_file_sets_nothing(ros, tmp_path):
 def test_no_draft_is_left_when_saving_succeeds(ros, tmp_path):
     ros.add(SimpleParamNode)
     ParameterClient('/simple_param_node').dump(tmp_path / 'robot.yaml')
-    assert os.listdir(tmp_path) == ['robot.yaml']
+    assert [path.name for path in tmp_path.iterdir()] == ['robot.yaml']
     assert read(tmp_path / 'robot.yaml', '/simple_param_node')['robot_name'] == 'Clawbot'

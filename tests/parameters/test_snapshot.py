@@ -1,7 +1,7 @@
 """All parameters of all nodes: what is in it, and who is not."""
 
 import threading
-import xml.etree.ElementTree as ElementTree
+from xml.etree import ElementTree
 
 import pytest
 from rcl_interfaces.srv import GetParameters

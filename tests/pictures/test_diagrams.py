@@ -1,6 +1,6 @@
 """The pictures of a running system: their words, that they are well-formed, and that what is named stays text."""
 
-import xml.etree.ElementTree as ElementTree
+from xml.etree import ElementTree
 
 import pytest
 

@@ -1,7 +1,7 @@
 """The line plot and the plot of step responses: words, axes, lines, and that what is named in them stays text."""
 
 import re
-import xml.etree.ElementTree as ElementTree
+from xml.etree import ElementTree
 
 import pytest
 from hypothesis import given

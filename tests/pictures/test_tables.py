@@ -1,6 +1,6 @@
 """Tables as HTML: their parts, and that the text in them stays text."""
 
-import xml.etree.ElementTree as ElementTree
+from xml.etree import ElementTree
 
 from param_tutorial.pictures.tables import Markup, grouped_table, table, with_code
 

@@ -171,8 +171,8 @@ def check_headings(prose: list[tuple[int, str]]) -> Found:
 
 
 def check_references(prose: list[tuple[int, str]], path: Path) -> Found:
-    for number, text in prose:
-        text = CODE_SPAN.sub('', FENCE.sub('', text))
+    for number, source in prose:
+        text = CODE_SPAN.sub('', FENCE.sub('', source))
         for alt, target in IMAGE.findall(text):
             if not alt.strip():
                 yield number, f'the image {target} has no alternative text.'

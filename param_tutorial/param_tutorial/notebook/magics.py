@@ -14,6 +14,7 @@ import signal
 import subprocess
 import sys
 from contextlib import ExitStack
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from IPython.core.error import UsageError
@@ -152,8 +153,8 @@ def _run(command: _Command) -> int:
     with interruptible(), ExitStack() as stack:
         output: TextStream = sys.stdout
         if command.target is not None:
-            path = os.path.expanduser(command.target)
-            output = stack.enter_context(open(path, 'a' if command.append else 'w', encoding='utf-8'))
+            path = Path(command.target).expanduser()
+            output = stack.enter_context(path.open('a' if command.append else 'w', encoding='utf-8'))
         streams = _Streams(output, sys.stderr)
         try:
             if genuine.path() is None:

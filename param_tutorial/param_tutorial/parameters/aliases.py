@@ -110,10 +110,11 @@ class Aliases:
         """Make of a change to any name of a parameter the same change to all of them."""
         forwarded: list[Parameter] = []
         said: dict[str, Parameter] = {}
-        for parameter in parameters:
-            if parameter.name in self._new_names:
-                self._notice(parameter.name)
-                parameter = Parameter(self._new_names[parameter.name], parameter.type_, parameter.value)
+        for proposed in parameters:
+            parameter = proposed
+            if proposed.name in self._new_names:
+                self._notice(proposed.name)
+                parameter = Parameter(self._new_names[proposed.name], proposed.type_, proposed.value)
             if self._mirrors_of(parameter.name):
                 if parameter.name in said:
                     if not _equal(said[parameter.name], parameter):

@@ -12,6 +12,7 @@ boolean, integer, double, string. It deviates from rcl on purpose in two points:
 
 import contextlib
 import json
+import math
 import os
 import re
 import sys
@@ -85,7 +86,7 @@ def _strtod(text: str) -> float | None:
         number = float.fromhex(hexadecimal) if hexadecimal else float(decimal)
     except OverflowError:
         return None
-    if number == float('inf'):
+    if math.isinf(number):
         return None
     if number < sys.float_info.min and _is_inexact(number, hexadecimal, decimal):
         return None
@@ -471,9 +472,9 @@ def _format_scalar(value: bool | int | float | str) -> str:
     if isinstance(value, int):
         return str(value)
     if isinstance(value, float):
-        if value != value:
+        if math.isnan(value):
             return '.nan'
-        if abs(value) == float('inf'):
+        if math.isinf(value):
             return '.inf' if value > 0 else '-.inf'
         mantissa, e, exponent = repr(value).partition('e')
         return (mantissa if '.' in mantissa else f'{mantissa}.0') + e + exponent

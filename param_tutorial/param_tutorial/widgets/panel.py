@@ -254,8 +254,8 @@ class ParameterPanel(View):
         for heading in self._headings.values():
             heading.close()
         self._headings = headings
-        if children != list(self.children):
-            self.children = children
+        if tuple(children) != self.children:
+            self.children = tuple(children)
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
 

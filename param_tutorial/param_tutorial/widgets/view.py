@@ -29,6 +29,8 @@ def nothing() -> None:
 class View(widgets.VBox):
     """A box of widgets that follows something as long as it is not closed."""
 
+    children: tuple[widgets.Widget, ...]
+    """The widgets in the box; a trait of ipywidgets."""
     # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
     _closed = True
     # See ``recordable``.

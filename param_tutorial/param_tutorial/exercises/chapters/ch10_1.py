@@ -88,7 +88,7 @@ def pages_after(trial: Trial, rover: Rover, journal: Any, action: Callable[[], o
     return [page for page in journal.pages[before:] if not (isinstance(page, tuple) and page[1:2] == ('last',))]
 
 
-def expect_pages(trial: Trial, pages: Sequence[Any], wanted: Sequence[tuple[str, str, Any]]) -> None:
+def expect_pages(pages: Sequence[Any], wanted: Sequence[tuple[str, str, Any]]) -> None:
     """Expect these pages, each value of the right type; numbers of pages first."""
     for page in wanted:
         alike = [each for each in pages if isinstance(each, tuple) and len(each) == 3 and each[:2] == page[:2]]
@@ -102,7 +102,7 @@ def changed(trial: Trial) -> None:
     rover, journal = begin(trial)
     new = {'speed': 7, 'offset': 0.0, 'label': '', 'gains': [0.5, 0.0], 'enabled': False}
     pages = pages_after(trial, rover, journal, lambda: trial.client(rover).set_parameters_atomically(new))
-    expect_pages(trial, pages, [('changed', name, value) for name, value in new.items()])
+    expect_pages(pages, [('changed', name, value) for name, value in new.items()])
 
 
 @keep.require('new and deleted parameters are told from changed ones', see=WHAT_IS_TOLD)
@@ -114,7 +114,7 @@ def kinds(trial: Trial) -> None:
         trial.ros.run(lambda: rover.declare_parameter('lamp', 0, lamp), 'declare a parameter')
         trial.client(rover).delete_parameter('lamp')
 
-    expect_pages(trial, pages_after(trial, rover, journal, come_and_go),
+    expect_pages(pages_after(trial, rover, journal, come_and_go),
                  [('new', 'lamp', 0), ('deleted', 'lamp', None)])
 
 

@@ -49,7 +49,7 @@ class Launcher:
     def run(self, programs: Iterable[Program]) -> None:
         """Start programs, and wait until all have ended; Ctrl+C or SIGTERM ends them."""
         # A signal is one more event in the queue, so none comes between a program's start and its place in the list.
-        before = {number: signal.signal(number, lambda number, frame: self._events.put(number))
+        before = {number: signal.signal(number, lambda number, _frame: self._events.put(number))
                   for number in (signal.SIGINT, signal.SIGTERM)}
         interrupted = False
         try:
