@@ -97,7 +97,7 @@ class Rules:
     def __repr__(self) -> str:
         return '\n'.join(map(str, self._rules)) or '(no rules)'
 
-    def matches(self, name: str, pattern: str | re.Pattern) -> 'Rules':
+    def matches(self, name: str, pattern: str | re.Pattern[str]) -> 'Rules':
         """State that a text, or each text of an array, matches a regular expression from end to end.
 
         Python's matcher has no time limit: a pattern such as ``(a+)+b`` can keep the node busy for hours.
@@ -134,7 +134,7 @@ class Rules:
         if isinstance(step, bool) or not isinstance(step, (int, float)) or not 0 < step < math.inf:
             raise RuleError(f'cannot state a rule for {name}: a step is a number above 0, not {step!r}')
 
-        def is_multiple(value):
+        def is_multiple(value: float) -> bool:
             if not math.isfinite(value):
                 return False
             # Fractions of the decimal text, as people count; floats would be off for large values.

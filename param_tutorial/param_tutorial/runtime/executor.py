@@ -18,6 +18,7 @@ from typing import Any, TypeVar
 
 import rclpy
 from rcl_interfaces.msg import Log, ParameterEvent
+from rclpy import utilities
 from rclpy.executors import Executor, ExternalShutdownException
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
@@ -27,7 +28,7 @@ from param_tutorial.errors import ExecutorError
 from param_tutorial.runtime import domain, rclpy_private
 from param_tutorial.runtime.graph import incarnations
 from param_tutorial.runtime.listeners import Listeners
-from param_tutorial.runtime.managed import Callback, CallbackWatch, managed
+from param_tutorial.runtime.managed import Callback, CallbackWatch, prepare
 from param_tutorial.runtime.node_log import NodeLog
 from param_tutorial.runtime.services import Services
 
@@ -98,7 +99,7 @@ class BackgroundExecutor:
     """Spins nodes in a thread of its own until it is stopped. Get it from ``start()``."""
 
     def __init__(self) -> None:
-        if rclpy.ok():
+        if utilities.ok():
             raise ExecutorError('other code has initialized rclpy in this process: call rclpy.shutdown() first, then '
                                 'start() again')
         self.domain_id = domain.choose()
@@ -106,7 +107,7 @@ class BackgroundExecutor:
         # are off because a thread's output lands in whichever cell is running: node_log reads /rosout instead.
         rclpy.init(args=['--ros-args', '--disable-stdout-logs', '--disable-external-lib-logs'],
                    domain_id=self.domain_id, signal_handler_options=SignalHandlerOptions.NO)
-        self.context = rclpy.get_default_context()
+        self.context = utilities.get_default_context()
         self.node_log = NodeLog()
         self.failures: deque[Failure] = deque(maxlen=100)
         """The exceptions that callbacks raised, oldest first; those that repeat are counted in one."""
@@ -164,11 +165,9 @@ class BackgroundExecutor:
         self._require_running()
         if not (isinstance(node_class, type) and issubclass(node_class, Node)):
             raise ExecutorError(f'add() takes a class derived from rclpy.node.Node, not {node_class!r}')
-        managed_class = managed(node_class)
-        node = managed_class.__new__(managed_class)
-        node.host_of_node = _NodeHost(self, list(ros_args))
+        node = prepare(node_class, _NodeHost(self, list(ros_args)))
         try:
-            node.__init__(*args, **kwargs)
+            node.__init__(*args, **kwargs)  # type: ignore[misc]
         except BaseException:
             # Half a node still has services on the network that nobody would ever serve.
             if rclpy_private.is_in_graph(node):
@@ -225,14 +224,15 @@ class BackgroundExecutor:
         """
         if threading.current_thread() is self._thread:
             return function()
-        outcome: dict[str, Any] = {}
+        values: list[T] = []
+        errors: list[BaseException] = []
         finished = threading.Event()
 
         def work() -> None:
             try:
-                outcome['value'] = function()
+                values.append(function())
             except BaseException as error:
-                outcome['error'] = error
+                errors.append(error)
             finally:
                 finished.set()
 
@@ -244,9 +244,9 @@ class BackgroundExecutor:
                 self._stuck_in = str(self.callback_watch.running or 'a callback')
                 raise ExecutorError(f'cannot {what}: {self._stuck_in} does not return and cannot be interrupted. '
                                     f'Call param_tutorial.start() for a new executor, without this callback')
-        if 'error' in outcome:
-            raise outcome['error']
-        return outcome['value']
+        if errors:
+            raise errors[0]
+        return values[0]
 
     def _spin(self) -> None:
         next_graph_check = 0.0

@@ -20,6 +20,7 @@ from rclpy.timer import Timer
 from param_tutorial.runtime import rclpy_private
 from param_tutorial.runtime.service_types import SERVICE_TYPES
 
+_EXECUTOR_OF_NODE: property = vars(Node)['executor']
 _PARAMETER_SERVICES = {service_type: name for name, service_type in SERVICE_TYPES.items()}
 
 
@@ -95,7 +96,9 @@ class CallbackWatch:
 class Host(Protocol):
     """What a node on the stage needs of its executor."""
 
-    callback_watch: CallbackWatch
+    @property
+    def callback_watch(self) -> CallbackWatch:
+        """Return the watch over the callbacks of all nodes on the stage."""
 
     def before_node_init(self, node_name: str, options: dict[str, Any]) -> None:
         """Hear of a node that is about to be created; options are the keyword arguments of Node."""
@@ -104,12 +107,17 @@ class Host(Protocol):
         """Return the exception to raise when another executor wants to spin a node, None if it may."""
 
 
-@functools.cache
-def managed(node_class: type[Node]) -> type[Node]:
-    """Derive a class with the hooks; set ``host_of_node`` before its constructor runs.
+def prepare(node_class: type[Node], host: Host) -> Node:
+    """Return an object of a class derived from node_class, with the hooks; its constructor has yet to run."""
+    managed_class = _managed(node_class)  # type: ignore[arg-type]  # mypy takes no class of rclpy for hashable
+    node = managed_class.__new__(managed_class)
+    node.host_of_node = host
+    return node
 
-    The hooks are a base class that comes just before Node in the method resolution order.
-    """
+
+@functools.cache
+def _managed(node_class: Any) -> 'type[_Hooks]':
+    """Derive a class with the hooks: a base class that comes just before Node in the method resolution order."""
     bases = (_Hooks,) if node_class is Node else (node_class, _Hooks)
     return type(node_class.__name__, bases, {
         '__module__': node_class.__module__, '__doc__': node_class.__doc__, '__qualname__': node_class.__qualname__})
@@ -153,12 +161,12 @@ class _Hooks(Node):
     @property
     def executor(self) -> Executor | None:
         """The executor that spins this node."""
-        return Node.executor.fget(self)
+        executor: Executor | None = _EXECUTOR_OF_NODE.__get__(self)
+        return executor
 
     @executor.setter
     def executor(self, executor: Executor | None) -> None:
-        refusal = None if executor is None else self.host_of_node.refusal(self, executor)
-        if refusal is not None:
+        if executor is not None and (refusal := self.host_of_node.refusal(self, executor)):
             executor.remove_node(self)  # which has taken it in already, and asks afterwards
             raise refusal
-        Node.executor.fset(self, executor)
+        _EXECUTOR_OF_NODE.__set__(self, executor)

@@ -5,6 +5,7 @@ rclpy 7.1, and tests/runtime/test_rclpy_private.py has one test for each, named 
 """
 
 import contextlib
+import functools
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -64,11 +65,12 @@ def forbid_waiting(forbidden_here: ForbiddenHere) -> Callable[[], None]:
 
     def allow_waiting() -> None:
         if Executor.wait_for_ready_callbacks is ask_and_wait:
-            Executor.wait_for_ready_callbacks = wait
+            Executor.wait_for_ready_callbacks = wait  # type: ignore[method-assign]
         if Client.call is ask_and_call:
-            Client.call = call
+            Client.call = call  # type: ignore[method-assign]
 
-    Executor.wait_for_ready_callbacks, Client.call = ask_and_wait, ask_and_call
+    Executor.wait_for_ready_callbacks = ask_and_wait  # type: ignore[method-assign]
+    Client.call = ask_and_call  # type: ignore[method-assign]
     return allow_waiting
 
 
@@ -85,7 +87,7 @@ def destroy_by_force(node: Node) -> None:
     An executor counts as a user of each handle that it waits for, and rclpy destroys a handle when the last user
     has left it: with ``__exit__``, as at the end of a ``with`` block.
     """
-    entities = [*node.publishers, *node.subscriptions, *node.clients, *node.services, *node.timers]
+    entities: list[Any] = [*node.publishers, *node.subscriptions, *node.clients, *node.services, *node.timers]
     handles = [*node.waitables, *(entity.handle for entity in entities), node.handle]
     node.destroy_node()
     for handle in handles:
@@ -108,7 +110,7 @@ def watch_answers(service: Service, failed: Callable[[BaseException], None]) -> 
             failed(error)
             raise
 
-    service.send_response = send_watched
+    service.send_response = send_watched  # type: ignore[method-assign]
 
 
 # -- parameters -----------------------------------------------------------------------------------------------
@@ -144,9 +146,8 @@ def observe_changes(node: Node, call_instead: CallInstead,
     for kind, attribute in _CALLBACK_LISTS.items():
         originals[attribute] = getattr(node, attribute)
         setattr(node, attribute, _Observed(kind, originals[attribute], call_instead))
-    publisher = node._parameter_event_publisher
-    publish = publisher.publish
-    publisher.publish = lambda event: publish_instead(publish, event)
+    publisher: Any = node._parameter_event_publisher
+    publisher.publish = functools.partial(publish_instead, publisher.publish)
 
     def stop_observing() -> None:
         for attribute, original in originals.items():
@@ -170,4 +171,4 @@ class _Observed(list[ParameterCallback]):
 
     def __iter__(self) -> Iterator[ParameterCallback]:
         for callback in super().__iter__():
-            yield lambda parameters, callback=callback: self._call_instead(self._kind, callback, parameters)
+            yield functools.partial(self._call_instead, self._kind, callback)
