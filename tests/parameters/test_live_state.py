@@ -130,6 +130,16 @@ def test_an_answer_after_giving_up_changes_nothing(state, x):
     assert x.request is again
 
 
+def test_an_answer_about_a_parameter_that_was_deleted_meanwhile_is_shown_though_nothing_can_be_read(state, x):
+    request = state.ask(x, 2, 10.0).send
+    state.refresh()
+    describe(state, y=1)
+    assert state.answered(request, 'not declared', 10.1) == Todo(show=True, ended=True)
+    assert state.begin_reading(10.2) is None
+    state.begin_showing(10.2)
+    assert state.is_settled
+
+
 def test_it_is_late_only_while_it_is_busy(state, x):
     assert not x.is_late(100.0)
     request = state.ask(x, 2, 10.0).send
@@ -182,6 +192,15 @@ def test_an_event_during_a_reading_is_newer_even_if_it_repeats_what_is_shown(sta
     assert state.have_read({'x': 2}).read
     assert x.value == 1
     assert state.begin_reading(10.0).names == ['x']
+
+
+def test_a_stranger_that_changes_while_everything_is_read_is_not_waited_for(state):
+    state.refresh()
+    assert state.begin_reading(0.0).describe
+    state.changed([changed('stranger', 1)], others=False)
+    assert state.described(['x'], {'x': descriptor('x')}, {'x': 1}) == Todo(show=True)
+    state.begin_showing(0.0)
+    assert state.is_settled
 
 
 # -- coming and going -----------------------------------------------------------------------------------

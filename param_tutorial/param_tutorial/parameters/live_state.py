@@ -294,7 +294,7 @@ class LiveState(Generic[ParameterT]):
             self._must_describe = True
         describe, self._must_describe = self._must_describe, False
         # A busy parameter is read when its request has ended, so that the reading can be believed.
-        busy = self._must_read & set(self.busy_names)
+        busy = {name for name in self._must_read if self._is_busy(name)}
         names = sorted((self._must_read & self.parameters.keys()) - busy)
         self._must_read = busy
         if describe:
@@ -320,6 +320,7 @@ class LiveState(Generic[ParameterT]):
                 self._believe(parameter, present[name])
             parameters[name] = parameter
         self.parameters = parameters
+        self._must_read &= parameters.keys()
         if self.status:
             self.status = ''
             self._clear_messages()
@@ -378,6 +379,14 @@ class LiveState(Generic[ParameterT]):
     def _absence(self) -> str:
         return f'{self._node} is not running. Its controls come back when it does.'
 
+    @property
+    def _has_to_read(self) -> bool:
+        """True if ``begin_reading`` would find something to ask the node for."""
+        return self._must_describe or any(not self._is_busy(name) for name in self._must_read)
+
+    def _is_busy(self, name: str) -> bool:
+        return name in self.parameters and self.parameters[name].busy
+
     def _begin(self, request: Request, now: float) -> Todo:
         request.parameter.request = request
         request.parameter.asked_at = now
@@ -399,10 +408,10 @@ class LiveState(Generic[ParameterT]):
         if following is not None:
             return self._begin(following, now)._replace(read=self._must_describe)
         parameter.message = reason
-        if doubtful:
+        if doubtful and self.parameters.get(parameter.name) is parameter:  # and not deleted meanwhile
             self._must_read.add(parameter.name)
         self._must_show = True
-        read = self._must_describe or parameter.name in self._must_read
+        read = self._has_to_read
         return Todo(read=read, show=not read, ended=True)  # if it is read, it is shown after that, once and right
 
     def _end_all(self, reason: str) -> None:
@@ -437,8 +446,7 @@ class LiveState(Generic[ParameterT]):
 
     def _have_news(self) -> Todo:
         self._must_show = True
-        readable = any(not self.parameters[name].busy for name in self._must_read & self.parameters.keys())
-        return Todo(read=self._must_describe or readable, show=True)
+        return Todo(read=self._has_to_read, show=True)
 
     def _clear_messages(self) -> None:
         for parameter in self.parameters.values():
