@@ -578,4 +578,4 @@ class AnyOrderWhileTheNodeStays(AnyOrder):
 TestAnyOrder = AnyOrder.TestCase
 TestAnyOrder.settings = settings(max_examples=100, stateful_step_count=40)
 TestAnyOrderWhileTheNodeStays = AnyOrderWhileTheNodeStays.TestCase
-TestAnyOrderWhileTheNodeStays.settings = settings(max_examples=200, stateful_step_count=60)
+TestAnyOrderWhileTheNodeStays.settings = settings(max_examples=120, stateful_step_count=50)
