@@ -26,7 +26,7 @@ test: setup lint  ## run the whole test suite, as CI does
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup  ## run the tests that take seconds in all, while you edit
-	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
+	@$(VENV) -m pytest -n 3 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
 
 html: setup  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.lessons $(ARGS)
