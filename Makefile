@@ -30,7 +30,7 @@ test: lint  ## run the whole test suite, as CI does
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit
-	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
+	@$(VENV) -m pytest -n 3 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
 
 # On two cores about a minute for each; a version that isn't here is named and passed over.
 test-pythons: setup-all  ## run the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
