@@ -25,9 +25,13 @@ def test_the_first_cell_may_say_what_its_row_is_about():
     assert (second.tag, second.text) == ('td', '3')
 
 
-def test_what_there_is_not_has_no_element():
+def test_an_empty_table_has_only_what_it_was_given():
     assert table((), []) == '<table></table>'
-    assert [part.tag for part in parsed(table(('name',), []))] == ['thead']
+    assert [part.tag for part in parsed(table((), [], caption='nothing differs'))] == ['caption']
+
+
+def test_a_table_with_headings_has_a_body_that_takes_rows_later():
+    assert [part.tag for part in parsed(table(('name',), []))] == ['thead', 'tbody']
 
 
 def test_a_group_has_one_heading_beside_all_its_rows():

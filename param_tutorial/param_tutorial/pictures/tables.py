@@ -21,7 +21,7 @@ def with_code(text: str) -> Markup:
     return Markup(re.sub(r'`([^`]+)`', r'<code>\1</code>', html.escape(text, quote=False)))
 
 
-def table(columns: Iterable[str], rows: Iterable[Row], *, css_class: str = '', caption: str = '',
+def table(columns: Sequence[str], rows: Iterable[Row], *, css_class: str = '', caption: str = '',
           row_headers: bool = False) -> str:
     """Return a table.
 
@@ -31,7 +31,8 @@ def table(columns: Iterable[str], rows: Iterable[Row], *, css_class: str = '', c
     """
     first = '<th scope="row">' if row_headers else ''
     body = ''.join(_row(row, first) for row in rows)
-    return _table(columns, f'<tbody>{body}</tbody>' if body else '', css_class, caption)
+    # One with headings has a body even before its first row: a page may add rows to it.
+    return _table(columns, f'<tbody>{body}</tbody>' if columns or body else '', css_class, caption)
 
 
 def grouped_table(columns: Iterable[str], groups: Mapping[str, Sequence[Row]], *, css_class: str = '',
