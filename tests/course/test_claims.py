@@ -87,7 +87,7 @@ def test_after_ctrl_c_a_second_shutdown_is_an_error(tmp_path, caught):
             node.destroy_node()
             rclpy.shutdown()
         '''))
-    terminal = Terminal(f'{sys.executable} {program}')
+    terminal = Terminal(f'"{sys.executable}" {program}')
     terminal.read(until='spinning')
     assert terminal.interrupt() == 1
     assert 'rcl_shutdown already called' in terminal.text
@@ -302,7 +302,7 @@ def test_a_node_that_crashes_takes_no_other_ones_parameters_along(ros, client, t
         node.create_timer(0.05, lambda: print('spinning', flush=True))
         rclpy.spin(node)
         '''))
-    terminal = Terminal(f'{sys.executable} {program}')
+    terminal = Terminal(f'"{sys.executable}" {program}')
     terminal.read(until='spinning')
     other = ParameterClient('/crashes', timeout_sec=20)
     assert other.get_parameter('speed') == 1

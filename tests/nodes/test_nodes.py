@@ -36,7 +36,7 @@ def test_a_node_can_be_copied_out(path):
 def test_a_copied_node_runs_and_ends_on_ctrl_c_without_a_traceback(ros, path, tmp_path):
     copy = tmp_path / 'copied.py'
     copy.write_text(path.read_text())
-    terminal = Terminal(f'{sys.executable} {copy}')
+    terminal = Terminal(f'"{sys.executable}" {copy}')
     terminal.read(until='has been started')
     # It answers, so it spins. A Ctrl+C while rclpy is still building its executor makes rclpy itself complain.
     ParameterClient(f'/{path.stem}', timeout_sec=30).list_parameters()

@@ -11,7 +11,7 @@ import pytest
 from param_tutorial import Shell, Terminal, wait_until
 from param_tutorial.notebook.interrupts import interruptible
 
-WAITS = f'{sys.executable} -c "import signal; print(1, flush=True); signal.pause()"'
+WAITS = f'"{sys.executable}" -c "import signal; print(1, flush=True); signal.pause()"'
 
 
 @pytest.fixture(autouse=True)

@@ -34,7 +34,7 @@ def test_two_nodes_talk_and_both_end_in_good_order(ros):
 
 
 def test_output_that_does_not_come_is_an_error_that_shows_what_came():
-    terminal = Terminal(f'{sys.executable} -c "print(1234)"')
+    terminal = Terminal(f'"{sys.executable}" -c "print(1234)"')
     with pytest.raises(WaitTimeoutError, match=r"the command ended before a line with 'x'.*\n1234"):
         terminal.read(until='x')
     assert terminal.interrupt() == 0
@@ -42,7 +42,7 @@ def test_output_that_does_not_come_is_an_error_that_shows_what_came():
 
 def test_a_command_that_ignores_ctrl_c_is_killed():
     terminal = Terminal(
-        f'{sys.executable} -c "import signal, time; signal.signal(2, signal.SIG_IGN); print(1); time.sleep(60)"')
+        f'"{sys.executable}" -c "import signal, time; signal.signal(2, signal.SIG_IGN); print(1); time.sleep(60)"')
     terminal.read(until='1')
     assert terminal.interrupt(timeout_sec=0.2) == -9
     assert not psutil.pid_exists(terminal._process.pid)
