@@ -19,10 +19,15 @@ def room_of(module: str) -> str:
     return module.split('.')[1]
 
 
+def picture_of_the_readme() -> dict[str, list[str]]:
+    """Return README's table: the rooms, top to bottom, and the rooms that each imports."""
+    table = README.partition('| Room | Imports | What is in it |\n| --- | --- | --- |\n')[2].partition('\n\n')[0]
+    rows = [re.fullmatch(r'\| `(\w+)` \| (.+?) \| .+ \|', row).groups() for row in table.splitlines()]
+    return {room: re.findall(r'\w+', imported) for room, imported in rows}
+
+
 def rooms_of_the_readme() -> list[str]:
-    """Return the rooms in README's table, top to bottom."""
-    table = README.partition('| Room | What is in it |\n| --- | --- |\n')[2].partition('\n\n')[0]
-    return [re.match(r'\| `(\w+)`', row)[1] for row in table.splitlines()]
+    return list(picture_of_the_readme())
 
 
 def imports_of(module: str) -> Iterator[str]:
@@ -47,6 +52,14 @@ def test_readme_and_package_name_the_same_rooms():
     drawn = re.findall(r'^    (\w+)$', param_tutorial.__doc__, re.MULTILINE)
     assert drawn == rooms_of_the_readme()
     assert sorted(drawn) == sorted({room_of(module) for module in FILES if module not in ABOVE})
+
+
+def test_readme_draws_the_arrows_that_there_are():
+    arrows = {room: set() for room in picture_of_the_readme()}
+    for module, others in ARROWS.items():
+        if module not in ABOVE:
+            arrows[room_of(module)] |= {room_of(other) for other in others if other not in ABOVE} - {room_of(module)}
+    assert {room: set(imported) for room, imported in picture_of_the_readme().items()} == arrows
 
 
 def test_imports_go_downward_only():
