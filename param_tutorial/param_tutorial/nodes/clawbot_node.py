@@ -199,6 +199,23 @@ class ClawbotNode(Node):
         self._listeners: list[Callable[[], object]] = []
         # The parameters' callbacks come in the executor's thread, drive() and step() perhaps in another.
         self._lock = threading.RLock()
+        self._declare_robot()
+        self._declare_world()
+
+        self.settings = self._read_settings()
+        self._motion = Motion((), State('READY', 0.0))
+        self._motion_start_sec = self._drive_start_sec = self._now_sec()
+        self._announced = self._motion.end.word
+        self._driven: deque[tuple[float, float]] = deque(maxlen=1000)
+        # It is armed for the moment when the next phase begins, so a robot that stands costs nothing.
+        self.timer = self.create_timer(1.0, self._look, autostart=False)
+        self.add_on_set_parameters_callback(self.validate)
+        self.add_post_set_parameters_callback(self.react)
+        self.get_logger().info('ClawbotNode has been started.')
+
+    # -- parameters -------------------------------------------------------------------------------------
+
+    def _declare_robot(self) -> None:
         self.declare_parameter(
             'robot_name', 'Clawbot', ParameterDescriptor(description='Name of the robot. Must not be empty.'))
         self.declare_parameter(
@@ -225,7 +242,9 @@ class ClawbotNode(Node):
         self.declare_parameter(
             'robot_serial_number', 'SN-CLAW-001',
             ParameterDescriptor(description='Serial number of the robot.', read_only=True))
-        # The world around the robot, for the simulation.
+
+    def _declare_world(self) -> None:
+        """Declare what is around the robot, for the simulation."""
         self.declare_parameter(
             'simulation.ambient_temperature_c', 15,
             ParameterDescriptor(description='How warm it is, in degrees Celsius.', integer_range=[
@@ -240,19 +259,6 @@ class ClawbotNode(Node):
             ParameterDescriptor(
                 description='Radius of the wheels in m.', read_only=True,
                 floating_point_range=[FloatingPointRange(from_value=0.05, to_value=0.12)]))
-
-        self.settings = self._read_settings()
-        self._motion = Motion((), State('READY', 0.0))
-        self._motion_start_sec = self._drive_start_sec = self._now_sec()
-        self._announced = self._motion.end.word
-        self._driven: deque[tuple[float, float]] = deque(maxlen=1000)
-        # It is armed for the moment when the next phase begins, so a robot that stands costs nothing.
-        self.timer = self.create_timer(1.0, self._look, autostart=False)
-        self.add_on_set_parameters_callback(self.validate)
-        self.add_post_set_parameters_callback(self.react)
-        self.get_logger().info('ClawbotNode has been started.')
-
-    # -- parameters -------------------------------------------------------------------------------------
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
         """Return whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""

@@ -65,7 +65,7 @@ class _Recorder:
     def call(self, kind: str, callback: rclpy_private.ParameterCallback, parameters: list[Parameter]) -> Any:
         """Call a callback, and write down what it sees and what comes of it."""
         index = len(self.steps)
-        told = f'{_name(callback)} sees {self._told(parameters)}'
+        told = f'{_name(callback)} sees {self._format_parameters(parameters)}'
         self.note(kind, told)
         try:
             answer = callback(parameters)
@@ -89,12 +89,12 @@ class _Recorder:
 
     def _outcome(self, kind: str, answer: object) -> str:
         if kind == 'pre-set':
-            return f', gives {self._told(answer)}'
+            return f', gives {self._format_parameters(answer)}'
         if kind == 'on-set':
             return ', accepts' if getattr(answer, 'successful', False) else ', refuses'
         return ''
 
-    def _told(self, parameters: object) -> str:
+    def _format_parameters(self, parameters: object) -> str:
         """Return proposed parameters as a text: the value alone if it is the one that was asked for."""
         if not isinstance(parameters, list) or not all(isinstance(each, Parameter) for each in parameters):
             return f'{values.format_value(parameters)}, which is no list of parameters'
