@@ -247,7 +247,9 @@ def test_an_interrupt_is_passed_on_to_the_genuine_command(cell_with_genuine, tmp
     request.addfinalizer(functools.partial(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, before)))
 
     def interrupt():
-        wait_until((tmp_path / 'ready').exists, 'the command to wait', timeout_sec=30)
+        # The cell has shown what the command printed before: starting it is over, and an interrupt is for the command.
+        wait_until(lambda: 'domain' in getattr(sys.stderr, 'getvalue', str)() and (tmp_path / 'ready').exists(),
+                   'the command to wait', timeout_sec=30)
         os.kill(os.getpid(), signal.SIGINT)
 
     thread = threading.Thread(target=interrupt)

@@ -207,17 +207,18 @@ def _run_genuine(words: list[str], streams: _Streams) -> int:
         for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):
             selector.register(pipe, selectors.EVENT_READ, (stream, codecs.getincrementaldecoder('utf-8')('replace')))
         try:
-            while selector.get_map():
+            while True:
                 try:
-                    for key, _ in selector.select():
-                        stream, decoder = key.data
-                        chunk = os.read(key.fd, 65536)
-                        stream.write(decoder.decode(chunk, final=not chunk))
-                        if not chunk:
-                            selector.unregister(key.fileobj)
+                    while selector.get_map():
+                        for key, _ in selector.select():
+                            stream, decoder = key.data
+                            chunk = os.read(key.fd, 65536)
+                            stream.write(decoder.decode(chunk, final=not chunk))
+                            if not chunk:
+                                selector.unregister(key.fileobj)
+                    return process.wait()
                 except KeyboardInterrupt:
                     os.killpg(process.pid, signal.SIGINT)
-            return process.wait()
         finally:
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGKILL)
