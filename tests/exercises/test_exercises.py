@@ -292,6 +292,7 @@ def test_a_button_that_waits_for_its_own_executor_is_told_at_once(ros):
     assert exercises.check('5.3a', solution('5.3a')).done
 
 
+@pytest.mark.slow
 def test_a_button_that_cannot_be_interrupted_is_told_and_the_next_check_is_as_ever(ros):
     result = exercises.check('5.3a', Sleeps)
     assert 'does not return and cannot be interrupted' in result.findings[0].happened

@@ -320,13 +320,21 @@ def ask(node):
     return node.client.call_async(GetParameters.Request(names=['rpm']))
 
 
+def spin_a_helper(node):
+    helper = rclpy.create_node('helper')
+    try:
+        rclpy.spin_once(helper)
+    finally:
+        helper.destroy_node()  # and not when its garbage is collected, in a later test
+
+
 # The commonest ways to wait for an answer in a callback.
 WAITS = {
     'spin_until_future_complete': lambda node: rclpy.spin_until_future_complete(node, ask(node)),
     'spin_once': rclpy.spin_once,
     'spin': rclpy.spin,
     'executor': lambda node: SingleThreadedExecutor().spin_until_future_complete(ask(node)),
-    'executor of a helper': lambda node: rclpy.spin_once(rclpy.create_node('helper')),
+    'executor of a helper': spin_a_helper,
     'call': lambda node: node.client.call(GetParameters.Request(names=['rpm'])),
 }
 
@@ -465,6 +473,7 @@ STUCK = '''
 '''
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('asleep', [True, False])
 def test_start_gives_a_new_stage_when_a_callback_never_returns(asleep):
     done = run_python(STUCK.format(asleep=asleep) + '''
@@ -486,6 +495,7 @@ def test_start_gives_a_new_stage_when_a_callback_never_returns(asleep):
         'True []', '/simple_param_node accepted max_speed_rpm = 3', "['/simple_param_node']"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('asleep', [True, False])
 @pytest.mark.parametrize(('ending', 'status'), [('', 0), ('sys.exit(3)', 3), ('param_tutorial.stop()', 0)])
 def test_the_interpreter_ends_well_with_a_callback_that_never_returns(asleep, ending, status):
