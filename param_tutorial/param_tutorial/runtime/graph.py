@@ -70,7 +70,7 @@ def incarnations(observer: Node) -> frozenset[tuple[str, bytes]]:
 
     A restarted node has the same name and another identity.
     """
-    return frozenset((f'{info.node_namespace.rstrip("/")}/{info.node_name}', bytes(info.endpoint_gid))
+    return frozenset((_full_name(info), bytes(info.endpoint_gid))
                      for info in observer.get_publishers_info_by_topic('/parameter_events'))
 
 
@@ -133,8 +133,13 @@ def who_talks_to_whom(observer: Node) -> NodeGraph:
 def _display_names(endpoints: list[TopicEndpointInfo], observer: Node) -> Iterator[str]:
     """Yield the names under which the nodes of some endpoints are shown."""
     for endpoint in endpoints:
-        name = f'{endpoint.node_namespace.rstrip("/")}/{endpoint.node_name}'
+        name = _full_name(endpoint)
         if name == observer.get_fully_qualified_name():
             yield _NOTEBOOK
         elif '/_' not in name:  # as _NODE_NAME_UNKNOWN_ has it
             yield name
+
+
+def _full_name(endpoint: TopicEndpointInfo) -> str:
+    """Return the fully qualified name of the node that an endpoint belongs to."""
+    return f'{endpoint.node_namespace.rstrip("/")}/{endpoint.node_name}'
