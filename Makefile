@@ -5,6 +5,9 @@
 # .venv, which are of another build. PATH stays, so the genuine `ros2` is still found; whoever starts it gives it back
 # what is taken away here.
 unexport PYTHONPATH PYTHONHOME LD_LIBRARY_PATH _ROS_WHEELS_BOOTSTRAP_COMPLETE
+# Whoever wants no bytecode beside their own files may have it in this folder, where all of it is git-ignored: the tests
+# start hundreds of processes, and each would compile everything anew.
+unexport PYTHONDONTWRITEBYTECODE
 
 VENV := .venv/bin/python
 OUTER := $(or $(PYTHON),python3)
@@ -26,7 +29,7 @@ lab: setup  ## start JupyterLab on the course, after the set-up if needed
 	@$(VENV) environment/lab.py $(ARGS)
 
 test: lint  ## run the whole test suite, as CI does
-	@$(VENV) -m pytest -n 4 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
+	@$(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit

@@ -11,8 +11,8 @@ import re
 import shutil
 import subprocess
 from dataclasses import dataclass
+from html import escape
 from pathlib import Path
-from xml.sax.saxutils import escape, quoteattr
 
 from param_tutorial.ros2.session import CommandFailed, Commands, Session
 
@@ -161,7 +161,7 @@ def _package_xml(package: _Package) -> str:
   <name>{package.name}</name>
   <version>0.0.0</version>
   <description>{escape(package.description)}</description>
-  <maintainer email={quoteattr(package.email)}>{escape(package.maintainer)}</maintainer>
+  <maintainer email="{escape(package.email)}">{escape(package.maintainer)}</maintainer>
   <license>{escape(package.license)}</license>
 
 {depends}{chr(10) if depends else ''}{tests}
