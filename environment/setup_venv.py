@@ -158,9 +158,6 @@ def install(uv, lock):
     # The locked setuptools builds the course itself and empy, the one dependency that is published as source only.
     options = ['--no-deps', '--build-constraints', lock, '--require-build-hashes', '--reinstall-package=param-tutorial']
     options += [] if sys.stderr.isatty() else ['--quiet']
-    # The tests start hundreds of processes; with PYTHONDONTWRITEBYTECODE set, each would compile everything anew. A
-    # learner's few processes compile what they need.
-    options += ['--compile-bytecode'] if lock == EVERYTHING else []
     run(
         [uv, 'pip', 'install', '--python', VENV_PYTHON, *options, '--requirement', lock, '--editable', '.'],
         'uv could not install the packages, ' + AGAIN,
