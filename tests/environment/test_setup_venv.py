@@ -249,6 +249,7 @@ def test_a_stale_venv_is_made_afresh(checkout):
     assert checkout.has('param_tutorial') and not mark.exists()
 
 
+@pytest.mark.slow
 def test_the_venv_of_an_older_set_up_is_made_afresh(checkout):
     """Its stamp says other things; it is the course's all the same."""
     checkout.run()

@@ -80,6 +80,7 @@ TRICKY = [
     '.', '-', '--', '---', '...', '? x', '|', '>', 'x' * 2000, '+1', '.inf', '0x', '1.', '-0', 'e5', 'true ']
 
 
+@pytest.mark.slow
 @property_test
 @given(PARAMETERS)
 @example({text or 'empty': text for text in TRICKY})
@@ -154,6 +155,7 @@ WORDS = st.text('abnyxoeinfNOYE019.+-_~:', max_size=7)
 SCALARS = st.one_of(NUMBERS, WORDS, st.floats().map(repr), st.integers().map(str), st.sampled_from(TRICKY))
 
 
+@pytest.mark.slow
 @property_test
 @given(st.lists(SCALARS, max_size=20))
 @example(['08', '0x', '-0x10', '9223372036854775807', '9223372036854775808', '-9223372036854775809', '1e400',
@@ -192,6 +194,7 @@ DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
 
 
 @pytest.mark.slow
+@pytest.mark.slow
 @settings(property_test, max_examples=400)
 @given(DOCUMENTS)
 @example('/**: {ros__parameters: {a: 1}}\n/lab/reader: {ros__parameters: {a: 2}}\n/**: {ros__parameters: {a: 3}}')
@@ -211,6 +214,7 @@ def test_documents_are_read_or_refused_as_rcl_reads_or_refuses_them(ros, text):
         assert expected is not None and same(found, expected)
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 @settings(property_test, max_examples=400)
 @given(DOCUMENTS)
