@@ -452,7 +452,7 @@ STUCK = '''
     from param_tutorial.errors import ExecutorError
     from param_tutorial.nodes.simple_param_node import SimpleParamNode
     from param_tutorial.runtime import executor
-    executor.STOP_TIMEOUT_SEC = 0.3
+    executor.STOP_TIMEOUT_SEC = executor.INTERRUPT_TIMEOUT_SEC = 0.3
     entered = threading.Event()
     class Stuck(Node):
         def __init__(self):

@@ -36,6 +36,8 @@ from param_tutorial.runtime.services import Services
 TOOL_NODE_NAME = '_param_tutorial'
 GRAPH_PERIOD_SEC = 0.5
 STOP_TIMEOUT_SEC = 3.0
+# An interrupted callback may have to wait for a busy processor before it ends. Only after this is it called stuck.
+INTERRUPT_TIMEOUT_SEC = 3.0
 _PARK_TIMEOUT_SEC = 1.0
 
 T = TypeVar('T')
@@ -240,7 +242,7 @@ class BackgroundExecutor:
         self._executor.create_task(work)
         if not finished.wait(timeout_sec):
             self._raise_in_thread(_CallbackInterrupted)
-            if not finished.wait(timeout_sec):
+            if not finished.wait(INTERRUPT_TIMEOUT_SEC):
                 self._stuck_in = str(self.callback_watch.running or 'a callback')
                 raise ExecutorError(f'cannot {what}: {self._stuck_in} does not return and cannot be interrupted. '
                                     f'Call param_tutorial.start() for a new executor, without this callback')
@@ -327,7 +329,7 @@ class BackgroundExecutor:
             self._thread.join(STOP_TIMEOUT_SEC)
             if self._thread.is_alive():
                 self._raise_in_thread(_CallbackInterrupted)
-                self._thread.join(STOP_TIMEOUT_SEC)
+                self._thread.join(INTERRUPT_TIMEOUT_SEC)
         if self._thread.is_alive():
             self._abandon_thread()
         else:
