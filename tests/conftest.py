@@ -9,11 +9,14 @@ import tempfile
 from collections.abc import Iterator
 
 import hypothesis
+import nbval.kernel
 import pytest
+from xdist.workermanage import WorkerController
 
 import param_tutorial
 from param_tutorial.notebook import terminal
 from param_tutorial.runtime.executor import BackgroundExecutor
+from tests.support.kernels import KernelManager
 
 pytest_plugins = ['tests.support.time_limit']
 
@@ -29,11 +32,14 @@ if 'PYTEST_XDIST_WORKER' not in os.environ:
     atexit.register(shutil.rmtree, _folder, ignore_errors=True)
     os.environ |= {name: f'{_folder}/{name}' for name in ('IPYTHONDIR', 'JUPYTER_RUNTIME_DIR', 'ROS_LOG_DIR')}
 
+nbval.kernel.KernelManager = KernelManager
+
 # By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside.
 hypothesis.settings.register_profile('no deadline', deadline=None)
 hypothesis.settings.load_profile('no deadline')
 
 _DURATIONS = 'param_tutorial/seconds_of_files'
+_known = pytest.StashKey[dict[str, float]]()
 _seconds: collections.Counter[str] = collections.Counter()
 
 
@@ -46,6 +52,22 @@ def ros() -> Iterator[BackgroundExecutor]:
     executor.remove_all()
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Learn how long each file took in earlier runs: all workers from the process that starts them.
+
+    The files must come in the same order in all, also in one that replaces another later on: pytest-xdist gives no
+    tests to a worker with another order, and waits for it forever.
+    """
+    given = getattr(config, 'workerinput', {}).get(_DURATIONS)
+    config.stash[_known] = config.cache.get(_DURATIONS, {}) if given is None else given
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: WorkerController) -> None:
+    """Tell a worker before it starts."""
+    node.workerinput[_DURATIONS] = node.config.stash[_known]
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Let the longest files begin first; the others, and the tests in each, stay in pytest-randomly's order.
@@ -55,7 +77,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     --no-loadscope-reorder: otherwise pytest-xdist begins with the files that have most tests.
     """
     slow = (item for item in items if item.get_closest_marker('slow') or item.path.suffix == '.ipynb')
-    seconds = dict(collections.Counter(map(_file, slow))) | config.cache.get(_DURATIONS, {})
+    seconds = dict(collections.Counter(map(_file, slow))) | config.stash[_known]
     items.sort(key=lambda item: -seconds.get(_file(item), 0.0))
 
 

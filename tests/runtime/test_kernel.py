@@ -3,7 +3,8 @@
 import os
 
 import pytest
-from jupyter_client.manager import KernelManager
+
+from tests.support.kernels import KernelManager
 
 pytestmark = pytest.mark.slow
 

@@ -1,0 +1,99 @@
+"""Play with each chapter as a learner does, and look whether its cells still say the truth: `make play`.
+
+Before every cell, a hand moves controls on each panel, presses Drive, and leaves the changes on their way. Then the
+cell runs, and its outputs must be the stored ones: what a lesson says may not depend on what was done before it.
+"""
+
+import argparse
+import contextlib
+import os
+import random
+import subprocess
+import sys
+from pathlib import Path
+
+import nbformat
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+
+from param_tutorial.lessons.recording import comparison, run
+from tests.support.paths import NOTEBOOKS
+
+# In the kernel's main thread, as what a browser sends. Assigning to a control moves it the way a hand would.
+HAND = '''
+def _play(seed):
+    import random
+    from ipywidgets.widgets.widget import _instances
+    from param_tutorial.parameters import values
+    from param_tutorial.widgets.panel import ParameterPanel
+    from param_tutorial.widgets.robot import RobotView
+    chance = random.Random(seed)
+    for view in [each for each in list(_instances.values()) if isinstance(each, (ParameterPanel, RobotView))]:
+        if isinstance(view, RobotView):
+            view.drive()
+            continue
+        for name in chance.sample(view.names, min(3, len(view.names))):
+            control = view[name]
+            kind, limits = control.descriptor.type, control.descriptor.range
+            if name.startswith(('use_sim_time', 'start_type')) or control.descriptor.read_only or view.status:
+                continue
+            if kind == values.BOOL:
+                control.value = not control.value
+            elif kind == values.INTEGER:
+                control.value = chance.randint(limits.from_value, limits.to_value) if limits else chance.randint(1, 250)
+            elif kind == values.DOUBLE:
+                control.value = round(chance.uniform(limits.from_value, limits.to_value), 2) if limits else 1.5
+            elif kind == values.STRING:
+                control.value = f'played {seed}'
+'''
+
+
+def play(path: Path, seed: int) -> list[str]:
+    """Run a chapter and play with it before each cell.
+
+    :return: What cells said in place of the stored output.
+    """
+    notebook = nbformat.read(path, as_version=4)
+    client = NotebookClient(notebook, timeout=120, kernel_manager_class=run.OwnKernel, coalesce_streams=True,
+                            store_widget_state=False, allow_errors=True,
+                            resources={'metadata': {'path': str(path.parent)}})
+    environment = {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
+    code_cells = [(index, cell) for index, cell in enumerate(notebook.cells) if cell.cell_type == 'code']
+    found: list[str] = []
+    with client.setup_kernel(env=environment, stderr=subprocess.DEVNULL):
+        def do(source: str) -> None:
+            notebook.cells.append(nbformat.v4.new_code_cell(source))
+            client.execute_cell(notebook.cells[-1], len(notebook.cells) - 1, store_history=False)
+            for output in notebook.cells.pop().outputs:
+                if output.output_type == 'error':
+                    found.append(f'{path.name}: the hand itself failed: {output.ename}: {output.evalue}')
+        do(HAND)
+        for (index, cell), stored in zip(code_cells, comparison.cells_of(path)):
+            do(f'_play({seed + index})')
+            cell.outputs = []
+            with contextlib.suppress(CellExecutionError):
+                client.execute_cell(cell, index)
+            if difference := stored.difference(cell.outputs):
+                found.append(f'{path.name}, cell {index}:\n{cell.source}\n--\n{difference}')
+    return found
+
+
+def main(arguments: list[str]) -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('chapters', nargs='*', help='beginnings of file names, such as 05_2; by default all')
+    parser.add_argument('--seed', type=int, default=random.randrange(10**6), help='repeats what a hand did')
+    options = parser.parse_args(arguments)
+    beginnings = tuple(options.chapters or [''])
+    paths = [path for path in sorted(NOTEBOOKS.glob('*.ipynb')) if path.name.startswith(beginnings)]
+    print(f'seed {options.seed}')
+    status = 0
+    for path in paths:
+        found = play(path, options.seed)
+        print(f'{path.name}: {len(found)} cells say something else', flush=True)
+        print(*found, sep='\n\n', end='\n\n' if found else '')
+        status |= bool(found)
+    return status
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1:]))
