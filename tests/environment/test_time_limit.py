@@ -33,11 +33,12 @@ def test_after():
 
 @pytest.mark.slow
 def test_what_hangs_is_named_and_ended_and_the_others_run(tmp_path):
+    (tmp_path / 'test_earlier.py').write_text('def test_that_is_done():\n    pass\n')
     (tmp_path / 'test_hanging.py').write_text(HANGING)
     done = subprocess.run(
         [sys.executable, '-m', 'pytest', '-p', 'tests.support.time_limit', '-p', 'no:randomly', '--timeout', '3',
          '-n', '1', '--dist', 'loadscope', str(tmp_path)], cwd=ROOT, capture_output=True, text=True, timeout=150)
-    assert '3 failed, 2 passed' in done.stdout
+    assert '3 failed, 3 passed' in done.stdout
     assert 'ValueError: seen all the same' in done.stdout
     for name in ('test_that_hangs', 'test_that_fails_and_hangs_in_its_teardown'):
         assert done.stderr.count(f'test_hanging.py::{name} is still running after 3 s') == 1

@@ -44,9 +44,10 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadSco
 
 
 class _Scheduling(LoadScopeScheduling):
-    """Does not run a test again that has ended its worker: pytest-xdist 3.8 tries it on four new ones for each."""
+    """Mends what pytest-xdist 3.8 does after a test that has ended its worker."""
 
     def remove_node(self, node: WorkerController) -> str | None:
+        """Leave that test out. pytest-xdist would try it again, on four new workers."""
         for tests in self.assigned_work[node].values():
             for name, completed in tests.items():
                 if not completed:
@@ -54,6 +55,16 @@ class _Scheduling(LoadScopeScheduling):
                     super().remove_node(node)
                     return name
         return super().remove_node(node)
+
+    def _reschedule(self, node: WorkerController) -> None:
+        """Give a worker two tests at least, as it begins one when it knows the next.
+
+        pytest-xdist gives a new worker one file of the old one, in which one test may be left to do, or none. Then both
+        would wait for each other.
+        """
+        super()._reschedule(node)
+        while self.workqueue and not node.shutting_down and self._pending_of(self.assigned_work[node]) < 2:
+            self._assign_work_unit(node)
 
 
 def _start(item: pytest.Item) -> None:
