@@ -15,6 +15,7 @@ from xdist.workermanage import WorkerController
 
 import param_tutorial
 from param_tutorial.notebook import terminal
+from param_tutorial.runtime import node_log, waiting
 from param_tutorial.runtime.executor import BackgroundExecutor
 from tests.support.kernels import KernelManager
 
@@ -33,6 +34,10 @@ if 'PYTEST_XDIST_WORKER' not in os.environ:
     os.environ |= {name: f'{_folder}/{name}' for name in ('IPYTHONDIR', 'JUPYTER_RUNTIME_DIR', 'ROS_LOG_DIR')}
 
 nbval.kernel.KernelManager = KernelManager
+# A user is told after 5 s that something has not come. A test has more patience: where much else runs, a thread may
+# stand still for as long.
+waiting.wait_until.__defaults__ = (60.0,)
+node_log.NodeLog.read.__defaults__ = (None, 60.0)
 
 # By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside.
 hypothesis.settings.register_profile('no deadline', deadline=None)
