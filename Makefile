@@ -39,6 +39,9 @@ test-fast: setup-all  ## run the tests that take seconds in all, while you edit
 test-pythons: setup-all  ## run the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
 	@$(VENV) -m tests.tools.pythons $(ARGS)
 
+play: setup-all  ## play with each chapter between its cells, and look whether they still say the truth
+	@$(VENV) -W ignore -m tests.tools.play $(ARGS)
+
 html: setup-all  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.lessons $(ARGS)
 
@@ -68,4 +71,4 @@ clean:  ## remove everything that these targets made
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab test test-fast test-pythons html lesson bench lint lock clean
+.PHONY: help setup setup-all lab test test-fast test-pythons play html lesson bench lint lock clean

@@ -45,6 +45,7 @@ _HOMES = {
     'restore': 'parameters.sets',
     'start': 'runtime.stage',
     'stop': 'runtime.stage',
+    'unload_ipython_extension': 'notebook.magics',
     'wait_until': 'runtime.waiting',
 }
 # And modules that the lessons name: `from param_tutorial import parameter_files`.

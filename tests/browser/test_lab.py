@@ -1,13 +1,12 @@
 """A learner at work: the real JupyterLab, Chromium, and a terminal beside it.
 
-On a small notebook in the shape of a chapter, and on a chapter less its last cell, which clears the stage.
+On a small notebook in the shape of a chapter, and on a chapter.
 """
 
 import re
 import subprocess
 import sys
 
-import nbformat
 import pytest
 from playwright.sync_api import expect
 
@@ -71,11 +70,8 @@ def open_lesson(open_notebook, tmp_path):
 
 @pytest.fixture
 def open_chapter(open_notebook, tmp_path):
-    """Give a server, and a page with a chapter on which all cells but the last have run."""
-    chapter = nbformat.read(CHAPTER, as_version=4)
-    assert chapter.cells.pop().source == 'param_tutorial.stop()'
-    nbformat.write(chapter, tmp_path / CHAPTER.name)
-    lab, page = open_notebook(tmp_path / CHAPTER.name)
+    """Give a server, and a page with a chapter on which all cells have run."""
+    lab, page = open_notebook(CHAPTER)
     page.run_all()
     return lab, page
 
@@ -167,6 +163,21 @@ def test_a_learner_and_a_terminal(request, opened):
 
     # Locked is locked.
     expect(page.box('robot_serial_number')).to_be_disabled()
+
+
+def test_controls_answer_while_a_cell_waits(open_notebook, tmp_path):
+    """The cell ends when the node has what was typed meanwhile."""
+    wait = "param_tutorial.wait_until(lambda: node.get_parameter('robot_name').value == 'Rex', 'Rex', timeout_sec=100)"
+    cells = *lesson.LESSON, 'Now:', f"{wait}\n'it has come'"
+    _, page = open_notebook(lesson.write(tmp_path / 'waiting.ipynb', cells))
+    for index in (1, 3):
+        page.select_cell(index)
+        page.command('notebook:run-cell')
+    page.select_cell(7)
+    page.start('notebook:run-cell')
+    page.box('robot_name').fill('Rex')
+    page.box('robot_name').press('Enter')
+    expect(page.page.get_by_text("'it has come'", exact=True)).to_be_visible()
 
 
 def test_a_second_view_of_a_panel_changes_nothing(open_lesson):

@@ -77,7 +77,9 @@ def test_a_chapter_has_the_shape_of_all(name):
     glossary = re.search(r'\| word \| meaning \|\n\| --- \| --- \|\n((?:\|.*\n)+)', prose)
     assert 4 <= len(glossary.group(1).splitlines()) <= 8
     assert re.search(r'^Next: \[', prose, re.MULTILINE)
-    assert CHAPTERS[name].cells[-1].source == 'param_tutorial.stop()'
+    # *Run All* leaves a page to play with: no cell ends the stage, or takes the files away that others need.
+    code = [cell.source for cell in CHAPTERS[name].cells if cell.cell_type == 'code']
+    assert not [source for source in code if re.search(r'param_tutorial\.stop\(\)|cleanup\(\)', source)]
 
 
 @pytest.mark.parametrize('name', CHAPTERS)

@@ -289,3 +289,21 @@ def test_the_hint_shows_the_line_and_is_the_same_in_every_stored_output(shell, c
     assert str(domain.choose()) not in repr(hint)
     monkeypatch.delenv('PARAM_TUTORIAL_ROS2')
     assert 'alias' not in magics.terminal_line()
+
+
+def test_the_first_cell_may_be_run_again(shell):
+    for _ in range(2):
+        with capture_output() as captured:
+            shell.run_cell('%load_ext param_tutorial')
+        assert (captured.stdout, captured.stderr) == ('', '')
+    shell.run_cell('%reload_ext param_tutorial')
+    assert shell.events.callbacks['pre_run_cell'].count(magics._before_cell) == 1
+
+
+def test_a_cell_reads_only_what_was_logged_since_it_began(shell, ros):
+    node = ros.add(SimpleParamNode)
+    node.get_logger().info('before the cell')
+    shell.user_ns.update(ros=ros, node=node)
+    with capture_output() as captured:
+        shell.run_cell("node.get_logger().info('in the cell')\nprint(ros.node_log.read(until='in the cell'))")
+    assert captured.stdout == '[INFO] [simple_param_node]: in the cell\n'

@@ -35,7 +35,7 @@ def test_each_line_is_read_once_and_only_up_to_the_one_wanted():
         log.receive(message(text))
     assert log.read(until='two') == '[INFO] [a]: one\n[INFO] [a]: two'
     assert log.read(until='two') == '[INFO] [a]: three\n[INFO] [a]: two'
-    with pytest.raises(WaitTimeoutError, match=r"'two', in vain; what came:\n\(nothing\)"):
+    with pytest.raises(WaitTimeoutError, match=r"waiting for a log line with 'two'; what came:\n\(nothing\)"):
         log.read(until='two', timeout_sec=0.01)
 
 
@@ -96,3 +96,26 @@ def test_listeners():
     assert [line.text for line in heard] == ['x']
 
 
+
+
+def test_after_a_mark_only_what_was_logged_later_is_read_even_if_the_rest_arrives_later(ros):
+    class Talker(Node):
+        def __init__(self):
+            super().__init__('talker')
+
+    talker = ros.add(Talker)
+    talker.get_logger().info('before')
+    ros.node_log.mark()
+    talker.get_logger().info('after')
+    assert ros.node_log.read(until='after') == '[INFO] [talker]: after'
+    assert ros.node_log.lines('/talker') == ['[INFO] [talker]: before', '[INFO] [talker]: after']
+
+
+def test_since_leaves_out_what_comes_before_a_line():
+    log = NodeLog()
+    for text in ('stopped', 'off', 'stopped'):
+        log.receive(message(text))
+    assert log.read(since='off', until='stopped') == '[INFO] [a]: off\n[INFO] [a]: stopped'
+    log.receive(message('stopped'))
+    with pytest.raises(WaitTimeoutError, match='stopped'):
+        log.read(since='off', until='stopped', timeout_sec=0.01)

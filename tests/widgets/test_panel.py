@@ -9,7 +9,7 @@ import sys
 import textwrap
 
 import pytest
-from rcl_interfaces.msg import ParameterEvent, SetParametersResult
+from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -440,3 +440,41 @@ def test_the_worker_threads_end(arm):
     wait_until(lambda: not worker_threads(), 'the panel to have no thread while there is nothing to do')
     by_hand(arm['tool'].editors[0], 'drill')
     wait_for_value(arm, 'tool', 'drill')
+
+
+class Band(Node):
+    """Takes a lower end only below its upper one."""
+
+    def __init__(self):
+        super().__init__('band')
+        self.declare_parameters('', [('low', 1), ('high', 2), ('name', 'band')])
+        self.declare_parameter('serial', 'SN-1', ParameterDescriptor(read_only=True))
+        self.add_on_set_parameters_callback(self.judge)
+
+    def judge(self, parameters):
+        new = {parameter.name: parameter.value for parameter in parameters}
+        low, high = (new.get(name, self.get_parameter(name).value) for name in ('low', 'high'))
+        return SetParametersResult(successful=low < high, reason=f'{low} is not below {high}')
+
+
+def test_reset_brings_back_what_the_panel_first_saw(ros):
+    ros.add(Band)
+    panel = ParameterPanel('/band')
+    first = {name: panel[name].value for name in panel.names}
+    for name, value in (('high', 20), ('low', 10), ('name', 'other')):
+        panel[name].value = value
+        panel.settle()
+    panel['high'].value = 30  # still on its way
+    panel.reset()
+    assert {name: panel[name].value for name in panel.names} == first
+    assert not any(panel[name].message for name in panel.names)
+
+
+def test_what_cannot_be_brought_back_is_said(ros):
+    node = ros.add(Band)
+    panel = ParameterPanel('/band')
+    panel['low'].value = 0
+    panel.settle()
+    node.add_on_set_parameters_callback(lambda _: SetParametersResult(successful=False, reason='it is locked'))
+    panel.reset()
+    assert (panel['low'].value, panel['low'].message) == (0, 'it is locked')

@@ -13,14 +13,16 @@ import shlex
 import signal
 import subprocess
 import sys
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from IPython.core.error import UsageError
-from IPython.core.interactiveshell import InteractiveShell
+from IPython.core.getipython import get_ipython
+from IPython.core.interactiveshell import ExecutionInfo, InteractiveShell
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
+from param_tutorial.errors import ExecutorError
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import command as embedded
@@ -41,6 +43,23 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
     """
     ipython.register_magics(Ros2Magics)
     ipython.InteractiveTB.set_mode('Minimal')
+    ipython.events.register('pre_run_cell', _before_cell)
+
+
+def unload_ipython_extension(ipython: InteractiveShell) -> None:
+    """Undo what concerns each cell: ``%unload_ext param_tutorial``, and the first half of ``%reload_ext``."""
+    ipython.events.unregister('pre_run_cell', _before_cell)
+
+
+def _before_cell(info: ExecutionInfo) -> None:
+    """Let the cell that is about to run read its own log lines only."""
+    with suppress(ExecutorError):  # raised before the first start()
+        stage.current().node_log.mark()
+    ipython = get_ipython()
+    # A first cell may be run again, and loading again does no harm. IPython would print that it has been done already.
+    manager = getattr(ipython, 'extension_manager', None)
+    if manager is not None and '%load_ext param_tutorial' in (info.raw_cell or ''):
+        manager.loaded.discard('param_tutorial')
 
 
 @magics_class

@@ -29,25 +29,32 @@ class LogLine:
     logger: str
     """The node's name, without a leading slash and with dots for slashes, e.g. 'clawbot.arm_controller'."""
     text: str
+    time_ns: int
+    """When the node logged it, in ns since 1970. A line may arrive long after."""
 
     def __str__(self) -> str:
         return f'[{self.level}] [{self.logger}]: {self.text}'
 
 
 class NodeLog:
-    """Collects log lines; ``read`` returns those that have come since the last time, as a terminal would."""
+    """Collects log lines; ``read`` returns those that have come since the last time, as a terminal would.
+
+    In a notebook, a cell reads what was logged since it began: see ``mark``.
+    """
 
     def __init__(self) -> None:
         self._lines: deque[LogLine] = deque(maxlen=CAPACITY)
         self._received = 0
         # How many lines had been received when a reader (of one node, or of all: None) read last.
         self._read: dict[str | None, int] = {}
+        self._marked_ns = 0
         self._changed = threading.Condition()
         self._listeners: Listeners[[LogLine]] = Listeners()
 
     def receive(self, message: 'Log') -> None:
         """Take a message rcl_interfaces/msg/Log from /rosout; called in the executor's thread."""
-        line = LogLine(LEVELS.get(message.level, str(message.level)), message.name, message.msg)
+        line = LogLine(LEVELS.get(message.level, str(message.level)), message.name, message.msg,
+                       message.stamp.sec * 10**9 + message.stamp.nanosec)
         with self._changed:
             self._lines.append(line)
             self._received += 1
@@ -77,30 +84,42 @@ class NodeLog:
         with self._changed:
             return [line for _, line in self._since(0, node)][-count:]
 
-    def read(self, until: str, node: str | None = None, timeout_sec: float = 5.0) -> str:
-        """Return what has come since the last read, up to and with the first line that holds a text.
+    def mark(self) -> None:
+        """Read only what nodes log from now on.
+
+        What was logged before is left out even if it arrives later. The notebook extension marks the beginning of each
+        cell, so that no cell shows what a hand did on a panel before it.
+        """
+        with self._changed:
+            self._marked_ns = time.time_ns()
+
+    def read(self, until: str, node: str | None = None, timeout_sec: float = 5.0, *, since: str = '') -> str:
+        """Return what has come since the last read, up to and including the first line that contains a text.
 
         Log messages travel apart from service answers and may arrive after them, so a reader has to say
         what it waits for.
 
-        :param until: A part of the last line wanted.
+        :param until: A part of the last line to return.
         :param node: Read only what this node logged, e.g. '/simple_param_node'. Lines of two nodes may
             arrive in either order; those of one node keep theirs.
+        :param since: A part of the first line to return; lines before it are left out.
         :raises WaitTimeoutError: no such line came in time; the message shows what came instead.
         """
         deadline = time.monotonic() + timeout_sec
         with self._changed:
             while True:
                 # What was read of all nodes has been read of each; not the other way round.
-                unread = self._since(max(self._read.get(None, 0), self._read.get(node, 0)), node)
-                for index, (number, line) in enumerate(unread):
+                unread = [(number, line) for number, line in self._since(
+                    max(self._read.get(None, 0), self._read.get(node, 0)), node) if line.time_ns >= self._marked_ns]
+                first = next((at for at, (_, line) in enumerate(unread) if since in line.text), len(unread))
+                for index, (number, line) in enumerate(unread[first:], first):
                     if until in line.text:
                         self._read[node] = number
-                        return '\n'.join(str(line) for _, line in unread[:index + 1])
+                        return '\n'.join(str(line) for _, line in unread[first:index + 1])
                 if not self._changed.wait(deadline - time.monotonic()):
                     came = '\n'.join(str(line) for _, line in unread) or '(nothing)'
                     raise WaitTimeoutError(
-                        f'waited {timeout_sec:g} s for a log line with {until!r}, in vain; what came:\n{came}')
+                        f'timed out after {timeout_sec:g} s waiting for a log line with {until!r}; what came:\n{came}')
 
     def _since(self, number: int, node: str | None) -> list[tuple[int, LogLine]]:
         """Return the lines after the numbered one, each with its number; the first ever received is 1."""

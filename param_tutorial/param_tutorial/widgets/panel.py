@@ -141,6 +141,8 @@ class ParameterPanel(View):
         """
         self._node = node.node if isinstance(node, ParameterClient) else full_name(node)
         self._controls: dict[str, Control] = {}
+        # What each parameter had when the panel first saw it.
+        self._first: dict[str, Any] = {}
         self._headings: dict[str, widgets.HTML] = {}
         self._in_order = names is not None
         self._style, self._head = widgets.HTML(_STYLE), widgets.HTML()
@@ -194,6 +196,26 @@ class ParameterPanel(View):
         """
         self._live.settle(timeout_sec)
 
+    def reset(self) -> None:
+        """Set every parameter back to what the panel first saw, and wait until the node has it.
+
+        A value that the node rejects stays as it is, and the panel shows the reason.
+
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        self.settle()  # what a hand did just now may still be on its way
+        changed = self._changed()
+        # In any order: a value that a rule rejects at first may be accepted once the others are back.
+        for _ in range(len(changed)):
+            for name in changed:
+                self[name].value = self._first[name]
+            self.settle()
+            changed = self._changed()
+
+    def _changed(self) -> list[str]:
+        return [name for name, control in self._controls.items() if not control.descriptor.read_only
+                and self._first[name] is not None and not values.same(control.value, self._first[name])]
+
     def _end(self) -> None:
         self._live.close()
 
@@ -234,6 +256,7 @@ class ParameterPanel(View):
                 if is_housekeeping(name):
                     control.widget.add_class('param-quiet')
             controls[name] = control
+            self._first.setdefault(name, control.value)
         self._controls = controls
         for control in old.values():
             control.close()
