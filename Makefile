@@ -25,8 +25,12 @@ setup:  ## create or repair .venv, with what the lessons need
 setup-all:  ## the same, with what tests, website and lint need as well
 	@$(SET_UP) --everything
 
-lab: setup  ## start JupyterLab on the course, after the set-up if needed
+lab: setup  ## start JupyterLab on your own copies of the chapters, after the set-up if needed
 	@$(VENV) environment/lab.py $(ARGS)
+
+reset: setup  ## make your copy of one chapter fresh again, and keep what was there: make reset CHAPTER=06
+	@test -n "$(CHAPTER)" || { echo "Which one? make reset CHAPTER=06" >&2; exit 1; }
+	@$(VENV) -m param_tutorial.learner "$(CHAPTER)" $(ARGS)
 
 test: lint  ## run the whole test suite, as CI does
 	@$(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
@@ -67,8 +71,9 @@ lock: setup  ## work out the locks in environment/ anew
 	@$(COMPILE) --upgrade --constraints $(LOCK)-dev.lock --output-file $(LOCK).lock pyproject.toml
 	@$(COMPILE) --upgrade --group uv --output-file $(LOCK)-uv.lock
 
-clean:  ## remove everything that these targets made
+# my_lessons/ is the learner's, and stays.
+clean:  ## remove everything that these targets made, but not your copies of the chapters
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab test test-fast test-pythons play html lesson bench lint lock clean
+.PHONY: help setup setup-all lab reset test test-fast test-pythons play html lesson bench lint lock clean

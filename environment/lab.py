@@ -1,27 +1,39 @@
-"""Start JupyterLab on the course; `make lab` runs this with .venv's Python.
+"""Start JupyterLab on the learner's copies of the chapters; `make lab` runs this with .venv's Python.
 
-Everything that JupyterLab reads or writes lies in the checkout: the settings come from environment/jupyter/, and what
-the learner changes (theme, layout, history) goes to .venv/jupyter/. The user's own ~/.jupyter, ~/.ipython and
-kernels take no part, so a lesson looks the same for everybody and leaves no trace.
+The copies are in my_lessons/, and are brought up to date first (see param_tutorial/learner). Everything else that
+JupyterLab reads or writes lies in the checkout, too: the settings come from environment/jupyter/, and what the learner
+changes (theme, layout, history) goes to .venv/jupyter/. The user's own ~/.jupyter, ~/.ipython and kernels take no part,
+so a lesson looks the same for everybody and leaves no trace.
 """
 
 import os
+import shlex
+import shutil
 import sys
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+
+from param_tutorial.errors import CopiesError
+from param_tutorial.learner.copies import Copies
 
 ROOT = Path(__file__).resolve().parent.parent
 STATE = Path(sys.prefix) / 'jupyter'
-START_PAGE = 'notebooks/index.md'
-# Each of these would bring in settings, extensions or kernels from somewhere else.
-FOREIGN = ('JUPYTER_PATH', 'JUPYTERLAB_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTERLAB_WORKSPACES_DIR')
+TERMINAL = ROOT / 'environment' / 'jupyter' / 'terminal.bash'
+START_PAGE = 'index.md'
+# Each of these would bring in settings, extensions or kernels from somewhere else; the last ones are what `make lab`
+# hands on, which is not meant for a `make` that the learner runs in a terminal.
+FOREIGN = ('JUPYTER_PATH', 'JUPYTERLAB_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTERLAB_WORKSPACES_DIR',
+           'MAKEFLAGS', 'MAKELEVEL', 'MFLAGS', 'MAKEOVERRIDES', 'ARGS')
 
 
-def environment(outer):
+def environment(outer: Mapping[str, str]) -> dict[str, str]:
     """Return the environment for JupyterLab and its kernels, made from the one outside."""
+    programs = str(Path(sys.executable).parent)
     return {
         **{name: value for name, value in outer.items() if name not in FOREIGN},
-        # So that `python -m param_tutorial` in one of JupyterLab's terminals means this Python.
-        'PATH': os.pathsep.join([str(Path(sys.executable).parent), outer.get('PATH', os.defpath)]),
+        # So that `!python` in a cell, and `python` in one of JupyterLab's terminals, mean this Python.
+        'PATH': os.pathsep.join([programs, outer.get('PATH', os.defpath)]),
+        'PARAM_TUTORIAL_PROGRAMS': programs,
         'VIRTUAL_ENV': sys.prefix,
         'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
         'JUPYTER_CONFIG_DIR': str(STATE / 'config'),
@@ -31,21 +43,39 @@ def environment(outer):
     }
 
 
-def command(arguments):
+def command(arguments: Sequence[str]) -> list[str]:
     """Return JupyterLab's command line; the learner's own arguments come last, so that they win."""
+    copies = Copies(ROOT)
     # Jupyter refuses to run as root unless told so. In a container or a robot's shell root is the only user there is.
-    as_root = ['--allow-root'] if os.geteuid() == 0 else []
+    as_root = ['--allow-root'] if hasattr(os, 'geteuid') and os.geteuid() == 0 else []
+    # The chapters' commands are bash's, whichever shell the learner has, and its start-up file puts `python` right.
+    bash = shutil.which('bash')
+    shell = shlex.join([bash, '--rcfile', str(TERMINAL), '-i']) if bash else None
+    terminal = [f'--ServerApp.terminado_settings=shell_command={shell}'] if shell else []
     return [
         sys.executable,
         '-m',
         'jupyterlab',
-        f'--ServerApp.root_dir={ROOT}',
+        f'--ServerApp.root_dir={copies.folder}',
+        f'--NotebookNotary.data_dir={copies.trust}',
         f'--LabApp.default_url=/lab/tree/{START_PAGE}',
         '--LabApp.extension_manager=readonly',
+        *terminal,
         *as_root,
         *arguments,
     ]
 
 
+def main(arguments: Sequence[str]) -> None:
+    """Bring the copies up to date, then become JupyterLab."""
+    try:
+        for sentence in Copies(ROOT).deliver():
+            print(sentence)
+    except CopiesError as error:
+        sys.exit(str(error))
+    sys.stdout.flush()
+    os.execve(sys.executable, command(arguments), environment(os.environ))
+
+
 if __name__ == '__main__':
-    os.execve(sys.executable, command(sys.argv[1:]), environment(os.environ))
+    main(sys.argv[1:])

@@ -8,6 +8,7 @@
     ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
     ├── RuleError                   a rule for parameters makes no sense, or cannot be judged (also ValueError)
     ├── AliasError                  names of parameters cannot stand for one another (also ValueError)
+    ├── CopiesError                 the learner's copies of the chapters cannot be read or written
     └── NodeError                   about one node; carries ``.node``
         ├── NodeNotFoundError       no node of that name answers                    (also LookupError)
         ├── NoAnswerError           the node is there and did not answer in time    (also TimeoutError)
@@ -55,6 +56,10 @@ class RuleError(ParameterToolError, ValueError):
 
 class AliasError(ParameterToolError, ValueError):
     """A name of a parameter cannot stand for another, or two of one parameter were given two values."""
+
+
+class CopiesError(ParameterToolError):
+    """The learner's copies of the chapters cannot be read or written; the message is for the learner."""
 
 
 class NodeError(ParameterToolError):

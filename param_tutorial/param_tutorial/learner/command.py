@@ -1,0 +1,28 @@
+"""The command line for the learner's copies: ``make reset CHAPTER=06``."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from param_tutorial.errors import CopiesError
+from param_tutorial.learner.copies import Copies
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Read the command line, and make one chapter fresh again.
+
+    :return: The exit status.
+    """
+    parser = argparse.ArgumentParser(prog='python -m param_tutorial.learner',
+                                     description='Make your copy of one chapter fresh again, and keep what was there.')
+    parser.add_argument('chapter', help='the number of the chapter, such as 06 or 5.2')
+    parser.add_argument('--course', type=Path, default=ROOT, help='the checkout of the course')
+    options = parser.parse_args(arguments)
+    try:
+        print(Copies(options.course.resolve()).reset(options.chapter))
+    except CopiesError as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
