@@ -68,12 +68,15 @@ def command(arguments: Sequence[str]) -> list[str]:
 
 def main(arguments: Sequence[str]) -> None:
     """Bring the copies up to date, then become JupyterLab."""
+    copies = Copies(ROOT)
     try:
-        for sentence in Copies(ROOT).deliver():
+        for sentence in copies.deliver():
             print(sentence)
     except CopiesError as error:
         sys.exit(str(error))
     sys.stdout.flush()
+    # Terminals open where the server runs, and `make -C ..` is then right in each of them.
+    os.chdir(copies.folder)
     os.execve(sys.executable, command(arguments), environment(os.environ))
 
 

@@ -346,7 +346,7 @@ def test_what_the_system_refuses_is_one_sentence_and_changes_no_copy(copies, mon
 
 def test_a_file_in_the_place_of_the_folder_is_named(course):
     (course / 'my_lessons').touch()
-    with pytest.raises(CopiesError, match='my_lessons could not be brought up to date.*File exists'):
+    with pytest.raises(CopiesError, match=r'my_lessons could not be brought up to date.*File exists'):
         Copies(course).deliver()
 
 

@@ -66,13 +66,20 @@ class Lab:
         """Put a copy of a notebook, fresh again, into the server's folder."""
         shutil.copy(notebook, self._work)
 
+    def _command(self) -> list[str]:
+        return [sys.executable, '-m', 'jupyterlab', '--allow-root', f'--ServerApp.root_dir={self._work}',
+                '--LabApp.extension_manager=readonly', *self._options()]
+
+    def _options(self) -> list[str]:
+        """Give what a test needs and a learner doesn't."""
+        return ['--no-browser', '--ip=127.0.0.1', '--port=0', f'--IdentityProvider.token={self.token}',
+                '--LabApp.expose_app_in_browser=True']
+
     def __enter__(self) -> 'Lab':
         self._log = (self._folder / 'server.log').open('w')
         self._process = subprocess.Popen(
-            [sys.executable, '-m', 'jupyterlab', '--no-browser', '--allow-root', '--ip=127.0.0.1', '--port=0',
-             f'--IdentityProvider.token={self.token}', f'--ServerApp.root_dir={self._work}',
-             '--LabApp.expose_app_in_browser=True', '--LabApp.extension_manager=readonly'],
-            env=self._environment, stdin=subprocess.DEVNULL, stdout=self._log, stderr=subprocess.STDOUT)
+            self._command(), env=self._environment, stdin=subprocess.DEVNULL, stdout=self._log,
+            stderr=subprocess.STDOUT)
         try:
             self.url = wait_for(self._find_url, 'the JupyterLab server')
         except BaseException:
@@ -147,6 +154,37 @@ class Lab:
         environment = ast.literal_eval(self.ask_kernel("dict(__import__('os').environ)"))
         return {**self._environment, **{name: value for name, value in environment.items()
                                         if name.startswith(('ROS_', 'FASTRTPS_'))}}
+
+
+# environment/lab.py, with JupyterLab's own files in a folder of the test's.
+MAKE_LAB = '''
+import sys
+from pathlib import Path
+sys.path.insert(0, sys.argv[1])
+import lab
+lab.STATE = Path(sys.argv[2])
+lab.main(sys.argv[3:])
+'''
+
+
+class CourseLab(Lab):
+    """JupyterLab as `make lab` starts it, in a checkout that has only some of the chapters."""
+
+    def __init__(self, folder: Path, notebooks: list[Path]):
+        super().__init__(folder, [])
+        self.course = folder / 'course'
+        self.copies = self.course / 'my_lessons'
+        shutil.copytree(ROOT / 'environment', self.course / 'environment')
+        (self.course / 'notebooks').mkdir()
+        for notebook in [ROOT / 'notebooks' / 'index.md', *notebooks]:
+            shutil.copy(notebook, self.course / 'notebooks')
+
+    def _command(self) -> list[str]:
+        return [sys.executable, '-c', MAKE_LAB, str(self.course / 'environment'), str(self._folder), *self._options()]
+
+    def set_environment(self, **variables: str) -> None:
+        """Add to what `make lab` finds in its environment."""
+        self._environment |= variables
 
 
 class LabPage:

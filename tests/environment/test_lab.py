@@ -1,0 +1,100 @@
+"""What `make lab` starts: the real JupyterLab, and a real terminal in it, without a browser."""
+
+import json
+import re
+import sys
+import urllib.request
+from collections.abc import Iterator
+
+import pytest
+import websocket
+
+from tests.support.lab import TIMEOUT_SEC, CourseLab
+from tests.support.paths import NOTEBOOKS
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
+
+# What a learner's own start-up files may do, and Debian's /etc/profile does.
+START_UP = '''
+PATH=/usr/local/bin:/usr/bin:/bin
+alias python=false pip=false
+python3() { false; }
+'''
+
+
+@pytest.fixture(scope='module')
+def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[CourseLab]:
+    home = tmp_path_factory.mktemp('home')
+    for name in ('.bashrc', '.profile', '.bash_profile', '.zshrc'):
+        (home / name).write_text(START_UP)
+    lab = CourseLab(tmp_path_factory.mktemp('lab') / 'a lab', [NOTEBOOKS / '01_what_are_parameters.ipynb'])
+    lab.set_environment(HOME=str(home), MAKEFLAGS=' -- ARGS=--no-browser', ARGS='--no-browser')
+    with lab:
+        yield lab
+
+
+class Terminal:
+    """A terminal of JupyterLab, over its WebSocket."""
+
+    def __init__(self, lab: CourseLab):
+        request = urllib.request.Request(f'{lab.url}api/terminals?token={lab.token}', method='POST', data=b'{}')
+        with urllib.request.urlopen(request, timeout=TIMEOUT_SEC) as answer:
+            name = json.load(answer)['name']
+        self._socket = websocket.create_connection(
+            f'{lab.url.replace("http", "ws")}terminals/websocket/{name}?token={lab.token}', timeout=TIMEOUT_SEC)
+
+    def close(self) -> None:
+        self._socket.close()
+
+    def run(self, line: str) -> str:
+        """Type a line; return what it prints."""
+        # The line itself is echoed, so it must not hold the marks as they are printed.
+        self._socket.send(json.dumps(['stdin', f"echo '<''<<'; {line}; echo '>''>>'\r"]))
+        text = ''
+        while not (found := re.search('<<<\r?\n(.*?)>>>', text, re.DOTALL)):
+            kind, *content = json.loads(self._socket.recv())
+            text += content[0] if kind == 'stdout' else ''
+        return found[1].replace('\r', '').strip()
+
+
+@pytest.fixture
+def terminal(lab: CourseLab) -> Iterator[Terminal]:
+    terminal = Terminal(lab)
+    yield terminal
+    terminal.close()
+
+
+@pytest.mark.parametrize('name', ['python', 'python3'])
+def test_python_in_a_terminal_is_the_courses(terminal, name):
+    assert terminal.run(f"{name} -c 'import sys; print(sys.prefix)'") == sys.prefix
+
+
+def test_the_courses_ros2_runs_in_a_terminal(terminal):
+    assert 'usage' in terminal.run('python -m param_tutorial param --help').lower()
+
+
+def test_a_terminal_has_the_learners_own_settings_otherwise(terminal, lab):
+    assert terminal.run('echo $PATH').endswith(':/usr/local/bin:/usr/bin:/bin')
+    assert terminal.run('pwd') == str(lab.copies)
+
+
+def test_a_make_in_a_terminal_is_not_the_make_that_started_jupyterlab(terminal):
+    assert terminal.run('echo "[$MAKEFLAGS$ARGS]"') == '[]'
+
+
+def test_the_server_shows_the_copies(lab):
+    with urllib.request.urlopen(f'{lab.url}api/contents?token={lab.token}', timeout=TIMEOUT_SEC) as answer:
+        names = {each['name'] for each in json.load(answer)['content']}
+    assert names == {'01_what_are_parameters.ipynb', 'index.md'}
+
+
+def test_what_the_learner_is_told_stands_before_jupyterlabs_own_lines(lab):
+    assert lab.log().startswith('Your own copies of the chapters are in my_lessons/.')
+
+
+def test_a_folder_that_cannot_be_made_is_one_sentence_and_no_server(tmp_path):
+    lab = CourseLab(tmp_path / 'lab', [])
+    lab.copies.write_text('in the way')
+    with pytest.raises(RuntimeError) as error, lab:
+        pass
+    assert re.search(r'status 1:\nYour copies of the chapters in .*/my_lessons could not be .*\.\n$', str(error.value))
