@@ -2,6 +2,7 @@
 
     ParameterToolError
     ├── ExecutorError               the background executor cannot do what was asked
+    │   └── StuckError              because it does not return
     ├── ShellError                  a shell is closed, or what was typed into it did not end in time
     ├── WaitTimeoutError            a condition did not come true in time           (also TimeoutError)
     ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
@@ -32,6 +33,10 @@ class ParameterToolError(Exception):
 
 class ExecutorError(ParameterToolError):
     """The background executor cannot do what was asked; the message says what to do."""
+
+
+class StuckError(ExecutorError):
+    """What the background executor was to do does not return, and cannot be interrupted."""
 
 
 class ShellError(ParameterToolError):

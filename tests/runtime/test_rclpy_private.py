@@ -5,17 +5,21 @@ If one of these fails with a new rclpy, mend the function in rclpy_private that 
 
 import ast
 import re
+import signal
 import threading
 
 import pytest
 import rclpy
 from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rcl_interfaces.srv import GetParameters
+from rclpy import utilities
 from rclpy.exceptions import InvalidHandle
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.signals import SignalHandlerOptions, get_current_signal_handlers_options
 
+import param_tutorial
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.runtime import rclpy_private
 from tests.support.paths import PACKAGE
@@ -104,6 +108,164 @@ def test_a_client_waits_for_an_answer_in_call_only(other_context):
     with pytest.raises(TypeError):
         client.call('nonsense')
     node.destroy_node()
+
+
+def limit_in_this_thread(seconds=0.3):
+    this = threading.current_thread()
+    return rclpy_private.forbid_waiting(lambda: None, rclpy_private.WaitLimit(
+        lambda: threading.current_thread() is this, seconds,
+        lambda nodes: ZeroDivisionError(f'spins {[node.get_name() for node in nodes]} forever'),
+        lambda what, seconds: ZeroDivisionError(f'{what}: in vain for {seconds} s')))
+
+
+@pytest.fixture
+def limited():
+    """Waits in this thread have a time limit."""
+    allow = limit_in_this_thread()
+    yield
+    allow()
+
+
+@pytest.mark.parametrize('executor_class', [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_rclpys_own_executors_take_a_time_limit_in_place_of_none(other_context, limited, executor_class):
+    executor = executor_class(context=other_context)
+    node = Node('idle', context=other_context, enable_rosout=False, start_parameter_services=False)
+    executor.add_node(node)
+    future = rclpy.task.Future()
+    for endless in (executor.spin, lambda: rclpy.spin(node, executor)):
+        with pytest.raises(ZeroDivisionError, match=re.escape("spins ['idle'] forever")):
+            endless()
+    for wait in (executor.spin_once, lambda: rclpy.spin_once(node, executor=executor),
+                 lambda: executor.spin_once(timeout_sec=-1),
+                 lambda: executor.spin_once_until_future_complete(future)):
+        with pytest.raises(ZeroDivisionError, match='something to do: in vain'):
+            wait()
+    with pytest.raises(ZeroDivisionError, match='the future: in vain'):
+        executor.spin_until_future_complete(future)
+    executor.spin_until_future_complete(future, timeout_sec=0.2)
+    executor.spin_once(timeout_sec=0.2)
+    future.set_result(1)
+    executor.spin_until_future_complete(future)
+    executor.shutdown()
+    node.destroy_node()
+
+
+@pytest.mark.parametrize('executor_class', [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_rclpys_own_executors_serve_what_comes_while_they_wait_a_little_at_a_time(
+        other_context, limited, executor_class):
+    executor = executor_class(context=other_context)
+    node = Node('ticking', context=other_context)
+    ticks = []
+    node.create_timer(0.25, lambda: ticks.append(1))
+    executor.add_node(node)
+    wait_until(lambda: executor.spin_once(timeout_sec=60.0) or len(ticks) > 1, 'the timer')
+    executor.shutdown()
+    node.destroy_node()
+
+
+def test_a_signal_is_handled_while_an_executor_waits(other_context, limited):
+    def ring(number, frame):
+        raise KeyboardInterrupt('on purpose')
+
+    executor = SingleThreadedExecutor(context=other_context)
+    before = signal.signal(signal.SIGALRM, ring)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with pytest.raises(KeyboardInterrupt, match='on purpose'):
+            executor.spin_once(timeout_sec=600.0)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    executor.shutdown()
+
+
+def test_a_client_returns_none_when_no_answer_comes_in_time(other_context, limited):
+    node = Node('asking', context=other_context)
+    client = node.create_client(GetParameters, '/nobody/get_parameters')
+    with pytest.raises(ZeroDivisionError, match='an answer from /nobody/get_parameters: in vain'):
+        client.call(GetParameters.Request())
+    assert client.call(GetParameters.Request(), timeout_sec=0.01) is None
+    node.destroy_node()
+
+
+@pytest.fixture
+def default_context():
+    """Rclpy as a program has it that has called rclpy.init()."""
+    param_tutorial.stop()
+    rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+    yield utilities.get_default_context()
+    rclpy.try_shutdown()
+
+
+@pytest.mark.parametrize('shutdown', [
+    rclpy.shutdown, rclpy.try_shutdown, utilities.shutdown, utilities.try_shutdown,
+    lambda: utilities.get_default_context().shutdown(), lambda: rclpy.shutdown(context=utilities.get_default_context()),
+])
+def test_every_way_to_shut_the_default_context_down_goes_through_its_own_methods(default_context, shutdown):
+    told = []
+    let_go = rclpy_private.keep_context(default_context, told.append)
+    for _ in range(2):
+        shutdown()
+        assert rclpy.ok()
+        assert utilities.get_default_context() is default_context
+    assert told == ['shutdown'] * 2
+    let_go()
+    shutdown()
+    assert not rclpy.ok()
+    assert len(told) == 2
+
+
+def test_init_goes_through_the_context_and_installs_handlers_by_a_name_in_rclpy(default_context):
+    told = []
+    install = rclpy.install_signal_handlers
+    let_go = rclpy_private.keep_context(default_context, told.append)
+    rclpy.init(args=[], domain_id=7)
+    other = rclpy.Context()
+    rclpy.init(context=other, signal_handler_options=SignalHandlerOptions.ALL)
+    assert told == ['init']
+    assert get_current_signal_handlers_options() == SignalHandlerOptions.NO
+    rclpy.shutdown(context=other)
+    let_go()
+    assert rclpy.install_signal_handlers is install
+    with pytest.raises(RuntimeError, match='must only be called once'):
+        rclpy.init()
+
+
+def test_a_second_executor_takes_nodes_over_from_one_that_never_runs_again(other_context):
+    """The first sleeps in a callback for good: if it were ever destroyed, it would look for the handles."""
+    node, stuck = Node('held', context=other_context), Node('stuck', context=other_context)
+    observer = Node('observer', context=other_context)
+    ticks = []
+    asleep = threading.Event()
+    node.create_timer(0.01, lambda: ticks.append(1))
+    stuck.create_timer(0.2, lambda: asleep.set() or threading.Event().wait())
+    client = node.create_client(GetParameters, '/held/get_parameters')
+    first, second = (rclpy_private.new_executor(other_context) for _ in range(2))
+    first.add_node(node)
+    first.add_node(stuck)
+
+    def spin():
+        while True:
+            first.spin_once(timeout_sec=1.0)
+
+    threading.Thread(target=spin, daemon=True).start()
+    assert asleep.wait(30)
+    assert ticks
+    rclpy_private.destroy_by_force(stuck)
+    second.add_node(node)
+    ticks.clear()
+    wait_until(lambda: second.spin_once(timeout_sec=0.01) or ticks, 'the timer in the other executor')
+    future = client.call_async(GetParameters.Request(names=['use_sim_time']))
+    wait_until(lambda: second.spin_once(timeout_sec=0.01) or future.done(), 'the answer')
+    handles = rclpy_private.handles_of(node)
+    second.remove_node(node)
+    node.destroy_node()
+    turn = second.create_task(lambda: None)  # comes after what the two lines above have made it do
+    wait_until(lambda: second.spin_once(timeout_sec=0.01) or turn.done(), 'its next turn')
+    rclpy_private.release(handles)
+    wait_until(lambda: 'held' not in observer.get_node_names(), 'the node to be gone')
+    observer.destroy_node()
+    second.shutdown()
 
 
 def test_an_attribute_of_a_node_says_whether_it_is_in_the_graph(ros):

@@ -24,13 +24,14 @@ from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
 from rclpy.signals import SignalHandlerOptions
 
-from param_tutorial.errors import ExecutorError
+from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, rclpy_private
 from param_tutorial.runtime.graph import incarnations
 from param_tutorial.runtime.listeners import Listeners
-from param_tutorial.runtime.managed import Callback, CallbackWatch, prepare
+from param_tutorial.runtime.managed import Callback, CallbackWatch, is_managed, prepare
 from param_tutorial.runtime.node_log import NodeLog
 from param_tutorial.runtime.services import Services
+from param_tutorial.runtime.streams import Guard
 
 # A name that starts with an underscore is hidden: ``ros2 node list`` does not show it.
 TOOL_NODE_NAME = '_param_tutorial'
@@ -38,13 +39,25 @@ GRAPH_PERIOD_SEC = 0.5
 STOP_TIMEOUT_SEC = 3.0
 # An interrupted callback may have to wait for a busy processor before it ends. Only after this is it called stuck.
 INTERRUPT_TIMEOUT_SEC = 3.0
-_PARK_TIMEOUT_SEC = 1.0
+# A callback that has not noticed by then that it is interrupted is not running Python: it sleeps, in time.sleep() say.
+_NOTICE_TIMEOUT_SEC = 1.0
+# A callback that has kept the thread for so long, when a request is not answered in time, is why.
+_BUSY_SEC = 2.0
+# How long whoever needs the thread waits at least, even if a callback has kept it for long already.
+_LEAST_PATIENCE_SEC = 0.3
+# How long rclpy waits in a cell for what has no time limit of its own.
+WAIT_LIMIT_SEC = 3.0
 
 T = TypeVar('T')
 
 
 class _CallbackInterrupted(BaseException):
     """Raised inside a callback that does not return, to get the executor's thread back."""
+
+    is_noticed = threading.Event()
+
+    def __init__(self) -> None:
+        self.is_noticed.set()
 
     def __str__(self) -> str:
         return 'this callback did not return, so it was interrupted: the executor has one thread for all nodes'
@@ -113,13 +126,14 @@ class BackgroundExecutor:
         self.node_log = NodeLog()
         self.failures: deque[Failure] = deque(maxlen=100)
         """The exceptions that callbacks raised, oldest first; those that repeat are counted in one."""
-        self.callback_watch = CallbackWatch()
+        self._guard = Guard(self._in_thread, self._error_if_asked)
+        self.callback_watch = CallbackWatch(self._guard.look)
         self._nodes: list[Node] = []
         self._event_listeners: Listeners[[ParameterEvent]] = Listeners()
         self._graph_listeners: Listeners[[]] = Listeners()
         self._incarnations: frozenset[tuple[str, bytes]] = frozenset()
         self._stopping = False
-        self._stuck_in = ''
+        self._has_abandoned_a_thread = False
         self._executor = rclpy_private.new_executor(self.context)
         self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
         self.tool_node.create_subscription(
@@ -128,15 +142,17 @@ class BackgroundExecutor:
         self.tool_node.create_subscription(
             ParameterEvent, '/parameter_events', self._event_listeners.call, qos_profile_parameter_events)
         self._executor.add_node(self.tool_node)
-        self.services = Services(self.tool_node, lambda: threading.current_thread() is self._thread)
-        self._thread = threading.Thread(target=self._spin, name='ros-background-executor', daemon=True)
-        self._allow_waiting = rclpy_private.forbid_waiting(self._error_if_in_callback)
+        self.services = Services(self.tool_node, self._in_thread, self._free_thread)
+        self._thread = self._new_thread()
+        self._allow_waiting = rclpy_private.forbid_waiting(self._error_if_in_callback, rclpy_private.WaitLimit(
+            self._in_main_thread, WAIT_LIMIT_SEC, self._error_if_endless, self._error_if_in_vain))
+        self._let_go_of_context = rclpy_private.keep_context(self.context, self._tell_who_keeps_rclpy)
         self._thread.start()
 
     @property
     def is_running(self) -> bool:
         """True if the thread spins, on a context that is alive."""
-        return self._thread.is_alive() and self.context.ok() and not self._stopping and not self._stuck_in
+        return self._thread.is_alive() and self.context.ok() and not self._stopping
 
     @property
     def errors(self) -> list[BaseException]:
@@ -190,7 +206,10 @@ class BackgroundExecutor:
         """
         doomed = [each for each in self._nodes if node is each or _full_name(each) == node]
         for each in doomed:
-            self.run(functools.partial(self._destroy, each), f'remove {_full_name(each)}')
+            handles, what = rclpy_private.handles_of(each), f'remove {_full_name(each)}'
+            self.run(each.destroy_node, what)
+            if self._has_abandoned_a_thread:  # whose executor still counts as a user; ours has let go by the next turn
+                self.run(functools.partial(rclpy_private.release, handles), what)
         if doomed:
             self._check_graph_soon()
         return bool(doomed)
@@ -209,29 +228,39 @@ class BackgroundExecutor:
         self.run(self.node_log.clear, 'clear the log')
         self.failures.clear()
 
-    def _destroy(self, node: Node) -> None:
-        self._nodes.remove(node)
-        self._executor.remove_node(node)
-        node.destroy_node()
+    def destroy(self, node: Node, destroy: Callable[[], None]) -> None:
+        """Take a node off the stage, if it is there, and call the function that destroys it."""
+        if node not in self._nodes or not self.is_running:
+            destroy()
+            return
+
+        def take_off() -> None:
+            self._nodes.remove(node)
+            self._executor.remove_node(node)
+            destroy()
+        self.run(take_off, f'destroy {_full_name(node)}')
 
     # -- the thread -------------------------------------------------------------------------------------
 
     def run(self, function: Callable[[], T], what: str, timeout_sec: float = STOP_TIMEOUT_SEC) -> T:
         """Run a function in the executor's thread, between two callbacks, and return its result.
 
-        A callback that does not return within the time limit is interrupted with an exception.
+        A callback that does not return within the time limit is interrupted with an exception. One that cannot be
+        interrupted loses its node, and the other nodes get a new thread.
 
         :param what: Names the work in the error.
-        :raises ExecutorError: the callback does not return even so; from then on, this executor is stopped.
+        :raises StuckError: the function does not return and cannot be interrupted.
         """
-        if threading.current_thread() is self._thread:
+        if self._in_thread():
             return function()
         values: list[T] = []
         errors: list[BaseException] = []
-        finished = threading.Event()
+        begun, finished = threading.Event(), threading.Event()
 
         def work() -> None:
+            begun.set()
             try:
+                self._guard.look()
                 values.append(function())
             except BaseException as error:
                 errors.append(error)
@@ -240,50 +269,151 @@ class BackgroundExecutor:
 
         self._require_running()
         self._executor.create_task(work)
-        if not finished.wait(timeout_sec):
-            self._raise_in_thread(_CallbackInterrupted)
-            if not finished.wait(INTERRUPT_TIMEOUT_SEC):
-                self._stuck_in = str(self.callback_watch.running or 'a callback')
-                raise ExecutorError(f'cannot {what}: {self._stuck_in} does not return and cannot be interrupted. '
-                                    f'Call param_tutorial.start() for a new executor, without this callback')
+        patience_sec = max(timeout_sec - self.callback_watch.busy_sec, min(timeout_sec, _LEAST_PATIENCE_SEC))
+        if not finished.wait(patience_sec) and not self._interrupt(finished.wait):
+            self._move_to_a_new_thread()
+            if begun.is_set():
+                raise StuckError(f'cannot {what}: it does not return and cannot be interrupted')
+            return self.run(function, what, timeout_sec)
         if errors:
             raise errors[0]
         return values[0]
 
+    def _new_thread(self) -> threading.Thread:
+        return threading.Thread(target=self._spin, name='ros-background-executor', daemon=True)
+
     def _spin(self) -> None:
         next_graph_check = 0.0
-        while not self._stopping and self.context.ok():
+        while not self._stopping and self.context.ok() and self._in_thread():
             try:
                 self._executor.spin_once(timeout_sec=GRAPH_PERIOD_SEC)
                 if time.monotonic() >= next_graph_check:
                     next_graph_check = time.monotonic() + GRAPH_PERIOD_SEC
                     self._check_graph()
                     self.services.expire()
+                    self._tell_what_is_left_out()
             except ExternalShutdownException:
                 break
-            except (Exception, _CallbackInterrupted) as error:
+            except BaseException as error:
                 # Also what a callback raises: rclpy would end spin() here, and with it every node.
                 if self.context.ok() and not self._stopping:
                     self._show_once(error)
 
+    def _in_thread(self) -> bool:
+        return threading.current_thread() is self._thread
+
     def _raise_in_thread(self, error: type[BaseException]) -> None:
         ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread.ident or 0), ctypes.py_object(error))
 
+    def _interrupt(self, has_ended_within: Callable[[float], bool]) -> bool:
+        """Raise an exception in the callback that keeps the thread. Return True if that ends it."""
+        _CallbackInterrupted.is_noticed.clear()
+        self._raise_in_thread(_CallbackInterrupted)
+        if has_ended_within(_NOTICE_TIMEOUT_SEC):
+            return True
+        return _CallbackInterrupted.is_noticed.is_set() and has_ended_within(INTERRUPT_TIMEOUT_SEC)
+
+    def _ends_within(self, seconds: float) -> bool:
+        self._thread.join(seconds)
+        return not self._thread.is_alive()
+
+    def _free_thread(self) -> bool:
+        """Interrupt a callback that keeps the thread for longer than anybody waits for an answer, if there is one."""
+        is_kept = self.callback_watch.busy_sec > _BUSY_SEC and self.is_running
+        if is_kept:
+            self.run(lambda: None, 'go on')
+        return is_kept
+
+    def _move_to_a_new_thread(self) -> None:
+        """Leave a callback that never returns behind, and its node, and go on with the others in a new thread."""
+        stuck = self.callback_watch.running
+        self._park_thread()
+        self.callback_watch = CallbackWatch(self._guard.look)
+        if stuck is not None and stuck.node in self._nodes:
+            self._nodes.remove(stuck.node)
+            rclpy_private.destroy_by_force(stuck.node)
+            print(f'{_sentence(stuck)} does not return and cannot be interrupted, so {stuck.node_name} was removed; '
+                  f'all other nodes keep running.', file=sys.stderr)
+        self._executor = rclpy_private.new_executor(self.context)
+        self._thread = self._new_thread()
+        for node in [self.tool_node, *self._nodes]:
+            self._executor.add_node(node)
+        self._thread.start()
+        # A client that is created while the executor still takes over the nodes may never hear an answer.
+        self.run(lambda: None, 'go on in a new thread')
+
+    def _park_thread(self) -> None:
+        """Keep the thread from ever running Python again: it sleeps until the process ends."""
+        self._has_abandoned_a_thread = True
+        _Parked.is_parked.clear()
+        self._raise_in_thread(_Parked)
+        if _CallbackInterrupted.is_noticed.is_set():  # otherwise it is asleep already, which is as good
+            _Parked.is_parked.wait(_NOTICE_TIMEOUT_SEC)
+
+    # -- what code on the stage must not do -------------------------------------------------------------
+
+    def _in_main_thread(self) -> bool:
+        return threading.current_thread() is threading.main_thread() and self.is_running
+
     def _error_if_in_callback(self) -> ExecutorError | None:
         """Return what to raise where rclpy is about to wait in the executor's thread."""
-        if threading.current_thread() is not self._thread:
+        if not self._in_thread():
             return None
         return ExecutorError(
             'this callback already runs inside the executor that it waits for, so the wait could never end: use '
             'call_async() and future.add_done_callback(...), or await the future in an async callback')
 
+    def _error_if_endless(self, nodes: list[Node]) -> ExecutorError:
+        """Return what to raise where rclpy is about to spin nodes forever in the main thread."""
+        node = next(iter(nodes), None)
+        if node in self._nodes:
+            return self._error_if_taken(node)
+        name = type(node).__name__ if node is not None and type(node) is not Node else 'MyNode'
+        if is_managed(node):
+            return ExecutorError(f'spin() never returns, and the constructor of {name} would wait forever: leave this '
+                                 f'line out. The stage spins the node as soon as it is constructed')
+        return ExecutorError(
+            f'spin() never returns, and no further cell would run: leave this line out. ros.add({name}) creates the '
+            f'node and spins it in the background; to wait for something, use param_tutorial.wait_until(...)')
+
+    def _error_if_in_vain(self, what: str, seconds: float) -> WaitTimeoutError:
+        """Return what to raise where rclpy has waited without a time limit in the main thread."""
+        return WaitTimeoutError(
+            f'timed out after {seconds:g} s waiting for {what}. rclpy itself would wait forever; pass timeout_sec=... '
+            f'to wait longer. Is what you wait for on the stage? ros.add(...) puts a node there')
+
+    def _error_if_taken(self, node: Node) -> ExecutorError:
+        return ExecutorError(
+            f'{_full_name(node)} is spun in the background already, and spinning it here would take it away from '
+            f'there: to wait for something in a cell, use param_tutorial.wait_until(...)')
+
     def refusal(self, node: Node, other: Executor) -> Exception | None:
         """Return the exception to raise when another executor wants to spin a node, None if it may."""
         if other is self._executor or not self.is_running or node not in self._nodes:
             return None
-        return self._error_if_in_callback() or ExecutorError(
-            f'{_full_name(node)} is spun in the background already, and spinning it here would take it away from '
-            f'there: to wait for something in a cell, use param_tutorial.wait_until(...)')
+        return self._error_if_in_callback() or self._error_if_taken(node)
+
+    def _error_if_asked(self) -> ExecutorError | None:
+        """Return what input() raises in the executor's thread."""
+        if not self._in_thread():
+            return None
+        return ExecutorError(
+            'a callback cannot ask with input(): while it waits for you to type, no node gets a turn. Ask in a cell, '
+            'and give the node the answer as a parameter')
+
+    def _tell_who_keeps_rclpy(self, what: str) -> None:
+        """Explain why rclpy.init() or rclpy.shutdown() did nothing."""
+        if what == 'init':
+            text = 'rclpy.init() has nothing to do here: param_tutorial.start() has initialized rclpy already.'
+        else:
+            text = ('rclpy.shutdown() has nothing to do here: it would end every node on the stage, so the stage '
+                    'keeps running. To end it, call param_tutorial.stop().')
+        print(f'{text} A program of your own needs this line.', file=sys.stderr)
+
+    def _tell_what_is_left_out(self) -> None:
+        if count := self._guard.left_out():
+            print(f'… and {count:,} more lines from callbacks, which are left out: while a callback prints, no node '
+                  f'gets a turn.', file=sys.stderr)
 
     # -- exceptions in callbacks ------------------------------------------------------------------------
 
@@ -292,15 +422,14 @@ class BackgroundExecutor:
         if callback is not None and callback.node not in self._nodes:
             return  # a callback or an answer was due when its node was removed, and has found its handles gone
         failure = self._count(error, callback)
-        if callback is not None and callback.parameter_service and self.services.take(
+        is_ours = isinstance(error, _CallbackInterrupted)
+        if callback is not None and callback.parameter_service and not is_ours and self.services.take(
                 error, callback.node_name, callback.parameter_service, callback.request):
             return  # the caller raises it
         failure.times_shown += 1
         if failure.times_shown == 1:
-            name = str(failure)
             text = ''.join(traceback.format_exception(error))
-            print(f'{name[0].upper()}{name[1:]} raised an exception; the node keeps running.\n{text}',
-                  file=sys.stderr, end='')
+            print(f'{_sentence(failure)} raised an exception; the node keeps running.\n{text}', file=sys.stderr, end='')
         elif failure.times_shown == 2:
             print(f'The same {type(error).__name__} again in {failure}. From now on, repeats are only counted, in '
                   f'the failures of the executor.', file=sys.stderr)
@@ -323,32 +452,24 @@ class BackgroundExecutor:
         # This order is not free: shutting down without joining the thread aborts the interpreter at its exit.
         self._stopping = True
         self._allow_waiting()
+        self._let_go_of_context()
         if self._thread.is_alive() and self.context.ok():
             self._executor.create_task(lambda: None)
-        if not self._stuck_in:
-            self._thread.join(STOP_TIMEOUT_SEC)
-            if self._thread.is_alive():
-                self._raise_in_thread(_CallbackInterrupted)
-                self._thread.join(INTERRUPT_TIMEOUT_SEC)
-        if self._thread.is_alive():
-            self._abandon_thread()
-        else:
+        if self._ends_within(STOP_TIMEOUT_SEC) or self._interrupt(self._ends_within):
             self._executor.shutdown()
-            for node in [*reversed(self._nodes), self.tool_node]:
-                node.destroy_node()
-            self._nodes.clear()
-        if self.context.ok():
-            rclpy.shutdown()  # without naming the context, so that the next init gets a new default one
-
-    def _abandon_thread(self) -> None:
-        """Leave a callback that never returns behind: its thread sleeps until the process ends."""
-        _Parked.is_parked.clear()
-        self._raise_in_thread(_Parked)
-        _Parked.is_parked.wait(_PARK_TIMEOUT_SEC)  # times out if the thread is asleep already, which is as good
-        # Left as they are, other nodes would see them for as long as this process lives, and never get an answer.
+        else:
+            self._park_thread()
+        # Left as they are, other nodes would see those of a parked thread for as long as this process lives, and never
+        # get an answer.
         for node in [*reversed(self._nodes), self.tool_node]:
-            rclpy_private.destroy_by_force(node)
+            if self._has_abandoned_a_thread:
+                rclpy_private.destroy_by_force(node)
+            else:
+                node.destroy_node()
         self._nodes.clear()
+        self._guard.leave()
+        if utilities.get_default_context() is self.context:
+            utilities.try_shutdown()  # without naming the context, so that the next init gets a new default one
 
     def _require_running(self) -> None:
         if not self.is_running:
@@ -390,6 +511,12 @@ class BackgroundExecutor:
             self.run(self._check_graph, 'look at the graph')
 
 
+def _sentence(callback: Callback | Failure) -> str:
+    """Return the name of a callback as the beginning of a sentence."""
+    name = str(callback)
+    return name[0].upper() + name[1:]
+
+
 def _full_name(node: Node) -> str:
     return node.get_fully_qualified_name()
 
@@ -421,3 +548,7 @@ class _NodeHost:
     def refusal(self, node: Node, other: Executor) -> Exception | None:
         """Return the exception to raise when another executor wants to spin a node, None if it may."""
         return self.ros.refusal(node, other)
+
+    def destroy(self, node: Node, destroy: Callable[[], None]) -> None:
+        """Take a node off the stage, if it is there, and destroy it."""
+        self.ros.destroy(node, destroy)

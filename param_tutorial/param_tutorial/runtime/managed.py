@@ -6,6 +6,7 @@ raised an exception, and keeps the node when another executor would take it.
 
 import functools
 import inspect
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
@@ -53,9 +54,17 @@ def function_name(function: Callable[..., Any]) -> str:
 class CallbackWatch:
     """Knows which callback runs, and which one raised the latest exception."""
 
-    def __init__(self) -> None:
+    def __init__(self, before_each: Callable[[], None]) -> None:
+        """:param before_each: Called before each callback, in its thread."""
         self.running: Callback | None = None
+        self._before_each = before_each
+        self._began = 0.0
         self._failed: tuple[BaseException, Callback] | None = None
+
+    @property
+    def busy_sec(self) -> float:
+        """For how long the callback that runs has been running; 0.0 if none runs."""
+        return 0.0 if self.running is None else time.monotonic() - self._began
 
     def failed(self, callback: Callback, error: BaseException) -> None:
         """Note that an exception leaves a callback."""
@@ -73,7 +82,10 @@ class CallbackWatch:
 
         @functools.wraps(function)
         def call(*args: Any) -> Any:
+            if self.running is None:
+                self._began = time.monotonic()
             before, self.running = self.running, callback
+            self._before_each()
             try:
                 return function(*args)
             except BaseException as error:
@@ -84,6 +96,7 @@ class CallbackWatch:
 
         @functools.wraps(function)
         async def call_and_await(*args: Any) -> Any:
+            self._before_each()
             try:
                 return await function(*args)
             except BaseException as error:
@@ -106,6 +119,9 @@ class Host(Protocol):
     def refusal(self, node: Node, other: Executor) -> Exception | None:
         """Return the exception to raise when another executor wants to spin a node, None if it may."""
 
+    def destroy(self, node: Node, destroy: Callable[[], None]) -> None:
+        """Take a node off the stage, if it is there, and destroy it."""
+
 
 def prepare(node_class: type[Node], host: Host) -> Node:
     """Return an object of a class derived from node_class, with the hooks; its constructor has yet to run."""
@@ -113,6 +129,11 @@ def prepare(node_class: type[Node], host: Host) -> Node:
     node = managed_class.__new__(managed_class)
     node.host_of_node = host
     return node
+
+
+def is_managed(node: object) -> bool:
+    """True if a node was prepared for the stage; its constructor may still be running."""
+    return isinstance(node, _Hooks)
 
 
 @functools.cache
@@ -151,6 +172,9 @@ class _Hooks(Node):
         rclpy_private.watch_answers(
             service, functools.partial(self.host_of_node.callback_watch.failed, answering))
         return service
+
+    def destroy_node(self) -> None:
+        self.host_of_node.destroy(self, super().destroy_node)
 
     def _watched(self, kind: str, function: Any, parameter_service: str = '') -> Any:
         if not callable(function):

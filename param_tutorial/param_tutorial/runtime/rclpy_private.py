@@ -6,17 +6,21 @@ rclpy 7.1, and tests/runtime/test_rclpy_private.py has one test for each, named 
 
 import contextlib
 import functools
+import time
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
+import rclpy
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent
+from rclpy import utilities
 from rclpy.client import Client
 from rclpy.context import Context
-from rclpy.executors import Executor
+from rclpy.executors import Executor, TimeoutException, TimeoutObject
 from rclpy.experimental.events_executor import EventsExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.service import Service
+from rclpy.task import Future
 
 # What a parameter callback is called with, and what it returns, depends on its kind.
 ParameterCallback = Callable[[list[Parameter]], Any]
@@ -29,6 +33,8 @@ _CALLBACK_LISTS = {
     'post-set': '_post_set_parameters_callbacks',
 }
 ForbiddenHere = Callable[[], Exception | None]
+# How long Ctrl+C may have to wait.
+_SLICE_SEC = 0.1
 
 
 # -- executors ------------------------------------------------------------------------------------------------
@@ -42,36 +48,148 @@ def new_executor(context: Context) -> Executor:
     return EventsExecutor(context=context)
 
 
-def forbid_waiting(forbidden_here: ForbiddenHere) -> Callable[[], None]:
+class WaitLimit(NamedTuple):
+    """What becomes of a wait without a time limit where waiting as such is fine."""
+
+    applies_here: Callable[[], bool]
+    """Called in the thread that is about to wait."""
+    timeout_sec: float
+    endless: Callable[[list[Node]], Exception]
+    """Returns the exception to raise in place of spinning these nodes forever."""
+    in_vain: Callable[[str, float], Exception]
+    """Returns the exception to raise when what was waited for did not come within so many seconds."""
+
+
+def forbid_waiting(forbidden_here: ForbiddenHere, limit: WaitLimit | None = None) -> Callable[[], None]:
     """Make rclpy ask before it waits for what only a spinning executor can bring.
 
     All of rclpy's own executors wait in ``Executor.wait_for_ready_callbacks``, and with them every ``spin…``; a
     ``Client.call`` without a time limit waits for another thread.
 
+    They wait in C++, where Python runs no handler of a signal: where the limit applies, they wait a little at a time.
+
     :param forbidden_here: Called in the thread that is about to wait. Returns the exception to raise, or None.
+    :param limit: For waits that are not forbidden, and have no time limit of their own.
     :return: Call it to leave rclpy as it was.
     """
-    wait, call = Executor.wait_for_ready_callbacks, Client.call
+    wait, spin_until, spin, call = (Executor.wait_for_ready_callbacks, Executor.spin_until_future_complete,
+                                    Executor.spin, Client.call)
+    rclpys_spin = rclpy.spin
 
-    def ask_and_wait(self: Executor, *args: Any, **kwargs: Any) -> Any:
+    def limit_here() -> WaitLimit | None:
+        return limit if limit is not None and limit.applies_here() else None
+
+    def ask_and_wait(self: Executor, timeout_sec: float | TimeoutObject | None = None, *args: Any) -> Any:
         if error := forbidden_here():
             raise error
-        return wait(self, *args, **kwargs)
+        here = limit_here()
+        return wait(self, timeout_sec, *args) if here is None else _wait_in_slices(wait, here, self, timeout_sec, *args)
+
+    def ask_and_spin_until(self: Executor, future: Future, timeout_sec: float | None = None) -> None:
+        here = limit_here()
+        if here is None or (timeout_sec is not None and timeout_sec >= 0):
+            spin_until(self, future, timeout_sec)
+            return
+        spin_until(self, future, here.timeout_sec)
+        if not future.done():
+            raise here.in_vain('the future', here.timeout_sec)
+
+    def ask_and_spin(self: Executor) -> None:
+        if error := forbidden_here():
+            raise error
+        if here := limit_here():
+            raise here.endless(self.get_nodes())
+        spin(self)
+
+    def ask_and_spin_node(node: Node, executor: Executor | None = None) -> None:
+        if error := forbidden_here():
+            raise error
+        if here := limit_here():
+            raise here.endless([node])
+        rclpys_spin(node, executor)
 
     def ask_and_call(self: Client, request: Any, timeout_sec: float | None = None) -> Any:
         if timeout_sec is None and (error := forbidden_here()):
             raise error
-        return call(self, request, timeout_sec)
+        here = limit_here()
+        if here is None or timeout_sec is not None:
+            return call(self, request, timeout_sec)
+        answer = call(self, request, here.timeout_sec)
+        if answer is None:
+            raise here.in_vain(f'an answer from {self.srv_name}', here.timeout_sec)
+        return answer
+
+    ours = [(Executor, 'wait_for_ready_callbacks', wait, ask_and_wait),
+            (Executor, 'spin_until_future_complete', spin_until, ask_and_spin_until),
+            (Executor, 'spin', spin, ask_and_spin),
+            (Client, 'call', call, ask_and_call),
+            (rclpy, 'spin', rclpys_spin, ask_and_spin_node)]
+    for owner, name, _, asking in ours:
+        setattr(owner, name, asking)
 
     def allow_waiting() -> None:
-        if Executor.wait_for_ready_callbacks is ask_and_wait:
-            Executor.wait_for_ready_callbacks = wait  # type: ignore[method-assign]
-        if Client.call is ask_and_call:
-            Client.call = call  # type: ignore[method-assign]
-
-    Executor.wait_for_ready_callbacks = ask_and_wait  # type: ignore[method-assign]
-    Client.call = ask_and_call  # type: ignore[method-assign]
+        for owner, name, original, asking in ours:
+            if getattr(owner, name) is asking:
+                setattr(owner, name, original)
     return allow_waiting
+
+
+def _wait_in_slices(wait: Callable[..., Any], limit: WaitLimit, executor: Executor,
+                    timeout_sec: float | TimeoutObject | None, *args: Any) -> Any:
+    """Wait as rclpy does, a little at a time, and not forever."""
+    seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
+    own_limit_sec = None if seconds is None or seconds < 0 else seconds
+    deadline = time.monotonic() + (limit.timeout_sec if own_limit_sec is None else own_limit_sec)
+    while True:
+        left_sec = deadline - time.monotonic()
+        try:
+            return wait(executor, max(0.0, min(left_sec, _SLICE_SEC)), *args)
+        except TimeoutException:
+            if left_sec > _SLICE_SEC:
+                continue
+            if own_limit_sec is None:
+                raise limit.in_vain('something to do', limit.timeout_sec) from None
+            raise
+
+
+# -- the context ----------------------------------------------------------------------------------------------
+
+def keep_context(context: Context, tell: Callable[[str], None]) -> Callable[[], None]:
+    """Make ``init`` and ``shutdown`` of the default context do nothing, however they are called.
+
+    ``rclpy.shutdown`` forgets the default context before it shuts it down. ``rclpy.init`` installs handlers of signals
+    that shut down every context, whichever it was called for.
+
+    :param tell: Called with 'init' or 'shutdown' in the thread that tried it.
+    :return: Call it to leave the context and rclpy as they were.
+    """
+    def init(*_args: Any, **_options: Any) -> None:
+        tell('init')
+
+    def shutdown() -> None:
+        with utilities.g_context_lock:
+            vars(utilities)['g_default_context'] = context
+        tell('shutdown')
+
+    def try_shutdown() -> None:
+        tell('shutdown')
+
+    def install_no_handlers(_options: object = None) -> None:
+        pass
+
+    in_rclpy = vars(rclpy)
+    install = in_rclpy['install_signal_handlers']
+    instead = {'init': init, 'shutdown': shutdown, 'try_shutdown': try_shutdown}
+    for name, function in instead.items():
+        setattr(context, name, function)
+    in_rclpy['install_signal_handlers'] = install_no_handlers
+
+    def let_go() -> None:
+        for name in instead:
+            vars(context).pop(name, None)
+        if in_rclpy['install_signal_handlers'] is install_no_handlers:
+            in_rclpy['install_signal_handlers'] = install
+    return let_go
 
 
 # -- nodes ----------------------------------------------------------------------------------------------------
@@ -81,19 +199,29 @@ def is_in_graph(node: Node) -> bool:
     return hasattr(node, '_Node__node')
 
 
-def destroy_by_force(node: Node) -> None:
-    """Destroy a node whose executor will never run again.
+def handles_of(node: Node) -> list[Any]:
+    """Return the handles of a node and of all that it has created; to be called before it is destroyed."""
+    entities: list[Any] = [*node.publishers, *node.subscriptions, *node.clients, *node.services, *node.timers]
+    return [*node.waitables, *(entity.handle for entity in entities), node.handle]
+
+
+def release(handles: list[Any]) -> None:
+    """Let go of handles in the name of an executor that will never run again; those to be destroyed then are.
 
     An executor counts as a user of each handle that it waits for, and rclpy destroys a handle when the last user
     has left it: with ``__exit__``, as at the end of a ``with`` block.
     """
-    entities: list[Any] = [*node.publishers, *node.subscriptions, *node.clients, *node.services, *node.timers]
-    handles = [*node.waitables, *(entity.handle for entity in entities), node.handle]
-    node.destroy_node()
     for handle in handles:
         with contextlib.suppress(RuntimeError):  # raised when there is no user left
             while True:
                 handle.__exit__(None, None, None)
+
+
+def destroy_by_force(node: Node) -> None:
+    """Destroy a node whose executor will never run again."""
+    handles = handles_of(node)
+    node.destroy_node()
+    release(handles)
 
 
 def watch_answers(service: Service, failed: Callable[[BaseException], None]) -> None:

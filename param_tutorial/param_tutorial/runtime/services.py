@@ -4,6 +4,7 @@ Knows the six services that every node offers, discovery, time limits, and nodes
 mid-call. What the requests mean is in ``client``.
 """
 
+import math
 import threading
 import time
 from collections.abc import Callable
@@ -35,6 +36,8 @@ _LOOK_PERIOD_SEC = 0.1
 # Requests that change nothing are sent again while no answer comes: see Services.greet.
 _QUESTIONS = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters')
 _REPEAT_PERIOD_SEC = 0.7
+# How long to wait for an answer once more, when a callback had kept the executor's thread and no longer does.
+_SECOND_CHANCE_SEC = 1.5
 
 
 def full_name(node: str | Node) -> str:
@@ -62,13 +65,16 @@ class _PendingCall:
 class Services:
     """Calls parameter services through one node that an executor spins in another thread."""
 
-    def __init__(self, tool_node: Node, in_executor_thread: Callable[[], bool]):
+    def __init__(self, tool_node: Node, in_executor_thread: Callable[[], bool], free_thread: Callable[[], bool]):
         """
         :param tool_node: Owns the service clients; its executor must be spinning.
         :param in_executor_thread: Returns True in the thread that spins it.
+        :param free_thread: Called when an answer did not come in time: a callback may keep that thread from bringing
+            any. Returns True if one did, and no longer does.
         """
         self._tool_node = tool_node
         self.in_executor_thread = in_executor_thread
+        self._free_thread = free_thread
         self._clients: dict[tuple[str, str], Client] = {}
         self._pending: dict[Future, _PendingCall] = {}
         self._generation = 0
@@ -110,10 +116,11 @@ class Services:
         finished = threading.Event()
         sent: list[Future] = []
         began = time.monotonic()
+        deadline, is_second_chance = began + timeout_sec, False
         try:
             while True:
                 if not sent or (repeat and time.monotonic() > began + len(sent) * _REPEAT_PERIOD_SEC):
-                    sent.append(self._send(client, node, service, request, timeout_sec))
+                    sent.append(self._send(client, node, service, request, math.inf))  # this loop knows when
                     sent[-1].add_done_callback(lambda _: finished.set())
                 if finished.wait(_LOOK_PERIOD_SEC):
                     break
@@ -122,8 +129,10 @@ class Services:
                     break
                 if gone:
                     raise NodeGoneError(node, service)
-                if time.monotonic() > began + timeout_sec:
-                    raise NoAnswerError(node, service, timeout_sec)
+                if time.monotonic() > deadline:
+                    if is_second_chance or not self._free_thread():
+                        raise NoAnswerError(node, service, timeout_sec)
+                    deadline, is_second_chance = time.monotonic() + _SECOND_CHANCE_SEC, True
         finally:
             for future in sent:
                 self._forget(future, client)

@@ -1,0 +1,150 @@
+"""The keyboard and the screen for code that runs where nobody can type an answer, or read all that it prints.
+
+A callback that asks with ``input()`` would keep every node on the stage waiting, and one that prints 100,000 lines
+would keep the browser busy for a minute. No ROS, no Jupyter.
+"""
+
+import builtins
+import contextlib
+import math
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any, TextIO
+
+# Each second, from the thread that spins all nodes.
+STAGE_LINES = 200
+# From a learner's code, for each check.
+CHECK_LINES = 40
+_CHARS_PER_LINE = 100
+
+
+class Allowance:
+    """How much may be printed; what is beyond it is counted."""
+
+    def __init__(self, lines: int, period_sec: float = math.inf):
+        """:param lines: So many in each period, of 100 characters on average."""
+        self._lines = lines
+        self._period_sec = period_sec
+        self._began = time.monotonic()
+        self._lines_left, self._chars_left = lines, lines * _CHARS_PER_LINE
+        self._left_out = 0
+        self._lock = threading.Lock()
+
+    def take(self, text: str) -> str:
+        """Return what may be printed of a text."""
+        with self._lock:
+            if self._is_over():
+                self._began = time.monotonic()
+                self._lines_left, self._chars_left = self._lines, self._lines * _CHARS_PER_LINE
+            part = text[:self._chars_left]
+            lines = part.split('\n', self._lines_left)
+            if len(lines) > self._lines_left:
+                part = part[:len(part) - len(lines[-1])]
+            self._lines_left -= part.count('\n')
+            self._chars_left -= len(part)
+            if part != text:
+                # Nothing more in this period: the end of a line would stand there without its beginning.
+                self._lines_left = self._chars_left = 0
+                self._left_out += text.count('\n', len(part))
+            return part
+
+    def left_out(self, *, at_once: bool = False) -> int:
+        """Return how many lines were left out in the periods that are over, and count from 0 again.
+
+        :param at_once: In the current period too.
+        """
+        with self._lock:
+            count = self._left_out if at_once or self._is_over() else 0
+            self._left_out -= count
+            return count
+
+    def _is_over(self) -> bool:
+        return time.monotonic() >= self._began + self._period_sec
+
+
+class _Output:
+    """Stands in for sys.stdout or sys.stderr, and does not let everything through."""
+
+    def __init__(self, stream: TextIO, applies_here: Callable[[], bool], allowance: Allowance):
+        self._stream = stream
+        self._applies_here = applies_here
+        self._allowance = allowance
+
+    def write(self, text: str) -> int:
+        if not self._applies_here():
+            return self._stream.write(text)
+        if part := self._allowance.take(text):
+            self._stream.write(part)
+        return len(text)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+
+class _Input:
+    """Stands in for input()."""
+
+    def __init__(self, ask: Callable[..., str], forbidden_here: Callable[[], Exception | None]):
+        self.ask = ask
+        self._forbidden_here = forbidden_here
+
+    def __call__(self, *prompt: object) -> str:
+        if error := self._forbidden_here():
+            raise error
+        return self.ask(*prompt)
+
+
+class Guard:
+    """Watches over what code in one thread prints, and keeps it from asking.
+
+    Whoever captures output replaces sys.stdout, and Jupyter replaces input() for each cell. So the guard looks after
+    its post each time before such code runs.
+    """
+
+    def __init__(self, applies_here: Callable[[], bool], forbidden_here: Callable[[], Exception | None]):
+        """
+        :param applies_here: True in the thread whose output is limited.
+        :param forbidden_here: Returns what input() raises, None where it may ask.
+        """
+        self._applies_here = applies_here
+        self._forbidden_here = forbidden_here
+        self._allowance = Allowance(STAGE_LINES, period_sec=1.0)
+
+    def look(self) -> None:
+        """Be in place."""
+        for name in ('stdout', 'stderr'):
+            stream = getattr(sys, name)
+            if not isinstance(stream, _Output):
+                setattr(sys, name, _Output(stream, self._applies_here, self._allowance))
+        if not isinstance(builtins.input, _Input):
+            builtins.input = _Input(builtins.input, self._forbidden_here)
+
+    def left_out(self) -> int:
+        """Return how many lines were left out since the last time, once a second has passed."""
+        return self._allowance.left_out()
+
+    def leave(self) -> None:
+        """Leave everything as it was."""
+        for name in ('stdout', 'stderr'):
+            stream = getattr(sys, name)
+            if isinstance(stream, _Output) and stream._allowance is self._allowance:
+                setattr(sys, name, stream._stream)
+        if isinstance(builtins.input, _Input) and builtins.input._forbidden_here == self._forbidden_here:
+            builtins.input = builtins.input.ask
+
+
+@contextlib.contextmanager
+def guarded(forbidden: Callable[[], Exception]) -> Iterator[None]:
+    """Let the block print its first lines only, say how many were left out, and make input() raise an exception."""
+    allowance = Allowance(CHECK_LINES)
+    streams, ask = (sys.stdout, sys.stderr), builtins.input
+    sys.stdout, sys.stderr = (_Output(stream, lambda: True, allowance) for stream in streams)
+    builtins.input = _Input(ask, forbidden)
+    try:
+        yield
+    finally:
+        (sys.stdout, sys.stderr), builtins.input = streams, ask
+        if count := allowance.left_out(at_once=True):
+            print(f'… and {count:,} more lines, which are left out here.')

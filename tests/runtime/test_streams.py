@@ -1,0 +1,133 @@
+"""Streams: what is printed is limited, and input() is answered at once where nobody can type."""
+
+import builtins
+import contextlib
+import io
+import math
+import sys
+import threading
+
+import pytest
+from rclpy.node import Node
+
+import param_tutorial
+from param_tutorial.errors import ExecutorError
+from param_tutorial.runtime import streams
+from param_tutorial.runtime.streams import Allowance, guarded
+
+
+def test_so_many_lines_pass_and_the_others_are_counted():
+    allowance = Allowance(3)
+    printed = io.StringIO()
+    for number in range(1000):
+        for text in (str(number), '\n'):  # as print() writes
+            printed.write(allowance.take(text))
+    assert printed.getvalue() == '0\n1\n2\n'
+    assert allowance.left_out() == 0
+    assert allowance.left_out(at_once=True) == 997
+    assert allowance.left_out(at_once=True) == 0
+
+
+@pytest.mark.parametrize(('text', 'passed'), [
+    ('a\nb\nc\nd', 'a\nb\n'), ('a\nb\n', 'a\nb\n'), ('a\nb', 'a\nb'), ('', ''), ('x' * 201, 'x' * 200)])
+def test_a_text_is_cut_after_so_many_lines_or_characters(text, passed):
+    assert Allowance(2).take(text) == passed
+
+
+def test_in_the_next_period_lines_pass_again(monkeypatch):
+    now = [0.0]
+    monkeypatch.setattr(streams.time, 'monotonic', lambda: now[0])
+    allowance = Allowance(1, period_sec=1.0)
+    assert [allowance.take('a\n') for _ in range(3)] == ['a\n', '', '']
+    assert allowance.left_out() == 0
+    now[0] = 1.0
+    assert allowance.left_out() == 2
+    assert allowance.take('b\n') == 'b\n'
+
+
+def test_a_guarded_block_prints_its_first_lines_and_cannot_ask(capsys):
+    stdout, ask = sys.stdout, builtins.input
+    with guarded(lambda: ZeroDivisionError('nobody')):
+        for number in range(1000):
+            print(number)
+        print('lost', file=sys.stderr)
+        assert sys.stdout.encoding == stdout.encoding
+        with pytest.raises(ZeroDivisionError, match='nobody'):
+            input('speed? ')
+    assert (sys.stdout, builtins.input) == (stdout, ask)
+    printed = capsys.readouterr()
+    assert printed.out == ''.join(f'{number}\n' for number in range(streams.CHECK_LINES)) + (
+        f'… and {1001 - streams.CHECK_LINES} more lines, which are left out here.\n')
+    assert printed.err == ''
+
+
+def test_what_fits_is_printed_and_nothing_added(capsys):
+    with guarded(ZeroDivisionError):
+        print('one line')
+    assert capsys.readouterr().out == 'one line\n'
+    assert math.isinf(Allowance(1)._period_sec)
+
+
+def test_a_flood_in_the_executors_thread_is_cut_and_told_of(ros, capsys):
+    ros.run(lambda: [print('flood', number) for number in range(5000)], 'print')
+    print('from the cell')
+    text = ''
+
+    def told():
+        nonlocal text
+        text += ''.join(capsys.readouterr())
+        return 'more lines from callbacks' in text
+
+    param_tutorial.wait_until(told, 'the word', timeout_sec=30)
+    assert text.count('flood') == streams.STAGE_LINES
+    assert f'… and {5000 - streams.STAGE_LINES:,} more lines from callbacks' in text
+    assert text.count('from the cell') == 1
+
+
+class Asking(Node):
+    """Asks in a timer callback, once."""
+
+    def __init__(self):
+        super().__init__('asking')
+        self.outcome = None
+        self.timer = self.create_timer(0.001, self.tick)
+
+    def tick(self):
+        self.timer.cancel()
+        try:
+            self.outcome = input('speed? ')
+        except Exception as error:
+            self.outcome = error
+
+
+def test_a_callback_cannot_ask_and_a_cell_can(ros, monkeypatch):
+    monkeypatch.setattr(builtins, 'input', lambda *prompt: f'an answer to {prompt}')  # as Jupyter does for each cell
+    node = ros.add(Asking)
+    param_tutorial.wait_until(lambda: node.outcome is not None, 'the callback')
+    assert isinstance(node.outcome, ExecutorError)
+    assert 'Ask in a cell' in str(node.outcome)
+    assert input('speed? ') == "an answer to ('speed? ',)"
+
+
+def test_whoever_captures_output_meanwhile_gets_it_and_nobody_afterwards(ros):
+    def say(word):
+        ros.run(lambda: print(word), 'print')
+
+    outer, inner = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(outer):
+        say('one')
+        with contextlib.redirect_stdout(inner):
+            say('two')
+        say('three')
+        print('four')
+    assert (outer.getvalue(), inner.getvalue()) == ('one\nthree\nfour\n', 'two\n')
+
+
+def test_stop_leaves_the_streams_and_input_as_they_were():
+    param_tutorial.stop()
+    before = sys.stdout, sys.stderr, builtins.input
+    ros = param_tutorial.start()
+    assert ros.run(threading.current_thread, 'look') is not threading.current_thread()
+    assert all(now is not then for now, then in zip((sys.stdout, sys.stderr, builtins.input), before, strict=True))
+    param_tutorial.stop()
+    assert (sys.stdout, sys.stderr, builtins.input) == before
