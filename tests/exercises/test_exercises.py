@@ -374,6 +374,35 @@ def test_a_number_that_is_none_is_told(ask):
 
 
 @pytest.mark.parametrize('number', EXERCISES)
+def test_a_check_without_work_shows_how_to_call_it(number):
+    shown = ' '.join(repr(exercises.check(number)).split())
+    assert f'exercises.check({number!r}, my_' in shown.lower().replace('mynode', 'my_node')
+    assert EXERCISES[number].takes.name in shown
+
+
+def test_a_check_and_a_hint_of_nothing_name_the_exercises():
+    for ask in (exercises.check, exercises.hint):
+        assert "There is no exercise ''" in repr(ask())
+        assert '1a, 1b' in repr(ask())
+
+
+class PrintsMuch(Node):
+    def __init__(self):
+        super().__init__('rover')
+        for number in range(10_000):
+            print('flood', number)
+
+
+def test_a_check_shows_the_first_lines_that_a_work_prints(ros, capsys):
+    result = exercises.check('3a', PrintsMuch)
+    printed = capsys.readouterr().out
+    assert (result.count, printed.count('flood')) == (0, 40)
+    assert 'more lines, which are left out here' in printed
+    exercises.check('3a', solution('3a'))
+    assert capsys.readouterr().out == ''
+
+
+@pytest.mark.parametrize('number', EXERCISES)
 def test_an_exercise_leads_to_sections_that_exist(number):
     headings = re.findall(r'^#+ (.*)', '\n'.join(each.source for each in notebook(number)), re.MULTILINE)
     assert {requirement.see for requirement in EXERCISES[number].requirements} <= set(headings)

@@ -35,16 +35,18 @@ from param_tutorial.exercises.chapters import (
     ch10_4,
     ch11,
 )
+from param_tutorial.exercises.exercise import Exercise
 from param_tutorial.exercises.results import Answer, Hint, Result
 
 CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
             ch10_3, ch10_4, ch11)
-EXERCISES = {each.number: each for module in CHAPTERS for each in module.EXERCISES}
+EXERCISES: dict[str, Exercise] = {each.number: each for module in CHAPTERS for each in module.EXERCISES}
 
+_FORGOTTEN = object()
 _hints_given: dict[str, int] = {}
 
 
-def check(number: str, work: Any) -> Answer:
+def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
     """Try out a learner's work on a real node, requirement by requirement.
 
     Never raises for what the work does: an exception, a callback that does not return, or something that is no work
@@ -54,10 +56,12 @@ def check(number: str, work: Any) -> Answer:
     :param work: What the exercise asks for: a class, a function, a dictionary, a text.
     """
     exercise = EXERCISES.get(str(number))
-    return exercise.check(work) if exercise else _unknown(number)
+    if exercise is None:
+        return _unknown(number)
+    return exercise.without_work() if work is _FORGOTTEN else exercise.check(work)
 
 
-def hint(number: str) -> Answer:
+def hint(number: str = '') -> Answer:
     """Return the next hint for an exercise; after the last one, where its solution is."""
     exercise = EXERCISES.get(str(number))
     if exercise is None:

@@ -7,9 +7,20 @@ from typing import Any, NamedTuple
 from rclpy.node import Node
 
 from param_tutorial.errors import ExecutorError, NoAnswerError
-from param_tutorial.exercises.results import Finding, Hint, Result
-from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, borrowed_stage, cleared, describe_error, expect
+from param_tutorial.exercises.results import Answer, Finding, Hint, Result
+from param_tutorial.exercises.trial import (
+    CORNER,
+    NotYet,
+    NoUse,
+    Trial,
+    borrowed_stage,
+    cleared,
+    describe_error,
+    error_if_asked,
+    expect,
+)
 from param_tutorial.parameters import values
+from param_tutorial.runtime.streams import guarded
 
 Examine = Callable[[Trial], None]
 FindOut = Callable[[Trial], Any]
@@ -20,13 +31,16 @@ class Kind(NamedTuple):
 
     name: str
     fits: Callable[[Any], bool]
+    example: str
+    """What it may be called."""
 
 
 NODE_CLASS = Kind('a class derived from `Node`, by its name alone and without parentheses',
-                  lambda work: inspect.isclass(work) and issubclass(work, Node))
-FUNCTION = Kind('a function, by its name alone and without parentheses', inspect.isroutine)
-DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(work, dict))
-TEXT = Kind('a text, as in the cell above', lambda work: isinstance(work, str))
+                  lambda work: inspect.isclass(work) and issubclass(work, Node), 'MyNode')
+FUNCTION = Kind('a function, by its name alone and without parentheses', inspect.isroutine, 'my_function')
+DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(work, dict),
+                  'my_dictionary')
+TEXT = Kind('a text, as in the cell above', lambda work: isinstance(work, str), 'my_text')
 
 
 class Requirement(NamedTuple):
@@ -92,22 +106,29 @@ class Exercise:
             return find_out
         return add
 
+    def without_work(self) -> Answer:
+        """Say what a check needs beside the number."""
+        return Answer(f'The check of exercise {self.number} needs your work too. Give it {self.takes.name}, like this: '
+                      f'`exercises.check({self.number!r}, {self.takes.example})`. The cell below the exercise does.')
+
     def check(self, work: Any) -> Result:
         """Try out a learner's work; see ``exercises.check``."""
         if not self.takes.fits(work):
             return self._result([self._nothing_to_try(work)])
         findings: list[Finding] = []
         names: set[str] = set()
+        waited = False
         try:
-            with borrowed_stage() as ros:
+            with guarded(error_if_asked), borrowed_stage() as ros:
                 for requirement in self.requirements:
-                    trial = Trial(ros, work)
+                    trial = Trial(ros, work, has_waited_in_vain=waited)
                     try:
                         findings.append(_try_out(requirement, trial))
                     except NoUse as error:
                         findings.append(_finding(requirement, error))
                         break
                     names.update(trial.names)
+                    waited = trial.has_waited_in_vain
         except ExecutorError as error:  # no executor can be had, or a callback of the learner's keeps it for good
             untried = [each.sentence for each in self.requirements[len(findings):]]
             findings.append(Finding([*untried, 'the stage is clear afterwards'][0], False, happened=str(error)))
@@ -151,7 +172,7 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
         raise NoUse('an answer', f'{error}. Does a callback wait, or loop for ever?') from None
     except ExecutorError:
         raise
-    except Exception as error:  # whatever a learner's object may do when it is looked at
+    except (Exception, SystemExit) as error:  # whatever a learner's object may do when it is looked at
         return _finding(requirement, NotYet('', describe_error(error)))
     return Finding(requirement.sentence, True)
 

@@ -15,7 +15,7 @@ from typing import Any, TypeVar, overload
 
 from rclpy.node import Node
 
-from param_tutorial.errors import CallbackError, ExecutorError, ParameterToolError, WaitTimeoutError
+from param_tutorial.errors import CallbackError, ExecutorError, ParameterToolError, StuckError, WaitTimeoutError
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.ros2 import command
 from param_tutorial.runtime import stage
@@ -30,6 +30,8 @@ NodeT = TypeVar('NodeT', bound=Node)
 CORNER = '/_check'
 # How long each constructor, function, answer or reaction may take.
 TIME_LIMIT_SEC = 5.0
+# How long a reaction may take after another one did not come: a check should not take minutes to say so.
+_SHORT_TIME_LIMIT_SEC = 1.5
 
 
 # What rclpy raises for a parameter file, with rcl's own words in it.
@@ -73,11 +75,13 @@ class TooLong(BaseException):
 class Trial:
     """One attempt with a learner's work, for one requirement."""
 
-    def __init__(self, ros: BackgroundExecutor, work: Any):
+    def __init__(self, ros: BackgroundExecutor, work: Any, *, has_waited_in_vain: bool = False):
+        """:param has_waited_in_vain: In an earlier trial with this work."""
         self.ros = ros
         self.work = work
         self.names: list[str] = []
         """The names of the nodes that were made of the work."""
+        self.has_waited_in_vain = has_waited_in_vain
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
     @overload
@@ -143,11 +147,15 @@ class Trial:
         """Call a function of the learner's in this thread.
 
         :param what: Names the call.
+        :raises NotYet: the function raised an exception.
+        :raises NoUse: it did not return.
         """
         try:
             with _time_limit():
                 return function(*args)
-        except (Exception, TooLong, SystemExit) as error:
+        except (TooLong, WaitTimeoutError) as error:
+            raise NoUse(f'{what} comes to an end', describe_error(error)) from None
+        except (Exception, SystemExit) as error:
             raise NotYet(f'{what} comes to an end', describe_error(error)) from None
 
     def press(self, what: str, function: Callable[[], Any]) -> None:
@@ -159,7 +167,7 @@ class Trial:
         try:
             self.ros.run(function, what)
         except (Exception, SystemExit) as error:
-            kind = NotYet if self.ros.is_running else NoUse
+            kind = NoUse if isinstance(error, StuckError) else NotYet
             raise kind(f'{what} comes to an end', describe_error(error)) from None
         except KeyboardInterrupt:
             raise
@@ -173,10 +181,12 @@ class Trial:
         :param happened: Returns what is the case instead.
         :raises NotYet: the condition is not true.
         """
+        limit_sec = min(TIME_LIMIT_SEC, _SHORT_TIME_LIMIT_SEC) if self.has_waited_in_vain else TIME_LIMIT_SEC
         try:
-            met = wait_until(lambda: condition() or self._failure(), expected, TIME_LIMIT_SEC)
+            met = wait_until(lambda: condition() or self._failure(), expected, limit_sec)
         except WaitTimeoutError:
-            raise NotYet(expected, f'{happened()}, after {TIME_LIMIT_SEC:g} s') from None
+            self.has_waited_in_vain = True
+            raise NotYet(expected, f'{happened()}, after {limit_sec:g} s') from None
         if isinstance(met, Failure) and not condition():  # looked at again: it may have come true before the failure
             raise NotYet(expected, happened())
 
@@ -194,6 +204,12 @@ class Trial:
         return next((failure for failure in list(self.ros.failures)
                      if failure.times_shown > self._times_shown_before.get(id(failure), 0)
                      and (failure.callback is None or failure.callback.node_name.startswith(f'{CORNER}/'))), None)
+
+
+def error_if_asked() -> ParameterToolError:
+    """Return what input() raises during a check."""
+    return ParameterToolError('nobody can type an answer to input() during a check: leave this line out, and let your '
+                              'code take the value as an argument or a parameter')
 
 
 @contextlib.contextmanager
