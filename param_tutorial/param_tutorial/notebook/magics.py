@@ -42,6 +42,7 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
     ``%xmode Context`` brings the whole traceback back.
     """
     ipython.register_magics(Ros2Magics)
+    ipython.user_ns.update(exit=_NoExit(), quit=_NoExit())
     ipython.InteractiveTB.set_mode('Minimal')
     ipython.events.register('pre_run_cell', _before_cell)
 
@@ -60,6 +61,17 @@ def _before_cell(info: ExecutionInfo) -> None:
     manager = getattr(ipython, 'extension_manager', None)
     if manager is not None and '%load_ext param_tutorial' in (info.raw_cell or ''):
         manager.loaded.discard('param_tutorial')
+
+
+class _NoExit:
+    """Stands in for ``exit`` and ``quit``, which end a kernel: programs that are pasted into a cell contain them."""
+
+    def __repr__(self) -> str:
+        return ('exit() would end this kernel with every node in it, so it does nothing here: leave this line out. To '
+                'end the kernel, use the menu Kernel')
+
+    def __call__(self, *_status: object) -> None:
+        raise UsageError(repr(self))
 
 
 @magics_class
