@@ -1,10 +1,8 @@
 """The executor in a real Jupyter kernel: re-run cells, interrupts, errors, restarts and the end."""
 
-import os
-
 import pytest
 
-from tests.support.kernels import KernelManager
+from tests.support.kernels import DEADLINE_SEC, Kernel
 
 pytestmark = pytest.mark.slow
 
@@ -16,58 +14,13 @@ ros = param_tutorial.start()
 node = ros.add(SimpleParamNode)
 client = ParameterClient(node)
 '''
-DEADLINE_SEC = 60
-
-
-class Kernel:
-    """A kernel, and what its cells gave."""
-
-    def __init__(self):
-        self.manager = KernelManager(kernel_name='python3')
-        # The tests of this process have a ROS domain already; a kernel has to claim its own.
-        self.manager.start_kernel(env={name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'})
-        self.client = self.manager.client()
-        self.client.start_channels()
-        self.client.wait_for_ready(timeout=DEADLINE_SEC)
-
-    def run(self, code, *, interrupt_on=None):
-        """Run a cell; give its printed and shown text, with an error's name at the end.
-
-        :param interrupt_on: Press "interrupt" when this text has been printed.
-        """
-        text = []
-
-        def collect(message):
-            content = message['content']
-            if message['msg_type'] == 'stream':
-                text.append(content['text'])
-                if interrupt_on and interrupt_on in ''.join(text):
-                    self.manager.interrupt_kernel()
-            elif message['msg_type'] == 'execute_result':
-                text.append(content['data']['text/plain'])
-            elif message['msg_type'] == 'error':
-                text.append(f'{content["ename"]}: {content["evalue"]}')
-
-        self.client.execute_interactive(code, timeout=DEADLINE_SEC, output_hook=collect)
-        return ''.join(text)
-
-    def end(self):
-        """Shut the kernel down as JupyterLab does, and give its exit status."""
-        process = self.manager.provisioner.process
-        self.client.shutdown()
-        status = process.wait(DEADLINE_SEC)
-        self.client.stop_channels()
-        self.manager.cleanup_resources()
-        return status
 
 
 @pytest.fixture
 def kernel():
     kernel = Kernel()
     yield kernel
-    if kernel.manager.has_kernel:
-        kernel.client.stop_channels()
-        kernel.manager.shutdown_kernel(now=True)
+    kernel.kill()
 
 
 def test_cells_may_be_run_again_in_any_order(kernel):

@@ -1,14 +1,19 @@
-"""Kernels that are reached through sockets in a folder, and not through ports.
+"""Real kernels, and what their cells print. They are reached through sockets in a folder, and not through ports.
 
 Jupyter chooses five free ports, and the kernel takes them a second later. Where hundreds of kernels and browsers start,
 another process is there first once in a while. The kernel then dies, or its client waits forever.
 """
 
+import os
 import tempfile
 import uuid
+from collections.abc import Callable
+from typing import Any
 
 from jupyter_client.manager import KernelManager as KernelManagerOnPorts
 from traitlets import default
+
+DEADLINE_SEC = 60
 
 
 class KernelManager(KernelManagerOnPorts):
@@ -21,3 +26,60 @@ class KernelManager(KernelManagerOnPorts):
     def _folder_default(self) -> str:
         # The path of a socket may have 107 characters at most.
         return f'{tempfile.gettempdir()}/{uuid.uuid4().hex[:12]}'
+
+
+class Kernel:
+    """A kernel, and what its cells gave."""
+
+    def __init__(self) -> None:
+        self.manager = KernelManager(kernel_name='python3')
+        # The tests of this process have a ROS domain already; a kernel has to claim its own.
+        self.manager.start_kernel(env={name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'})
+        self.client = self.manager.client()
+        self.client.start_channels()
+        self.client.wait_for_ready(timeout=DEADLINE_SEC)
+
+    def run(self, code: str, *, interrupt_on: str = '', answer: Callable[[], str] | None = None) -> str:
+        """Run a cell; return its printed and shown text, with an error's name at the end.
+
+        :param interrupt_on: Press "interrupt" when this text has been printed.
+        :param answer: Called when the cell asks with input(); returns what to type.
+        """
+        text: list[str] = []
+        waiting = bool(interrupt_on)
+
+        def collect(message: dict[str, Any]) -> None:
+            nonlocal waiting
+            content = message['content']
+            if message['msg_type'] == 'stream':
+                text.append(content['text'])
+                if waiting and interrupt_on in ''.join(text):
+                    waiting = False
+                    self.manager.interrupt_kernel()
+            elif message['msg_type'] == 'execute_result':
+                text.append(content['data']['text/plain'])
+            elif message['msg_type'] == 'error':
+                text.append(f'{content["ename"]}: {content["evalue"]}')
+
+        def type_in(_message: dict[str, Any]) -> None:
+            assert answer is not None
+            self.client.input(answer())
+
+        self.client.execute_interactive(code, timeout=DEADLINE_SEC, output_hook=collect,
+                                        allow_stdin=answer is not None, stdin_hook=type_in)
+        return ''.join(text)
+
+    def end(self) -> int:
+        """Shut the kernel down as JupyterLab does, and return its exit status."""
+        process = self.manager.provisioner.process
+        self.client.shutdown()
+        status = process.wait(DEADLINE_SEC)
+        self.client.stop_channels()
+        self.manager.cleanup_resources()
+        return status
+
+    def kill(self) -> None:
+        """End the kernel, whatever it does."""
+        if self.manager.has_kernel:
+            self.client.stop_channels()
+            self.manager.shutdown_kernel(now=True)
