@@ -31,7 +31,7 @@ CORNER = '/_check'
 # How long each constructor, function, answer or reaction may take.
 TIME_LIMIT_SEC = 5.0
 # How long a reaction may take after another one did not come: a check should not take minutes to say so.
-_SHORT_TIME_LIMIT_SEC = 1.5
+_SHORT_TIME_LIMIT_SEC = 1.0
 
 
 # What rclpy raises for a parameter file, with rcl's own words in it.
