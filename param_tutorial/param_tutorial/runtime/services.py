@@ -127,6 +127,8 @@ class Services:
                 gone = not client.service_is_ready()
                 if finished.wait(_LOOK_PERIOD_SEC):  # an answer may have been on its way
                     break
+                if gone and is_second_chance:  # its callback could not be interrupted, so it was removed
+                    raise NoAnswerError(node, service, timeout_sec)
                 if gone:
                     raise NodeGoneError(node, service)
                 if time.monotonic() > deadline:
@@ -194,6 +196,8 @@ class Services:
         with self._lock:
             pending = list(self._pending.items())
         for future, call in pending:
+            if math.isinf(call.deadline):
+                continue  # somebody waits for it, and looks after it
             if time.monotonic() > call.deadline:
                 self._fail(future, NoAnswerError(call.node, call.service, call.timeout_sec))
             elif not call.client.service_is_ready():
