@@ -40,7 +40,7 @@ STOP_TIMEOUT_SEC = 3.0
 # An interrupted callback may have to wait for a busy processor before it ends. Only after this is it called stuck.
 INTERRUPT_TIMEOUT_SEC = 3.0
 # A callback that has not noticed by then that it is interrupted is not running Python: it sleeps, in time.sleep() say.
-_NOTICE_TIMEOUT_SEC = 1.0
+_NOTICE_TIMEOUT_SEC = 2.0
 # A callback that has kept the thread for so long, when a request is not answered in time, is why.
 _BUSY_SEC = 2.0
 # How long whoever needs the thread waits at least, even if a callback has kept it for long already.
