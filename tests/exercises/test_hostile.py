@@ -21,6 +21,15 @@ def kernels():
         kernel.kill()
 
 
+@pytest.fixture
+def kernel():
+    """A kernel for one test, with the stage in it."""
+    kernel = Kernel()
+    start(kernel)
+    yield kernel
+    kernel.kill()
+
+
 @pytest.mark.parametrize(('name', 'place'), TRIED)
 def test_a_hostile_line_gets_a_word_and_work_goes_on(kernels, name, place):
     if not kernels:
@@ -41,10 +50,7 @@ def test_a_hostile_line_gets_a_word_and_work_goes_on(kernels, name, place):
         assert len(tried.text) < 30_000
 
 
-def test_the_context_of_the_stage_survives_an_interrupt_in_a_cell_with_init(kernels):
-    kernel = Kernel()
-    kernels.append(kernel)
-    start(kernel)
+def test_the_context_of_the_stage_survives_an_interrupt_in_a_cell_with_init(kernel):
     text = kernel.run("rclpy.init()\nprint('busy', flush=True)\ntime.sleep(600)", interrupt_on='busy')
     assert 'KeyboardInterrupt' in text
     assert kernel.run("ParameterClient('keeper').get_parameter('x'), rclpy.ok()") == '(1, True)'
@@ -56,10 +62,7 @@ def test_the_context_of_the_stage_survives_an_interrupt_in_a_cell_with_init(kern
     'while rclpy.ok(): rclpy.spin_once(by_hand, timeout_sec=600.0)',
     'rclpy.spin_until_future_complete(by_hand, rclpy.task.Future(), timeout_sec=600.0)',
 ])
-def test_a_wait_with_a_time_limit_is_as_in_rclpy_and_can_be_interrupted(kernels, line):
-    kernel = Kernel()
-    kernels.append(kernel)
-    start(kernel)
+def test_a_wait_with_a_time_limit_is_as_in_rclpy_and_can_be_interrupted(kernel, line):
     kernel.run("by_hand = Node('by_hand'); ticks = []; timer = by_hand.create_timer(0.01, lambda: ticks.append(1))\n"
                "while len(ticks) < 3: rclpy.spin_once(by_hand, timeout_sec=0.1)\ntimer.cancel()")
     assert kernel.run('len(ticks)') == '3'

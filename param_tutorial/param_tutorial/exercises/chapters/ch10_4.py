@@ -124,7 +124,7 @@ class Lamp(Node):
 
 def call(trial: Trial, keep: list[str], ros_args: Sequence[str] = ()) -> tuple[Lamp, object]:
     """Start a lamp, change it, call the learner's function, and return the lamp with what that returned."""
-    lamp = trial.start(Lamp, ros_args=ros_args)
+    lamp = trial.start(Lamp, ros_args=ros_args, all_services=True)
     trial.client(lamp).set_parameters_atomically({'dim_percent': 1, 'full_percent': 5, 'colour': 'red'})
     return lamp, trial.call(f'factory_settings(lamp, Lamp, {keep})', trial.work, lamp, Lamp, keep)
 
