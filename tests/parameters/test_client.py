@@ -286,6 +286,7 @@ def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
     child = process('''
         import param_tutorial
         param_tutorial.start()
+        param_tutorial.ParameterClient('/lab/everything', timeout_sec=30).get_parameter('limits.high')  # it is there
         try:
             param_tutorial.ParameterClient('/lab/everything', timeout_sec=0.2).set_parameter('limits.high', 13)
         except TimeoutError as error:
