@@ -165,21 +165,6 @@ def test_a_learner_and_a_terminal(request, opened):
     expect(page.box('robot_serial_number')).to_be_disabled()
 
 
-def test_controls_answer_while_a_cell_waits(open_notebook, tmp_path):
-    """The cell ends when the node has what was typed meanwhile."""
-    wait = "param_tutorial.wait_until(lambda: node.get_parameter('robot_name').value == 'Rex', 'Rex', timeout_sec=100)"
-    cells = *lesson.LESSON, 'Now:', f"{wait}\n'it has come'"
-    _, page = open_notebook(lesson.write(tmp_path / 'waiting.ipynb', cells))
-    for index in (1, 3):
-        page.select_cell(index)
-        page.command('notebook:run-cell')
-    page.select_cell(7)
-    page.start('notebook:run-cell')
-    page.box('robot_name').fill('Rex')
-    page.box('robot_name').press('Enter')
-    expect(page.page.get_by_text("'it has come'", exact=True)).to_be_visible()
-
-
 def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     """A slider may report its position, which is rounded, when it is drawn."""
     lab, page = open_lesson

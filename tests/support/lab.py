@@ -221,10 +221,6 @@ class LabPage:
         self.page.evaluate('([name, args]) => window.jupyterapp.commands.execute(name, args).then(() => null)',
                            [name, arguments])
 
-    def start(self, name: str) -> None:
-        """Execute one of JupyterLab's commands, and do not wait for its end."""
-        self.page.evaluate('name => { window.jupyterapp.commands.execute(name); }', name)
-
     def run_all(self) -> None:
         """Run all cells and wait until each has its number."""
         self.command('notebook:run-all-cells')
