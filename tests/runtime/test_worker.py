@@ -1,5 +1,8 @@
 """The thread behind a view: when it calls, and when it ends. Waits for conditions, never for a time."""
 
+import subprocess
+import sys
+import textwrap
 import threading
 
 import pytest
@@ -168,3 +171,17 @@ def test_after_an_exception_it_can_be_woken_again(make, never_by_itself, monkeyp
     assert raised[0].exc_type is ZeroDivisionError
     worker.wake()
     wait_for_calls(step, 1)
+
+
+def test_no_worker_is_left_when_the_interpreter_ends():
+    # Functions registered first are called last.
+    done = subprocess.run([sys.executable, '-c', textwrap.dedent('''
+        import atexit, threading
+        atexit.register(lambda: print(threading.active_count()))
+        from param_tutorial.runtime.worker import Worker
+        workers = [Worker(lambda: 0.0, 'busy', 0.001) for _ in range(20)]
+        for worker in workers:
+            worker.wake()
+        print(threading.active_count())
+    ''')], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, '21\n1\n', '')

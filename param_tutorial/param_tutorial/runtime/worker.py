@@ -1,13 +1,16 @@
 """A thread that exists only while there is work. No ROS, no Jupyter."""
 
+import atexit
 import threading
 import time
+import weakref
 from collections.abc import Callable
 
 # What the name of every worker's thread begins with.
 THREAD_NAME_PREFIX = 'worker: '
 _LOOK_PERIOD_SEC = 0.25
 _IDLE_LOOKS = 4
+_END_TIMEOUT_SEC = 3.0
 
 
 class Worker:
@@ -32,6 +35,7 @@ class Worker:
         self._ended = False
         self._thread: threading.Thread | None = None
         self._one_at_a_time = threading.Lock()
+        _workers.add(self)
 
     @property
     def is_idle(self) -> bool:
@@ -102,3 +106,21 @@ class Worker:
             pause_sec = _LOOK_PERIOD_SEC if again_sec is None else min(again_sec, _LOOK_PERIOD_SEC)
             time.sleep(self._period_sec)
             pause_sec = max(0.0, pause_sec - self._period_sec)
+
+
+_workers: 'weakref.WeakSet[Worker]' = weakref.WeakSet()
+
+
+@atexit.register
+def _end_all() -> None:
+    """End all workers, and wait for their threads.
+
+    A thread that still sends something to the browser while the interpreter ends may abort a Jupyter kernel, or keep it
+    from ending at all.
+    """
+    deadline = time.monotonic() + _END_TIMEOUT_SEC
+    for worker in list(_workers):
+        worker.end()
+    for thread in threading.enumerate():
+        if thread.name.startswith(THREAD_NAME_PREFIX):
+            thread.join(max(0.0, deadline - time.monotonic()))
