@@ -2,8 +2,7 @@
 
 import pytest
 
-from tests.support.hostile import IN_THE_CELL, LINES, PLACES, attempt, start
-from tests.support.kernels import Kernel
+from tests.support.hostile import IN_THE_CELL, LINES, PLACES, attempt, started
 
 pytestmark = pytest.mark.slow
 
@@ -24,8 +23,7 @@ def kernels():
 @pytest.fixture
 def kernel():
     """A kernel for one test, with the stage in it."""
-    kernel = Kernel()
-    start(kernel)
+    kernel = started()
     yield kernel
     kernel.kill()
 
@@ -33,8 +31,7 @@ def kernel():
 @pytest.mark.parametrize(('name', 'place'), TRIED)
 def test_a_hostile_line_gets_a_word_and_work_goes_on(kernels, name, place):
     if not kernels:
-        kernels.append(Kernel())
-        start(kernels[0])
+        kernels.append(started())
     try:
         tried = attempt(kernels[0], name, place)
     except TimeoutError:

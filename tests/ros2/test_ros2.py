@@ -19,7 +19,7 @@ from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.ros2 import command, session
 from param_tutorial.ros2.run import node_programs
-from param_tutorial.runtime import executor, graph, stage
+from param_tutorial.runtime import domain, executor, graph, stage
 
 EMBEDDED = [sys.executable, '-m', 'param_tutorial']
 
@@ -330,7 +330,7 @@ def test_the_programs_that_colcon_installs_are_the_same(request):
 
 
 def test_a_process_without_a_domain_is_where_everybody_is():
-    environment = {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
+    environment = domain.environment_without_domain()
     program = ('import os, sys; sys.argv[1:] = ["-h"]; import param_tutorial.__main__ as m; m.main(); '
                'print(os.environ["ROS_DOMAIN_ID"])')
     done = subprocess.run([sys.executable, '-c', program], env=environment, capture_output=True, text=True, timeout=60)

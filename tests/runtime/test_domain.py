@@ -32,7 +32,7 @@ def test_it_stays_the_same_and_stands_in_the_environment():
 
 def test_living_processes_have_different_domains():
     source = 'from param_tutorial.runtime import domain; print(domain.choose(), flush=True); input()'
-    environment = {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
+    environment = domain.environment_without_domain()
     children = [subprocess.Popen([sys.executable, '-c', source], env=environment, text=True,
                                  stdin=subprocess.PIPE, stdout=subprocess.PIPE) for _ in range(6)]
     try:

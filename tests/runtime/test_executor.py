@@ -1,7 +1,6 @@
 """background: life and death of the executor, its nodes and its thread."""
 
 import inspect
-import os
 import re
 import subprocess
 import sys
@@ -21,7 +20,7 @@ from rclpy.node import Node
 import param_tutorial
 from param_tutorial import ParameterClient
 from param_tutorial.errors import ExecutorError, WaitTimeoutError
-from param_tutorial.runtime import executor, stage
+from param_tutorial.runtime import domain, executor, stage
 
 
 class Speed(Node):
@@ -34,7 +33,7 @@ class Speed(Node):
 
 def run_python(source, **options):
     """Run a script in a process of its own, and in a ROS domain of its own: in this one, killed nodes may linger."""
-    environment = {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
+    environment = domain.environment_without_domain()
     return subprocess.run([sys.executable, '-c', textwrap.dedent(source)], capture_output=True, text=True,
                           timeout=60, check=False, **{'env': environment, **options})
 

@@ -191,10 +191,12 @@ class Attempt(NamedTuple):
         return self.stage.endswith(ALIVE_SAYS), self.check.endswith('True')
 
 
-def start(kernel: Kernel) -> None:
-    """Set a kernel up."""
+def started() -> Kernel:
+    """Return a new kernel with the stage in it."""
+    kernel = Kernel()
     said = kernel.run(SET_UP)
     assert not said, said
+    return kernel
 
 
 def attempt(kernel: Kernel, name: str, place: str) -> Attempt:

@@ -4,7 +4,6 @@ Jupyter chooses five free ports, and the kernel takes them a second later. Where
 another process is there first once in a while. The kernel then dies, or its client waits forever.
 """
 
-import os
 import tempfile
 import uuid
 from collections.abc import Callable
@@ -12,6 +11,8 @@ from typing import Any
 
 from jupyter_client.manager import KernelManager as KernelManagerOnPorts
 from traitlets import default
+
+from param_tutorial.runtime import domain
 
 DEADLINE_SEC = 60
 
@@ -34,7 +35,7 @@ class Kernel:
     def __init__(self) -> None:
         self.manager = KernelManager(kernel_name='python3')
         # The tests of this process have a ROS domain already; a kernel has to claim its own.
-        self.manager.start_kernel(env={name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'})
+        self.manager.start_kernel(env=domain.environment_without_domain())
         self.client = self.manager.client()
         self.client.start_channels()
         self.client.wait_for_ready(timeout=DEADLINE_SEC)

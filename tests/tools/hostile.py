@@ -7,15 +7,14 @@ With words, only lines and places with one of them in their names.
 
 import sys
 
-from tests.support.hostile import LINES, PLACES, attempt, start
-from tests.support.kernels import Kernel
+from tests.support.hostile import LINES, PLACES, attempt, started
 
 
 def main(words: list[str]) -> None:
     """Print the table, each row as soon as it is known."""
     print('| line | place | answered after s | next check done after s | characters shown | |\n'
           '|---|---|---|---|---|---|')
-    kernel = new_kernel()
+    kernel = started()
     for name, line in LINES.items():
         for place in PLACES:
             if words and not any(word in name or word in place for word in words):
@@ -25,20 +24,13 @@ def main(words: list[str]) -> None:
             except TimeoutError:
                 print(f'| {name} | {place} | | | | hangs |', flush=True)
                 kernel.kill()
-                kernel = new_kernel()
+                kernel = started()
                 continue
             lives, works = tried.goes_on
             faults = {'stage dead': not lives, 'next check fails': not works, 'no word': not tried.says(line.says)}
             print(f'| {name} | {place} | {tried.answered_sec:.1f} | {tried.all_sec:.1f} | {len(tried.text)} | '
                   f'{", ".join(fault for fault, is_so in faults.items() if is_so)} |', flush=True)
     kernel.end()
-
-
-def new_kernel() -> Kernel:
-    """Return a kernel with the stage in it."""
-    kernel = Kernel()
-    start(kernel)
-    return kernel
 
 
 if __name__ == '__main__':

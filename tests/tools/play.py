@@ -6,18 +6,13 @@ with the tag `present-state` show what the node has now, so they may differ.
 """
 
 import argparse
-import contextlib
-import os
 import random
-import subprocess
 import sys
 from pathlib import Path
 
 import nbformat
-from nbclient import NotebookClient
-from nbclient.exceptions import CellExecutionError
 
-from param_tutorial.lessons.recording import comparison, run
+from param_tutorial.lessons.recording import run
 from tests.support.paths import NOTEBOOKS
 
 PRESENT_STATE = 'present-state'
@@ -55,26 +50,20 @@ def play(path: Path, seed: int) -> list[str]:
 
     :return: What cells said in place of the stored output.
     """
-    notebook = nbformat.read(path, as_version=4)
-    client = NotebookClient(notebook, timeout=120, kernel_manager_class=run.OwnKernel, coalesce_streams=True,
-                            store_widget_state=False, allow_errors=True,
-                            resources={'metadata': {'path': str(path.parent)}})
-    environment = {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
-    code_cells = [(index, cell) for index, cell in enumerate(notebook.cells) if cell.cell_type == 'code']
     found: list[str] = []
-    with client.setup_kernel(env=environment, stderr=subprocess.DEVNULL):
+    with run.started(path, allow_errors=True) as client:
         def do(source: str) -> None:
-            notebook.cells.append(nbformat.v4.new_code_cell(source))
-            client.execute_cell(notebook.cells[-1], len(notebook.cells) - 1, store_history=False)
-            for output in notebook.cells.pop().outputs:
+            cells = client.nb.cells
+            cells.append(nbformat.v4.new_code_cell(source))
+            client.execute_cell(cells[-1], len(cells) - 1, store_history=False)
+            for output in cells.pop().outputs:
                 if output.output_type == 'error':
                     found.append(f'{path.name}: the hand itself failed: {output.ename}: {output.evalue}')
         do(HAND)
-        for (index, cell), stored in zip(code_cells, comparison.cells_of(path)):
+        for index, cell, stored in run.cells_to_run(client.nb, path):
             do(f'_play({seed + index})')
             cell.outputs = []
-            with contextlib.suppress(CellExecutionError):
-                client.execute_cell(cell, index)
+            client.execute_cell(cell, index)
             if (difference := stored.difference(cell.outputs)) and PRESENT_STATE not in cell.metadata.get('tags', []):
                 found.append(f'{path.name}, cell {index}:\n{cell.source}\n--\n{difference}')
     return found

@@ -50,6 +50,7 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
 def unload_ipython_extension(ipython: InteractiveShell) -> None:
     """Undo what concerns each cell: ``%unload_ext param_tutorial``, and the first half of ``%reload_ext``."""
     ipython.events.unregister('pre_run_cell', _before_cell)
+    ipython.user_ns.update(exit=ipython.exiter, quit=ipython.exiter)
 
 
 def _before_cell(info: ExecutionInfo) -> None:

@@ -49,6 +49,11 @@ def choose() -> int:
     return _claim[0]
 
 
+def environment_without_domain() -> dict[str, str]:
+    """Return the environment of this process for one that is to choose a ROS domain of its own."""
+    return {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
+
+
 def is_limited_to_this_host() -> bool:
     """True if discovery leaves other machines alone, as the environment of this process has it."""
     if os.environ.get('ROS_STATIC_PEERS'):

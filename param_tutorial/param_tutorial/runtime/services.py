@@ -4,7 +4,6 @@ Knows the six services that every node offers, discovery, time limits, and nodes
 mid-call. What the requests mean is in ``client``.
 """
 
-import math
 import threading
 import time
 from collections.abc import Callable
@@ -58,8 +57,10 @@ class _PendingCall:
     service: str
     request: Any
     client: Client
-    deadline: float
-    timeout_sec: float
+    timeout_sec: float | None
+    """None if somebody waits for the answer, and looks after it."""
+    sent: float
+    """By the monotonic clock, in seconds."""
 
 
 class Services:
@@ -120,7 +121,7 @@ class Services:
         try:
             while True:
                 if not sent or (repeat and time.monotonic() > began + len(sent) * _REPEAT_PERIOD_SEC):
-                    sent.append(self._send(client, node, service, request, math.inf))  # this loop knows when
+                    sent.append(self._send(client, node, service, request))
                     sent[-1].add_done_callback(lambda _: finished.set())
                 if finished.wait(_LOOK_PERIOD_SEC):
                     break
@@ -196,9 +197,9 @@ class Services:
         with self._lock:
             pending = list(self._pending.items())
         for future, call in pending:
-            if math.isinf(call.deadline):
-                continue  # somebody waits for it, and looks after it
-            if time.monotonic() > call.deadline:
+            if call.timeout_sec is None:
+                continue
+            if time.monotonic() > call.sent + call.timeout_sec:
                 self._fail(future, NoAnswerError(call.node, call.service, call.timeout_sec))
             elif not call.client.service_is_ready():
                 self._fail(future, NodeGoneError(call.node, call.service))
@@ -240,12 +241,12 @@ class Services:
             time.sleep(0.01)
         return client
 
-    def _send(self, client: Client, node: str, service: str, request: Any, timeout_sec: float) -> Future:
+    def _send(self, client: Client, node: str, service: str, request: Any,
+              timeout_sec: float | None = None) -> Future:
         # The lock is held over both steps: the answer, or the error of a callback, may come in between.
         with self._lock:
             future = client.call_async(request)
-            self._pending[future] = _PendingCall(
-                node, service, request, client, time.monotonic() + timeout_sec, timeout_sec)
+            self._pending[future] = _PendingCall(node, service, request, client, timeout_sec, time.monotonic())
         return future
 
     def _forget(self, future: Future, client: Client) -> None:

@@ -8,7 +8,6 @@ ask. So every answer comes from the very state that the page shows, and no quest
 import ast
 import contextlib
 import json
-import os
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -24,6 +23,7 @@ from nbformat import NotebookNode
 
 from param_tutorial.lessons.recording import comparison
 from param_tutorial.lessons.recording.recorded import Page, Recording, ViewFacts
+from param_tutorial.runtime import domain
 
 WIDGET = 'application/vnd.jupyter.widget-view+json'
 _ANSWER = 'application/x-param-tutorial-recording+json'
@@ -125,19 +125,31 @@ def _widgets_of(cell: NotebookNode) -> list[tuple[str, str]]:
 @contextlib.contextmanager
 def _executed(path: Path, end: int | None = None) -> Iterator[NotebookClient]:
     """Run the cells before one, compare what each puts out, and keep the kernel for a while."""
-    notebook = read_notebook(path)
-    client = NotebookClient(notebook, timeout=_CELL_TIMEOUT_SEC, kernel_manager_class=OwnKernel,
-                            coalesce_streams=True, store_widget_state=False,
-                            resources={'metadata': {'path': str(path.parent)}})
-    code_cells = [(index, cell) for index, cell in enumerate(notebook.cells[:end]) if cell.cell_type == 'code']
-    # Each kernel claims a ROS domain of its own.
-    environment = {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}
-    # What a kernel says beside its messages is of the kernel and not of the lesson.
-    with client.setup_kernel(env=environment, stderr=subprocess.DEVNULL):
-        for (index, cell), stored in zip(code_cells, comparison.cells_of(path)):
-            if not stored.is_skipped:
+    with started(path) as client:
+        for index, cell, stored in cells_to_run(client.nb, path):
+            if (end is None or index < end) and not stored.is_skipped:
                 _execute_and_compare(path, client, index, cell, stored)
         yield client
+
+
+@contextlib.contextmanager
+def started(path: Path, *, allow_errors: bool = False) -> Iterator[NotebookClient]:
+    """Start a kernel for a chapter, in a ROS domain of its own, and end it.
+
+    :param allow_errors: Whether a cell that ends in an error is one like any other.
+    """
+    client = NotebookClient(read_notebook(path), timeout=_CELL_TIMEOUT_SEC, kernel_manager_class=OwnKernel,
+                            coalesce_streams=True, store_widget_state=False, allow_errors=allow_errors,
+                            resources={'metadata': {'path': str(path.parent)}})
+    # What a kernel says beside its messages is of the kernel and not of the lesson.
+    with client.setup_kernel(env=domain.environment_without_domain(), stderr=subprocess.DEVNULL):
+        yield client
+
+
+def cells_to_run(notebook: NotebookNode, path: Path) -> list[tuple[int, NotebookNode, comparison.Cell]]:
+    """Return the code cells of a chapter: their indices, themselves, and what is stored with them."""
+    code_cells = [(index, cell) for index, cell in enumerate(notebook.cells) if cell.cell_type == 'code']
+    return [(index, cell, stored) for (index, cell), stored in zip(code_cells, comparison.cells_of(path))]
 
 
 def _execute_and_compare(path: Path, client: NotebookClient, index: int, cell: NotebookNode,
