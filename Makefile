@@ -32,6 +32,14 @@ reset: setup  ## make your copy of one chapter fresh again, and keep what was th
 	@test -n "$(CHAPTER)" || { echo "Which one? make reset CHAPTER=06" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.learner "$(CHAPTER)" $(ARGS)
 
+# The file is in my_lessons/, and so is what is kept of it.
+reset-progress: setup  ## forget which exercises you have solved, and keep the file of before
+	@$(VENV) -m param_tutorial.learner reset-progress $(ARGS)
+
+class: setup  ## one table of a class's progress files: make class FOLDER=…, with ARGS=--csv as CSV
+	@test -n "$(FOLDER)" || { echo "Where are the files? make class FOLDER=…" >&2; exit 1; }
+	@$(VENV) -m param_tutorial.learner class "$(FOLDER)" $(ARGS)
+
 test: lint  ## run the whole test suite, as CI does
 	@$(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
@@ -76,4 +84,4 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset test test-fast test-pythons play html lesson bench lint lock clean
+.PHONY: help setup setup-all lab reset reset-progress class test test-fast test-pythons play html lesson bench lint lock clean

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from param_tutorial.errors import CopiesError
 from param_tutorial.learner.copies import Copies
+from param_tutorial.progress.record import VARIABLE
 
 ROOT = Path(__file__).resolve().parent.parent
 STATE = Path(sys.prefix) / 'jupyter'
@@ -35,6 +36,8 @@ def environment(outer: Mapping[str, str]) -> dict[str, str]:
         'PATH': os.pathsep.join([programs, outer.get('PATH', os.defpath)]),
         'PARAM_TUTORIAL_PROGRAMS': programs,
         'VIRTUAL_ENV': sys.prefix,
+        # What the learner solves is remembered there; without the variable nothing is remembered.
+        VARIABLE: str(Copies(ROOT).progress.path),
         'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
         'JUPYTER_CONFIG_DIR': str(STATE / 'config'),
         'JUPYTER_DATA_DIR': str(STATE / 'data'),

@@ -14,6 +14,7 @@ node, ``ParameterPanel`` shows them as controls. The rooms of the package, top t
     runtime
     ros1
     pictures
+    progress
     nodes
     errors
 """

@@ -154,6 +154,10 @@ class ParameterRefusedError(NodeError):
         self.result = result
 
 
+class ProgressError(ParameterToolError):
+    """A file of a learner's progress is damaged, or is none."""
+
+
 def describe_error(error: BaseException) -> str:
     """Return an error as a sentence for learners; one that is not ours keeps its class, since its text may be terse."""
     return str(error) if isinstance(error, ParameterToolError) else f'{type(error).__name__}: {error}'

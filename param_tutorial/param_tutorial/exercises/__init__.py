@@ -2,19 +2,28 @@
 
     exercises.check('3a', Rover)      what is done, what is not yet, and where to look
     exercises.hint('3a')              one hint; run it again for the next
+    exercises.predict('3-1')          a question, before the cell that answers it
+    exercises.progress('3')           what you have solved of the chapter
+    exercises.certificate()           a page that lists what you have proved
 
 One module for each chapter holds its exercises, each as a list of requirements: a sentence, and a small function
 that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutions/``; neither is repeated here.
 
-    ch03, ch04, …   the exercises
+    chapters        the exercises
     exercise        what an exercise is, and how its check runs
     trial           a corner of the stage for the learner's nodes, cleared afterwards
     results         the answer, as text and as HTML
+    questions       the predictions, as data
+    prediction      what a prediction is
+    predicting      the widget that asks for one
+    achievements    a chapter's ticks, and the certificate
 """
 
+from collections.abc import Mapping
 from typing import Any
 
 from param_tutorial.errors import nearest
+from param_tutorial.exercises.achievements import Certificate, Chapter, ChapterProgress
 from param_tutorial.exercises.chapters import (
     ch01,
     ch02,
@@ -36,11 +45,20 @@ from param_tutorial.exercises.chapters import (
     ch11,
 )
 from param_tutorial.exercises.exercise import Exercise
+from param_tutorial.exercises.predicting import PredictionView
+from param_tutorial.exercises.prediction import Prediction
+from param_tutorial.exercises.questions import QUESTIONS
 from param_tutorial.exercises.results import Answer, Hint, Result
+from param_tutorial.progress import record, ticks
 
-CHAPTERS = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
+_MODULES = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
             ch10_3, ch10_4, ch11)
-EXERCISES: dict[str, Exercise] = {each.number: each for module in CHAPTERS for each in module.EXERCISES}
+CHAPTERS = {each.number: each for each in (
+    Chapter(module.EXERCISES[0].number.rstrip('abcdef'), module.CHAPTER, module.EXERCISES, predictions, praise)
+    for module, (predictions, praise) in zip(_MODULES, QUESTIONS))}
+EXERCISES: dict[str, Exercise] = {each.number: each for chapter in CHAPTERS.values() for each in chapter.exercises}
+PREDICTIONS: dict[str, Prediction] = {each.number: each for chapter in CHAPTERS.values()
+                                      for each in chapter.predictions}
 
 _FORGOTTEN = object()
 _hints_given: dict[str, int] = {}
@@ -58,7 +76,16 @@ def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
     exercise = EXERCISES.get(str(number))
     if exercise is None:
         return _unknown(number)
-    return exercise.without_work() if work is _FORGOTTEN else exercise.check(work)
+    if work is _FORGOTTEN:
+        return exercise.without_work()
+    result = exercise.check(work)
+    file = record.own()
+    if result.done and file is not None:
+        result.text = f'{result.text} {file.add_solved(exercise.number)}'.strip()
+        remembered, _ = file.read()
+        ticks.tick(file.path.parent, {chapter.name: [each.number for each in chapter.exercises]
+                                      for chapter in CHAPTERS.values()}, remembered.solved)
+    return result
 
 
 def hint(number: str = '') -> Answer:
@@ -73,8 +100,44 @@ def hint(number: str = '') -> Answer:
     return Hint(number, given, exercise.hints)
 
 
-def _unknown(number: Any) -> Answer:
-    return Answer(f'There is no exercise {number!r}{nearest(str(number), list(EXERCISES), "There are none")}')
+def predict(number: str = '') -> PredictionView | Answer:
+    """Ask what the next cell will show; the widget says what became of the prediction once that cell has run.
+
+    :param number: Of the prediction, e.g. '3-1' or '5.2-4'.
+    """
+    prediction = PREDICTIONS.get(str(number))
+    if prediction is None:
+        return _unknown(number, 'prediction', PREDICTIONS)
+    return PredictionView(prediction, _remember_prediction)
 
 
-__all__ = ['CHAPTERS', 'EXERCISES', 'Answer', 'Hint', 'Result', 'check', 'hint']
+def progress(number: str = '') -> Answer:
+    """Return what there is to solve in a chapter, with a tick at what the learner has solved.
+
+    :param number: Of the chapter, e.g. '3' or '5.2'.
+    """
+    chapter = CHAPTERS.get(str(number))
+    if chapter is None:
+        return _unknown(number, 'chapter', CHAPTERS)
+    return ChapterProgress(chapter, record.own())
+
+
+def certificate(name: str = '') -> Answer:
+    """Write a page that lists the solved exercises with their dates, beside the learner's chapters, and return it.
+
+    :param name: The learner's, for the page; by default there is a line to write it on.
+    """
+    return Certificate(tuple(CHAPTERS.values()), record.own(), name)
+
+
+def _remember_prediction(number: str, choice: str, is_right: bool) -> str:
+    file = record.own()
+    return '' if file is None else file.add_prediction(number, choice, right=is_right)
+
+
+def _unknown(number: Any, what: str = 'exercise', existing: Mapping[str, object] = EXERCISES) -> Answer:
+    return Answer(f'There is no {what} {number!r}{nearest(str(number), list(existing), "There are none")}')
+
+
+__all__ = ['CHAPTERS', 'EXERCISES', 'PREDICTIONS', 'Answer', 'Hint', 'Result', 'certificate', 'check', 'hint',
+           'predict', 'progress']

@@ -56,14 +56,18 @@ class Requirement(NamedTuple):
 class Exercise:
     """One exercise of a chapter."""
 
-    def __init__(self, number: str, chapter: str, takes: Kind, hints: tuple[str, ...], *, node_name: str = ''):
+    def __init__(self, number: str, title: str, chapter: str, takes: Kind, hints: tuple[str, ...], *,
+                 node_name: str = ''):
         """
         :param number: Of the chapter, and a letter: '5.2b'.
+        :param title: As in the chapter's heading.
         :param chapter: The name of its notebook, without the ending.
         :param hints: From a nudge to nearly the answer.
         :param node_name: How the learner's node has to be called.
         """
         self.number = number
+        self.title = title
+        self.chapter = chapter
         self.solutions = f'solutions/{chapter}.ipynb'
         self.takes = takes
         self.hints = hints

@@ -1,4 +1,4 @@
-"""The command line for the learner's copies: ``make reset CHAPTER=06``."""
+"""The command line of the learner and the teacher: ``make reset``, ``make reset-progress`` and ``make class``."""
 
 import argparse
 import sys
@@ -11,18 +11,52 @@ ROOT = Path(__file__).resolve().parents[3]
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Read the command line, and make one chapter fresh again.
+    """Read the command line, and do what it says.
 
     :return: The exit status.
     """
-    parser = argparse.ArgumentParser(prog='python -m param_tutorial.learner',
-                                     description='Make your copy of one chapter fresh again, and keep what was there.')
-    parser.add_argument('chapter', help='the number of the chapter, such as 06 or 5.2')
+    parser = argparse.ArgumentParser(
+        prog='python -m param_tutorial.learner',
+        description='Make your copy of one chapter fresh again, and keep what was there; or, with another word in the '
+                    'place of the chapter, forget your progress, or show that of a class.')
+    parser.add_argument('what', help='the number of a chapter, such as 06 or 5.2; or reset-progress; or class')
+    parser.add_argument('folder', type=Path, nargs='?', help='with class: where the progress files are')
+    parser.add_argument('--csv', action='store_true', help='with class: print comma-separated values')
     parser.add_argument('--course', type=Path, default=ROOT, help='the checkout of the course')
     options = parser.parse_args(arguments)
+    if (options.what == 'class') != (options.folder is not None) or (options.csv and options.what != 'class'):
+        parser.error('class takes a folder, and nothing else does' if not options.csv else '--csv belongs to class')
+    if options.what == 'class':
+        return _show_class(options.folder, as_csv=options.csv)
+    copies = Copies(options.course.resolve())
     try:
-        print(Copies(options.course.resolve()).reset(options.chapter))
+        print(_reset_progress(copies) if options.what == 'reset-progress' else copies.reset(options.what))
     except CopiesError as error:
         print(error, file=sys.stderr)
         return 1
+    return 0
+
+
+def _reset_progress(copies: Copies) -> str:
+    try:
+        kept = copies.progress.reset()
+    except OSError as error:
+        raise CopiesError(f'Your progress could not be reset: {error.strerror}: {error.filename}.') from error
+    if kept is None:
+        return 'No progress is remembered, so there is nothing to forget.'
+    copies.tick()
+    return f'Your progress is forgotten. What was remembered is kept in {kept}.'
+
+
+def _show_class(folder: Path, *, as_csv: bool) -> int:
+    # Imported here: it brings rclpy along, which delivering the copies does not need.
+    from param_tutorial.learner.classroom import format_csv, format_table, read_class
+
+    students, bad = read_class(folder)
+    for each in bad:
+        print(each, file=sys.stderr)
+    if not students:
+        print(f'There is no progress file in {folder}.', file=sys.stderr)
+        return 1
+    print(format_csv(students) if as_csv else format_table(students))
     return 0

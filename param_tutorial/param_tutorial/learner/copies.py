@@ -11,7 +11,6 @@ import contextlib
 import datetime
 import errno
 import hashlib
-import os
 import re
 import sqlite3
 from collections.abc import Iterator
@@ -23,6 +22,9 @@ from nbformat.sign import NotebookNotary
 
 from param_tutorial.errors import CopiesError
 from param_tutorial.learner.merging import merge
+from param_tutorial.progress import ticks
+from param_tutorial.progress.record import FILE, ProgressFile
+from param_tutorial.progress.storage import only_one, write_whole
 
 CHAPTERS = 'notebooks'
 COPIES = 'my_lessons'
@@ -31,6 +33,8 @@ DELIVERED = '.delivered'
 TRUST = '.trust'
 # Where the version of the chapter stands in a copy's metadata.
 _KEY = 'param_tutorial'
+# The cell that checks an exercise.
+_CHECK = re.compile(r'"id": "check-([\w-]+)"')
 
 
 class Copies:
@@ -51,9 +55,22 @@ class Copies:
         first = not (self.folder / DELIVERED).exists()
         with self._folder_of_ours():
             said = [sentence for name in self._names() if (sentence := self._bring(name))]
+        self.tick()
         if first:
             said.append(f'Your own copies of the chapters are in {COPIES}/. Change whatever you like there.')
         return said
+
+    @property
+    def progress(self) -> ProgressFile:
+        """What the learner has solved."""
+        return ProgressFile(self.folder / FILE)
+
+    def tick(self) -> None:
+        """Mark on the start page what the learner has solved."""
+        exercises = {path.stem: [found.replace('-', '.') for found in _CHECK.findall(path.read_text(encoding='utf-8'))]
+                     for path in sorted(self.chapters.glob('[0-9]*.ipynb'))}
+        progress, _ = self.progress.read()
+        ticks.tick(self.folder, exercises, progress.solved)
 
     def reset(self, chapter: str) -> str:
         """Make the copy of one chapter fresh again.
@@ -138,12 +155,15 @@ class Copies:
         """Bring a page or a picture up to date. There is nothing to merge it by: a new one takes its place."""
         content, copy = (self.chapters / name).read_bytes(), self.folder / name
         mine, kept = _bytes_of(copy), None
+        if mine is not None and name == Path(ticks.PAGE):
+            # Our own marks are no change of the learner's.
+            mine = ticks.without_ticks(mine.decode(errors='surrogateescape')).encode(errors='surrogateescape')
         if mine != content:
             changed_by_learner = mine is not None and not self._delivered(_digest(mine)).exists()
             if changed_by_learner and self._delivered(_digest(content)).exists():
                 return None
             kept = self._back_up(name) if changed_by_learner else None
-            _write(copy, content)
+            write_whole(copy, content)
         # Last: what is not recorded as delivered is brought again.
         self._record(_digest(content), content)
         if kept is None:
@@ -161,7 +181,7 @@ class Copies:
 
     def _record(self, version: str, content: bytes) -> None:
         if not self._delivered(version).exists():
-            _write(self._delivered(version), content)
+            write_whole(self._delivered(version), content)
 
     def _delivered(self, version: str) -> Path:
         return self.folder / DELIVERED / version
@@ -176,7 +196,7 @@ class Copies:
         while kept.exists():
             number += 1
             kept = self.folder / BACKUPS / f'{now}_{number}' / name
-        _write(kept, (self.folder / name).read_bytes())
+        write_whole(kept, (self.folder / name).read_bytes())
         return kept
 
     def _write_notebook(self, path: Path, text: str, *, trusted: bool) -> None:
@@ -184,7 +204,7 @@ class Copies:
             # First: a signature without its notebook does no harm. Nor does a notebook without, until it has outputs.
             with contextlib.suppress(sqlite3.Error), self._notary() as notary:
                 notary.sign(nbformat.v4.reads(text))
-        _write(path, text.encode())
+        write_whole(path, text.encode())
 
     def _is_trusted(self, notebook: NotebookNode) -> bool:
         """True if JupyterLab takes all outputs of this notebook for the learner's own."""
@@ -206,7 +226,7 @@ class Copies:
         try:
             self.folder.mkdir(exist_ok=True)
             self.trust.mkdir(mode=0o700, exist_ok=True)
-            with _only_one(self.folder):
+            with only_one(self.folder):
                 yield
         except OSError as error:
             raise CopiesError(_explain(error, self.folder)) from error
@@ -258,36 +278,6 @@ def _bytes_of(path: Path) -> bytes | None:
         return path.read_bytes()
     except FileNotFoundError:
         return None
-
-
-def _write(path: Path, content: bytes) -> None:
-    """Write a file whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    new = path.with_name(f'.{path.name}.new')
-    try:
-        with new.open('wb') as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        new.replace(path)
-    finally:
-        new.unlink(missing_ok=True)
-
-
-@contextlib.contextmanager
-def _only_one(folder: Path) -> Iterator[None]:
-    """Let one process at a time work in a folder; another one waits."""
-    try:
-        import fcntl
-    except ImportError:  # Windows has none
-        yield
-        return
-    number = os.open(folder, os.O_RDONLY)
-    try:
-        fcntl.flock(number, fcntl.LOCK_EX)
-        yield
-    finally:
-        os.close(number)
 
 
 def _explain(error: OSError, folder: Path) -> str:

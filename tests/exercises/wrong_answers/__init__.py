@@ -4,10 +4,12 @@
 and a word that the check has to find.
 """
 
+import re
 from importlib import import_module
 
 from param_tutorial.exercises import CHAPTERS
 
 # As a chapter's exercises, so its wrong answers: param_tutorial.exercises.ch08 and wrong_answers.ch08.
-_MODULES = [import_module(f'{__name__}.{chapter.__name__.rpartition(".")[2]}') for chapter in CHAPTERS]
+_MODULES = [import_module(f'{__name__}.ch{re.match("[0-9]+(_[0-9])?(?=_)", chapter.name)[0]}')
+            for chapter in CHAPTERS.values()]
 WRONG = {number: cases for module in _MODULES for number, cases in module.WRONG.items()}

@@ -20,7 +20,7 @@ GAP_M, GAP_TOLERANCE_M = 0.5, 0.01
 SPEED_LIMIT_MPS = 1.0
 TIME_SEC = 5.0
 
-park = Exercise('1a', CHAPTER, DICTIONARY, hints=(
+park = Exercise('1a', 'Park at the line', CHAPTER, DICTIONARY, hints=(
     'Try it on a robot of your own, a new one: `robot = ros.add(ClawbotNode)`, `client.set_parameters(settings)`, then '
     'press Drive. For the cold, set its `simulation.ambient_temperature_c` to -10.',
     'The safety mode stops where the robot believes to be 20 cm from the wall. What it believes depends on where it '
@@ -97,7 +97,7 @@ def slowly(trial: Trial) -> None:
     expect(fastest_mps <= SPEED_LIMIT_MPS, f'at most {SPEED_LIMIT_MPS:.2f} m/s', f'it gets up to {fastest_mps:.2f} m/s')
 
 
-free = Exercise('1b', CHAPTER, NODE_CLASS, node_name='pump', hints=(
+free = Exercise('1b', 'Free a number', CHAPTER, NODE_CLASS, node_name='pump', hints=(
     'The robot in the section “Why not simply write the number into the program?” has been through this: compare '
     '`HardCoded` with `WithParameter`.',
     'Two lines change. One declares the parameter, in the constructor: `self.declare_parameter(name, 2.5)`. The other '

@@ -97,7 +97,7 @@ def built(trial: Trial) -> Built:
     return result
 
 
-mend = Exercise('2a', CHAPTER, TEXT, hints=(
+mend = Exercise('2a', 'Mend a `setup.py`', CHAPTER, TEXT, hints=(
     'Compare it, line by line, with the `setup.py` that `ros2 pkg create` writes: the section “Create it” shows one.',
     '`data_files` is a list of pairs: a folder in the install space, and the files that go there. The marker goes to '
     '`share/ament_index/resource_index/packages`, and it lies in the folder `resource`.',
@@ -139,7 +139,7 @@ def starts(trial: Trial) -> None:
     expect(said == READY, f'it says “{READY}”', said.splitlines()[-1] if said else 'it says nothing')
 
 
-find = Exercise('2b', CHAPTER, FUNCTION, hints=(
+find = Exercise('2b', 'Be `ros2 run`', CHAPTER, FUNCTION, hints=(
     'Go through the prefixes in their order. Ask each whether the package’s marker is in it: '
     '`(prefix / "share/ament_index/resource_index/packages" / package).exists()`.',
     'The first prefix with the marker decides, and no other is looked at. The program is in its '

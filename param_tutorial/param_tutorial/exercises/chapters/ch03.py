@@ -11,7 +11,7 @@ DESCRIPTOR = 'Build it: the descriptor'
 WHO_DECIDES = 'Who decides the type?'
 
 
-declare = Exercise('3a', CHAPTER, NODE_CLASS, node_name='rover', hints=(
+declare = Exercise('3a', 'Declare a rover', CHAPTER, NODE_CLASS, node_name='rover', hints=(
     'Each parameter takes one line `self.declare_parameter(name, default, descriptor)`, and the default decides its '
     'type. The section “Build it: one declaration, one type” shows the first two arguments.',
     'In Python `1` is an `int` and `1.0` a `float`. A double takes its range from a `FloatingPointRange`, in a list: '
@@ -44,7 +44,7 @@ def wheels_locked(trial: Trial) -> None:
     expect_answer(trial, 'wheels', 4, 'read only', 'A lock is a field of the descriptor, `read_only`')
 
 
-mend = Exercise('3b', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
+mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
     'Ask the lamp as it is: `ParameterClient(ros.add(Lamp)).describe_parameters()` shows the type of each parameter.',
     'A descriptor cannot choose a type, and a description limits nothing. The default is what decides, and a range '
     'is what limits.',

@@ -14,7 +14,7 @@ NOTICE = 'Change it: when does a node notice?'
 FALLBACK = 'Several at once, and a fallback'
 START = 'Which value does a node start with?'
 
-read = Exercise('4a', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
+read = Exercise('4a', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
     'The method needs the value that the parameter has when the method is called.',
     '`self.get_parameter(name)` gives an object; the number in it is its `.value`.',
     'Python’s `min(a, b)` is the smaller of two numbers, so the method is one line: `return min(wanted_rpm, ...)`.'))
@@ -47,7 +47,7 @@ def with_an_override(trial: Trial) -> None:
         '. That is the default in the source, not what the parameter holds' if given == 100 else ''))
 
 
-predict = Exercise('4b', CHAPTER, DICTIONARY, hints=(
+predict = Exercise('4b', 'Predict what is read', CHAPTER, DICTIONARY, hints=(
     'Write the number, `True` or `False` that Python would show. A wrong guess costs nothing.',
     'A parameter object is a photograph, and a fallback is stored nowhere.',
     'An override takes the default’s place when the parameter is declared.'))

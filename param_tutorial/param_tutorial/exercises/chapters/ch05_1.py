@@ -31,7 +31,7 @@ def type_in(trial: Trial, node: Node, words: str) -> str:
     return trial.ros2('param', 'set', f'{CORNER}/{node.get_name()}', *shlex.split(words))
 
 
-spell = Exercise('5.1a', CHAPTER, DICTIONARY, hints=(
+spell = Exercise('5.1a', 'Spell six values', CHAPTER, DICTIONARY, hints=(
     'Ask which type is wanted: a double wants its dot, an integer must not have one, a text that looks like '
     'something else needs quotes.',
     'The shell takes one pair of quotes away and YAML reads what is left: two pairs around a text, as in `"\'42\'"`.',
@@ -71,7 +71,7 @@ for each in GOALS:
     require_spelling(*each)
 
 
-foresee = Exercise('5.1b', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('5.1b', 'Predict what the robot holds', CHAPTER, DICTIONARY, hints=(
     'Two questions for each line: what does YAML make of the word, and does the robot take a value of that type?',
     'A robot that refuses keeps the value it has. `%ros2 param describe` shows types and limits.',
     'The table in the section “Break it: which type did you mean?” shows what YAML 1.1 makes of `off` and `12:30`.'))

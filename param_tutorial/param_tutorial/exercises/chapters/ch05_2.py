@@ -15,7 +15,7 @@ ACT = 'Build it: a callback that acts'
 LADDER = 'The callback ladder'
 
 
-judge = Exercise('5.2a', CHAPTER, NODE_CLASS, node_name='heater', hints=(
+judge = Exercise('5.2a', 'Judge and act', CHAPTER, NODE_CLASS, node_name='heater', hints=(
     'Two callbacks: one registered with `add_on_set_parameters_callback`, which answers with a '
     '`SetParametersResult`, and one with `add_post_set_parameters_callback`, which acts.',
     'A request may hold one of the two limits, or both. Begin with the stored ones, and let the proposed ones '
@@ -50,7 +50,7 @@ def acts_late(trial: Trial) -> None:
     expect_left_alone(trial, heater, 'target_c', {'low_c': 12})
 
 
-hunt = Exercise('5.2b', CHAPTER, NODE_CLASS, node_name='door', hints=(
+hunt = Exercise('5.2b', 'Hunt three faults', CHAPTER, NODE_CLASS, node_name='door', hints=(
     "Put the door on the stage and ask it: `ParameterClient(ros.add(Door)).set_parameter('open_percent', 50)`. "
     'Then read its reason again.',
     'One fault is a comparison that is never equal, one is a `return` that comes too soon, one acts on a proposal.',
@@ -107,7 +107,7 @@ class Ladder(Node):
         self.notes.append((rung, self.get_parameter('speed').value))
 
 
-put_in_order = Exercise('5.2c', CHAPTER, TEXT, hints=(
+put_in_order = Exercise('5.2c', 'Put a change in order', CHAPTER, TEXT, hints=(
     'Which callback may still rewrite the request, which may only say no, and which comes when it is too late for '
     'both?',
     'An on-set callback never sees a value of the wrong type, and a pre-set callback does.',

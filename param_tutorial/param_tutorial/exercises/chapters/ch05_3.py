@@ -40,7 +40,7 @@ class StubbornRover(Rover):
 OLD = ParameterValues(max_speed_rpm=100, max_acceleration_mps2=1.0)
 NEW = ParameterValues(max_speed_rpm=40, max_acceleration_mps2=0.2)
 
-supervise = Exercise('5.3a', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
+supervise = Exercise('5.3a', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
     'A client is made once, in the constructor: `self.create_client(TYPE, NAME)`. Which of the six services takes a '
     'list as one wish?',
     'The service is `/rover/set_parameters_atomically`, of the type `SetParametersAtomically`. Make its request as '
@@ -85,7 +85,7 @@ def neither(trial: Trial) -> None:
            f'it drives at {kept["max_speed_rpm"]} rpm. `set_parameters` decides each parameter for itself')
 
 
-read = Exercise('5.3b', CHAPTER, FUNCTION, hints=(
+read = Exercise('5.3b', 'Read an answer', CHAPTER, FUNCTION, hints=(
     'A result has `successful` and `reason`, and no name.',
     'The results come in the order of the request, so `zip(parameters, results)` gives the pairs.',
     'A dictionary grows by `reasons[parameter.name] = result.reason`; return it behind the loop, not in it.'))

@@ -30,7 +30,7 @@ def expect_answers(trial: Trial, name: str, kind: str, *new: object, because: st
         expect_result(client, name, value, kind, because)
 
 
-describe = Exercise('6a', CHAPTER, NODE_CLASS, node_name='camera', hints=(
+describe = Exercise('6a', 'Say it in the descriptor', CHAPTER, NODE_CLASS, node_name='camera', hints=(
     'One `ParameterDescriptor` for each parameter that has something to say. Begin with `exposure_us`, and ask: '
     "`verdicts(ParameterClient(ros.add(Camera)), 'exposure_us', 100, 150, 20000)`.",
     'The fields are `integer_range`, `floating_point_range`, `read_only` and `dynamic_typing`. The two ranges stand in '
@@ -97,7 +97,7 @@ class Oven(Node):
         return SetParametersResult(successful=not too_hot, reason='the door gets too hot')
 
 
-foresee = Exercise('6b', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('6b', 'Predict who refuses', CHAPTER, DICTIONARY, hints=(
     'Go through the checks in their order: declared, read-only, type, range, step, on-set callbacks. The first that '
     'fails gives the answer its kind.',
     'Both ends of a range are valid. A range looks only at values of its own kind.',
@@ -138,7 +138,7 @@ require_foresight('gain = 50', {
     'wrong type': 'Which type has the default?'}, LIMITS)
 
 
-mend = Exercise('6c', CHAPTER, NODE_CLASS, node_name='winch', hints=(
+mend = Exercise('6c', 'Mend three silent faults', CHAPTER, NODE_CLASS, node_name='winch', hints=(
     'Ask the winch as it is: `ParameterClient(ros.add(Winch)).describe_parameters()`. Compare what it tells with what '
     'is declared.',
     'A range is looked at if the default is of its kind. A descriptor serves one declaration. An empty list has no '

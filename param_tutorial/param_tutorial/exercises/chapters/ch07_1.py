@@ -40,7 +40,7 @@ def recorder(name: str) -> type[Node]:
     return Recorder
 
 
-write = Exercise('7.1a', CHAPTER, TEXT, hints=(
+write = Exercise('7.1a', 'Write a file by hand', CHAPTER, TEXT, hints=(
     'Let a node write it: `ParameterClient(...).dump()` of a node with such values shows the form, and its quotes.',
     'The first line is the full name of the node, with a colon. The second is `ros__parameters:`, two blanks further '
     'in, and the parameters stand another two blanks further in. A dot in a name makes a level more.',
@@ -96,7 +96,7 @@ def dumped(trial: Trial, text: str) -> str:
     return trial.ros2('param', 'dump', f'{CORNER}/trip')
 
 
-foresee = Exercise('7.1b', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('7.1b', 'Predict what comes back', CHAPTER, DICTIONARY, hints=(
     'First: does the command put quotes around it? It does so where YAML 1.1 would see something else in the text. '
     'Then: what does the reader see in what stands there?',
     'For rcl `n` is a boolean and `2e3` a number, and quotes are respected. `load` reads as YAML 1.1 does, twice, and '

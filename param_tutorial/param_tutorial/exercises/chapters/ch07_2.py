@@ -54,7 +54,7 @@ def launched(trial: Trial, text: str, **arguments: str) -> SimpleParamNode:
             *(names.get(word, word) for word in words), namespace=namespace)
 
 
-complete = Exercise('7.2a', CHAPTER, TEXT, hints=(
+complete = Exercise('7.2a', 'Complete a launch file', CHAPTER, TEXT, hints=(
     '`parameters` is a list. First the file, then what stands above it: the chapter’s three launch files have all that '
     'you need, and `print((launch_files / "argument_param_launch.py").read_text())` shows one of them whole.',
     'The file: `PathJoinSubstitution([FindPackageShare("param_tutorial"), "config", "clawbot_config.yaml"])`. The '
@@ -134,7 +134,7 @@ def generate_launch_description():
     return LaunchDescription([Node(package='param_tutorial', executable='simple_param_node', {words})])
 """
 
-foresee = Exercise('7.2b', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('7.2b', 'Predict the start', CHAPTER, DICTIONARY, hints=(
     'Three questions for each line: is the file there, is it for a node of this name, and does a later source win?',
     'What is not found is warned of, and what is for somebody else is passed over in silence. In both cases the '
     'default stays.',

@@ -35,7 +35,7 @@ class Robot(Node):
         self.declare_parameter('speed', 100)
 
 
-predict = Exercise('7.3a', CHAPTER, DICTIONARY, hints=(
+predict = Exercise('7.3a', 'Predict the winner', CHAPTER, DICTIONARY, hints=(
     'Take a sheet of paper. Write down the blocks in the order in which their names first appear, and the value of '
     'each; then find the last one that matches.',
     '`mixed.yaml` opens two blocks. A `-p` without a node name belongs to the block `/**`, wherever that stands.',
@@ -83,7 +83,7 @@ class Gripper(Node):
         self.declare_parameters('', [('force_n', 5.0), ('speed_mmps', 10)])
 
 
-reach = Exercise('7.3b', CHAPTER, TEXT, hints=(
+reach = Exercise('7.3b', 'Two of five', CHAPTER, TEXT, hints=(
     'Begin with one block, for `/lab/left/gripper` alone. Then put a wildcard in the place of what differs between the '
     'two grippers.',
     '`*` stands for one name, `**` for any number of them. A double wants its dot, in a file too.',

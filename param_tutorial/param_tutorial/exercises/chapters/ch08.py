@@ -18,7 +18,7 @@ GROUP = 'Practice 4: group names with dots'
 
 SPEED, GAP = 'belt.speed_mps', 'belt.gap_m'
 
-repair = Exercise('8a', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
+repair = Exercise('8a', 'Repair a conveyor', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
     'Begin with the declarations: new names with a dot, defaults with a dot, a range and a description for each. Only '
     'then look at the callback.',
     "In the callback, hold what would be stored against the rule: `new = {p.name: p.value for p in parameters}`, then "
@@ -123,7 +123,7 @@ def belt(follows: int) -> type[Belt]:
     return type('Belt', (Belt,), {'follows': follows})
 
 
-find = Exercise('8b', CHAPTER, DICTIONARY, hints=(
+find = Exercise('8b', 'Which practice would have prevented it?', CHAPTER, DICTIONARY, hints=(
     'Write a number from 1 to 7 in place of the dots. A wrong guess costs nothing: the check tries it out.',
     'Each complaint belongs to another practice, and 5 and 6 are not among them.',
     'Ask of each: when did it hurt? At the start, at a wrong value, at a refusal, in a list, or at a knob that should '

@@ -40,7 +40,7 @@ class TranslatedCamera(Node):
         self.declare_parameters('', [('base_frame', 'base'), ('label', 'none'), ('rates_hz', [5.0])])
 
 
-translate = Exercise('9a', CHAPTER, TEXT, hints=(
+translate = Exercise('9a', 'Translate a file', CHAPTER, TEXT, hints=(
     'A file of ROS 2 has a level more: the node, `ros__parameters`, then its values. A dictionary in it makes names '
     'with dots.',
     'Read each value as rcl does. `1` and `2` are integers where doubles were declared, a list has one type, and `1e5` '
@@ -114,7 +114,7 @@ class Drive(Node):
         self.declare_parameter('gains.kp', 0.5)
 
 
-foresee = Exercise('9b', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('9b', 'What will it hold?', CHAPTER, DICTIONARY, hints=(
     'Three questions, in this order: is the name declared, is the type the declared one, is the value in the range?',
     'A node that refuses keeps what it has, and nothing is bent. A name that nobody declared does not come to be.',
     'Integers have 64 bits now. And values live in the node, so they end with it.'))

@@ -61,7 +61,7 @@ class InTheCorner(Node):
         return super().create_subscription(msg_type, topic, hear, *args, **options)
 
 
-keep = Exercise('10.1a', CHAPTER, NODE_CLASS, node_name='journal', hints=(
+keep = Exercise('10.1a', 'Keep a journal', CHAPTER, NODE_CLASS, node_name='journal', hints=(
     'Subscribe in the constructor, as the node of the package does, and look at `event.node` in the callback.',
     'Go through the three lists of the message one after the other. `parameter_value_to_python(parameter.value)` '
     'is the value, also where it is 0.',
@@ -147,7 +147,7 @@ def burst(trial: Trial) -> None:
            f'{len(speeds)} of the speeds are in it')
 
 
-count = Exercise('10.1b', CHAPTER, DICTIONARY, hints=(
+count = Exercise('10.1b', 'How many messages?', CHAPTER, DICTIONARY, hints=(
     'An event tells of what was stored at one go. `set_parameters` stores its parameters one by one.',
     'What is refused is not stored. Which part of a request is refused along with one parameter of it?',
     'The table in the section “Change it: what is told, and how often” has most of the numbers.'))

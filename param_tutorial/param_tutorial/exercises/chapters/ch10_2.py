@@ -46,7 +46,7 @@ class Uncalibrated(Node):
         self.declare_parameter('calibration', Parameter.Type.DOUBLE)
 
 
-inspect = Exercise('10.2a', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
+inspect = Exercise('10.2a', 'Inspect a rover', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
     'Two clients, made in the constructor, and two questions: `list_parameters` for the names, and when they are '
     'there, `get_parameters` for the values. `ParamQueryNode` does it.',
     '`call_async` gives a future, and `future.add_done_callback(self.on_names)` has your method called with it. The '
@@ -117,7 +117,7 @@ def unset(trial: Trial) -> None:
     found_in(trial, Uncalibrated, left_out=('calibration',))
 
 
-who = Exercise('10.2b', CHAPTER, FUNCTION, hints=(
+who = Exercise('10.2b', 'Who has it?', CHAPTER, FUNCTION, hints=(
     'A snapshot is a dictionary: `for node, parameters in snapshot.items()`. And `parameters` is one, too.',
     '`name in parameters` asks whether the node has the parameter; its value may be 0, and it is still there.',
     'Gather the answer in a dictionary, `found[node] = parameters[name]`, and return it behind the loop.'))

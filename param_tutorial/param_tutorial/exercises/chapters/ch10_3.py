@@ -20,7 +20,7 @@ DERIVATIVE = 'Change it: a derivative'
 FILE = 'The file of ros2_control'
 WHERE = 'Which controllers does a section reach?'
 
-tune = Exercise('10.3a', CHAPTER, DICTIONARY, hints=(
+tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
     'Begin with P alone, and raise it until the wheel is fast. It will ring; that is what D is for.',
     'With `d` at 0.03 you can raise `p` far beyond 0.4, and the wheel rings less than before.',
     'The integral has little left to do when `p` is large. A small one, below 0.5, removes the error and hardly '
@@ -74,7 +74,7 @@ def fast(trial: Trial) -> None:
     expect(figures.settling_sec is not None and figures.settling_sec < 0.4, 'a settling time below 0.4 s', f'{figures}')
 
 
-write = Exercise('10.3b', CHAPTER, TEXT, hints=(
+write = Exercise('10.3b', 'Write the file of two controllers', CHAPTER, TEXT, hints=(
     'Three blocks: one for the manager, one for each controller. Each begins with the name of a node and '
     '`ros__parameters:` below it.',
     'The manager holds `update_rate` and, for each controller, a name with a `type` below it. Look at the file of the '

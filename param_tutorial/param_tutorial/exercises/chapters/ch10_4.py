@@ -18,7 +18,7 @@ ALIASES = 'Build it: aliases'
 DEFAULTS = 'Node with defaults'
 RESTORE = 'Back to where it was'
 
-rules = Exercise('10.4a', CHAPTER, NODE_CLASS, node_name='drone', hints=(
+rules = Exercise('10.4a', 'State the rules', CHAPTER, NODE_CLASS, node_name='drone', hints=(
     'One `Rules(self)` behind the declarations, and three rules chained to it.',
     'The three are `matches`, `one_of` and `check`. The pattern for three capital letters is `[A-Z]{3}`.',
     "`.check(['land_percent', 'home_percent'], lambda land, home: ..., 'a sentence')`: the function gets the two "
@@ -60,7 +60,7 @@ def at_the_start(trial: Trial) -> None:
                      'it started. Are the rules stated, and behind the declarations?')
 
 
-rename = Exercise('10.4b', CHAPTER, NODE_CLASS, node_name='wagon', hints=(
+rename = Exercise('10.4b', 'A new name', CHAPTER, NODE_CLASS, node_name='wagon', hints=(
     'Declare the new names only. The old ones stand in one `Aliases`.',
     '`Aliases(self, {...})` comes before the first declaration: it has to move the overrides to the new names.',
     "`Aliases(self, {'width': 'width_mm', 'plate': 'plate_number'})`, and the declarations with the new names."))
@@ -101,7 +101,7 @@ def contradiction(trial: Trial) -> None:
     expect_refused(trial, wagon, {'width': 1, 'width_mm': 2})
 
 
-factory = Exercise('10.4c', CHAPTER, FUNCTION, hints=(
+factory = Exercise('10.4c', 'Factory settings', CHAPTER, FUNCTION, hints=(
     '`ParameterSet.defaults(node_class)` is what you want the node to have. It is a mapping, so '
     '`{name: value for name, value in ….items() if …}` leaves some out.',
     '`restore(node, wanted)` sets what differs. What it returns can be looped over: each outcome has a `name` and a '

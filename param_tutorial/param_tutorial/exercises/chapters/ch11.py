@@ -58,7 +58,7 @@ def overrides(speed_mps: float, acceleration_mps2: float) -> list[str]:
 
 # -- 11a ----------------------------------------------------------------------------------------------------
 
-declare = Exercise('11a', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
+declare = Exercise('11a', 'Declare the cart', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
     'One `self.declare_parameter(name, default, descriptor)` for each. The default decides the type, the descriptor '
     'says the rest.',
     'A double takes its limits from `floating_point_range=[FloatingPointRange(from_value=..., to_value=...)]`, and a '
@@ -101,7 +101,7 @@ def described(trial: Trial) -> None:
 
 # -- 11b ----------------------------------------------------------------------------------------------------
 
-judge = Exercise('11b', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
+judge = Exercise('11b', 'Judge two parameters together', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
     'Write the rule once, as a method that takes a speed and an acceleration and gives the reason against them, or an '
     'empty text. The callback and the constructor both use it.',
     'The callback judges what would be stored: begin with the stored values, and let the proposed ones replace them. '
@@ -151,7 +151,7 @@ def start_values(trial: Trial) -> None:
 
 # -- 11c ----------------------------------------------------------------------------------------------------
 
-act = Exercise('11c', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
+act = Exercise('11c', 'Act on what is stored', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
     'Something has to happen when values are stored, and not before: which of the three callbacks is that?',
     'Register it with `add_post_set_parameters_callback`, and work out `self.trip_sec` in it from `get_parameter`.',
     'The constructor calls the same method once, after `super().__init__()`: there the start values are stored.'))
@@ -189,7 +189,7 @@ def acts_late(trial: Trial) -> None:
 
 # -- 11d ----------------------------------------------------------------------------------------------------
 
-save = Exercise('11d', CHAPTER, FUNCTION, hints=(
+save = Exercise('11d', 'Save, for the whole fleet', CHAPTER, FUNCTION, hints=(
     "Two things in a cart's dump are not for other carts: its first line, and its `cart_id`.",
     'The first line may be `/**:`, which is for every node. The file needs the two numbers and nothing else.',
     '`client.get_parameters([...])` gives the two, and `parameter_files.render(node, values)` makes the text of them, '
@@ -252,7 +252,7 @@ def loads_it(trial: Trial) -> None:
 
 # -- 11e ----------------------------------------------------------------------------------------------------
 
-launch = Exercise('11e', CHAPTER, TEXT, hints=(
+launch = Exercise('11e', 'Launch it, with an override', CHAPTER, TEXT, hints=(
     'The launch files in `param_tutorial/launch` show the frame: a function that returns a `LaunchDescription` with a '
     '`Node` in it. This one has a `namespace=` too.',
     'The parameter file is `os.path.join(get_package_share_directory("param_tutorial"), "config", '
@@ -335,7 +335,7 @@ def with_the_file(trial: Trial) -> None:
 
 # -- 11f ----------------------------------------------------------------------------------------------------
 
-tune = Exercise('11f', CHAPTER, FUNCTION, hints=(
+tune = Exercise('11f', 'Tune it', CHAPTER, FUNCTION, hints=(
     'Solve `12 / v + v / a = 8` for `a`. Which `v` makes it smallest?',
     '`a = v² / (8 v − 12)`. It falls as `v` rises, up to 3 m/s. The range of the speed ends before that.',
     'Both together or not at all: with the old acceleration the new speed would be refused. '

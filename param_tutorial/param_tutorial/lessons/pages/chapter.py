@@ -6,7 +6,8 @@ from pathlib import Path
 
 import nbformat
 
-from param_tutorial.exercises import EXERCISES
+from param_tutorial.exercises import EXERCISES, PREDICTIONS
+from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.lessons.pages import drawing
 from param_tutorial.lessons.recording.recorded import Recordings
 from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets
@@ -27,12 +28,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     :param alone: For a file that is given away, with nothing beside it.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
-    drawer = drawing.Drawer(path.stem)
-    for index, cell in cells_with_widgets(notebook):
-        remaining = iter(recordings[index])
-        for output in cell.outputs:
-            if WIDGET in output.get('data', {}):
-                output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
+    _draw_views(notebook, recordings, drawing.Drawer(path.stem))
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
@@ -51,6 +47,21 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     notebook.cells = cells
     notebook.metadata['language_info'] = {'name': 'python', 'pygments_lexer': 'ipython3'}
     return notebook
+
+
+def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer) -> None:
+    """Put what a page can show in the place of each widget."""
+    for index, cell in cells_with_widgets(notebook):
+        remaining = iter(recordings[index])
+        for output in cell.outputs:
+            if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
+                output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
+    for cell in notebook.cells:
+        for output in cell.get('outputs', ()):
+            if MIME_TYPE in output.get('data', {}):
+                prediction = PREDICTIONS[output.data[MIME_TYPE]['number']]
+                output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction)})
+                cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
 
 
 def title(path: Path) -> str:

@@ -16,7 +16,11 @@ from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import get_lexer_by_name
 
+from param_tutorial.exercises.predicting import STYLE as PREDICTION_STYLE
+from param_tutorial.exercises.predicting import verdict
+from param_tutorial.exercises.prediction import Prediction, plain_answer
 from param_tutorial.lessons.recording.recorded import Recording, Row
+from param_tutorial.pictures.tables import with_code
 
 RUN_IT = 'run the notebook'
 _STYLE = re.compile(r'<style>.*?</style>', re.DOTALL)
@@ -35,6 +39,22 @@ class Drawer:
         draw = {'panel': self._panel, 'robot': self._robot, 'log': self._log, 'steps': self._steps,
                 'events': self._events, 'still': self._still}
         return draw[recording['kind']](recording, f'{self._page}-{next(self._numbers)}')
+
+    def draw_prediction(self, prediction: Prediction) -> str:
+        """Return the HTML of a prediction: a form that says what became of the answer, as soon as there is one."""
+        name = f'{self._page}-{next(self._numbers)}'
+        if prediction.is_typed:
+            answers = '<input type="text" name="answer" autocomplete="off" aria-label="Your value">'
+        else:
+            answers = ''.join(f'<label><input type="radio" name="answer" value="{html.escape(each.text)}">'
+                              f'<span>{html.escape(each.text)}</span></label>' for each in prediction.choices)
+        # A typed value may be none of the choices; the page's script compares it as the notebook does.
+        facts = {'choices': {plain_answer(each.text): verdict(prediction, each.text) for each in prediction.choices},
+                 'otherwise': verdict(prediction, '') if prediction.is_typed else ''}
+        return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" id="{name}"><fieldset>'
+                f'<legend class="param-predict-question"><b>Predict</b> · {with_code(prediction.question)}</legend>'
+                f'{answers}<button type="submit" class="rec-commit" disabled>Commit</button></fieldset>'
+                f'<p class="rec-says" role="status"></p>{_packed(facts)}</form>')
 
     def _panel(self, recording: Recording, name: str) -> str:
         node, count = html.escape(recording['node']), len(recording['rows'])

@@ -21,6 +21,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 from nbformat import NotebookNode
 
+from param_tutorial.exercises import prediction
 from param_tutorial.lessons.recording import comparison
 from param_tutorial.lessons.recording.recorded import Page, Recording, ViewFacts
 from param_tutorial.runtime import domain
@@ -93,7 +94,7 @@ def read_notebook(path: Path) -> NotebookNode:
 
 
 def cells_with_widgets(notebook: NotebookNode) -> Iterator[tuple[int, NotebookNode]]:
-    """Yield the cells that show a widget, each with its index."""
+    """Yield the cells that show a widget to record, each with its index."""
     for index, cell in enumerate(notebook.cells):
         if _widgets_of(cell):
             yield index, cell
@@ -117,9 +118,12 @@ def literals_of(notebook: NotebookNode) -> list[Any]:
 
 
 def _widgets_of(cell: NotebookNode) -> list[tuple[str, str]]:
-    """Return the model ids of the widgets that a cell shows, each with the text in its place."""
+    """Return the model ids of the widgets that a cell shows, each with the text in its place.
+
+    A prediction is not among them: it follows nothing, so there is nothing to record.
+    """
     return [(output.data[WIDGET]['model_id'], output.data.get('text/plain', '')) for output in cell.get('outputs', ())
-            if WIDGET in output.get('data', {})]
+            if WIDGET in output.get('data', {}) and prediction.MIME_TYPE not in output.data]
 
 
 @contextlib.contextmanager

@@ -274,7 +274,26 @@
     }
   }
 
+  /** Let a prediction be committed: it is locked then, and the page says what became of it. */
+  async function ask(form) {
+    const facts = await unpack(form);
+    const button = form.querySelector('.rec-commit');
+    const given = () => (new FormData(form).get('answer') || '').trim();
+    form.addEventListener('input', () => { button.disabled = !given(); });
+    form.addEventListener('submit', event => {
+      event.preventDefault();
+      const answer = given();
+      if (!answer) return;
+      const number = Number(answer);
+      const plain = Number.isNaN(number) ? answer.toLowerCase() : String(number);
+      form.querySelector('.rec-says').innerHTML = facts.choices[plain] || facts.otherwise;
+      form.querySelector('fieldset').disabled = true;
+      button.hidden = true;
+    });
+  }
+
   async function begin() {
+    for (const form of document.querySelectorAll('.rec-prediction')) await ask(form);
     const views = [...document.querySelectorAll('.rec-robot')];
     for (const [number, section] of views.entries()) robots.push(new Robot(section, await unpack(section), number));
     for (const section of document.querySelectorAll('.rec-panel')) {

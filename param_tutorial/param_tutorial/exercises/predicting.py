@@ -1,0 +1,134 @@
+"""The widget in which a learner commits to a prediction, and then sees what became of it.
+
+It never holds up a cell. What is right it says only after another cell has run, which is the one that decides; a
+learner who has run that cell already is told at once.
+"""
+
+import weakref
+from collections.abc import Callable
+from typing import Any
+
+import ipywidgets as widgets
+
+from param_tutorial.exercises.prediction import MIME_TYPE, Prediction
+from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.tables import with_code
+from param_tutorial.widgets.cells import close_with_cell
+
+STYLE = style('exercises/prediction.css')
+COMMIT = 'Commit'
+
+Remember = Callable[[str, str, bool], str]
+
+
+class PredictionView(widgets.VBox):
+    """A question, its choices or a box for a value, and a button that commits."""
+
+    def __init__(self, prediction: Prediction, remember: Remember):
+        """
+        :param remember: Called once, with the number, the answer and whether it is right; returns what the learner
+            should know if that could not be remembered.
+        """
+        self.prediction = prediction
+        self._remember = remember
+        self._committed = self._next_cell_has_run = False
+        self._note = ''
+        question = widgets.HTML(f'{STYLE}<p class="param-predict-question"><b>Predict</b> · '
+                                f'{with_code(prediction.question)}</p>')
+        self.answer: Any = (
+            widgets.Text(placeholder='your value', value='') if prediction.is_typed
+            else widgets.RadioButtons(options=[each.text for each in prediction.choices], value=None))
+        self.button = widgets.Button(description=COMMIT, disabled=True, tooltip='Commit to this prediction')
+        self.said = widgets.HTML()
+        super().__init__([question, self.answer, self.button, self.said])
+        self.add_class('param-predict')
+        self.answer.observe(self._on_answer, 'value')
+        self.button.on_click(lambda _: self.commit())
+        _watch.add(self)
+        close_with_cell(self)
+
+    def __repr__(self) -> str:
+        return self.prediction.text
+
+    def _repr_mimebundle_(self, **arguments: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**arguments)
+        # ipywidgets shortens what stands in a widget's place.
+        bundle['text/plain'] = repr(self)
+        bundle[MIME_TYPE] = {'number': self.prediction.number}
+        return bundle
+
+    def commit(self) -> None:
+        """Lock the answer in, and say what became of it as soon as it can be known."""
+        if self._committed or not self._given:
+            return
+        self._committed = True
+        self.answer.disabled = self.button.disabled = True
+        self.button.layout.display = 'none'
+        choice = self.prediction.choice(self._given)
+        self._note = self._remember(self.prediction.number, choice.text, choice.is_right)
+        self._say()
+
+    def next_cell_has_run(self) -> None:
+        """Take notice that the cell that decides has run."""
+        if not self._next_cell_has_run:
+            self._next_cell_has_run = True
+            self._say()
+
+    @property
+    def _given(self) -> str:
+        return (self.answer.value or '').strip()
+
+    def _on_answer(self, _: Any) -> None:
+        self.button.disabled = self._committed or not self._given
+
+    def _say(self) -> None:
+        if not self._committed:
+            return
+        if not self._next_cell_has_run:
+            self.said.value = '<p role="status"><b>Committed.</b> Now run the next cell.</p>'
+            return
+        self.said.value = f'<p role="status">{verdict(self.prediction, self._given)} {with_code(self._note)}</p>'
+
+
+def verdict(prediction: Prediction, answer: str) -> str:
+    """Return what is said to an answer, as HTML."""
+    choice = prediction.choice(answer)
+    css_class, word = ('param-predict-right', 'Right.') if choice.is_right else ('param-predict-wrong', 'Not so.')
+    return f'<b class="{css_class}">{word}</b> {with_code(choice.sentence)}'
+
+
+class _Watch:
+    """Knows which predictions have been shown, and tells them when a later cell has run."""
+
+    def __init__(self) -> None:
+        self._shell: Any = None
+        self._waiting: weakref.WeakSet[PredictionView] = weakref.WeakSet()
+        # The views that were on the page when the running cell began; None if it shows a prediction itself.
+        self._before: list[PredictionView] | None = None
+
+    def add(self, view: PredictionView) -> None:
+        """Tell a view when the next cell has run; at once where there are no cells."""
+        from IPython import get_ipython
+
+        shell = get_ipython()
+        if shell is None:
+            view.next_cell_has_run()
+            return
+        if shell is not self._shell:
+            self._shell = shell
+            shell.events.register('pre_run_cell', self._on_begin)
+            shell.events.register('post_run_cell', self._on_end)
+        self._before = None
+        self._waiting.add(view)
+
+    def _on_begin(self, _: Any) -> None:
+        self._before = list(self._waiting)
+
+    def _on_end(self, _: Any) -> None:
+        for view in self._before or ():
+            self._waiting.discard(view)
+            view.next_cell_has_run()
+        self._before = None
+
+
+_watch = _Watch()

@@ -1,0 +1,72 @@
+"""What a prediction is: a question about the next cell, and a sentence for each answer that people give."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+# In the output of a cell that shows a prediction: its number, so that a page without a kernel can show it too.
+MIME_TYPE = 'application/x-param-tutorial-prediction+json'
+
+
+class Choice(NamedTuple):
+    """One answer to a question."""
+
+    text: str
+    sentence: str
+    """What the next cell shows about this answer."""
+    is_right: bool
+
+
+def right(text: str, sentence: str) -> Choice:
+    """Return the answer that is true."""
+    return Choice(text, sentence, True)
+
+
+def wrong(text: str, sentence: str) -> Choice:
+    """Return an answer that people give, and what shows that it is not so."""
+    return Choice(text, sentence, False)
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """A question that the learner answers before running the cell that decides it."""
+
+    number: str
+    """Of the chapter, and its own: '5.2-1'."""
+    question: str
+    """Code stands between backquotes."""
+    choices: tuple[Choice, ...]
+    """In the order in which they are shown; their texts are plain. One of them is right."""
+    otherwise: str = ''
+    """The sentence for any other value. With it the learner types a value, and the choices are not shown."""
+
+    @property
+    def is_typed(self) -> bool:
+        """True if the learner types a value, and does not choose."""
+        return bool(self.otherwise)
+
+    def choice(self, text: str) -> Choice:
+        """Return what belongs to an answer.
+
+        :raises KeyError: it is none of the choices, and values are not typed.
+        """
+        for each in self.choices:
+            if plain_answer(each.text) == plain_answer(text):
+                return each
+        if not self.is_typed:
+            raise KeyError(text)
+        return wrong(text, self.otherwise)
+
+    @property
+    def text(self) -> str:
+        """The question and the choices, without the answer."""
+        lines = ['(type a value)'] if self.is_typed else [f'( ) {each.text}' for each in self.choices]
+        return '\n'.join([f'Predict {self.number} · {self.question}', *(f'    {line}' for line in lines)])
+
+
+def plain_answer(text: str) -> str:
+    """Return a text as it is compared: without blanks around it; 150.0 is 150, and 'True' is 'true'."""
+    text = text.strip().casefold()
+    try:
+        return f'{float(text):g}'
+    except ValueError:
+        return text

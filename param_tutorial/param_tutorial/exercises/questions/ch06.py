@@ -1,0 +1,69 @@
+"""Predictions of chapter 6: what a descriptor enforces, and what it only says."""
+
+from param_tutorial.exercises.prediction import Prediction, right, wrong
+
+SOLVED = 'Nobody gets 110 °C past you any more, and you know which check to blame.'
+
+PREDICTIONS = (
+    Prediction('6-1', 'The range of `opening_mm` is 0 to 85 in steps of 10. What does the node answer to 45, between '
+               'two steps, and to 85, which is no step either?', (
+        wrong('It rejects both', '45 is rejected, and 85 is not: the ends of a range are always valid.'),
+        right('It rejects 45 and accepts 85', '85 is off the step too, but it is an end of the range, and an end is '
+              'always valid.'),
+        wrong('It accepts both: steps are for sliders only', 'The node enforces the step. 45 is rejected as *not a '
+              'valid step*.'),
+        wrong('It rounds both to the nearest step', 'A node never rounds. It rejects 45, and stores 85 as it is.'))),
+    Prediction('6-2', 'The range is -20 to 52 in steps of 5. How many of the eight values -21, -20, -15, 0, 12, 50, 52 '
+               'and 53 does the node accept?', (
+        right('5', '-20, -15, 0, 50 and 52: both ends are valid, and the steps count from -20.'),
+        wrong('4', 'There is one more. Both ends are valid, 52 too, though no step leads there.'),
+        wrong('3', 'There are two more. Both ends are valid: -20, and 52 as well.'),
+        wrong('6', 'One less: 12 lies between the ends, but -20 plus any number of fives is never 12.'),
+        wrong('8', 'A range is enforced: -21 and 53 are outside, and 12 is off the step.')),
+        otherwise='It accepts five: -20, -15, 0, 50 and 52. Both ends are valid, and the steps count from -20.'),
+    Prediction('6-3', 'The acceleration may go up to 2.0. What does the node answer to 2.000001 and to 2.0001?', (
+        wrong('It rejects both: 2.0 is the limit', 'The comparison of doubles has a tolerance, and 2.000001 is within '
+              'it.'),
+        right('It accepts 2.000001 and rejects 2.0001', 'Doubles are compared with a tolerance of about one part in a '
+              'million, and 2.0001 is beyond it.'),
+        wrong('It stores 2.0 both times', 'A node never moves a value to the limit. It accepts 2.000001 as it is, and '
+              'rejects 2.0001.'))),
+    Prediction('6-4', '`gain` has the default `1` and a range of doubles up to 1.0. `speeds` is a list of integers, '
+               'with a range of integers up to 10. We set `gain` to 900 and `speeds` to [5, 900]. Which does the node '
+               'reject?', (
+        wrong('both', 'Neither. The range of doubles is ignored for an integer, and any range is ignored for an '
+              'array.'),
+        wrong('gain', '`1` is an integer, and a range of doubles is never looked at for an integer.'),
+        wrong('speeds', 'A range on an array is ignored; its elements are not compared with it.'),
+        right('neither', 'A range of the wrong kind is ignored, and so is a range on an array. Nothing warns you.'))),
+    Prediction('6-5', '`serial_number` is read-only, and its default is GR-0042. This gripper starts with '
+               '`-p serial_number:=GR-0043`. What is its serial number?', (
+        wrong('GR-0042: the parameter is read-only', 'The lock begins with the declaration. The override takes the '
+              'place of the default before that.'),
+        right('GR-0043', 'The override takes the place of the default, and only then is the parameter locked.'),
+        wrong('none: the node does not start', 'An override of a read-only parameter is allowed; it is how each '
+              'gripper gets its own number.'))),
+    Prediction('6-6', 'The default of `waypoints` is the empty list `[]`. Which type does rclpy choose?', (
+        wrong('none: it takes any list', 'Each parameter has a type, unless it is dynamically typed. This one is a '
+              'byte array.'),
+        wrong('string array', 'Nothing in an empty list says *string*. rclpy takes the first array type that fits, '
+              'which is the byte array.'),
+        right('byte array', 'It is the first array type that an empty list fits, and no text or number will ever go '
+              'in.'),
+        wrong('the declaration fails', 'The node starts without a word. It has a byte array, and that shows only when '
+              'somebody sets it.'))),
+    Prediction('6-7', 'Both parameters share one descriptor, without a range or a lock. What does the node answer when '
+               '`wheel_count`, 4, is set to 6?', (
+        wrong('It accepts it', 'The second declaration has written *string* into the shared descriptor, so 6 is of '
+              'the wrong type now.'),
+        right('It rejects it: a string is expected', 'The second declaration overwrote the type in the shared '
+              'descriptor. One descriptor, one declaration.'),
+        wrong('It accepts it, and wheel_maker becomes 6, too', "The two parameters don't share a value. They share "
+              'the descriptor, and with it the type.'))),
+    Prediction('6-8', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a speed '
+               'of 180. How many of them reach the callback with the branches?', (
+        right('2', '1.5 and 180. The range and the lock reject the other two before any callback is called.'),
+        wrong('3', 'Two. The lock rejects the serial number before any callback is called, and the range the 5.0.'),
+        wrong('4', 'Two. The callback comes last, and rclpy rejects 5.0 and the serial number before it.')),
+        otherwise='Two reach it: 1.5 and 180. The range and the lock reject the others before any callback is called.'),
+)

@@ -1,0 +1,7 @@
+"""Predictions of chapter 10.4."""
+
+from param_tutorial.exercises.prediction import Prediction
+
+SOLVED = ''
+
+PREDICTIONS: tuple[Prediction, ...] = ()

@@ -1,0 +1,140 @@
+"""The file that remembers what a learner has solved and predicted.
+
+It is JSON: for each solved exercise when that was, and for each prediction what the learner committed to, whether it
+was right, and when. The first time counts; later ones change nothing.
+"""
+
+import datetime
+import json
+import os
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from param_tutorial.errors import ProgressError
+from param_tutorial.progress.storage import only_one, write_whole
+
+VARIABLE = 'PARAM_TUTORIAL_PROGRESS'
+FILE = 'progress.json'
+_VERSION = 1
+
+
+@dataclass(frozen=True)
+class Committed:
+    """A prediction that a learner has committed to."""
+
+    choice: str
+    right: bool
+    at: str
+    """When, as local time in ISO 8601."""
+
+
+@dataclass
+class Progress:
+    """What a learner has achieved, by the numbers of exercises and predictions."""
+
+    solved: dict[str, str] = field(default_factory=dict)
+    """When each was solved, as local time in ISO 8601."""
+    predicted: dict[str, Committed] = field(default_factory=dict)
+
+
+def parse(content: bytes) -> Progress:
+    """Return what a file holds.
+
+    :raises ProgressError: it is damaged, or no file of progress at all.
+    """
+    try:
+        data = json.loads(content)
+        if data['version'] != _VERSION:
+            raise ProgressError(f'it is of version {data["version"]!r}, and this course knows version {_VERSION}')
+        progress = Progress(dict(data['solved']), {number: Committed(**each)
+                                                   for number, each in data['predicted'].items()})
+        times = [*progress.solved.values(), *(each.at for each in progress.predicted.values())]
+        for at in times:
+            datetime.datetime.fromisoformat(at)
+        for each in progress.predicted.values():
+            if not isinstance(each.choice, str) or not isinstance(each.right, bool):
+                raise ProgressError('a prediction in it is damaged')
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+        raise ProgressError(f'it holds no progress ({type(error).__name__})') from None
+    return progress
+
+
+class ProgressFile:
+    """One learner's file. No method raises for a file that is missing, damaged or can't be written."""
+
+    def __init__(self, path: Path):
+        self.path = path
+
+    def read(self) -> tuple[Progress, str]:
+        """Return what is remembered, and what the learner should know if the file can't be read."""
+        try:
+            return parse(self.path.read_bytes()), ''
+        except FileNotFoundError:
+            return Progress(), ''
+        except (OSError, ProgressError) as error:
+            return Progress(), f"{self.path.name} can't be read: {error}."
+
+    def add_solved(self, number: str) -> str:
+        """Remember that an exercise is solved.
+
+        :return: What the learner should know, if anything went wrong; otherwise an empty text.
+        """
+        return self._change(lambda progress: progress.solved.setdefault(number, _now()))
+
+    def add_prediction(self, number: str, choice: str, *, right: bool) -> str:
+        """Remember what a learner has predicted; returns as ``add_solved`` does."""
+        return self._change(lambda progress: progress.predicted.setdefault(number, Committed(choice, right, _now())))
+
+    def reset(self) -> Path | None:
+        """Begin anew, and keep what was there.
+
+        :return: Where that is kept; None if there was nothing.
+        :raises OSError: the file can't be moved.
+        """
+        if not self.path.exists():
+            return None
+        with only_one(self.path.parent):
+            return self._set_aside('before-reset')
+
+    def _change(self, change: Callable[[Progress], object]) -> str:
+        said = ''
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            with only_one(self.path.parent):
+                progress = Progress()
+                if self.path.exists():
+                    try:
+                        progress = parse(self.path.read_bytes())
+                    except ProgressError as error:
+                        kept = self._set_aside('damaged')
+                        said = f'Your {self.path.name} could not be read: {error}. It is kept as {kept.name}.'
+                before = _text_of(progress)
+                change(progress)
+                if _text_of(progress) != before:
+                    write_whole(self.path, _text_of(progress).encode())
+        except OSError as error:
+            said = f'This could not be remembered in {self.path.name}: {error.strerror}.'
+        return said
+
+    def _set_aside(self, why: str) -> Path:
+        now, number = f'{datetime.datetime.now():%Y-%m-%d_%H-%M-%S}', 1
+        kept = self.path.with_name(f'{self.path.stem}-{why}-{now}{self.path.suffix}')
+        while kept.exists():
+            number += 1
+            kept = self.path.with_name(f'{self.path.stem}-{why}-{now}_{number}{self.path.suffix}')
+        return self.path.rename(kept)
+
+
+def own() -> ProgressFile | None:
+    """Return the learner's file; None if nothing is to be remembered, as in tests."""
+    path = os.environ.get(VARIABLE)
+    return ProgressFile(Path(path)) if path else None
+
+
+def _text_of(progress: Progress) -> str:
+    return json.dumps({'version': _VERSION, **asdict(progress)}, indent=1, ensure_ascii=False) + '\n'
+
+
+def _now() -> str:
+    return datetime.datetime.now().isoformat(timespec='seconds')

@@ -1,0 +1,42 @@
+"""The learner's copy of the start page, with a mark at each chapter: ✓ if it is solved, 1/3 if a part of it is."""
+
+import contextlib
+import re
+from collections.abc import Collection, Mapping
+from pathlib import Path
+
+from param_tutorial.progress.storage import only_one, write_whole
+
+PAGE = 'index.md'
+# The number of a chapter, our mark if there is one, and the link to the chapter.
+_ROW = re.compile(r'^\| ([\d.]+)(?: (?:✓|\d+/\d+))? \| (?=\[[^\]]*\]\((\w+)\.ipynb\))', re.MULTILINE)
+
+
+def without_ticks(text: str) -> str:
+    """Return the start page as the course has it."""
+    return _ROW.sub(r'| \1 | ', text)
+
+
+def with_ticks(text: str, exercises: Mapping[str, Collection[str]], solved: Collection[str]) -> str:
+    """Return the start page with a mark in each row of a chapter in which something is solved.
+
+    :param exercises: The numbers of each chapter's exercises, by the name of its notebook.
+    :param solved: The numbers of the solved ones.
+    """
+    def marked(row: re.Match[str]) -> str:
+        number, chapter = row.groups()
+        wanted = set(exercises.get(chapter, ()))
+        done = len(wanted & set(solved))
+        mark = '' if not done else ' ✓' if done == len(wanted) else f' {done}/{len(wanted)}'
+        return f'| {number}{mark} | '
+    return _ROW.sub(marked, text)
+
+
+def tick(folder: Path, exercises: Mapping[str, Collection[str]], solved: Collection[str]) -> None:
+    """Bring the marks on the start page in a folder up to date; a page that can't be written stays as it is."""
+    page = folder / PAGE
+    with contextlib.suppress(OSError, UnicodeDecodeError), only_one(folder):
+        text = page.read_text(encoding='utf-8')
+        ticked = with_ticks(text, exercises, solved)
+        if ticked != text:
+            write_whole(page, ticked.encode())
