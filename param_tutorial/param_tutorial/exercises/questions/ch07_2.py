@@ -1,7 +1,44 @@
-"""Predictions of chapter 7.2."""
+"""Predictions of chapter 7.2: what a launch file starts, and with which values."""
 
-from param_tutorial.exercises.prediction import Prediction
+from param_tutorial.exercises.prediction import Prediction, right, wrong
 
-SOLVED = ''
+SOLVED = 'Your robot starts with its own values every time, and you would notice if it did not.'
 
-PREDICTIONS: tuple[Prediction, ...] = ()
+PREDICTIONS = (
+    Prediction('7.2-1', 'The file says AlphaClaw, 180 rpm, safety off. The dictionary after it says 200 rpm, safety '
+               'on. The defaults are Clawbot, 100 rpm, safety on. How does the robot start?', (
+        wrong('Clawbot, 200 rpm, safety on', 'A dictionary does not replace the file. Each parameter has the last '
+              'value that was given for it.'),
+        right('AlphaClaw, 200 rpm, safety on', 'Each parameter has the last value that was given for it: the name from '
+              'the file, the rest from the dictionary.'),
+        wrong('AlphaClaw, 180 rpm, safety off', 'The dictionary comes later in the list, and here the later source '
+              'wins.'))),
+    Prediction('7.2-2', 'The launch is given `robot_name:=42`, and the file says '
+               '`ParameterValue(…, value_type=str)`. What is the name of the robot?', (
+        wrong('The integer 42, so the node does not start', 'It would be so without `ParameterValue`. With '
+              '`value_type=str` the text stays a text.'),
+        right('The text 42', 'With `value_type=str` the text of the command line stays a text.'),
+        wrong('Clawbot: a number is no name, so the default stays', 'A launch never falls back to a default. It hands '
+              'on what was given, here as a text.'))),
+    Prediction('7.2-3', 'The folder `launch/` lies in the package in `src`, the `setup.py` does not mention it, and '
+               'the build has succeeded. What does `ros2 launch` say?', (
+        wrong('It starts the robot', '`ros2 launch` looks into the install space only, and nothing has installed the '
+              'file.'),
+        right('The file was not found', 'Nothing has installed it. A build takes what `setup.py` names, and no more.'),
+        wrong('It starts the robot, without its parameters', 'It would need the launch file to start anything, and '
+              'that is not in the install space.'))),
+    Prediction('7.2-4', 'The launch file is installed now, and the parameter file that it names is not. Does the robot '
+               'start?', (
+        wrong('No: a file is missing', 'For a launch, a missing parameter file is a warning and no error.'),
+        right('Yes, with its defaults', 'A missing parameter file is a warning, one line above the others. The robot '
+              'drives with its defaults.'),
+        wrong('Yes, with the values of the file in src', 'Nobody looks into `src`. The file is not in the install '
+              'space, so its values are nowhere.'))),
+    Prediction('7.2-5', 'The first line of the file is `/simple_param_node:`, and it names the robot AlphaClaw. A node '
+               'called `other_robot` starts with it. What is its name afterwards?', (
+        wrong('AlphaClaw: it was given the file', 'A file is read for the node that it names. For this one it holds '
+              'nothing.'),
+        right('Clawbot: the file is passed over', 'The file is for another node. It is passed over in silence.'),
+        wrong('There is none: the node does not start', 'No error, and not even a warning: what is for another node is '
+              'passed over in silence.'))),
+)
