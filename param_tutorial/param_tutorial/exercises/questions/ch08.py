@@ -1,7 +1,46 @@
-"""Predictions of chapter 8."""
+"""Predictions of chapter 8: what will hurt the next person."""
 
-from param_tutorial.exercises.prediction import Prediction
+from param_tutorial.exercises.prediction import Prediction, right, wrong
 
-SOLVED = ''
+SOLVED = 'The next person who starts your node will not know whom to thank.'
 
-PREDICTIONS: tuple[Prediction, ...] = ()
+PREDICTIONS = (
+    Prediction('8-1', '`Late` declares its speed on the first ride. A stranger starts it, and sets the speed before '
+               'any ride. What is the answer?', (
+        wrong('accepted: the value waits for the declaration', 'An override at the start waits for a declaration. A '
+              'value that somebody sets does not.'),
+        right('rejected: undeclared', 'Before the first ride there is no such parameter, so nobody can see it or set '
+              'it.'),
+        wrong('none: the node does not start', '`Late` starts. It has no such parameter until its first ride.'))),
+    Prediction('8-2', 'The descriptor of `before` says *double*, and its default is `0`. What does the node answer to '
+               'the sensible speed 0.3?', (
+        wrong('It accepts it', 'The default `0` has made it an integer, whatever the descriptor says. 0.3 is a '
+              'double.'),
+        wrong('It rounds it to 0', 'ROS converts nothing and rounds nothing. The value is of the wrong type.'),
+        right('It rejects it: wrong type', 'The default `0` has made it an integer, and the field `type` of the '
+              'descriptor was overwritten.'))),
+    Prediction('8-3', 'Both nodes reject the second request as a whole. How high are the two platforms after four '
+               'seconds?', (
+        wrong('at the same height: both rejected it', 'The node before started its motor while it judged, and nobody '
+              'takes that back.'),
+        right('before is higher', 'It started its motor while it judged, and drove at the speed that it then '
+              'rejected.'),
+        wrong('after is higher: before has stopped', 'A rejection stops nothing. The motor of the node before runs at '
+              'the speed that was rejected.'))),
+    Prediction('8-4', 'The dump holds `max speed`, `arm/left` and `gains..kp`. A new node starts with the file. What '
+               'happens?', (
+        wrong('All three come back', 'Between the two dots is a part without a name, and rcl rejects the whole file '
+              'for it.'),
+        wrong('Two come back, and gains..kp is ignored', "rcl does not pass over what it can't read. It rejects the "
+              'whole file.'),
+        wrong('One comes back: names have no blanks and no slashes', 'rcl takes both. It is the part without a name '
+              'between the two dots that it rejects, and the whole file with it.'),
+        right('The node does not start', 'Between the two dots is a part without a name, and rcl rejects the whole '
+              'file for it.'))),
+    Prediction('8-5', 'The default is 300 kg, and 600 were meant. The command line says `-p lift.maxload_kg:=600.0`; '
+               'the parameter is `lift.max_load_kg`. How does the lift start?', (
+        wrong('with 600 kg', 'The two names differ by an underscore. An override that no declaration takes is '
+              'ignored.'),
+        right('with 300 kg, and no warning', 'An override that no declaration takes is ignored, in silence.'),
+        wrong('not at all', 'An unknown name among the overrides is no error. It is ignored, in silence.'))),
+)

@@ -1,7 +1,42 @@
-"""Predictions of chapter 10.3."""
+"""Predictions of chapter 10.3: gains, files, and what the wheel makes of them."""
 
-from param_tutorial.exercises.prediction import Prediction
+from param_tutorial.exercises.prediction import Prediction, right, wrong
 
-SOLVED = ''
+SOLVED = 'The wheel runs as it was asked to, and its gains are in a file that reaches it.'
 
-PREDICTIONS: tuple[Prediction, ...] = ()
+PREDICTIONS = (
+    Prediction('10.3-1', 'A file gives a gain for `weel_joint`, and the joint is called `wheel_joint`. What happens '
+               'when the controller starts?', (
+        wrong('It does not start: there is no such joint', 'The gain is an override that no declaration takes. That is '
+              'no error.'),
+        wrong('It gets the gain: the file is for this controller', 'The file reaches it, and the name in it does not: '
+              'the node declares no such parameter.'),
+        right('It starts with its former gain, and reports nothing', 'The gain is an override that no declaration '
+              'takes, so it is ignored in silence.'))),
+    Prediction('10.3-2', 'Which of the four keys reach the controller in the namespace `/clawbot`?', (
+        wrong('all but /wheel_controller', 'A name without a slash means the root namespace too, so '
+              '`wheel_controller` is no better.'),
+        right('/**/wheel_controller and /**', '`**` stands for any number of names, also none. The other two mean the '
+              'root namespace.'),
+        wrong('only /**', '`/**/wheel_controller` reaches it too: `**` stands for any number of names.'),
+        wrong('all four', 'The first two mean the controller in the root namespace, and no other.'))),
+    Prediction('10.3-3', 'The torque is `p` times the error, and nothing else. Which gain brings the wheel to 10 '
+               'rad/s?', (
+        wrong('both, the larger one sooner', 'Without an error there is no torque, and without torque the wheel slows '
+              'down. It stays below 10.'),
+        wrong('only 0.4', 'It comes closer. But without an error there is no torque, and the friction needs some.'),
+        right('neither', 'Without an error there is no torque, and the friction needs some. More `p` makes the error '
+              'smaller, never zero.'))),
+    Prediction('10.3-4', 'The callback rejects whatever is below zero. What does it do with `nan`, which is not a '
+               'number?', (
+        wrong('It rejects it: nan is not a valid gain', 'The rule asks whether it is below zero, and `nan` is not '
+              'below anything.'),
+        wrong('It is never asked: the type is wrong', '`nan` is a double like any other, so the type is right.'),
+        right('It accepts it', '`nan` is neither less nor greater than anything, so it is not below zero.'))),
+    Prediction('10.3-5', 'Three gains are set in one call of `set_parameters`. How many different controllers does the '
+               'wheel have, one after the other?', (
+        right('3', 'Each gain is a change of its own. The first two are pairings that nobody has chosen.'),
+        wrong('1', 'One call, and three changes: the service sets one parameter after the other.'),
+        wrong('2', 'There are three changes, and the node puts each of them to use.')),
+        otherwise='It has three: the service sets one parameter after the other.'),
+)

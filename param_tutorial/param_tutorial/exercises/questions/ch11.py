@@ -1,7 +1,37 @@
-"""Predictions of chapter 11."""
+"""Predictions of chapter 11: the course once more, on a cart."""
 
-from param_tutorial.exercises.prediction import Prediction
+from param_tutorial.exercises.prediction import Prediction, right, wrong
 
-SOLVED = ''
+SOLVED = 'The cart is yours: declared, judged, saved, launched and tuned. The arch holds.'
 
-PREDICTIONS: tuple[Prediction, ...] = ()
+PREDICTIONS = (
+    Prediction('11-1', 'The cart drives at 1.0 m/s with 0.5 m/s². One call of `set_parameters` asks for 2.0 m/s and '
+               '1.0 m/s², which are right together. What becomes of them?', (
+        wrong('Both are accepted', 'They are decided one by one, and the speed meets the old acceleration: it would '
+              'take 4 m to stop.'),
+        wrong('Both are rejected', 'They are decided one by one. The acceleration alone breaks no rule.'),
+        right('The speed is rejected, the acceleration accepted', 'The speed is judged first, with the old '
+              'acceleration. Half of the request comes true.'))),
+    Prediction('11-2', 'The file was dumped from `/cart_node` and says 1.5 m/s. The default is 1.0. Another cart, '
+               '`/second_cart`, starts with the file. How fast is it?', (
+        wrong('1.5', 'The first line of the file is `/cart_node`, and this cart is another node.'),
+        right('1.0', 'The first line of the file is `/cart_node`. For this cart the file holds nothing.'),
+        wrong('No speed: it does not start', 'A file for another node is no error. It is passed over in '
+              'silence.'))),
+    Prediction('11-3', 'The file is for every node now, and says CART-01. The second cart gets `-p cart_id:=CART-02` '
+               'before it. `cart_id` is read-only. What is its number?', (
+        wrong('CART-02: -p wins', 'Both are in the block `/**`, and within a block the later value wins. That is the '
+              'one of the file.'),
+        wrong('CART-02: a read-only parameter takes no second value', 'Nothing is set twice here. Of the two start '
+              'values the later one is taken, and then the parameter is locked.'),
+        right('CART-01', 'Both are in the block `/**`, where the later value wins, and a read-only parameter takes it '
+              'like any other.'))),
+    Prediction('11-4', 'The file says 0.4 m/s² for `/**/cart_node`, and `-p` comes after it and says 0.8, for no node '
+               'in particular. Which acceleration does the cart have?', (
+        wrong('0.4: the file names the node more exactly', 'How exact a name is does not matter. `-p` opens the block '
+              '`/**` after the block of the file, and the later block wins.'),
+        right('0.8', '`-p` opens the block `/**` after the block of the file, and the block that was opened later '
+              'wins.'),
+        wrong('0.5, the default: the two cancel each other', "Overrides don't cancel each other. One of them "
+              'wins.'))),
+)
