@@ -1,0 +1,211 @@
+"""Predictions: the data are sound, stand before their cells, and the widget says what it knows and no sooner."""
+
+import re
+
+import nbformat
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+
+from param_tutorial import exercises
+from param_tutorial.exercises import CHAPTERS, PREDICTIONS, predicting
+from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, right, wrong
+from param_tutorial.exercises.predicting import PredictionView
+from param_tutorial.progress import record
+from tests.support.paths import NOTEBOOKS
+
+CHOICE = Prediction('1-1', 'What is `1`?', (wrong('a text', 'It is a `number`.'), right('a number', 'So it is.')))
+TYPED = Prediction('1-2', 'How many?', (right('150', 'Yes.'), wrong('100', 'More.')), otherwise='It is 150.')
+
+
+def remember_nothing(number: str, choice: str, is_right: bool) -> str:
+    return ''
+
+
+@pytest.fixture
+def shell(monkeypatch):
+    """Yield an IPython of the test's own, whose cells the widget follows."""
+    shell = InteractiveShell()
+    monkeypatch.setattr('IPython.get_ipython', lambda: shell)
+    yield shell
+    shell.history_manager.end_session()
+
+
+def run(shell, source='1'):
+    shell.run_cell(source)
+
+
+def answered(view, text):
+    """Choose or type an answer, and press the button."""
+    view.answer.value = text
+    view.button.click()
+    return view.said.value
+
+
+# -- the data --------------------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize('number', CHAPTERS)
+def test_each_chapter_has_at_least_four_numbered_in_order(number):
+    numbers = [each.number for each in CHAPTERS[number].predictions]
+    assert len(numbers) >= 4
+    assert numbers == [f'{number}-{position}' for position in range(1, len(numbers) + 1)]
+
+
+@pytest.mark.parametrize('prediction', PREDICTIONS.values(), ids=lambda each: each.number)
+def test_each_has_one_right_answer_and_a_sentence_for_each(prediction):
+    assert sum(each.is_right for each in prediction.choices) == 1
+    assert len(prediction.choices) >= 2
+    texts = [each.text for each in prediction.choices]
+    assert len(set(texts)) == len(texts)
+    # Choices are labels of radio buttons, which show no code.
+    assert not any('`' in text for text in texts)
+    sentences = [each.sentence for each in prediction.choices] + [prediction.otherwise] * prediction.is_typed
+    assert all(re.search(r'[.?]$', each) and '!' not in each for each in [*sentences])
+    assert prediction.question.endswith(('?', '.'))
+
+
+@pytest.mark.parametrize('number', CHAPTERS)
+def test_each_chapter_says_something_to_who_has_solved_it(number):
+    assert CHAPTERS[number].praise.endswith('.')
+
+
+@pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
+def test_each_prediction_stands_before_a_cell_of_its_chapter(chapter):
+    cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
+    found = []
+    for cell, after in zip(cells, cells[1:]):
+        for output in cell.get('outputs', ()):
+            if MIME_TYPE in output.get('data', {}):
+                found.append(output.data[MIME_TYPE]['number'])
+                assert cell.source.endswith(f"exercises.predict('{found[-1]}')")
+                assert after.cell_type == 'code', f'nothing decides {found[-1]}'
+    assert found == [each.number for each in chapter.predictions]
+
+
+@pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
+def test_no_chapter_asks_for_a_prediction_in_its_prose(chapter):
+    cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
+    prose = '\n'.join(cell.source for cell in cells if cell.cell_type == 'markdown' and '###' not in cell.source)
+    assert re.findall(r'.*\bPredict\b.*', prose) == []
+
+
+@pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
+def test_titles_of_exercises_are_those_of_the_chapter(chapter):
+    cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
+    headings = re.findall(r'^### ([\d.]+[a-z]) · (.*)$', '\n'.join(cell.source for cell in cells), re.MULTILINE)
+    assert headings == [(each.number, each.title) for each in chapter.exercises]
+
+
+# -- the answers -----------------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize(('given', 'is_right'), [
+    ('150', True), (' 150 ', True), ('150.0', True), ('1.5e2', True), ('100', False), ('99', False), ('many', False)])
+def test_a_typed_value_is_compared_as_a_number(given, is_right):
+    assert TYPED.choice(given).is_right is is_right
+
+
+def test_a_value_that_nobody_foresaw_has_a_sentence_too():
+    assert TYPED.choice('99').sentence == 'It is 150.'
+
+
+def test_a_choice_that_there_is_not():
+    with pytest.raises(KeyError):
+        CHOICE.choice('a list')
+
+
+@pytest.mark.parametrize('prediction', [CHOICE, TYPED])
+def test_the_text_in_its_place_does_not_give_the_answer_away(prediction):
+    view = PredictionView(prediction, remember_nothing)
+    before = view._repr_mimebundle_()
+    answered(view, prediction.choices[0].text)
+    after = view._repr_mimebundle_()
+    assert before['text/plain'] == after['text/plain'] == repr(view)
+    assert not any(each.sentence in before['text/plain'] for each in prediction.choices)
+    assert before[MIME_TYPE] == {'number': prediction.number}
+
+
+# -- the widget ------------------------------------------------------------------------------------------------
+
+def test_without_cells_the_verdict_comes_at_once():
+    said = answered(PredictionView(CHOICE, remember_nothing), 'a text')
+    assert 'Not so.' in said and 'It is a <code>number</code>.' in said
+
+
+def test_a_committed_answer_is_locked():
+    given = []
+    view = PredictionView(CHOICE, lambda *arguments: given.append(arguments) or '')
+    answered(view, 'a number')
+    assert view.answer.disabled and view.button.disabled
+    view.commit()
+    assert given == [('1-1', 'a number', True)]
+
+
+def test_the_button_waits_for_an_answer():
+    view = PredictionView(TYPED, remember_nothing)
+    assert view.button.disabled
+    view.answer.value = '  '
+    assert view.button.disabled
+    view.commit()
+    assert view.said.value == ''
+    view.answer.value = '150'
+    assert not view.button.disabled
+
+
+def test_the_verdict_waits_for_the_next_cell(shell):
+    shell.user_ns['PredictionView'] = lambda: shell.user_ns.setdefault('views', []).append(
+        PredictionView(CHOICE, remember_nothing))
+    run(shell, 'PredictionView()')
+    view, = shell.user_ns['views']
+    assert 'Now run the next cell' in answered(view, 'a number')
+    run(shell, '1 / 0')
+    assert 'Right.' in view.said.value
+
+
+def test_after_run_all_the_verdict_comes_at_once(shell):
+    view = PredictionView(CHOICE, remember_nothing)
+    run(shell)
+    assert view.said.value == ''
+    assert 'Right.' in answered(view, 'a number')
+
+
+def test_a_cell_that_shows_another_prediction_decides_nothing(shell):
+    shell.user_ns['show'] = lambda: PredictionView(TYPED, remember_nothing)
+    first = PredictionView(CHOICE, remember_nothing)
+    answered(first, 'a number')
+    run(shell, 'another = show()')
+    assert 'Now run the next cell' in first.said.value
+    run(shell)
+    assert 'Right.' in first.said.value
+    assert 'Not so.' in answered(shell.user_ns['another'], '7')
+
+
+def test_what_could_not_be_remembered_is_said():
+    view = PredictionView(CHOICE, lambda *_: 'The disk is full.')
+    assert 'The disk is full.' in answered(view, 'a number')
+
+
+# -- as a lesson uses it ---------------------------------------------------------------------------------------
+
+def test_predict_remembers_in_the_learners_file(monkeypatch, tmp_path):
+    monkeypatch.setenv(record.VARIABLE, str(tmp_path / 'progress.json'))
+    first = PREDICTIONS['6-1'].choices[0]
+    answered(exercises.predict('6-1'), first.text)
+    assert record.own().read()[0].predicted['6-1'].choice == first.text
+
+
+def test_predict_writes_nothing_without_the_variable(monkeypatch, tmp_path):
+    monkeypatch.delenv(record.VARIABLE, raising=False)
+    monkeypatch.chdir(tmp_path)
+    answered(exercises.predict('6-2'), '5')
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize('number', ['6-99', '', 7])
+def test_a_prediction_that_there_is_not(number):
+    assert 'There is no prediction' in repr(exercises.predict(number))
+
+
+def test_one_shell_is_followed_once(shell):
+    for _ in range(3):
+        PredictionView(CHOICE, remember_nothing)
+    hooks = shell.events.callbacks['post_run_cell']
+    assert sum(each.__func__ is predicting._Watch._on_end for each in hooks if hasattr(each, '__func__')) == 1

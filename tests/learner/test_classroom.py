@@ -1,0 +1,84 @@
+"""A class as one table, and progress that is forgotten on demand."""
+
+import csv
+
+import pytest
+
+from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS
+from param_tutorial.learner import command
+from param_tutorial.learner.copies import Copies
+from param_tutorial.progress.record import ProgressFile
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Return a folder with the files of three students, in the three ways in which they come, and two bad ones."""
+    ada = ProgressFile(tmp_path / 'ada.json')
+    for number in ('3a', '3b', '5.2a'):
+        ada.add_solved(number)
+    ada.add_prediction('3-1', 'None', right=False)
+    ada.add_prediction('3-2', 'It rejects it', right=True)
+    ProgressFile(tmp_path / 'Bob' / 'progress.json').add_solved('11f')
+    ProgressFile(tmp_path / 'group 2' / 'cyd' / 'my_lessons' / 'progress.json').add_solved('not of this course')
+    (tmp_path / 'broken.json').write_text('{')
+    (tmp_path / 'Bob' / '.ipynb_checkpoints').mkdir()
+    (tmp_path / 'Bob' / '.ipynb_checkpoints' / 'progress.json').write_text('{')
+    return tmp_path
+
+
+def test_one_row_for_each_student_and_bad_files_are_named(folder, capsys):
+    assert command.main(['class', str(folder)]) == 0
+    printed, complained = capsys.readouterr()
+    header, *rows = [line.split() for line in printed.splitlines()]
+    assert header == ['student', *CHAPTERS, 'all', 'predicted', 'right']
+    assert [row[0] for row in rows] == ['ada', 'Bob', 'group']
+    ada = dict(zip(header, rows[0]))
+    assert (ada['3'], ada['5.2'], ada['6']) == ('2/2', '1/3', '0/3')
+    assert (ada['all'], ada['predicted'], ada['right']) == (f'3/{len(EXERCISES)}', f'2/{len(PREDICTIONS)}', '1')
+    assert dict(zip(header, rows[1]))['11'] == '1/6'
+    assert rows[2][-3] == f'0/{len(EXERCISES)}'
+    assert len({len(line) for line in printed.splitlines()}) == 1
+    assert len(complained.splitlines()) == 1 and 'broken.json' in complained
+
+
+def test_as_csv(folder, capsys):
+    assert command.main(['class', str(folder), '--csv']) == 0
+    rows = {row['student']: row for row in csv.DictReader(capsys.readouterr().out.splitlines())}
+    assert list(rows) == ['ada', 'Bob', 'group 2/cyd']
+    assert (rows['ada']['3'], rows['ada']['all'], rows['ada']['right']) == ('2', '3', '1')
+
+
+def test_a_folder_without_files(tmp_path, capsys):
+    assert command.main(['class', str(tmp_path)]) == 1
+    assert 'There is no progress file' in capsys.readouterr().err
+
+
+@pytest.mark.parametrize('arguments', [['class'], ['06', 'folder'], ['06', '--csv'], ['reset-progress', 'folder']])
+def test_words_that_do_not_belong_together(arguments, capsys):
+    with pytest.raises(SystemExit):
+        command.main(arguments)
+    assert 'usage' in capsys.readouterr().err
+
+
+def test_progress_is_forgotten_and_kept(tmp_path, capsys):
+    (tmp_path / 'notebooks').mkdir()
+    (tmp_path / 'notebooks' / '03_x.ipynb').write_text(
+        '{"cells": [{"cell_type": "code", "id": "check-3a", "metadata": {}, "source": "", "outputs": [],'
+        ' "execution_count": null}], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}')
+    (tmp_path / 'notebooks' / 'index.md').write_text('| 3 | [x](03_x.ipynb) | |\n')
+    copies = Copies(tmp_path)
+    copies.deliver()
+    copies.progress.add_solved('3a')
+    assert copies.deliver() == []
+    page = copies.folder / 'index.md'
+    assert page.read_text() == '| 3 ✓ | [x](03_x.ipynb) | |\n'
+    # Our own marks are no change of the learner's.
+    (tmp_path / 'notebooks' / 'index.md').write_text('| 3 | [better](03_x.ipynb) | |\n')
+    assert copies.deliver() == []
+    assert page.read_text() == '| 3 ✓ | [better](03_x.ipynb) | |\n'
+    assert command.main(['reset-progress', '--course', str(tmp_path)]) == 0
+    assert 'is kept in' in capsys.readouterr().out
+    assert page.read_text() == '| 3 | [better](03_x.ipynb) | |\n'
+    assert len(list(copies.folder.glob('progress-before-reset-*.json'))) == 1
+    assert command.main(['reset-progress', '--course', str(tmp_path)]) == 0
+    assert 'nothing to forget' in capsys.readouterr().out

@@ -1,0 +1,126 @@
+"""The file that remembers: whole or not at all, nothing lost between two processes, damage set aside and named."""
+
+import json
+import multiprocessing
+from pathlib import Path
+
+import pytest
+
+from param_tutorial.errors import ProgressError
+from param_tutorial.progress import record, storage
+from param_tutorial.progress.record import ProgressFile, parse
+
+EACH = 20
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> ProgressFile:
+    return ProgressFile(tmp_path / 'my_lessons' / 'progress.json')
+
+
+def names(file: ProgressFile) -> list[str]:
+    return sorted(path.name for path in file.path.parent.iterdir())
+
+
+def test_without_the_variable_there_is_no_file(monkeypatch):
+    monkeypatch.delenv(record.VARIABLE, raising=False)
+    assert record.own() is None
+
+
+def test_the_variable_names_the_file(monkeypatch, tmp_path):
+    monkeypatch.setenv(record.VARIABLE, str(tmp_path / 'here.json'))
+    assert record.own().path == tmp_path / 'here.json'
+
+
+def test_what_was_added_is_read_by_another_process_s_object(file):
+    assert file.add_solved('3a') == ''
+    assert file.add_prediction('3-1', 'None', right=False) == ''
+    progress, note = ProgressFile(file.path).read()
+    assert note == ''
+    assert list(progress.solved) == ['3a']
+    assert (progress.predicted['3-1'].choice, progress.predicted['3-1'].right) == ('None', False)
+    assert names(file) == ['progress.json']
+
+
+def test_the_first_time_counts(file, monkeypatch):
+    monkeypatch.setattr(record, '_now', lambda: '2026-01-01T10:00:00')
+    file.add_solved('3a')
+    file.add_prediction('3-1', 'None', right=False)
+    monkeypatch.setattr(record, '_now', lambda: '2026-02-02T10:00:00')
+    file.add_solved('3a')
+    file.add_prediction('3-1', 'an exception', right=True)
+    progress, _ = file.read()
+    assert progress.solved == {'3a': '2026-01-01T10:00:00'}
+    assert not progress.predicted['3-1'].right
+
+
+def add_many(path: Path, name: str) -> None:
+    for number in range(EACH):
+        ProgressFile(path).add_solved(f'{name}{number}')
+
+
+def test_two_kernels_at_once_lose_nothing(file):
+    context = multiprocessing.get_context('spawn')
+    kernels = [context.Process(target=add_many, args=(file.path, name)) for name in 'ab']
+    for each in kernels:
+        each.start()
+    for each in kernels:
+        each.join()
+    assert len(file.read()[0].solved) == 2 * EACH
+
+
+DAMAGED = (b'', b'{"solved": {"3a": "20', b'\xff\xfe', b'[]', b'null', b'{"version": 2, "solved": {}, "predicted": {}}',
+           b'{"version": 1, "solved": {"3a": "yesterday"}, "predicted": {}}',
+           b'{"version": 1, "solved": {"3a": 7}, "predicted": {}}',
+           b'{"version": 1, "solved": {}, "predicted": {"3-1": {"choice": 1, "right": true, "at": "2026-01-01"}}}',
+           b'{"version": 1, "solved": {}, "predicted": {"3-1": {"right": true}}}', b'[' * 100_000)
+
+
+@pytest.mark.parametrize('content', DAMAGED, ids=range(len(DAMAGED)))
+def test_a_damaged_file_is_set_aside_and_named(file, content):
+    file.path.parent.mkdir()
+    file.path.write_bytes(content)
+    with pytest.raises(ProgressError):
+        parse(content)
+    progress, note = file.read()
+    assert progress.solved == {} and file.path.name in note
+    said = file.add_solved('3a')
+    kept, = (name for name in names(file) if name != 'progress.json')
+    assert kept in said and said.endswith('.')
+    assert (file.path.parent / kept).read_bytes() == content
+    assert list(file.read()[0].solved) == ['3a']
+
+
+def test_of_two_damaged_files_both_are_kept(file):
+    file.path.parent.mkdir()
+    for content in (b'one', b'two'):
+        file.path.write_bytes(content)
+        file.add_solved('3a')
+    kept = [path.read_bytes() for path in file.path.parent.glob('progress-damaged-*')]
+    assert sorted(kept) == [b'one', b'two']
+
+
+def test_a_write_that_fails_leaves_the_file_as_it_was(file, monkeypatch):
+    file.add_solved('3a')
+    before = file.path.read_bytes()
+
+    def full(_: int) -> None:
+        raise OSError(28, 'No space left on device')
+    monkeypatch.setattr(storage.os, 'fsync', full)
+    assert file.add_solved('3b') == 'This could not be remembered in progress.json: No space left on device.'
+    assert file.path.read_bytes() == before
+    assert names(file) == ['progress.json']
+
+
+def test_a_folder_that_cannot_be_made_is_said(tmp_path):
+    (tmp_path / 'file').write_text('')
+    said = ProgressFile(tmp_path / 'file' / 'progress.json').add_solved('3a')
+    assert said.startswith('This could not be remembered')
+
+
+def test_reset_keeps_what_was_there(file):
+    assert file.reset() is None
+    file.add_solved('3a')
+    kept = file.reset()
+    assert file.read()[0].solved == {}
+    assert list(json.loads(kept.read_text())['solved']) == ['3a']

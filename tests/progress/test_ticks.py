@@ -1,0 +1,43 @@
+"""The marks on the start page: right, and gone again without a trace."""
+
+import re
+
+from param_tutorial.exercises import CHAPTERS
+from param_tutorial.progress.ticks import tick, with_ticks, without_ticks
+from tests.support.paths import NOTEBOOKS
+
+PAGE = (NOTEBOOKS / 'index.md').read_text()
+EXERCISES = {chapter.name: [each.number for each in chapter.exercises] for chapter in CHAPTERS.values()}
+
+
+def marks(text: str) -> dict[str, str]:
+    """Return what stands behind the number of each chapter."""
+    return {number: mark for number, mark in re.findall(r'^\| ([\d.]+) ?(.*?) \| \[', text, re.MULTILINE)}
+
+
+def test_every_chapter_has_a_row():
+    assert list(marks(PAGE)) == list(CHAPTERS)
+    assert set(marks(PAGE).values()) == {''}
+
+
+def test_a_solved_chapter_has_a_tick_and_a_begun_one_says_how_much():
+    found = marks(with_ticks(PAGE, EXERCISES, {'3a', '3b', '5.2a', '10.4c'}))
+    assert {number: mark for number, mark in found.items() if mark} == {'3': '✓', '5.2': '1/3', '10.4': '1/3'}
+
+
+def test_marks_change_and_go():
+    begun = with_ticks(PAGE, EXERCISES, {'3a'})
+    assert marks(begun)['3'] == '1/2'
+    assert marks(with_ticks(begun, EXERCISES, {'3a', '3b'}))['3'] == '✓'
+    assert with_ticks(begun, EXERCISES, ()) == without_ticks(begun) == without_ticks(PAGE) == PAGE
+
+
+def test_a_page_that_is_not_there_is_not_made(tmp_path):
+    tick(tmp_path, EXERCISES, {'3a'})
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_page_in_a_folder_is_written(tmp_path):
+    (tmp_path / 'index.md').write_text(PAGE)
+    tick(tmp_path, EXERCISES, {'3a', '3b'})
+    assert marks((tmp_path / 'index.md').read_text())['3'] == '✓'
