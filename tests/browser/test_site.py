@@ -76,6 +76,9 @@ heater = ros.add(Heater)''',
     'Its controls:',
     "panel = ParameterPanel('/heater')\npanel",
     "display(LogView(node='/heater'), EventView())",
+    'Two predictions, one to choose and one to type:',
+    "from param_tutorial import exercises\n\nexercises.predict('6-1')",
+    "exercises.predict('6-2')",
     'What a hand does later does not show above:',
     "panel['low_c'].value = 19\npanel.settle()\npanel['low_c'].value",
     '## Next\n\nA table, and a link to [the other one](2_robot.ipynb), and to [none](9_none.ipynb).\n\n'
@@ -286,6 +289,33 @@ def test_slider_check_box_and_array_by_keyboard(page):
 def test_the_panel_shows_the_state_in_which_the_cell_ran(page):
     expect(box(page, 'low_c')).to_have_value('18')
     expect(page.locator('.cell_output').get_by_text('19', exact=True)).to_be_visible()
+
+
+@limits
+def test_a_prediction_by_keyboard(page):
+    form = page.locator('.rec-prediction').first
+    commit = form.get_by_role('button', name='Commit')
+    expect(commit).to_be_disabled()
+    form.get_by_role('radio').first.focus()
+    page.keyboard.press('Space')
+    page.keyboard.press('ArrowDown')
+    page.keyboard.press('Tab')
+    page.keyboard.press('Enter')
+    expect(form.get_by_role('status')).to_contain_text('Right. 85 is off the step too')
+    expect(form.get_by_role('radio').first).to_be_disabled()
+    expect(commit).to_be_hidden()
+    expect(page.get_by_text("exercises.predict('6-1')")).to_have_count(0)
+
+
+@limits
+@pytest.mark.parametrize(('typed', 'said'), [(' 5.0 ', 'Right. -20, -15'), ('4', 'Not so. There is one more'),
+                                             ('many', 'Not so. It accepts five')])
+def test_a_prediction_that_is_typed(page, typed, said):
+    form = page.locator('.rec-prediction').nth(1)
+    box = form.get_by_label('Your value')
+    box.fill(typed)
+    box.press('Enter')
+    expect(form.get_by_role('status')).to_contain_text(said)
 
 
 @robot

@@ -62,6 +62,19 @@ def test_a_damaged_file_is_named(file):
     assert "progress.json can't be read" in repr(exercises.progress('3'))
 
 
+def test_the_whole_course_has_a_row_for_each_chapter(file):
+    for number in ('3a', '3b', '5.2a'):
+        file.add_solved(number)
+    rows = repr(exercises.progress()).splitlines()
+    assert len(rows) == len(CHAPTERS)
+    assert '✓ 3     exercises 2/2   predictions 0/6' in rows
+    assert '· 5.2   exercises 1/3   predictions 0/6' in rows
+
+
+def test_the_whole_course_without_a_file(no_file):
+    assert 'make lab' in repr(exercises.progress()) and '✓' not in repr(exercises.progress())
+
+
 def test_a_chapter_that_there_is_not(no_file):
     assert 'There is no chapter' in repr(exercises.progress('12'))
 

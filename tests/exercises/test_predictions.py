@@ -1,5 +1,6 @@
 """Predictions: the data are sound, stand before their cells, and the widget says what it knows and no sooner."""
 
+import itertools
 import re
 
 import nbformat
@@ -8,8 +9,8 @@ from IPython.core.interactiveshell import InteractiveShell
 
 from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, PREDICTIONS, predicting
-from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, right, wrong
 from param_tutorial.exercises.predicting import PredictionView
+from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, right, wrong
 from param_tutorial.progress import record
 from tests.support.paths import NOTEBOOKS
 
@@ -72,7 +73,7 @@ def test_each_chapter_says_something_to_who_has_solved_it(number):
 def test_each_prediction_stands_before_a_cell_of_its_chapter(chapter):
     cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
     found = []
-    for cell, after in zip(cells, cells[1:]):
+    for cell, after in itertools.pairwise(cells):
         for output in cell.get('outputs', ()):
             if MIME_TYPE in output.get('data', {}):
                 found.append(output.data[MIME_TYPE]['number'])

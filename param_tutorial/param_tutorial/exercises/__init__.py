@@ -23,7 +23,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from param_tutorial.errors import nearest
-from param_tutorial.exercises.achievements import Certificate, Chapter, ChapterProgress
+from param_tutorial.exercises.achievements import Certificate, Chapter, ChapterProgress, CourseProgress
 from param_tutorial.exercises.chapters import (
     ch01,
     ch02,
@@ -114,8 +114,10 @@ def predict(number: str = '') -> PredictionView | Answer:
 def progress(number: str = '') -> Answer:
     """Return what there is to solve in a chapter, with a tick at what the learner has solved.
 
-    :param number: Of the chapter, e.g. '3' or '5.2'.
+    :param number: Of the chapter, e.g. '3' or '5.2'; by default all chapters, a row for each.
     """
+    if not number:
+        return CourseProgress(tuple(CHAPTERS.values()), record.own())
     chapter = CHAPTERS.get(str(number))
     if chapter is None:
         return _unknown(number, 'chapter', CHAPTERS)

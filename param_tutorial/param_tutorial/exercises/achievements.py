@@ -10,8 +10,8 @@ from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer
 from param_tutorial.pictures.medal import medal
 from param_tutorial.pictures.styles import style
-from param_tutorial.pictures.tables import with_code
-from param_tutorial.progress.record import ProgressFile
+from param_tutorial.pictures.tables import table, with_code
+from param_tutorial.progress.record import Progress, ProgressFile
 from param_tutorial.progress.storage import write_whole
 
 _STYLE = style('exercises/achievements.css')
@@ -96,6 +96,31 @@ class ChapterProgress(Answer):
     def _prediction_words(self, prediction: Prediction) -> str:
         made = self._predicted.get(prediction.number)
         return '' if made is None else ' ✓ right' if made.right else ' ✗ not so'
+
+
+class CourseProgress(Answer):
+    """What a learner has solved of the whole course, a row for each chapter."""
+
+    def __init__(self, chapters: Sequence[Chapter], file: ProgressFile | None):
+        """:param file: The learner's; None if nothing is remembered."""
+        progress, note = file.read() if file else (Progress(), _HOW)
+        self._rows = []
+        for each in chapters:
+            solved = sum(exercise.number in progress.solved for exercise in each.exercises)
+            made = sum(prediction.number in progress.predicted for prediction in each.predictions)
+            self._rows.append(('✓' if solved == len(each.exercises) else '·', each.number,
+                               f'{solved}/{len(each.exercises)}', f'{made}/{len(each.predictions)}'))
+        super().__init__(note)
+
+    def __repr__(self) -> str:
+        lines = [f'{mark} {number:<5} exercises {solved}   predictions {made}'
+                 for mark, number, solved, made in self._rows]
+        return '\n'.join([*lines, *(['', self.text] if self.text else [])])
+
+    def _repr_html_(self) -> str:
+        rows = table(('', 'chapter', 'exercises solved', 'predictions made'), self._rows)
+        note = f'<p>{with_code(self.text)}</p>' if self.text else ''
+        return f'{_STYLE}<div class="param-progress">{rows}{note}</div>'
 
 
 class Certificate(Answer):

@@ -67,8 +67,10 @@ class Copies:
 
     def tick(self) -> None:
         """Mark on the start page what the learner has solved."""
-        exercises = {path.stem: [found.replace('-', '.') for found in _CHECK.findall(path.read_text(encoding='utf-8'))]
-                     for path in sorted(self.chapters.glob('[0-9]*.ipynb'))}
+        exercises = {}
+        for path in sorted(self.chapters.glob('[0-9]*.ipynb')):
+            found = _CHECK.findall(path.read_text('utf-8', 'replace'))
+            exercises[path.stem] = [number.replace('-', '.') for number in found]
         progress, _ = self.progress.read()
         ticks.tick(self.folder, exercises, progress.solved)
 

@@ -1,0 +1,80 @@
+"""Predict, then run, in the real JupyterLab: by keyboard, and remembered until the next start."""
+
+import json
+import os
+from pathlib import Path
+
+import nbformat
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.support import lesson
+from tests.support.lab import CourseLab, LabPage
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
+
+CHAPTER = '03_declaring.ipynb'
+CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.predict('3-1')", "print('decided')",
+         'And a value:', "exercises.predict('6-2')", "print('decided too')",
+         'What is solved:', "exercises.progress('3')", 'The next one solves it:',
+         "from param_tutorial.progress.record import own\n\nfor number in ('3a', '3b'):\n    own().add_solved(number)",
+         "exercises.progress('3')")
+
+
+def see(page: Page, name: str) -> None:
+    """Keep a picture for people, if they have said where."""
+    if folder := os.environ.get('PREDICTION_SHOTS'):
+        page.screenshot(path=str(Path(folder) / f'{name}.png'))
+
+
+def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
+    lab = CourseLab(tmp_path / 'lab', [])
+    lesson.write(lab.course / 'notebooks' / CHAPTER, CELLS)
+    notebook = nbformat.read(lab.course / 'notebooks' / CHAPTER, as_version=4)
+    notebook.cells += [nbformat.v4.new_code_cell(id=f'check-3{letter}') for letter in 'ab']
+    nbformat.write(notebook, lab.course / 'notebooks' / CHAPTER)
+    with lab, lab.browser() as browser:
+        lab_page = LabPage(lab, browser, CHAPTER)
+        page = lab_page.page
+        lab_page.select_cell(1)
+        lab_page.command('notebook:run-cell')
+        first = page.locator('.param-predict')
+        commit = first.get_by_role('button', name='Commit')
+        expect(commit).to_be_disabled()
+        see(page, 'asked')
+
+        # By keyboard: choose, go on to the button, press it.
+        first.get_by_role('radio').first.focus()
+        page.keyboard.press('Space')
+        expect(commit).to_be_enabled()
+        page.keyboard.press('Tab')
+        page.keyboard.press('Enter')
+        expect(first).to_contain_text('Committed. Now run the next cell.')
+        expect(first.get_by_role('radio').first).to_be_disabled()
+        see(page, 'committed')
+        lab_page.select_cell(2)
+        lab_page.command('notebook:run-cell')
+        expect(first).to_contain_text('Not so. A parameter without a declaration')
+        see(page, 'decided')
+
+        # After Run All the verdict comes at once, and nothing was held up.
+        lab_page.run_all()
+        second = page.locator('.param-predict').nth(1)
+        second.get_by_role('textbox').fill('5')
+        second.get_by_role('button', name='Commit').click()
+        expect(second).to_contain_text('Right. -20, -15')
+        expect(page.locator('.param-progress').first).to_contain_text('1 of 6 predictions made, 0 of them right')
+        expect(page.locator('.param-praise')).to_have_count(1)
+        see(page, 'solved')
+        assert lab_page.errors == []
+    remembered = json.loads((lab.copies / 'progress.json').read_text())
+    assert list(remembered['solved']) == ['3a', '3b']
+    assert {number: each['right'] for number, each in remembered['predicted'].items()} == {'3-1': False, '6-2': True}
+
+    # The next start: the page has a tick, and the file is what it was.
+    with lab, lab.browser() as browser:
+        page = browser.new_page()
+        page.goto(f'{lab.url}?token={lab.token}')
+        expect(page.get_by_role('row', name='3 ✓ Declaring')).to_be_visible()
+        see(page, 'start')
+    assert json.loads((lab.copies / 'progress.json').read_text()) == remembered
