@@ -135,7 +135,8 @@ def test_a_committed_answer_is_locked():
     given = []
     view = PredictionView(CHOICE, lambda *arguments: given.append(arguments) or '')
     answered(view, 'a number')
-    assert view.answer.disabled and view.button.disabled
+    assert view.answer.disabled and view.button.description == 'Committed'
+    view.button.click()
     view.commit()
     assert given == [('1-1', 'a number', True)]
 
@@ -177,6 +178,23 @@ def test_a_cell_that_shows_another_prediction_decides_nothing(shell):
     run(shell)
     assert 'Right.' in first.said.value
     assert 'Not so.' in answered(shell.user_ns['another'], '7')
+
+
+def test_a_cell_that_runs_again_goes_on_with_what_was_committed(shell):
+    given = []
+    shell.user_ns['show'] = lambda: PredictionView(CHOICE, lambda *arguments: given.append(arguments) or 'A note.')
+    run(shell, 'view = show()')
+    answered(shell.user_ns['view'], 'a number')
+    run(shell, 'view = show()')
+    again = shell.user_ns['view']
+    assert again.answer.value == 'a number' and again.answer.disabled
+    assert 'Now run the next cell' in again.said.value
+    run(shell)
+    assert 'Right.' in again.said.value and 'A note.' in again.said.value
+    assert len(given) == 1
+    # What is decided may be tried again.
+    run(shell, 'view = show()')
+    assert shell.user_ns['view'].answer.value is None
 
 
 def test_what_could_not_be_remembered_is_said():

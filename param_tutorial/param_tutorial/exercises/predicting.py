@@ -16,7 +16,7 @@ from param_tutorial.pictures.tables import with_code
 from param_tutorial.widgets.cells import close_with_cell
 
 STYLE = style('exercises/prediction.css')
-COMMIT = 'Commit'
+COMMIT, COMMITTED = 'Commit', 'Committed'
 
 Remember = Callable[[str, str, bool], str]
 
@@ -45,6 +45,7 @@ class PredictionView(widgets.VBox):
         self.answer.observe(self._on_answer, 'value')
         self.button.on_click(lambda _: self.commit())
         _watch.add(self)
+        self._go_on()
         close_with_cell(self)
 
     def __repr__(self) -> str:
@@ -61,18 +62,32 @@ class PredictionView(widgets.VBox):
         """Lock the answer in, and say what became of it as soon as it can be known."""
         if self._committed or not self._given:
             return
-        self._committed = True
-        self.answer.disabled = self.button.disabled = True
-        self.button.layout.display = 'none'
         choice = self.prediction.choice(self._given)
         self._note = self._remember(self.prediction.number, choice.text, choice.is_right)
-        self._say()
+        self._lock()
 
     def next_cell_has_run(self) -> None:
         """Take notice that the cell that decides has run."""
         if not self._next_cell_has_run:
             self._next_cell_has_run = True
             self._say()
+
+    def _lock(self) -> None:
+        self._committed = self.answer.disabled = True
+        # Neither gone nor disabled: it has the focus, from which the learner goes on by keyboard.
+        self.button.description = COMMITTED
+        self._say()
+
+    def _go_on(self) -> None:
+        """Take over what an earlier view of the same prediction was committed to, if it is still undecided.
+
+        After a click in a cell's output, Shift+Enter runs that cell again, and not the next one.
+        """
+        earlier = _latest.get(self.prediction.number)
+        _latest[self.prediction.number] = self
+        if earlier is not None and earlier._committed and not earlier._next_cell_has_run:
+            self.answer.value, self._note = earlier.answer.value, earlier._note
+            self._lock()
 
     @property
     def _given(self) -> str:
@@ -132,3 +147,5 @@ class _Watch:
 
 
 _watch = _Watch()
+# By the numbers of the predictions.
+_latest: dict[str, PredictionView] = {}
