@@ -51,12 +51,12 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         for _ in range(3):
             page.keyboard.press('Tab')
         page.keyboard.press('Space')
-        expect(first).to_contain_text('Committed. Now run the next cell.')
+        expect(first).to_contain_text('Now run the next cell.')
         expect(first.get_by_role('radio').first).to_be_disabled()
         see(page, 'committed')
         # From there Shift+Enter runs the same cell once more, and then the one that decides.
         page.keyboard.press('Shift+Enter')
-        expect(first).to_contain_text('Committed. Now run the next cell.')
+        expect(first).to_contain_text('Now run the next cell.')
         page.keyboard.press('Shift+Enter')
         expect(first).to_contain_text('Not so. A parameter without a declaration')
         see(page, 'decided')

@@ -100,7 +100,7 @@ class PredictionView(widgets.VBox):
         if not self._committed:
             return
         if not self._next_cell_has_run:
-            self.said.value = '<p role="status"><b>Committed.</b> Now run the next cell.</p>'
+            self.said.value = '<p role="status">Now run the next cell.</p>'
             return
         self.said.value = f'<p role="status">{verdict(self.prediction, self._given)} {with_code(self._note)}</p>'
 
