@@ -32,7 +32,7 @@ reset: setup  ## make your copy of one chapter fresh again, and keep what was th
 	@test -n "$(CHAPTER)" || { echo "Which one? make reset CHAPTER=06" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.learner "$(CHAPTER)" $(ARGS)
 
-test: lint  ## run the whole test suite, as CI does
+test: setup-all  ## run the whole test suite, as CI does
 	@$(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
