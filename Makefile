@@ -40,7 +40,7 @@ class: setup  ## one table of a class's progress files: make class FOLDER=…, w
 	@test -n "$(FOLDER)" || { echo "Where are the files? make class FOLDER=…" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.learner class "$(FOLDER)" $(ARGS)
 
-test: lint  ## run the whole test suite, as CI does
+test: setup-all  ## run the whole test suite, as CI does
 	@$(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.

@@ -45,6 +45,11 @@ class Lab:
         self._folder = folder
         self._work = folder / 'work'
         self._work.mkdir(parents=True)
+        # These have the server load all of nbconvert's exporters for a menu, each time a page is opened.
+        page_config = folder / 'config' / 'labconfig' / 'page_config.json'
+        page_config.parent.mkdir(parents=True)
+        page_config.write_text(json.dumps({'disabledExtensions': {
+            f'@jupyterlab/notebook-extension:{name}': True for name in ('export', 'update-raw-mimetype')}}))
         for notebook in notebooks:
             self.add(notebook)
         self.token = os.urandom(16).hex()
