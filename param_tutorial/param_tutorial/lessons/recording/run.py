@@ -8,6 +8,7 @@ ask. So every answer comes from the very state that the page shows, and no quest
 import ast
 import contextlib
 import json
+import re
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -29,6 +30,8 @@ from param_tutorial.runtime import domain
 WIDGET = 'application/vnd.jupyter.widget-view+json'
 _ANSWER = 'application/x-param-tutorial-recording+json'
 _CELL_TIMEOUT_SEC = 120
+# What these cells name are numbers of predictions and chapters, which nobody types into a panel.
+_ABOUT_LEARNER = re.compile(r'^exercises\.(predict|progress|certificate)\(', re.MULTILINE)
 
 
 class ChapterError(Exception):
@@ -104,7 +107,7 @@ def literals_of(notebook: NotebookNode) -> list[Any]:
     """Return the values that a chapter's code speaks of: its readers will try them."""
     found: dict[str, Any] = {}
     for cell in notebook.cells:
-        if cell.cell_type != 'code':
+        if cell.cell_type != 'code' or _ABOUT_LEARNER.search(cell.source):
             continue
         # Magics are no Python; the other cells are enough.
         with contextlib.suppress(SyntaxError):
