@@ -58,7 +58,7 @@ def front_page_source(index: Path, recordings: dict[Path, Recordings], facts: di
 def _robot_to_try(recordings: dict[Path, Recordings]) -> str:
     """Return a robot and its panel, if a chapter begins with them."""
     for path, recorded in recordings.items():
-        views = [each for found in recorded.values() for each in found]
+        views = [part for found in recorded.values() for each in found for part in each.get('parts', [each])]
         robot = next((each for each in views if each['kind'] == 'robot'), None)
         panel = next((each for each in views if robot and each['kind'] == 'panel' and each['node'] == robot['node']),
                      None)

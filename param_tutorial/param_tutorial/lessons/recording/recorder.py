@@ -7,13 +7,13 @@ be asked. The kernel is thrown away afterwards, so the lesson's own outputs neve
 
 import contextlib
 import pkgutil
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from param_tutorial.lessons.recording import taps
 from param_tutorial.lessons.recording.interview import interview
 from param_tutorial.lessons.recording.recorded import Page, Recording, ViewFacts
 from param_tutorial.widgets import recordable
-from param_tutorial.widgets.recordable import Portrait, Recordable
+from param_tutorial.widgets.recordable import Composition, Portrait, Recordable
 
 
 def describe(model_ids: Iterable[str]) -> list[ViewFacts]:
@@ -23,7 +23,7 @@ def describe(model_ids: Iterable[str]) -> list[ViewFacts]:
     """
     return [{'node': view.node, 'follows': sorted(view.follows),
              'portrait': f'{type(view).__module__}:{type(view).__qualname__}' if isinstance(view, Portrait) else None}
-            for model_id in model_ids if (view := recordable.find(model_id)) is not None]
+            for model_id in model_ids for view in _views_in(model_id)]
 
 
 def record(model_id: str, page: Page) -> Recording | None:
@@ -32,9 +32,21 @@ def record(model_id: str, page: Page) -> Recording | None:
     :param model_id: Of the widget that a cell has shown.
     :return: What JSON can hold; None if the widget is no view.
     """
-    view = recordable.find(model_id)
-    if view is None:
-        return None
+    found = recordable.find(model_id)
+    if isinstance(found, Composition):
+        return {**found.snapshot(), 'parts': [_record(view, page) for view in found.parts]}
+    return None if found is None else _record(found, page)
+
+
+def _views_in(model_id: str) -> Sequence[Recordable]:
+    """Return the view with a model's id, or those in it; nothing if the widget is no view."""
+    found = recordable.find(model_id)
+    if isinstance(found, Composition):
+        return found.parts
+    return () if found is None else (found,)
+
+
+def _record(view: Recordable, page: Page) -> Recording:
     if recordable.LOG in view.follows:
         taps.wait_for_logs()
     if isinstance(view, Portrait):
