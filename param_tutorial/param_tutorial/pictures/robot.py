@@ -24,9 +24,6 @@ if TYPE_CHECKING:
 _BEFORE_START_M = 0.8
 _BEHIND_WALL_M = 0.35
 _WALL_TOP = 52
-# In centimeters, like everything that is drawn of the robot: where its center is, behind its front.
-_CENTER_CM = -30
-_SENSOR_CM = -15
 # What looks like the same place is not marked as a mistake.
 _SAME_PLACE_M = 0.005
 # Where the pieces of a crash end, for one meter per second: forward, upward, turned by so many degrees.
@@ -39,9 +36,9 @@ class Robot(Vehicle):
     """What a picture needs to know about a robot."""
 
     serial_number: str
-    length_m: float
     wheel_m: float
     """The radius of its wheels."""
+    length_m: float = 0.6
     sensor_mount_m: float = 0.15
     """Where its sensor really sits, before its center."""
     temperature_c: int = 15
@@ -141,18 +138,20 @@ class Robot(Vehicle):
         """Return SVG of the robot, drawn in centimeters; its bumper ends at 0, where its front is."""
         scale, radius = self.units_per_m / 100, 100 * self.wheel_m
         deck = -radius - 17
+        center = -50 * self.length_m
+        sensor = center + 100 * self.sensor_mount_m
         eye = deck - 7
         color = paint(self.name)
         listens = ''
         if self.settings.safety_on and moment.state.word != 'CRASHED':
             # As far as it measures: whatever is behind the wall is hidden by it.
             far = 100 * (self.settings.track_m + _BEFORE_START_M)
-            listens = (f'<path class="robot-beam" d="M{_SENSOR_CM + 3} {eye:g}L{far:g} {eye - 9:g}V{eye + 9:g}Z"/>'
-                       f'<path class="robot-ray" d="M{_SENSOR_CM + 3} {eye:g}H{far:g}"/>')
+            listens = (f'<path class="robot-beam" d="M{sensor + 3:g} {eye:g}L{far:g} {eye - 9:g}V{eye + 9:g}Z"/>'
+                       f'<path class="robot-ray" d="M{sensor + 3:g} {eye:g}H{far:g}"/>')
         believed = self.settings.sensor_offset_m
         ghost = ''
         if abs(believed - self.sensor_mount_m) > _SAME_PLACE_M:
-            at = _CENTER_CM + 100 * believed
+            at = center + 100 * believed
             ghost = (f'<g class="robot-ghost"><rect x="{at - 4:g}" y="{eye - 4:g}" width="8" height="8" rx="2"/>'
                      f'<path d="M{at:g} {eye - 6:g}v-16"/></g>'
                      f'<text class="robot-ghost-word" x="{at:g}" y="{eye - 24:g}" text-anchor="middle" '
@@ -170,9 +169,9 @@ class Robot(Vehicle):
             f'<rect class="robot-paint robot-paint-{color}" x="-59" y="{deck:g}" width="55" height="17" rx="3.5"/>'
             f'{pattern(color, -55, deck + 2, 42, 11)}'
             f'<rect class="robot-bumper" x="-4.4" y="{-radius - 7:g}" width="4" height="12" rx="1.6"/>'
-            f'<path class="robot-arm" d="M{_SENSOR_CM} {deck:g}v-4"/>'
-            f'<rect class="robot-part" x="{_SENSOR_CM - 4}" y="{eye - 4:g}" width="8" height="8" rx="2"/>'
-            f'<circle class="robot-eye" cx="{_SENSOR_CM + 1.5}" cy="{eye:g}" r="2.2"/>{frost}{ghost}'
+            f'<path class="robot-arm" d="M{sensor:g} {deck:g}v-4"/>'
+            f'<rect class="robot-part" x="{sensor - 4:g}" y="{eye - 4:g}" width="8" height="8" rx="2"/>'
+            f'<circle class="robot-eye" cx="{sensor + 1.5:g}" cy="{eye:g}" r="2.2"/>{frost}{ghost}'
             f'{wheel(-46, radius, wheel_css)}{wheel(-17, radius, wheel_css)}')
         name = text(-33 * scale, (deck - 40) * scale, _short(self.name), 'robot-tag')
         return (f'<g transform="scale({scale:.4f})">{listens}<g class="robot-machine" style="--crash:'

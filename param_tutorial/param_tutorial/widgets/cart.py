@@ -24,19 +24,23 @@ _SHOW_PERIOD_SEC = 0.05
 _READY = Motion((), State('READY', 0.0))
 
 
-def drive(node: str, speed_mps: float, acceleration_mps2: float) -> Cart:
+def settings_of(speed_mps: float, acceleration_mps2: float) -> Settings:
+    """Return what a drive to the end of the aisle depends on."""
+    return Settings(speed_mps, acceleration_mps2, track_m=AISLE_M + SAFETY_GAP_M)
+
+
+def cart_on_trip(node: str, speed_mps: float, acceleration_mps2: float) -> Cart:
     """Return a cart that is about to drive along the aisle.
 
     :param node: The name of its node.
     """
     settings = settings_of(speed_mps, acceleration_mps2)
-    return Cart(name=node.rpartition('/')[2], node=node, settings=settings, motion=plan(0.0, 0.0, settings),
-                sight_m=SIGHT_M)
+    return _cart(node, settings, plan(0.0, 0.0, settings))
 
 
-def settings_of(speed_mps: float, acceleration_mps2: float) -> Settings:
-    """Return what a drive to the end of the aisle depends on."""
-    return Settings(speed_mps, acceleration_mps2, track_m=AISLE_M + SAFETY_GAP_M)
+def _cart(node: str, settings: Settings, motion: Motion, before_sec: float = 0.0) -> Cart:
+    return Cart(name=node.rpartition('/')[2], node=node, settings=settings, motion=motion, sight_m=SIGHT_M,
+                before_sec=before_sec)
 
 
 class CartView(DrivingView):
@@ -135,8 +139,7 @@ class CartView(DrivingView):
 
     def _cart(self) -> Cart:
         assert self._settings is not None
-        return Cart(name=self._node.rpartition('/')[2], node=self._node, settings=self._settings, motion=self._motion,
-                    sight_m=SIGHT_M, before_sec=self._before_sec)
+        return _cart(self._node, self._settings, self._motion, self._before_sec)
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
 
@@ -158,4 +161,4 @@ class CartView(DrivingView):
                 return None
             if not driving:
                 return self._cart()
-            return drive(self._node, self._settings.max_speed_mps, self._settings.max_acceleration_mps2)
+            return cart_on_trip(self._node, self._settings.max_speed_mps, self._settings.max_acceleration_mps2)

@@ -107,7 +107,7 @@ class RobotView(DrivingView):
                 coming = self._executor and self._looks_left > 0 and self._executor.node_incarnations(self._name)
                 return _LOOK_PERIOD_SEC if coming else None
             motion, elapsed_sec = robot.motion
-            self._draw(facts(robot, motion), elapsed_sec)
+            self._draw(vehicle_of(robot, motion), elapsed_sec)
         return None
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
@@ -127,13 +127,13 @@ class RobotView(DrivingView):
             return None
         if driving:
             robot.drive()
-        vehicle = facts(robot, robot.motion[0])
+        vehicle = vehicle_of(robot, robot.motion[0])
         if driving:
             robot.step(math.inf)
         return vehicle
 
 
-def facts(robot: ClawbotNode, motion: Motion) -> Robot:
+def vehicle_of(robot: ClawbotNode, motion: Motion) -> Robot:
     """Return what a picture needs to know about a robot, read from its node."""
     def value(name: str) -> Any:
         return robot.get_parameter(name).value
