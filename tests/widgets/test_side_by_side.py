@@ -54,6 +54,9 @@ def test_a_page_records_both_and_draws_them_in_their_places(views):
     recording = recorder.record(both.model_id, {'literals': [], 'views': facts})
     assert recording['kind'] == 'side by side'
     assert [part['kind'] for part in recording['parts']] == ['robot', 'panel']
-    assert recording['parts'][1]['films']
+    films = recording['parts'][1]['films']
+    # Nothing was driven before the last picture of the robot at the start was taken.
+    assert {film['look']['text'].split('.')[0] for film in films} == {'READY'}
+    assert recording['parts'][0]['films'][0]['look']['text'].startswith('READY')
     html = drawing.Drawer('page').draw(recording)
     assert html.index('side-by-side-parts') < html.index('rec-robot') < html.index('rec-panel')

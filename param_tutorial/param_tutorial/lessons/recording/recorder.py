@@ -34,8 +34,8 @@ def record(model_id: str, page: Page) -> Recording | None:
     """
     found = recordable.find(model_id)
     if isinstance(found, Composition):
-        return {**found.snapshot(), 'parts': [_record(view, page) for view in found.parts]}
-    return None if found is None else _record(found, page)
+        return {**found.snapshot(), 'parts': _record(found.parts, page)}
+    return None if found is None else _record((found,), page)[0]
 
 
 def _views_in(model_id: str) -> Sequence[Recordable]:
@@ -46,7 +46,21 @@ def _views_in(model_id: str) -> Sequence[Recordable]:
     return () if found is None else (found,)
 
 
-def _record(view: Recordable, page: Page) -> Recording:
+def _record(views: Sequence[Recordable], page: Page) -> list[Recording]:
+    """Record views that stand together: all as they stand, then what their nodes say, and then what moves."""
+    recordings = [_as_it_stands(view) for view in views]
+    for view, recording in zip(views, recordings):
+        if controls := view.controls():
+            with _portrait_of(view, page) as portrait:
+                events = any(recordable.EVENTS in each['follows'] for each in page['views'])
+                recording.update(interview(view.node, controls, page['literals'], events=events, portrait=portrait))
+    for view, recording in zip(views, recordings):
+        if isinstance(view, Portrait) and (film := view.film()):
+            recording['films'] = [{'changed': {}, 'look': recording['look'], **film}]
+    return recordings
+
+
+def _as_it_stands(view: Recordable) -> Recording:
     if recordable.LOG in view.follows:
         taps.wait_for_logs()
     if isinstance(view, Portrait):
@@ -54,12 +68,6 @@ def _record(view: Recordable, page: Page) -> Recording:
     recording = view.snapshot()
     if 'lines' in recording:
         recording['lines'] = taps.without_marks(recording['lines'])
-    if isinstance(view, Portrait) and (film := view.film()):
-        recording['films'] = [{'changed': {}, 'look': recording['look'], **film}]
-    if controls := view.controls():
-        with _portrait_of(view, page) as portrait:
-            events = any(recordable.EVENTS in each['follows'] for each in page['views'])
-            recording |= interview(view.node, controls, page['literals'], events=events, portrait=portrait)
     return recording
 
 
