@@ -285,6 +285,9 @@
         if (robot.node === panel.node && robot.films.size === 1) robot.films = panel.films.size ? panel.films : robot.films;
       }
     }
+    // The first page begins with a drive, if nothing else is wanted.
+    const [first] = robots;
+    if (first && first.section.closest('.front-robot') && !matchMedia('(prefers-reduced-motion: reduce)').matches) first.drive();
     document.documentElement.dataset.lesson = 'ready';
   }
 
