@@ -35,7 +35,8 @@ class SideBySide(widgets.VBox):
         close_with_cell(self)
 
     def __repr__(self) -> str:
-        return f'<SideBySide: {" and ".join(map(repr, self.parts))}>'
+        # Without what is true at this moment only, such as whether a node is there.
+        return f'<SideBySide: {" and ".join(f"{type(part).__name__} of {part.node}" for part in self.parts)}>'
 
     def close(self) -> None:
         """Remove it from the page, but not the views in it. Safe to call more than once."""
