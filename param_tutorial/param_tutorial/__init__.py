@@ -26,6 +26,7 @@ from typing import Any
 _HOMES = {
     'Aliases': 'parameters.aliases',
     'BackgroundExecutor': 'runtime.executor',
+    'CartView': 'widgets.cart',
     'EventView': 'widgets.events',
     'LinePlot': 'pictures.plots',
     'LogView': 'widgets.log',
@@ -36,6 +37,7 @@ _HOMES = {
     'RobotView': 'widgets.robot',
     'Rules': 'parameters.rules',
     'Shell': 'notebook.shell',
+    'SideBySide': 'widgets.side_by_side',
     'StepResponseView': 'widgets.step_response',
     'Terminal': 'notebook.terminal',
     'all_parameters': 'parameters.snapshot',

@@ -10,15 +10,19 @@ pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take 
 
 CELLS = (
     '# A robot\nOn the stage:',
-    'import param_tutorial\nfrom param_tutorial import ParameterClient, ParameterPanel, RobotView\n'
+    'import param_tutorial\nfrom param_tutorial import ParameterClient, ParameterPanel, RobotView, SideBySide\n'
     'from param_tutorial.nodes.clawbot_node import ClawbotNode\n\n'
     'ros = param_tutorial.start()\nrobot = ros.add(ClawbotNode)\nclient = ParameterClient(robot)',
-    'Its picture:',
-    'view = RobotView(robot)\nview',
-    'Its controls:',
-    "panel = ParameterPanel(robot, names=['max_acceleration_mps2', 'enable_safety_mode'])\npanel",
+    'Its picture, and its controls:',
+    "view = RobotView(robot)\n"
+    "panel = ParameterPanel(robot, names=['max_acceleration_mps2', 'enable_safety_mode'])\nSideBySide(view, panel)",
 )
-FRONT_PX = "() => document.querySelector('.robot-mover svg').getBoundingClientRect().right"
+LONG = (*CELLS[:2], 'All controls:', 'view = RobotView(robot)\nSideBySide(view, ParameterPanel(robot))',
+        '# Below\n' + 'A line.\n\n' * 60)
+# The mover's own origin is the robot's front; the sensor's beam reaches further than the robot.
+FRONT_PX = """() => { const svg = document.querySelector('.robot-scene svg'), mover = svg.querySelector('.robot-mover');
+    return mover.getCTM().e / svg.getCTM().a * svg.getBoundingClientRect().width / 1000
+        + svg.getBoundingClientRect().left; }"""
 RUNNING = '() => document.getAnimations().filter(each => /^robot-/.test(each.animationName)).length'
 
 
@@ -26,8 +30,8 @@ RUNNING = '() => document.getAnimations().filter(each => /^robot-/.test(each.ani
 def server(tmp_path_factory):
     """Give a server on the notebook, and a browser."""
     folder = tmp_path_factory.mktemp('robot')
-    notebook = lesson.write(folder / 'robot.ipynb', CELLS)
-    with Lab(folder / 'lab', [notebook]) as lab, lab.browser() as browser:
+    notebooks = [lesson.write(folder / 'robot.ipynb', CELLS), lesson.write(folder / 'long.ipynb', LONG)]
+    with Lab(folder / 'lab', notebooks) as lab, lab.browser() as browser:
         yield lab, browser
 
 
@@ -125,3 +129,23 @@ def test_whoever_wants_no_motion_gets_it_in_a_few_jumps(open_robot):
     assert front_m(page) > 0.5
     expect(word(page)).to_have_text('STOPPED')
     assert front_m(page) == pytest.approx(3.8, abs=0.01)
+
+
+@pytest.mark.parametrize(('width', 'height', 'beside'), [(1280, 800, True), (1000, 800, False), (1920, 1080, True)])
+def test_the_picture_stays_in_sight_while_one_works_with_a_long_panel(server, width, height, beside):
+    lab, browser = server
+    lab.end_kernels()
+    page = LabPage(lab, browser, 'long.ipynb', width=width, height=height)
+    page.run_all()
+    expect(word(page)).to_have_text('READY')
+    picture, panel = page.page.locator('.robot-view'), page.page.locator('.param-panel')
+    assert (picture.bounding_box()['x'] + picture.bounding_box()['width'] <= panel.bounding_box()['x']) is beside
+    page.row('wheel_radius_meters').scroll_into_view_if_needed()
+    expect(page.page.locator('.robot-scene')).to_be_in_viewport(ratio=0.99)
+    expect(page.row('wheel_radius_meters')).to_be_in_viewport(ratio=0.99)
+    # And nothing lies on the row: a hand can reach its control.
+    page.box('ambient_temperature_c').fill('-10')
+    page.box('ambient_temperature_c').press('Enter')
+    expect(page.page.locator('.robot-snow')).to_be_visible()
+    page.page.close()
+    lab.end_kernels()

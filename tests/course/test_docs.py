@@ -8,6 +8,7 @@ import pytest
 
 import param_tutorial
 from tests.support.paths import ROOT
+from tests.tools import poster
 
 README = (ROOT / 'README.md').read_text()
 NOTEBOOKS = sorted((ROOT / 'notebooks').rglob('[0-9]*.ipynb'))
@@ -50,6 +51,12 @@ def test_the_start_page_promises_what_the_chapter_promises(name):
     assert len(promised) == 2
     for promise in promised:
         assert any(re.match(rf'{re.escape(promise)}(?!\w)', objective) for objective in objectives), promise
+
+
+def test_the_start_page_begins_with_the_robot_as_it_is_drawn_today():
+    index = (ROOT / 'notebooks/index.md').read_text()
+    assert re.match(r'# .+\n\n!\[.{40,}\]\(images/robot\.svg\)\n', index)
+    assert poster.FILE.read_text() == poster.poster(), 'run: python -m tests.tools.poster'
 
 
 def test_the_start_page_adds_up_its_times():

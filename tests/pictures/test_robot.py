@@ -1,4 +1,4 @@
-"""The robot's scene: how it moves, what it says in words, and that names in it stay text. No node is needed."""
+"""The robot's picture: how it moves, what it says in words, and that names in it stay text. No node is needed."""
 
 import math
 import re
@@ -9,14 +9,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from param_tutorial.nodes.clawbot_node import Motion, Settings, State, plan
-from param_tutorial.pictures import robot as scene
+from param_tutorial.pictures import track
+from param_tutorial.pictures.robot import Robot
 
 FAST, SLOW = Settings(1.0, 0.5), Settings(0.2, 0.5)
 
 
 def robot(motion, settings=FAST, **others):
-    facts = {'name': 'Clawbot', 'serial_number': 'SN-1', 'length_m': 0.6, 'wheel_radius_m': 0.1, **others}
-    return scene.Robot(settings=settings, motion=motion, **facts)
+    facts = {'name': 'Clawbot', 'serial_number': 'SN-1', 'wheel_m': 0.1, **others}
+    return Robot(settings=settings, motion=motion, **facts)
 
 
 def drawn(picture):
@@ -41,13 +42,13 @@ def test_the_browser_moves_it_along_the_closed_form(acceleration, speed_rpm, vel
     for phase in motion.phases:
         way_m = phase.at(phase.duration_sec).position_m - phase.position_m
         exact = phase.at(fraction * phase.duration_sec).position_m - phase.position_m
-        assert bezier(scene._timing_function(phase), fraction) * way_m == pytest.approx(exact, abs=2e-5)
+        assert bezier(track._timing_function(phase), fraction) * way_m == pytest.approx(exact, abs=2e-5)
 
 
 def test_an_animation_is_one_step_for_each_phase_and_the_end():
     motion = plan(0.0, 0.0, FAST)
-    picture = scene.moving(robot(motion), 0.0, 'one')
-    for kind in ('robot', 'wheel'):
+    picture = track.moving(robot(motion), 0.0, 'one')
+    for kind in ('robot', 'wheel', 'brake'):
         steps = re.search(rf'@keyframes one-{kind} \{{(.*?)\}}\}}', picture)[1]
         assert steps.count('cubic-bezier') == len(motion.phases) == 3
     assert [float(turn) for turn in re.findall(r'rotate\(([\d.]+)rad\)', re.search(
@@ -57,15 +58,16 @@ def test_an_animation_is_one_step_for_each_phase_and_the_end():
 
 def test_it_goes_on_from_where_the_robot_is():
     motion = plan(0.0, 0.0, FAST)
-    picture = scene.moving(robot(motion), 2.0, 'one')
-    assert picture.count(f'{motion.duration_sec:.4f}s linear -2.0000s both') == 4  # robot, two wheels, numbers
+    picture = track.moving(robot(motion), 2.0, 'one')
+    # Robot, two wheels, antenna, way to stop, numbers.
+    assert picture.count(f'{motion.duration_sec:.4f}s linear -2.0000s both') == 6
     # Where nothing may move, it stands where it is at this moment.
-    assert drawn(picture).find('.//div[@class="robot-mover"]').get('style').startswith(
-        f'transform:translateX({100 * 1.0 / 5.15:.4f}%);')
+    assert drawn(picture).find('.//g[@class="robot-mover"]').get('style').startswith(
+        f'transform:translateX({1000 * 1.8 / 5.15:.3f}px);')
 
 
 def test_the_numbers_are_those_of_the_motion_from_begin_to_end():
-    numbers = drawn(scene.moving(robot(plan(0.0, 0.0, FAST)), 0.0, 'one')).find('.//*[@class="robot-strip"]').text
+    numbers = drawn(track.moving(robot(plan(0.0, 0.0, FAST)), 0.0, 'one')).find('.//*[@class="robot-strip"]').text
     lines = numbers.splitlines()
     assert lines[0] == 'speed 0.00 m/s, 4.00 m to the wall'
     assert lines[-1] == 'speed 0.00 m/s, 0.20 m to the wall'
@@ -73,8 +75,8 @@ def test_the_numbers_are_those_of_the_motion_from_begin_to_end():
 
 
 def test_what_stands_still_is_not_animated():
-    assert 'animation' not in scene.still(robot(Motion((), State('READY', 0.0))).at(0.0))
-    assert 'animation' not in scene.moving(robot(Motion((), State('WAITING', 0.0))), 0.0, 'one')
+    assert 'animation' not in track.still(robot(Motion((), State('READY', 0.0))).at(0.0))
+    assert 'animation' not in track.moving(robot(Motion((), State('WAITING', 0.0))), 0.0, 'one')
 
 
 @pytest.mark.parametrize(('state', 'settings', 'sentence'), [
@@ -90,15 +92,15 @@ def test_what_stands_still_is_not_animated():
 ])
 def test_each_state_has_its_sentence(state, settings, sentence):
     facts = robot(Motion((), State('STOPPED', 3.8)), settings, waiting_for='it is cold')
-    moment = scene.Moment(facts, state)
+    moment = track.Moment(facts, state)
     assert moment.sentence == sentence
     assert moment.text.startswith(f'{state.word}. {sentence} Speed ')
-    assert drawn(scene.still(moment)).find('.//*[@role="img"]').get('aria-label') == moment.text
+    assert drawn(track.still(moment)).find('.//*[@role="img"]').get('aria-label') == moment.text
 
 
 def test_braking_too_late_is_said():
     facts = robot(Motion((), State('CRASHED', 4.0, crash_speed_mps=0.5)))
-    assert scene.Moment(facts, State('BRAKING', 3.9, 1.0)).sentence == 'Clawbot is braking, too late.'
+    assert track.Moment(facts, State('BRAKING', 3.9, 1.0)).sentence == 'Clawbot is braking, too late.'
 
 
 def test_a_state_without_words_is_a_mistake():
@@ -107,30 +109,101 @@ def test_a_state_without_words_is_a_mistake():
 
 
 def test_a_crash_has_a_burst_and_safety_a_line_at_which_to_stop():
-    safe = scene.still(robot(Motion((), State('STOPPED', 3.8))).at(0.0))
-    crashed = scene.still(robot(Motion((), State('CRASHED', 4.0)), Settings(1.0, 0.5, safety_on=False)).at(0.0))
+    safe = track.still(robot(Motion((), State('STOPPED', 3.8))).at(0.0))
+    crashed = track.still(robot(Motion((), State('CRASHED', 4.0)), Settings(1.0, 0.5, safety_on=False)).at(0.0))
     assert ('robot-burst' in safe, 'robot-burst' in crashed) == (False, True)
+    assert ('robot-beam' in safe, 'robot-beam' in crashed) == (True, False)
     assert ('stop' in texts(safe), 'stop' in texts(crashed)) == (True, False)
     assert ('safety on' in texts(safe), 'safety off' in texts(crashed)) == (True, True)
 
 
+def test_a_crash_is_the_worse_the_faster():
+    def crash(speed_mps):
+        state = State('CRASHED', 4.0, crash_speed_mps=speed_mps)
+        return track.still(robot(Motion((), state), Settings(1.0, 0.5, safety_on=False)).at(0.0))
+
+    gentle, hard = crash(0.3), crash(2.0)
+    assert 'CRASH' in texts(gentle) and '0.30 m/s' in texts(gentle) and '2.00 m/s' in texts(hard)
+    assert 0 < gentle.count('robot-debris') < hard.count('robot-debris')
+    assert float(re.search(r'--crash:([\d.]+)', gentle)[1]) < float(re.search(r'--crash:([\d.]+)', hard)[1])
+
+
+def test_the_bar_before_the_robot_is_the_way_in_which_it_would_stop():
+    """At each speed; where the safety mode brakes, the bar ends at the stop line all the time."""
+    motion = plan(0.0, 0.0, FAST)
+    facts = robot(motion)
+    for elapsed_sec in (0.0, 1.0, 3.0, 4.0, 5.0, 5.7):
+        moment = facts.at(elapsed_sec)
+        stretched = float(re.search(r'scaleX\(([\d.]+)\)', track.still(moment))[1])
+        way_m = stretched * 100 / facts.units_per_m
+        assert way_m == pytest.approx(moment.state.velocity_mps ** 2 / (2 * 0.5), abs=1e-3)
+        if moment.state.word == 'BRAKING':
+            assert moment.state.position_m + facts.stopping_m(moment.state) == pytest.approx(FAST.stop_m)
+
+
+def test_cold_is_seen_and_read():
+    warm, cold = (track.still(robot(Motion((), State('READY', 0.0)), temperature_c=degrees).at(0.0))
+                  for degrees in (0, -12))
+    assert ('0 °C' in texts(warm), 'robot-snow' in warm, 'robot-ice' in warm) == (True, False, False)
+    assert ('❄ −12 °C' in texts(cold), 'robot-snow' in cold, 'robot-ice' in cold) == (True, True, True)
+
+
+@pytest.mark.parametrize('radius_m', [0.05, 0.12])
+def test_wheels_are_as_large_as_they_are(radius_m):
+    picture = drawn(track.still(robot(Motion((), State('READY', 0.0)), wheel_m=radius_m).at(0.0)))
+    tires = picture.findall('.//circle[@class="robot-tire"]')
+    assert [(float(tire.get('r')), float(tire.get('cy'))) for tire in tires] == [(100 * radius_m, -100 * radius_m)] * 2
+
+
+def test_a_robot_is_painted_by_its_name_and_patterns_tell_paints_apart():
+    paints = {name: track.paint(name) for name in ('Clawbot', 'Second', 'Third')}
+    assert paints['Clawbot'] != paints['Second']
+    assert track.paint(' Clawbot ') == paints['Clawbot']
+    for name, number in paints.items():
+        assert f'robot-paint-{number}"' in track.still(robot(Motion((), State('READY', 0.0)), name=name).at(0.0))
+    assert len({track.pattern(number, 0, 0, 40, 10) for number in range(8)}) == 8
+
+
+def test_a_sensor_that_is_believed_elsewhere_is_drawn_there_too():
+    right, wrong = (track.still(robot(Motion((), State('READY', 0.0)), Settings(1.0, 0.5, sensor_offset_m=offset))
+                                .at(0.0)) for offset in (0.15, 0.4))
+    assert ('sensor?' in texts(right), 'sensor?' in texts(wrong)) == (False, True)
+
+
 def test_a_long_track_has_its_ruler_and_the_robot_its_place():
-    long = scene.still(robot(Motion((), State('READY', 0.0)), Settings(1.0, 0.5, track_m=12.0)).at(0.0))
-    assert [text for text in texts(long) if re.fullmatch(r'\d+ m', text)] == [f'{m} m' for m in range(0, 13, 2)]
+    long = track.still(robot(Motion((), State('READY', 0.0)), Settings(1.0, 0.5, track_m=14.0)).at(0.0))
+    assert [text for text in texts(long) if re.fullmatch(r'\d+ m', text)] == [f'{m} m' for m in range(0, 15, 2)]
 
 
 def test_a_film_tells_each_phase_when_it_begins():
     motion = plan(0.0, 0.0, FAST)
     facts = robot(motion)
-    film = scene.film(facts, 'one')
+    film = track.film(facts, 'one')
     times, states, full_texts, sentences = zip(*film.scenes)
     assert states == ('SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED')
     assert times == pytest.approx((0.0, 2.0, 3.8, 5.8))
-    assert film.picture == scene.moving(facts, 0.0, 'one')
-    assert film.end == scene.still(facts.at(math.inf))
+    assert film.picture == track.moving(facts, 0.0, 'one')
+    assert film.end == track.still(facts.at(math.inf))
     assert all(sentence in text for sentence, text in zip(sentences, full_texts))
 
 
+def test_a_replay_tells_its_words_by_itself_and_how_it_ends():
+    picture = track.replay(robot(plan(0.0, 0.0, FAST)))
+    assert re.findall(r'step-end">([A-Z ]+)</span>', picture) == ['SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED']
+    assert 'aria-label="STOPPED. Clawbot has stopped 0.20 m from the wall.' in picture
+    assert picture == track.replay(robot(plan(0.0, 0.0, FAST)))
+    assert '@keyframes' in track.STYLE and picture.startswith(track.STYLE)
+
+
+def test_a_poster_is_a_file_of_its_own_and_comes_to_rest():
+    poster = track.poster(robot(plan(0.0, 0.0, FAST)), times=3, pause_sec=2.0)
+    svg = ElementTree.fromstring(poster)
+    assert svg.tag == '{http://www.w3.org/2000/svg}svg'
+    assert '7.8000s linear -0.0000s 3 both' in poster
+    assert 'infinite' not in poster
+    assert 'prefers-reduced-motion' in poster
+
+
 def test_names_are_text():
-    picture = scene.still(robot(Motion((), State('READY', 0.0)), name='<b>"', serial_number='<i>').at(0.0))
+    picture = track.still(robot(Motion((), State('READY', 0.0)), name='<b>"', serial_number='<i>').at(0.0))
     assert '<b>" (<i>)' in texts(picture)

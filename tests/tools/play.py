@@ -22,11 +22,11 @@ def _play(seed):
     import random
     from ipywidgets.widgets.widget import _instances
     from param_tutorial.parameters import values
+    from param_tutorial.widgets.driving import DrivingView
     from param_tutorial.widgets.panel import ParameterPanel
-    from param_tutorial.widgets.robot import RobotView
     chance = random.Random(seed)
-    for view in [each for each in list(_instances.values()) if isinstance(each, (ParameterPanel, RobotView))]:
-        if isinstance(view, RobotView):
+    for view in [each for each in list(_instances.values()) if isinstance(each, (ParameterPanel, DrivingView))]:
+        if isinstance(view, DrivingView):
             view.drive()
             continue
         for name in chance.sample(view.names, min(3, len(view.names))):

@@ -23,7 +23,7 @@ CELLS = (
 COUNT = '''milliseconds => new Promise(done => {
     const seen = new Set(), begin = performance.now();
     const look = now => {
-        seen.add(document.querySelector('.robot-mover').getBoundingClientRect().left);
+        seen.add(getComputedStyle(document.querySelector('.robot-mover')).transform);
         now - begin < milliseconds ? requestAnimationFrame(look) : done(seen.size);
     };
     requestAnimationFrame(look) })'''

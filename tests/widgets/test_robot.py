@@ -43,9 +43,10 @@ def test_a_drive_is_sent_as_its_phases(view, robot):
     view.drive()
     shows(view, 'SPEEDING UP')
     steps = re.search(r'@keyframes robot-\w+-\d+-robot \{(.*?)\}\}', picture(view))[1]
-    phases, length_m = robot.motion[0].phases, 0.8 + 4.0 + 0.35
-    places = [float(place) for place in re.findall(r'translateX\(([\d.]+)%\)', steps)]
-    assert places == pytest.approx([100 * at_m / length_m for at_m in (*[p.position_m for p in phases], 3.8)], abs=1e-3)
+    phases, units_per_m = robot.motion[0].phases, 1000 / (0.8 + 4.0 + 0.35)
+    places = [float(place) for place in re.findall(r'translateX\(([\d.]+)px\)', steps)]
+    assert places == pytest.approx(
+        [(0.8 + at_m) * units_per_m for at_m in (*[p.position_m for p in phases], 3.8)], abs=1e-2)
     assert steps.count('cubic-bezier') == len(phases) == 3
     assert f'{robot.motion[0].duration_sec:.4f}s linear -0.0000s both' in picture(view)
 
@@ -74,7 +75,7 @@ def test_a_parameter_changed_on_the_way_is_sent_from_where_the_robot_is(view, ro
     ParameterClient(robot).set_parameter('max_acceleration_mps2', 1.5)
     wait_until(lambda: '1.50 m/s²' in view.text, 'the new acceleration')
     assert 'Speed 0.50 m/s, 3.75 m to the wall' in view.text
-    assert f'translateX({100 * 0.25 / 5.15:.4f}%)' in picture(view)
+    assert f'translateX({1000 * 1.05 / 5.15:.3f}px)' in picture(view)
 
 
 def test_name_safety_and_offset_are_seen_at_once_while_it_stands(view, robot):

@@ -10,7 +10,7 @@ from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 
 import param_tutorial
-from param_tutorial import EventView, RobotView, StepResponseView
+from param_tutorial import CartView, EventView, RobotView, StepResponseView
 from param_tutorial.nodes.pid_controller_node import PidControllerNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.runtime import stage
@@ -32,7 +32,7 @@ def test_a_panel_without_an_executor_says_so_and_comes_alive_with_one(view):
     param_tutorial.start()
 
 
-@pytest.mark.parametrize('view', [ParameterPanel, LogView, EventView, RobotView, StepResponseView])
+@pytest.mark.parametrize('view', [ParameterPanel, LogView, EventView, RobotView, CartView, StepResponseView])
 def test_a_view_of_nonsense_says_so_and_nothing_else(ros, view, monkeypatch):
     others = []
     monkeypatch.setattr(sys, 'unraisablehook', lambda each: others.append(each.exc_value))

@@ -1,5 +1,6 @@
 """What an exercise is: requirements, each a sentence and a function that tries it out, and how they are checked."""
 
+import contextlib
 import inspect
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
@@ -24,6 +25,7 @@ from param_tutorial.runtime.streams import guarded
 
 Examine = Callable[[Trial], None]
 FindOut = Callable[[Trial], Any]
+Draw = Callable[[Trial], str]
 
 
 class Kind(NamedTuple):
@@ -73,6 +75,7 @@ class Exercise:
         self.hints = hints
         self.node_name = node_name
         self.requirements: list[Requirement] = []
+        self._draw: Draw | None = None
 
     def require(self, sentence: str, *, see: str) -> Callable[[Examine], Examine]:
         """Add the decorated function as a requirement.
@@ -110,6 +113,11 @@ class Exercise:
             return find_out
         return add
 
+    def show(self, draw: Draw) -> Draw:
+        """Let the decorated function draw, as HTML, what work that meets all requirements makes a node do."""
+        self._draw = draw
+        return draw
+
     def without_work(self) -> Answer:
         """Say what a check needs beside the number."""
         return Answer(f'The check of exercise {self.number} needs your work too. Give it {self.takes.name}, like this: '
@@ -121,7 +129,7 @@ class Exercise:
             return self._result([self._nothing_to_try(work)])
         findings: list[Finding] = []
         names: set[str] = set()
-        waited = False
+        waited, picture = False, ''
         try:
             with guarded(error_if_asked), borrowed_stage() as ros:
                 for requirement in self.requirements:
@@ -133,6 +141,8 @@ class Exercise:
                         break
                     names.update(trial.names)
                     waited = trial.has_waited_in_vain
+                if self._draw and all(finding.done for finding in findings):
+                    picture = _drawn(self._draw, Trial(ros, work, has_waited_in_vain=waited))
         except ExecutorError as error:  # no executor can be had, or a callback of the learner's keeps it for good
             untried = [each.sentence for each in self.requirements[len(findings):]]
             findings.append(Finding([*untried, 'the stage is clear afterwards'][0], False, happened=str(error)))
@@ -141,7 +151,7 @@ class Exercise:
         if wrong:
             findings.insert(0, Finding(f'the node is called `{self.node_name}`', False, f'`{self.node_name}`',
                                        f'it is called `{wrong[0]}`'))
-        return self._result(findings)
+        return self._result(findings, picture)
 
     def _nothing_to_try(self, work: Any) -> Finding:
         if isinstance(work, (type(None), bool, int, float, str)):
@@ -150,9 +160,9 @@ class Exercise:
             shown = f'the class `{work.__name__}`' if inspect.isclass(work) else f'a `{type(work).__name__}`'
         return Finding('there is something to try out', False, self.takes.name, f'the check was given {shown}')
 
-    def _result(self, findings: list[Finding]) -> Result:
+    def _result(self, findings: list[Finding], picture: str = '') -> Result:
         result = Result(self.number, findings, len(self.requirements),
-                        f'A worked solution, to compare: {self.solutions}')
+                        f'A worked solution, to compare: {self.solutions}', picture)
         if not result.done:
             begun = any(finding.done for finding in findings)
             result.text = f'For a hint: `exercises.hint({self.number!r})`' if begun else Hint(
@@ -179,6 +189,13 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     except (Exception, SystemExit) as error:  # whatever a learner's object may do when it is looked at
         return _finding(requirement, NotYet('', describe_error(error)))
     return Finding(requirement.sentence, True)
+
+
+def _drawn(draw: Draw, trial: Trial) -> str:
+    """Return the picture of what a learner's work does; nothing if it does something else this time."""
+    with contextlib.suppress(Exception, SystemExit), cleared(trial.ros):
+        return draw(trial)
+    return ''
 
 
 def _examine(requirement: Requirement, trial: Trial) -> None:

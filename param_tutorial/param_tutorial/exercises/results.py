@@ -63,14 +63,17 @@ class Finding:
 class Result(Answer):
     """The answer of a check."""
 
-    def __init__(self, number: str, findings: list[Finding], total: int, after: str) -> None:
+    def __init__(self, number: str, findings: list[Finding], total: int, after: str,
+                 picture: str = '') -> None:
         """
         :param number: Of the exercise.
         :param findings: One for each requirement, in their order; further ones before them.
         :param total: How many requirements there are.
         :param after: What to say at the end.
+        :param picture: What the work makes a node do, as HTML; the findings say in words what is to be seen.
         """
         self.findings = tuple(findings)
+        self._picture = picture
         self.done = all(finding.done for finding in findings)
         self.count = sum(finding.done is True for finding in findings)
         self.heading = f'Exercise {number}: {"done" if self.done else "not yet"}'
@@ -88,7 +91,7 @@ class Result(Answer):
     def _repr_html_(self) -> str:
         items = ''.join(map(_item, self.findings))
         return (f'{_STYLE}<div class="param-check"><p><b>{self.heading}</b>, {self.score}</p>'
-                f'<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p></div>')
+                f'{self._picture}<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p></div>')
 
 
 def _item(finding: Finding) -> str:

@@ -1,298 +1,232 @@
-"""The robot of ClawbotNode on its track, as HTML that moves by itself.
+"""The robot of ClawbotNode and its world: what it looks like, and what it says. ``track`` makes it move."""
 
-No frames are drawn here. A motion is a few phases of constant acceleration, and the distance driven in each is a
-quadratic function of time, which a CSS ``cubic-bezier(1/3, p/3, 2/3, (1 + p)/3)`` is exactly. So each phase becomes
-one step of a CSS animation, and the browser moves the robot at its own frame rate.
-"""
-
-import html
-import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.track import (
+    GROUND,
+    HEIGHT,
+    WIDTH,
+    Moment,
+    Vehicle,
+    legend,
+    paint,
+    pattern,
+    post,
+    ruler,
+    text,
+    wheel,
+)
 
 if TYPE_CHECKING:
-    from param_tutorial.nodes.clawbot_node import Motion, Phase, Settings, State
+    from param_tutorial.nodes.clawbot_node import State
 
-# How often the numbers change, and how often in one motion at most.
-_TICK_SEC = 0.1
-_MAX_TICKS = 100
-_LINE_PX = 20
-
-# The picture is 1000 units wide whatever the track's length, so that its text keeps its size.
-_WIDTH = 1000
 _BEFORE_START_M = 0.8
 _BEHIND_WALL_M = 0.35
-_ROBOT_HEIGHT_M = 0.4
-_BELOW_GROUND = 34
-_ABOVE_ROBOT = 44
-
-STYLE = style('pictures/robot.css')
+_WALL_TOP = 52
+# What looks like the same place is not marked as a mistake.
+_SAME_PLACE_M = 0.005
+# Where the pieces of a crash end, for one meter per second: forward, upward, turned by so many degrees.
+_PIECES = ((-62, 40, 200), (-105, 8, -310), (-38, 95, 150), (-148, 30, 420), (-84, 66, -120), (-190, 6, 260),
+           (-30, 22, -80), (-120, 84, 330), (-230, 12, -200), (-66, 112, 90), (-170, 58, 510), (-270, 4, 380))
 
 
 @dataclass(frozen=True)
-class Robot:
+class Robot(Vehicle):
     """What a picture needs to know about a robot."""
 
-    name: str
     serial_number: str
-    length_m: float
-    wheel_radius_m: float
-    settings: 'Settings'
-    motion: 'Motion'
-    """What it is doing now, up to the moment when it is at rest."""
+    wheel_m: float
+    """The radius of its wheels."""
+    length_m: float = 0.6
+    sensor_mount_m: float = 0.15
+    """Where its sensor really sits, before its center."""
+    temperature_c: int = 15
+    """How warm it is around it."""
     waiting_for: str = ''
     """What keeps it from driving, if the motion ends with WAITING."""
 
-    def at(self, elapsed_sec: float) -> 'Moment':
-        """Return the robot so many seconds after the motion began."""
-        return Moment(self, self.motion.at(elapsed_sec))
+    @property
+    def label(self) -> str:
+        """Its name and its serial number."""
+        return f'{self.name} ({self.serial_number})'
+
+    @property
+    def shown_m(self) -> tuple[float, float]:
+        """Where the picture begins and ends, in meters from the start line."""
+        return -_BEFORE_START_M, self.settings.track_m + _BEHIND_WALL_M
+
+    @property
+    def wheel_radius_m(self) -> float:
+        """How far it drives while a wheel turns by one radian."""
+        return self.wheel_m
+
+    @property
+    def mode(self) -> str:
+        """Whether the safety mode is on."""
+        return f'safety {"on" if self.settings.safety_on else "off"}'
 
     def gap_m(self, state: 'State') -> float:
         """Return how far its front is from the wall."""
         return self.settings.track_m - state.position_m
 
+    def numbers(self, state: 'State', elapsed_sec: float) -> str:
+        """Return how fast it is, and how far from the wall."""
+        return f'speed {state.velocity_mps:.2f} m/s, {self.gap_m(state):.2f} m to the wall'
 
-@dataclass(frozen=True)
-class Moment:
-    """A robot at one moment of its motion, and the words for it."""
-
-    robot: Robot
-    state: 'State'
-
-    @property
-    def safety(self) -> str:
-        """Whether the safety mode is on."""
-        return f'safety {"on" if self.robot.settings.safety_on else "off"}'
-
-    @property
-    def numbers(self) -> str:
-        """How fast it is, and how far from the wall."""
-        return f'speed {self.state.velocity_mps:.2f} m/s, {self.robot.gap_m(self.state):.2f} m to the wall'
-
-    @property
-    def sentence(self) -> str:
-        """What it is doing."""
-        return f'{self.robot.name} {self._predicate()}.'
-
-    @property
-    def text(self) -> str:
-        """The whole picture in words, as a screen reader tells it."""
-        return f'{self.state.word}. {self.sentence} {self.numbers.capitalize()}, {self.safety}.'
-
-    def _predicate(self) -> str:
-        state, settings = self.state, self.robot.settings
+    def predicate(self, state: 'State') -> str:
+        """Return what it is doing: a sentence without its name and its full stop."""
         match state.word:
             case 'READY':
                 return 'stands at the start'
             case 'SPEEDING UP':
                 return (f'is speeding up with {state.acceleration_mps2:.2f} m/s², '
-                        f'up to {settings.max_speed_mps:.2f} m/s')
+                        f'up to {self.settings.max_speed_mps:.2f} m/s')
             case 'CRUISING':
                 return 'is driving at a steady speed'
             case 'SLOWING DOWN':
-                return f'is slowing down to {settings.max_speed_mps:.2f} m/s'
+                return f'is slowing down to {self.settings.max_speed_mps:.2f} m/s'
             case 'BRAKING' | 'EMERGENCY BRAKING':
-                gap_m = self.robot.gap_m(self.robot.motion.end)
+                gap_m = self.gap_m(self.motion.end)
                 hard = ' as hard as it can' if state.word == 'EMERGENCY BRAKING' else ''
                 return f'is braking{hard}, ' + (f'to stop {gap_m:.2f} m from the wall' if gap_m > 0 else 'too late')
             case 'WAITING':
-                return f'is waiting: {self.robot.waiting_for}'
+                return f'is waiting: {self.waiting_for}'
             case 'STOPPED':
-                return f'has stopped {self.robot.gap_m(state):.2f} m from the wall'
+                return f'has stopped {self.gap_m(state):.2f} m from the wall'
             case 'CRASHED':
                 return f'has run into the wall at {state.crash_speed_mps:.2f} m/s'
         raise AssertionError(f'no words for {state.word}')
 
+    # -- what stands still -------------------------------------------------------------------------------
 
-@dataclass(frozen=True)
-class Film:
-    """A drive, for a page that has no kernel to ask."""
+    def behind(self, moment: Moment) -> str:
+        """Return SVG of the sky, the weather, the ruler and the start line."""
+        cold = self.temperature_c < 0
+        degrees = f'{self.temperature_c} °C'.replace('-', '−')
+        parts = [f'<rect class="robot-sky{" robot-cold" if cold else ""}" width="{WIDTH}" height="{GROUND}"/>',
+                 f'<rect class="robot-floor" y="{GROUND}" width="{WIDTH}" height="{HEIGHT - GROUND}"/>',
+                 ruler(self, self.settings.track_m), post(self, 0.0, 'start'),
+                 text(14, 24, f'❄ {degrees}' if cold else degrees, 'robot-weather', 'start')]
+        if self.settings.safety_on:
+            parts.append(legend(WIDTH * .45))
+        if cold:
+            parts.append(f'<path class="robot-ice" d="{_drift(0, self.x(self.settings.track_m))}"/>')
+        return ''.join(parts)
 
-    picture: str
-    """HTML that moves by itself, from now on."""
-    scenes: tuple[tuple[float, str, str, str], ...]
-    """What changes in words, and after how many seconds: word, text alternative, sentence."""
-    end: str
-    """HTML of the robot at rest."""
+    def in_front(self, moment: Moment) -> str:
+        """Return SVG of the wall, of where the robot is to stop, of a crash, and of snow."""
+        wall, track_m = self.x(self.settings.track_m), self.settings.track_m
+        crashed = moment.state.word == 'CRASHED'
+        parts = [f'<rect class="robot-wall" x="{wall:.1f}" y="{_WALL_TOP}" width="{WIDTH - wall + 5:.1f}" '
+                 f'height="{GROUND - _WALL_TOP}"/><path class="robot-line robot-bricks" d="{_bricks(wall)}"/>']
+        if self.settings.safety_on:
+            parts.append(post(self, self.settings.stop_m, 'stop', 'robot-stop'))
+        if crashed:
+            parts.append(_crash(wall, moment.state.crash_speed_mps, self.units_per_m))
+        if self.temperature_c < 0:
+            parts.append(f'<path class="robot-ice" d="M{wall - 5:.1f} {_WALL_TOP + 2}q4 -9 14 -8T{WIDTH + 6} '
+                         f'{_WALL_TOP - 4}V{_WALL_TOP + 2}z"/><g class="robot-snow"><path d="{_flakes(0)}'
+                         f'{_flakes(-GROUND)}"/></g>')
+        if track_m > 0 and not crashed:
+            parts.append(text((wall + WIDTH) / 2, _WALL_TOP - 12, 'wall'))
+        return ''.join(parts)
 
+    # -- the robot ---------------------------------------------------------------------------------------
 
-def still(moment: Moment) -> str:
-    """Return the picture of a robot at one moment."""
-    return _picture(moment, None)
-
-
-def moving(robot: Robot, elapsed_sec: float, name: str) -> str:
-    """Return the picture of a robot that goes on by itself from this moment to the end of its motion.
-
-    :param name: Of the animation; must differ from those of all other pictures on the page.
-    """
-    moment = robot.at(elapsed_sec)
-    return _picture(moment, _Animation(name, moment, elapsed_sec) if robot.motion.phases else None)
-
-
-def film(robot: Robot, name: str) -> Film:
-    """Return a motion from its beginning to its end.
-
-    :param name: As for ``moving``.
-    """
-    phases = robot.motion.phases
-    starts_sec = [sum(phase.duration_sec for phase in phases[:index]) for index in range(len(phases) + 1)]
-    moments = [robot.at(start_sec) for start_sec in starts_sec]
-    return Film(moving(robot, 0.0, name),
-                tuple((start_sec, moment.state.word, moment.text, moment.sentence)
-                      for start_sec, moment in zip(starts_sec, moments)),
-                still(moments[-1]))
-
-
-class _Animation:
-    """A motion as CSS: one step of the animation for each phase, and the numbers as a strip of film."""
-
-    def __init__(self, name: str, moment: Moment, elapsed_sec: float) -> None:
-        self._name = name
-        self._robot, self._motion = moment.robot, moment.robot.motion
-        self._timing = f'{self._motion.duration_sec:.4f}s linear {-elapsed_sec:.4f}s both'
-        # Digits that change with each frame could not be read.
-        self._ticks = min(_MAX_TICKS, math.ceil(self._motion.duration_sec / _TICK_SEC))
-        self._tick = int(elapsed_sec / self._motion.duration_sec * self._ticks)
-
-    def css(self, kind: str) -> str:
-        """Return the CSS that animates an element; the kinds are those of _LOOKS, and strip."""
-        return f'animation:{self._name}-{kind} {self._timing};'
-
-    def keyframes(self) -> str:
-        """Return the keyframes of every kind, as a style element."""
-        steps = {kind: ''.join(self._steps(kind)) for kind in _LOOKS}
-        # A strip that is pulled past a window is moved by the browser's compositor, like the robot itself. Text
-        # that really changes would make the page's own thread lay it out again for each frame.
-        steps['strip'] = (f'0% {{transform:none;animation-timing-function:steps({self._ticks})}}'
-                          f'100% {{transform:translateY({-self._ticks * _LINE_PX}px)}}')
-        return '<style>' + ''.join(f'@keyframes {self._name}-{kind} {{{each}}}' for kind, each in steps.items()) \
-            + '</style>'
-
-    def strip(self) -> str:
-        """Return the numbers of all ticks, one below the other."""
-        ticks_sec = (index / self._ticks * self._motion.duration_sec for index in range(self._ticks))
-        moments = [*map(self._robot.at, ticks_sec), Moment(self._robot, self._motion.end)]
-        lines = '\n'.join(moment.numbers for moment in moments)
-        return (f'<span class="robot-strip" style="transform:translateY({-self._tick * _LINE_PX}px);'
-                f'{self.css("strip")}">{lines}</span>')
-
-    def _steps(self, kind: str) -> Iterator[str]:
-        begins_sec = 0.0
-        for phase in self._motion.phases:
-            yield (f'{100 * begins_sec / self._motion.duration_sec:.4f}% {{{_LOOKS[kind](self._robot, phase.at(0))}'
-                   f'animation-timing-function:{_timing_function(phase)}}}')
-            begins_sec += phase.duration_sec
-        yield f'100% {{{_LOOKS[kind](self._robot, self._motion.end)}}}'
+    def drawn(self, moment: Moment, wheel_css: str, cargo_css: str) -> str:
+        """Return SVG of the robot, drawn in centimeters; its bumper ends at 0, where its front is."""
+        scale, radius = self.units_per_m / 100, 100 * self.wheel_m
+        deck = -radius - 17
+        center = -50 * self.length_m
+        sensor = center + 100 * self.sensor_mount_m
+        eye = deck - 7
+        color = paint(self.name)
+        listens = ''
+        if self.settings.safety_on and moment.state.word != 'CRASHED':
+            # As far as it measures: whatever is behind the wall is hidden by it.
+            far = 100 * (self.settings.track_m + _BEFORE_START_M)
+            listens = (f'<path class="robot-beam" d="M{sensor + 3:g} {eye:g}L{far:g} {eye - 9:g}V{eye + 9:g}Z"/>'
+                       f'<path class="robot-ray" d="M{sensor + 3:g} {eye:g}H{far:g}"/>')
+        believed = self.settings.sensor_offset_m
+        ghost = ''
+        if abs(believed - self.sensor_mount_m) > _SAME_PLACE_M:
+            at = center + 100 * believed
+            ghost = (f'<g class="robot-ghost"><rect x="{at - 4:g}" y="{eye - 4:g}" width="8" height="8" rx="2"/>'
+                     f'<path d="M{at:g} {eye - 6:g}v-16"/></g>'
+                     f'<text class="robot-ghost-word" x="{at:g}" y="{eye - 24:g}" text-anchor="middle" '
+                     f'style="font-size:{15 / scale:.2f}px">sensor?</text>')
+        frost = (f'<path class="robot-ice" d="M-58 {deck + 1:g}q3 -5 9 -3t12 -1t14 0t12 1t7 3z"/>'
+                 if self.temperature_c < 0 else '')
+        body = (
+            # An arm with a claw, raised; the antenna leans as the robot speeds up and brakes.
+            f'<path class="robot-arm" d="M-43 {deck:g}V{deck - 24:g}L-20 {deck - 33:g}L-11 {deck - 24:g}"/>'
+            f'<path class="robot-claw" d="M-15 {deck - 20:g}q-1 -8 5 -8l7 1M-11 {deck - 24:g}q8 5 6 13l-5 4"/>'
+            f'<circle class="robot-joint" cx="-43" cy="{deck - 24:g}" r="3"/>'
+            f'<circle class="robot-joint" cx="-20" cy="{deck - 33:g}" r="3"/>'
+            f'<g class="robot-antenna" style="{cargo_css}"><path d="M-53 {deck:g}v-30"/>'
+            f'<path class="robot-paint robot-paint-{color}" d="M-53 {deck - 30:g}h-12l3 4l-3 4h12z"/></g>'
+            f'<rect class="robot-paint robot-paint-{color}" x="-59" y="{deck:g}" width="55" height="17" rx="3.5"/>'
+            f'{pattern(color, -55, deck + 2, 42, 11)}'
+            f'<rect class="robot-bumper" x="-4.4" y="{-radius - 7:g}" width="4" height="12" rx="1.6"/>'
+            f'<path class="robot-arm" d="M{sensor:g} {deck:g}v-4"/>'
+            f'<rect class="robot-part" x="{sensor - 4:g}" y="{eye - 4:g}" width="8" height="8" rx="2"/>'
+            f'<circle class="robot-eye" cx="{sensor + 1.5:g}" cy="{eye:g}" r="2.2"/>{frost}{ghost}'
+            f'{wheel(-46, radius, wheel_css)}{wheel(-17, radius, wheel_css)}')
+        name = text(-33 * scale, (deck - 40) * scale, _short(self.name), 'robot-tag')
+        return (f'<g transform="scale({scale:.4f})">{listens}<g class="robot-machine" style="--crash:'
+                f'{min(1.0, moment.state.crash_speed_mps / 1.5):.2f}">{body}</g></g>{name}')
 
 
-def _timing_function(phase: 'Phase') -> str:
-    """Return the CSS timing function of a phase: which part of its way is done after which part of its time."""
-    way_m = phase.at(phase.duration_sec).position_m - phase.position_m
-    start = phase.velocity_mps * phase.duration_sec / way_m if way_m else 1.0
-    return f'cubic-bezier(0.333333,{start / 3:.6f},0.666667,{(1 + start) / 3:.6f})'
+def _short(name: str) -> str:
+    return name if len(name) <= 18 else f'{name[:17]}…'
 
 
-def _robot_css(robot: Robot, state: 'State') -> str:
-    return f'transform:translateX({100 * state.position_m / _width_m(robot.settings):.4f}%);'
+def _bricks(wall: float) -> str:
+    d = ''
+    for row, y in enumerate(range(_WALL_TOP + 22, GROUND, 22)):
+        d += f'M{wall:.1f} {y}H{WIDTH}'
+        d += ''.join(f'M{x:.1f} {y}v-22' for x in (wall + 14 + 22 * (row % 2) + 44 * n for n in range(3)) if x < WIDTH)
+    return d
 
 
-def _wheel_css(robot: Robot, state: 'State') -> str:
-    return f'transform:rotate({state.position_m / robot.wheel_radius_m:.4f}rad);'
+def _drift(begin: float, end: float) -> str:
+    """Return the outline of snow on the ground."""
+    waves = ''.join(f'q{(end - begin) / 16:.1f} {-9 if n % 2 else -15} {(end - begin) / 8:.1f} 0' for n in range(8))
+    return f'M{begin:.1f} {GROUND}{waves}v4H{begin:.1f}z'
 
 
-_LOOKS = {'robot': _robot_css, 'wheel': _wheel_css}
+def _flakes(top: float) -> str:
+    """Return some forty snowflakes, each of three strokes, spread evenly and yet without order."""
+    d = ''
+    for n in range(40):
+        # Powers of 1 / 1.3247, the plastic number: neighbors in number are far from one another.
+        x, y, r = WIDTH * (n * .754878 % 1), top + 8 + (GROUND - 12) * (n * .56984 % 1), 3 + n % 3
+        d += (f'M{x - r:.1f} {y:.1f}h{2 * r}M{x - r / 2:.1f} {y - r * .87:.1f}l{r} {r * 1.74:.1f}'
+              f'M{x + r / 2:.1f} {y - r * .87:.1f}l{-r} {r * 1.74:.1f}')
+    return d
 
 
-def _width_m(settings: 'Settings') -> float:
-    """Return how many meters the picture shows."""
-    return _BEFORE_START_M + settings.track_m + _BEHIND_WALL_M
+def _crash(wall: float, speed_mps: float, units_per_m: float) -> str:
+    """Return the cracks, the pieces that fly, and a star with the word."""
+    hit = GROUND - 0.22 * units_per_m
+    cracks = f'M{wall:.1f} {hit:.1f}l14 -9l8 -22l16 -8m-24 30l20 12l26 -6m-46 -6l-4 14l12 18l-4 16l14 14'
+    force = min(1.6, max(0.35, speed_mps))
+    pieces = ''.join(
+        f'<path class="robot-debris" style="--x:{x * force:.0f}px;--y:{-y * force * (.2 if index % 2 else 0):.0f}px;'
+        f'--top:{-60 * force - y * force:.0f}px;--r:{turn}deg" '
+        f'd="M{wall - 8:.1f} {GROUND - 4:.1f}l{5 + index % 4} -{7 + index % 3}l{4 + index % 3} {5 + index % 4}z"/>'
+        for index, (x, y, turn) in enumerate(_PIECES[:max(4, min(len(_PIECES), round(10 * speed_mps)))]))
+    x, y = wall - 222, 96
+    return (f'<path class="robot-line robot-crack" d="{cracks}"/>{pieces}<g class="robot-burst">'
+            f'<polygon points="{_burst(x, y, 104, 70)}"/>{text(x, y + 5, "CRASH", "robot-bang")}'
+            f'{text(x, y + 27, f"{speed_mps:.2f} m/s", "robot-bang-speed")}</g>')
 
 
-def _picture(moment: Moment, animation: _Animation | None) -> str:
-    robot, state = moment.robot, moment.state
-
-    def look(kind: str) -> str:
-        # Without an animation, or where the reader wants none, the state of this moment.
-        return _LOOKS[kind](robot, state) + (animation.css(kind) if animation else '')
-
-    strip = animation.strip() if animation else f'<span class="robot-strip">{moment.numbers}</span>'
-    width_m = _width_m(robot.settings)
-    units_per_m = _WIDTH / width_m
-    place = (f'left:{100 * (_BEFORE_START_M - robot.length_m) / width_m:.4f}%;'
-             f'width:{100 * robot.length_m / width_m:.4f}%')
-    height = _ABOVE_ROBOT + _ROBOT_HEIGHT_M * units_per_m + _BELOW_GROUND
-    tilt = 'transform:rotate(-5deg);transform-origin:100% 100%;' if state.word == 'CRASHED' else ''
-    return (
-        f'{animation.keyframes() if animation else ""}<div class="robot-stage">'
-        f'<div class="robot-head" aria-hidden="true"><span class="robot-node">{html.escape(robot.name)} '
-        f'({html.escape(robot.serial_number)})</span><span class="robot-word">{state.word}</span>'
-        f'<span class="robot-window">{strip}</span>'
-        f'<span>{moment.safety}</span></div>'
-        f'<div class="robot-scene" role="img" aria-label="{html.escape(moment.text)}">'
-        f'{_scene(moment, units_per_m, height)}<div class="robot-mover" style="{look("robot")}">'
-        f'<svg viewBox="0 0 60 40" aria-hidden="true" '
-        f'style="{place};bottom:{100 * _BELOW_GROUND / height:.3f}%;{tilt}">'
-        f'{_robot(robot, look("wheel"))}</svg></div></div></div>')
-
-
-def _scene(moment: Moment, units_per_m: float, height: float) -> str:
-    """Return what stands still: the track with its ruler, the start line, the wall, where the robot is to stop."""
-    settings = moment.robot.settings
-    ground = height - _BELOW_GROUND
-
-    def x(position_m: float) -> float:
-        return (_BEFORE_START_M + position_m) * units_per_m
-
-    wall = x(settings.track_m)
-    parts = [f'<path class="robot-ground" d="M0 {ground:.1f}H{_WIDTH}"/>']
-    every_m = 1 if settings.track_m <= 10 else 2
-    for meter in range(0, int(settings.track_m) + 1, every_m):
-        parts.append(f'<path class="robot-line" d="M{x(meter):.1f} {ground:.1f}v8"/><text x="{x(meter):.1f}" '
-                     f'y="{ground + 25:.1f}" text-anchor="middle">{meter} m</text>')
-    parts.append(f'<path class="robot-line" stroke-dasharray="3 4" d="M{x(0):.1f} {ground:.1f}V26"/>'
-                 f'<text x="{x(0):.1f}" y="18" text-anchor="middle">start</text>')
-    parts.append(f'<rect class="robot-wall" x="{wall:.1f}" y="8" width="{_WIDTH - wall + 5:.1f}" '
-                 f'height="{ground - 8:.1f}"/>')
-    bricks = ''.join(f'M{wall:.1f} {y:.1f}H{_WIDTH}' for y in range(30, int(ground), 22))
-    parts.append(f'<path class="robot-line" d="{bricks}"/>')
-    if settings.safety_on:
-        stop = x(settings.stop_m)
-        parts.append(f'<path class="robot-line" stroke-dasharray="8 5" d="M{stop:.1f} {ground:.1f}V26"/>'
-                     f'<text x="{stop - 6:.1f}" y="18" text-anchor="middle">stop</text>')
-    if moment.state.word == 'CRASHED':
-        burst = _burst(wall, ground - 0.22 * units_per_m, 0.24 * units_per_m)
-        parts.append(f'<polygon class="robot-burst" points="{burst}"/>')
-    return f'<svg viewBox="0 0 {_WIDTH} {height:.1f}" aria-hidden="true">{"".join(parts)}</svg>'
-
-
-def _burst(x: float, y: float, radius: float) -> str:
+def _burst(x: float, y: float, width: float, height: float) -> str:
     """Return the corners of a star of sixteen points, long and short ones by turns."""
     # The sines of a quarter circle to two digits, so that no math library decides on the last digit of a corner.
     directions = ((1, 0), (.92, .38), (.71, .71), (.38, .92), (0, 1), (-.38, .92), (-.71, .71), (-.92, .38))
     circle = [*directions, *((-a, -b) for a, b in directions)]
-    return ' '.join(f'{x + a * radius * (1 - index % 2 * .5):.1f},{y + b * radius * (1 - index % 2 * .5):.1f}'
+    return ' '.join(f'{x + a * width * (1 - index % 2 * .32):.1f},{y + b * height * (1 - index % 2 * .32):.1f}'
                     for index, (a, b) in enumerate(circle))
-
-
-def _robot(robot: Robot, wheel_css: str) -> str:
-    """Return the robot, drawn in centimeters; its claws end at 60, where its front is."""
-    radius = 100 * robot.wheel_radius_m
-    axle = 40 - radius
-    body = min(24.0, axle - 2)
-    wheels = ''.join(
-        f'<g class="robot-wheel" style="{wheel_css}">'
-        f'<circle class="robot-part" cx="{x}" cy="{axle:g}" r="{radius - .6:g}"/>'
-        f'<path class="robot-part" d="M{x - radius * .6:g} {axle:g}h{radius * 1.2:g}M{x} {axle - radius * .6:g}'
-        f'v{radius * 1.2:g}"/></g>' for x in (13, 38))
-    # The waves of the range sensor: the safety mode is listening.
-    waves = ''.join(f'<path class="robot-wave" d="M{x} {body - 13:g}q3 4.5 0 9"/>' for x in (53, 57, 61))
-    return (
-        f'<rect class="robot-body" x="2" y="{body - 10:g}" width="46" height="{axle - body + 14:g}" rx="4"/>'
-        f'<rect class="robot-part" x="41" y="{body - 12:g}" width="8" height="6" rx="1.5"/>'
-        f'<path class="robot-part" d="M10 {body - 10:g}v-5h14v5z"/>'
-        f'<path class="robot-arm" d="M48 {axle - 3:g}h4M59.5 {axle - 9:g}l-7 1v11l7 1"/>'
-        f'{waves if robot.settings.safety_on else ""}{wheels}')

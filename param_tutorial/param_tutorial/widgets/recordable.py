@@ -6,7 +6,7 @@ new view is recorded as it stands, and overrides what it knows better.
 """
 
 import weakref
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
@@ -82,6 +82,18 @@ class Recordable(Protocol):
 
 
 @runtime_checkable
+class Composition(Protocol):
+    """Several views in one widget: a page draws each by itself, in the same places."""
+
+    @property
+    def parts(self) -> 'Sequence[Recordable]':
+        """The views, in their order."""
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page needs to draw it, as JSON, but for its parts."""
+
+
+@runtime_checkable
 class Portrait(Protocol):
     """A view that pictures its node: a page wants to see what each answer changes in the picture.
 
@@ -104,15 +116,15 @@ class Portrait(Protocol):
         """Remove it."""
 
 
-_views: 'weakref.WeakValueDictionary[str, Recordable]' = weakref.WeakValueDictionary()
+_views: 'weakref.WeakValueDictionary[str, Recordable | Composition]' = weakref.WeakValueDictionary()
 
 
-def register(model_id: str, view: Recordable) -> None:
+def register(model_id: str, view: Recordable | Composition) -> None:
     """Let a view be found by its model's id, which is all that an output tells; ipywidgets has no public way."""
     _views[model_id] = view
 
 
-def find(model_id: str) -> Recordable | None:
+def find(model_id: str) -> Recordable | Composition | None:
     """Return the view with a model's id; None if the widget is no view, or is gone."""
     return _views.get(model_id)
 

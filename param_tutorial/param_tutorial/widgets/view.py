@@ -40,14 +40,29 @@ class View(widgets.VBox):
         self._closed = False
         # Held by whoever writes to the widgets.
         self._drawing = threading.RLock()
+        self._on_close: list[Callable[[View], object]] = []
         super().__init__(list(parts))
         self.add_class(css_class)
         recordable.register(self.model_id, self)
+
+    def on_close(self, listener: Callable[['View'], object]) -> Callable[[], None]:
+        """Call a listener with the view when it is about to be closed.
+
+        :return: Call it to stop listening.
+        """
+        self._on_close.append(listener)
+
+        def unregister() -> None:
+            if listener in self._on_close:
+                self._on_close.remove(listener)
+        return unregister
 
     def close(self) -> None:
         """Stop following, and remove the view from the page. Safe to call more than once."""
         if self._closed:
             return
+        for listener in list(self._on_close):
+            listener(self)
         with self._drawing:
             self._closed = True
             self._end()

@@ -7,6 +7,8 @@ from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.pictures import track
+from param_tutorial.widgets.robot import vehicle_of
 
 CHAPTER = '01_what_are_parameters'
 WORDS = 'The words'
@@ -46,11 +48,17 @@ class Drive(NamedTuple):
     fastest_mps: float
 
 
-def drive(trial: Trial) -> Drive:
-    """Let a new robot drive with the learner's settings, on a cold morning, until it is at rest."""
-    robot = trial.start(Patient, ros_args=['-p', f'simulation.ambient_temperature_c:={COLD_C}'])
+def pulling_away(trial: Trial) -> Patient:
+    """Let a new robot drive off with the learner's settings, on a cold morning."""
+    robot: Patient = trial.start(Patient, ros_args=['-p', f'simulation.ambient_temperature_c:={COLD_C}'])
     trial.client(robot).set_parameters(trial.work)
     robot.drive()
+    return robot
+
+
+def drive(trial: Trial) -> Drive:
+    """Let a new robot drive until it is at rest."""
+    robot = pulling_away(trial)
     end = robot.step(math.inf)
     if end.word == 'WAITING':
         raise NotYet('a robot that drives', f'it is waiting: {robot.waiting_for()}')
@@ -95,6 +103,12 @@ def in_time(trial: Trial) -> None:
 def slowly(trial: Trial) -> None:
     fastest_mps = drive(trial).fastest_mps
     expect(fastest_mps <= SPEED_LIMIT_MPS, f'at most {SPEED_LIMIT_MPS:.2f} m/s', f'it gets up to {fastest_mps:.2f} m/s')
+
+
+@park.show
+def parking(trial: Trial) -> str:
+    robot = pulling_away(trial)
+    return track.replay(vehicle_of(robot, robot.motion[0]))
 
 
 free = Exercise('1b', 'Free a number', CHAPTER, NODE_CLASS, node_name='pump', hints=(

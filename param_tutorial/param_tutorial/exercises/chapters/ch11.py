@@ -33,9 +33,11 @@ from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.notebook.terminal import Terminal
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import DOUBLE, STRING
+from param_tutorial.pictures import track
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.waiting import wait_until
+from param_tutorial.widgets.cart import cart_on_trip
 
 CHAPTER = '11_conclusion'
 DECLARE = 'Declare'
@@ -386,6 +388,11 @@ def at_once(trial: Trial) -> None:
     cart = tuned(trial, 0.5, 0.2)
     expect(cart.requests == [2], 'one request, with two parameters',
            f'{len(cart.requests)} requests, with {" and ".join(map(str, cart.requests))}')
+
+
+@tune.show
+def trip(trial: Trial) -> str:
+    return track.replay(cart_on_trip('/cart_node', *tuned(trial).settings()))
 
 
 EXERCISES = (declare, judge, act, save, launch, tune)

@@ -37,7 +37,7 @@ class Drawer:
     def draw(self, recording: Recording) -> str:
         """Return the HTML of one recorded view."""
         draw = {'panel': self._panel, 'robot': self._robot, 'log': self._log, 'steps': self._steps,
-                'events': self._events, 'still': self._still}
+                'events': self._events, 'side by side': self._side_by_side, 'still': self._still}
         return draw[recording['kind']](recording, f'{self._page}-{next(self._numbers)}')
 
     def draw_prediction(self, prediction: Prediction) -> str:
@@ -86,7 +86,7 @@ class Drawer:
         look, node = recording['look'], html.escape(recording['node'])
         return (
             f'<div role="group" class="rec rec-robot robot-view" id="{name}" data-node="{node}" '
-            f'aria-label="The robot {node}">'
+            f'aria-label="{node} on its track">'
             f'<div class="rec-picture">{look["picture"]}</div>'
             f'<div class="rec-foot robot-foot"><button type="button" class="rec-drive" disabled>Drive</button>'
             f'<div class="rec-says" role="status">{html.escape(look["sentence"])}</div></div>'
@@ -114,6 +114,10 @@ class Drawer:
                 f'aria-label="Events of {node}">{recording["html"]}'
                 f'<p class="rec-note">Empty as the lesson shows it. What a panel above changes stands here as the node '
                 f'told it when the page was made.</p></div>')
+
+    def _side_by_side(self, recording: Recording, name: str) -> str:
+        parts = ''.join(map(self.draw, recording['parts']))
+        return f'<div class="side-by-side" id="{name}"><div class="side-by-side-parts">{parts}</div></div>'
 
     def _still(self, recording: Recording, name: str) -> str:
         shown = recording['html'] or f'<p>{html.escape(recording["text"])}</p>'

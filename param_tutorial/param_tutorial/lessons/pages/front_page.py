@@ -11,7 +11,7 @@ _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) 
 
 _TEXT = '''# Mastering ROS 2 Parameters with Python
 
-<p class="front-lead">A robot's behaviour hangs on numbers: how fast, how far, how careful. In ROS 2 they are
+<p class="front-lead">A robot's behavior depends on numbers: how fast, how far, how careful. In ROS 2 they are
 <em>parameters</em>, and you can change them while the robot runs.</p>
 
 {try_it}
@@ -58,15 +58,17 @@ def front_page_source(index: Path, recordings: dict[Path, Recordings], facts: di
 def _robot_to_try(recordings: dict[Path, Recordings]) -> str:
     """Return a robot and its panel, if a chapter begins with them."""
     for path, recorded in recordings.items():
-        views = [each for found in recorded.values() for each in found]
+        views = [part for found in recorded.values() for each in found for part in each.get('parts', [each])]
         robot = next((each for each in views if each['kind'] == 'robot'), None)
         panel = next((each for each in views if robot and each['kind'] == 'panel' and each['node'] == robot['node']),
                      None)
         if robot and panel:
             drawer = drawing.Drawer('front')
-            return ('Press **Drive**. Then pull a slider, and drive again. What happens without the safety mode?\n\n'
-                    f'{_one_block(drawer.draw(robot))}\n\n{_one_block(drawer.draw(panel))}\n\n'
-                    f'What you have just seen is the beginning of [the first lesson]({path.name}).')
+            both = drawer.draw({'kind': 'side by side', 'parts': [robot, panel]})
+            markup = f'<div class="front-robot">{both}</div>'
+            return (f'{_one_block(markup)}\n\n'
+                    'Move a slider, and press **Drive**. What happens without the safety mode? '
+                    f'That is where [the first lesson]({path.name}) begins.')
     return ''
 
 

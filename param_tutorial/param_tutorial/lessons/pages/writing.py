@@ -21,7 +21,8 @@ class BuildError(Exception):
 def write_static(source: Path) -> None:
     """Write, beside Sphinx's sources, the styles that the notebook's own views bring along."""
     (source / 'static').mkdir(exist_ok=True)
-    (source / 'static' / 'robot.css').write_text(sheet('pictures/robot.css'), encoding='utf-8')
+    for path in ('pictures/track.css', 'widgets/side_by_side.css'):
+        (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 
 
 def write_pages(source: Path, target: Path, doctrees: Path, *, processes: int = 1,

@@ -7,13 +7,13 @@ be asked. The kernel is thrown away afterwards, so the lesson's own outputs neve
 
 import contextlib
 import pkgutil
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from param_tutorial.lessons.recording import taps
 from param_tutorial.lessons.recording.interview import interview
 from param_tutorial.lessons.recording.recorded import Page, Recording, ViewFacts
 from param_tutorial.widgets import recordable
-from param_tutorial.widgets.recordable import Portrait, Recordable
+from param_tutorial.widgets.recordable import Composition, Portrait, Recordable
 
 
 def describe(model_ids: Iterable[str]) -> list[ViewFacts]:
@@ -23,7 +23,7 @@ def describe(model_ids: Iterable[str]) -> list[ViewFacts]:
     """
     return [{'node': view.node, 'follows': sorted(view.follows),
              'portrait': f'{type(view).__module__}:{type(view).__qualname__}' if isinstance(view, Portrait) else None}
-            for model_id in model_ids if (view := recordable.find(model_id)) is not None]
+            for model_id in model_ids for view in _views_in(model_id)]
 
 
 def record(model_id: str, page: Page) -> Recording | None:
@@ -32,9 +32,35 @@ def record(model_id: str, page: Page) -> Recording | None:
     :param model_id: Of the widget that a cell has shown.
     :return: What JSON can hold; None if the widget is no view.
     """
-    view = recordable.find(model_id)
-    if view is None:
-        return None
+    found = recordable.find(model_id)
+    if isinstance(found, Composition):
+        return {**found.snapshot(), 'parts': _record(found.parts, page)}
+    return None if found is None else _record((found,), page)[0]
+
+
+def _views_in(model_id: str) -> Sequence[Recordable]:
+    """Return the view with a model's id, or those in it; nothing if the widget is no view."""
+    found = recordable.find(model_id)
+    if isinstance(found, Composition):
+        return found.parts
+    return () if found is None else (found,)
+
+
+def _record(views: Sequence[Recordable], page: Page) -> list[Recording]:
+    """Record views that stand together: all as they stand, then what their nodes say, and then what moves."""
+    recordings = [_as_it_stands(view) for view in views]
+    for view, recording in zip(views, recordings):
+        if controls := view.controls():
+            with _portrait_of(view, page) as portrait:
+                events = any(recordable.EVENTS in each['follows'] for each in page['views'])
+                recording.update(interview(view.node, controls, page['literals'], events=events, portrait=portrait))
+    for view, recording in zip(views, recordings):
+        if isinstance(view, Portrait) and (film := view.film()):
+            recording['films'] = [{'changed': {}, 'look': recording['look'], **film}]
+    return recordings
+
+
+def _as_it_stands(view: Recordable) -> Recording:
     if recordable.LOG in view.follows:
         taps.wait_for_logs()
     if isinstance(view, Portrait):
@@ -42,12 +68,6 @@ def record(model_id: str, page: Page) -> Recording | None:
     recording = view.snapshot()
     if 'lines' in recording:
         recording['lines'] = taps.without_marks(recording['lines'])
-    if isinstance(view, Portrait) and (film := view.film()):
-        recording['films'] = [{'changed': {}, 'look': recording['look'], **film}]
-    if controls := view.controls():
-        with _portrait_of(view, page) as portrait:
-            events = any(recordable.EVENTS in each['follows'] for each in page['views'])
-            recording |= interview(view.node, controls, page['literals'], events=events, portrait=portrait)
     return recording
 
 

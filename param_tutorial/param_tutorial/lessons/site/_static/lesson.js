@@ -56,7 +56,7 @@
         if (row) row.show(text);
       }
       this.resetButton.disabled = !Object.keys(this.changed).length;
-      for (const robot of robots) if (robot.node === this.node) robot.follow(this);
+      for (const robot of robots) if (robot.belongsTo(this)) robot.follow(this);
       for (const view of document.querySelectorAll('.rec-steps')) if (view.dataset.node === this.node) this.draw(view);
     }
 
@@ -227,6 +227,12 @@
       this.button.addEventListener('click', () => this.drive());
     }
 
+    /** Is it the robot of a panel's node, and, if it has a panel beside it, of that one? */
+    belongsTo(panel) {
+      const beside = this.section.closest('.side-by-side');
+      return this.node === panel.node && (!beside || !beside.querySelector('.rec-panel') || beside.contains(panel.section));
+    }
+
     /** Go by the parameters of a panel from now on. */
     follow(panel) {
       this.films = panel.films;
@@ -301,9 +307,12 @@
       panels.push(panel);
       for (const robot of robots) {
         // The first panel of a node speaks for its robot, until a hand moves another one.
-        if (robot.node === panel.node && robot.films.size === 1) robot.films = panel.films.size ? panel.films : robot.films;
+        if (robot.belongsTo(panel) && robot.films.size === 1) robot.films = panel.films.size ? panel.films : robot.films;
       }
     }
+    // The first page begins with a drive, if nothing else is wanted.
+    const [first] = robots;
+    if (first && first.section.closest('.front-robot') && !matchMedia('(prefers-reduced-motion: reduce)').matches) first.drive();
     document.documentElement.dataset.lesson = 'ready';
   }
 

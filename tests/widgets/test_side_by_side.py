@@ -1,0 +1,64 @@
+"""Two views as one: they stay whole when the frame goes, the frame loses what is closed, and a page records both."""
+
+import pytest
+
+from param_tutorial import ParameterPanel, RobotView, SideBySide
+from param_tutorial.lessons.pages import drawing
+from param_tutorial.lessons.recording import recorder
+from param_tutorial.nodes.clawbot_node import ClawbotNode
+
+
+@pytest.fixture
+def views(ros):
+    robot = ros.add(ClawbotNode, real_time=False)
+    views = RobotView(robot), ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode'])
+    yield views
+    for view in views:
+        view.close()
+
+
+def test_its_repr_names_both_and_says_nothing_of_the_moment(ros, views):
+    both = SideBySide(*views)
+    before = repr(both)
+    ros.remove(*ros.nodes)
+    assert before == repr(both) == '<SideBySide: RobotView of /clawbot_node and ParameterPanel of /clawbot_node>'
+
+
+def test_closing_it_leaves_the_views_as_they_are(views):
+    view, panel = views
+    first, second = SideBySide(view, panel), SideBySide(view, panel)
+    first.close()
+    first.close()
+    assert first.comm is None and first._box.comm is None and first._box.children == ()
+    assert second._box.children == (view, panel)
+    panel['max_speed_rpm'].value = 50
+    panel.settle()
+    assert panel['max_speed_rpm'].value == 50
+    assert view.comm is not None
+
+
+def test_a_view_that_is_closed_leaves_it_before(views):
+    view, panel = views
+    both = SideBySide(view, panel)
+    open_then = []
+    both._box.observe(lambda change: open_then.append(view.comm is not None), 'children')
+    view.close()
+    assert both._box.children == (panel,)
+    assert open_then == [True]
+    both.close()
+    assert panel._on_close == []
+
+
+def test_a_page_records_both_and_draws_them_in_their_places(views):
+    both = SideBySide(*views)
+    facts = recorder.describe([both.model_id])
+    assert [each['node'] for each in facts] == ['/clawbot_node'] * 2
+    recording = recorder.record(both.model_id, {'literals': [], 'views': facts})
+    assert recording['kind'] == 'side by side'
+    assert [part['kind'] for part in recording['parts']] == ['robot', 'panel']
+    films = recording['parts'][1]['films']
+    # Nothing was driven before the last picture of the robot at the start was taken.
+    assert {film['look']['text'].split('.')[0] for film in films} == {'READY'}
+    assert recording['parts'][0]['films'][0]['look']['text'].startswith('READY')
+    html = drawing.Drawer('page').draw(recording)
+    assert html.index('side-by-side-parts') < html.index('rec-robot') < html.index('rec-panel')
