@@ -26,6 +26,7 @@ _HOMES = {
     'Aliases': 'parameters.aliases',
     'BackgroundExecutor': 'runtime.executor',
     'EventView': 'widgets.events',
+    'LadderView': 'widgets.motion',
     'LinePlot': 'pictures.plots',
     'LogView': 'widgets.log',
     'ParameterClient': 'parameters.client',

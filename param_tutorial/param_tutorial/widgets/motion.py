@@ -1,0 +1,200 @@
+"""Pictures that play by themselves what happens to a node's parameters.
+
+What they look like is in the room ``pictures``; here is what they follow. Something is sent to the page only when
+something has happened: the browser moves the rest.
+"""
+
+import html
+from collections.abc import Callable
+
+import ipywidgets as widgets
+from rclpy.exceptions import InvalidHandle
+from rclpy.node import Node
+
+from param_tutorial.errors import ExecutorError
+from param_tutorial.parameters.recording import RecordedSet, follow_sets
+from param_tutorial.pictures import motion
+from param_tutorial.pictures.ladder import Climb
+from param_tutorial.pictures.styles import style
+from param_tutorial.runtime import stage
+from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.services import full_name
+from param_tutorial.runtime.worker import Worker
+from param_tutorial.widgets.cells import close_with_cell
+from param_tutorial.widgets.view import View, nothing
+
+_STYLE = motion.STYLE + style('widgets/motion.css')
+# What happens more often than this is shown once: nobody could follow it.
+_SHOW_PERIOD_SEC = 0.1
+
+
+class MotionView(View):
+    """A picture that plays anew whenever something happens, until it is closed."""
+
+    def __init__(self, subject: str, executor: BackgroundExecutor | None) -> None:
+        """
+        :param subject: The node, or what the view is of in the place of one.
+        :param executor: None for whichever runs in the background, also after a stop and a new start.
+        """
+        self._subject = subject
+        self._chosen_executor = executor
+        self._executor: BackgroundExecutor | None = None
+        self._text = ''
+        self._count = 0
+        self._picture = widgets.HTML()
+        self._stop_listening: Callable[[], None] = nothing
+        super().__init__([widgets.HTML(_STYLE), self._picture], 'motion-view')
+        self._worker = Worker(self._step, type(self).__name__, _SHOW_PERIOD_SEC)
+        self._stop_following = stage.on_change(self._on_executor_change)
+        self._listen()
+        self._worker.call_now(1.0)
+        close_with_cell(self)
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__}: {self._subject}{", closed" if self._closed else ""}>'
+
+    @property
+    def text(self) -> str:
+        """What the picture shows, in words, as a screen reader tells it."""
+        return self._text
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node, or what it says in the place of one."""
+        return self._subject
+
+    def snapshot(self) -> dict[str, object]:
+        """Return what a page without a kernel needs: the picture plays there once, and again when it is told to."""
+        self._worker.call_now(1.0)
+        return super().snapshot()
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
+        """Wake the worker whenever there is something to show.
+
+        :return: Ends that.
+        """
+        raise NotImplementedError
+
+    def _show(self) -> None:
+        """Draw what there is to show; called with the lock held, in any thread."""
+        raise NotImplementedError
+
+    def _play(self, text: str, picture: Callable[[motion.Reel], str], *, is_still: bool = False) -> None:
+        """Put a picture onto the page; it moves from now on."""
+        self._text = text
+        self._count += 1
+        self._picture.value = picture(motion.Reel(f'reel-{self.model_id[:8]}-{self._count}', is_still=is_still))
+
+    def _say(self, words: str) -> None:
+        """Put a sentence in the place of the picture."""
+        self._text = words
+        self._picture.value = (f'<div class="motion"><div class="motion-head"><span class="motion-name">'
+                               f'{html.escape(self._subject)}</span><span>{html.escape(words)}</span></div></div>')
+
+    def _step(self) -> None:
+        with self._drawing:
+            if not self._closed:
+                self._show()
+
+    def _end(self) -> None:
+        self._stop_following()
+        self._stop_listening()
+        self._worker.end()
+
+    def _on_executor_change(self) -> None:
+        if self._chosen_executor is None:
+            self._listen()
+            self._worker.wake()
+
+    def _listen(self) -> None:
+        self._stop_listening()
+        self._stop_listening = nothing
+        try:
+            self._executor = self._chosen_executor or stage.current()
+        except ExecutorError:
+            self._executor = None
+        else:
+            self._stop_listening = self._subscribe(self._executor)
+
+
+class SetView(MotionView):
+    """A picture that plays each set of one node's parameters, also one that the node rejects."""
+
+    def __init__(self, node: str | Node, executor: BackgroundExecutor | None) -> None:
+        """
+        :param node: The node, or its name; it has to be spun in this process, now or later.
+        :param executor: As for MotionView.
+        """
+        self._followed: Node | None = None
+        self._stop_sets: Callable[[], None] = nothing
+        self._latest: RecordedSet | None = None
+        super().__init__(full_name(node), executor)
+
+    def _wants(self, record: RecordedSet) -> bool:
+        """True if a set is to be shown."""
+        raise NotImplementedError
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
+        return executor.on_graph_change(self._worker.wake)
+
+    def _find_node(self) -> Node | None:
+        """Return the node that has the name now, and follow it."""
+        nodes = self._executor.nodes if self._executor is not None and self._executor.is_running else ()
+        node = next((each for each in nodes if _name_of(each) == self._subject), None)
+        if node is not self._followed:
+            self._stop_sets()
+            self._followed, self._stop_sets = node, nothing
+            if node is not None and self._executor is not None:
+                self._stop_sets = follow_sets(node, self._on_set, executor=self._executor)
+        return node
+
+    def _on_set(self, record: RecordedSet) -> None:
+        if self._wants(record):
+            self._latest = record
+            self._worker.wake()
+
+    def _end(self) -> None:
+        super()._end()
+        self._stop_sets()
+
+
+class LadderView(SetView):
+    """A value that climbs the ladder of callbacks, or falls from it, whenever somebody sets a parameter of a node.
+
+    Show it as the last line of a cell.
+    """
+
+    def __init__(self, node: str | Node, name: str | None = None, *,
+                 executor: BackgroundExecutor | None = None) -> None:
+        """
+        :param node: The node, or its name; it has to be spun in this process, now or later.
+        :param name: Only this parameter; by default whichever is set.
+        :param executor: Spins it; by default the one that runs in the background, also after a stop and a new start.
+        """
+        self._name = name
+        self._shown: object = self
+        super().__init__(node, executor)
+
+    def _wants(self, record: RecordedSet) -> bool:
+        return self._name in (None, record.timeline.name)
+
+    def _show(self) -> None:
+        is_there, record = self._find_node() is not None, self._latest
+        shown = is_there if record is None else record
+        if shown is self._shown:
+            return
+        self._shown = shown
+        if record is not None:
+            climb = Climb(record.timeline.node, record.timeline.name, record.timeline.steps, record.objection)
+            self._play(climb.text, climb.html)
+        elif is_there:
+            self._say(f'Set {self._name or "a parameter"}, and see how far the value climbs.')
+        else:
+            self._say('This node is not running in this process. The picture follows it when it does.')
+
+
+def _name_of(node: Node) -> str:
+    try:
+        return str(node.get_fully_qualified_name())
+    except InvalidHandle:  # destroyed after the list of nodes was made
+        return ''
