@@ -70,6 +70,13 @@ class Reel:
         """
         return self.track([(at_sec, f'transform:translate({x:.1f}px,{y:.1f}px)') for at_sec, x, y in stops], easing)
 
+    def travel_and_go(self, stops: Sequence[tuple[float, float, float]], easing: str = 'ease-in-out') -> str:
+        """Return a style attribute for what travels from place to place and is gone at the end."""
+        end_sec, x, y = stops[-1]
+        frames = [(at_sec, f'opacity:1;transform:translate({at_x:.1f}px,{at_y:.1f}px)') for at_sec, at_x, at_y in stops]
+        return self.track([*frames, (end_sec + _BLINK_SEC, f'opacity:0;transform:translate({x:.1f}px,{y:.1f}px)')],
+                          easing)
+
     @property
     def moves(self) -> bool:
         """True if anything is animated."""

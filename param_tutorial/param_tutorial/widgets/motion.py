@@ -12,13 +12,17 @@ from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
 
 from param_tutorial.errors import ExecutorError
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.live import LiveParameters
 from param_tutorial.parameters.recording import RecordedSet, follow_sets
 from param_tutorial.pictures import motion
 from param_tutorial.pictures.ladder import Climb
+from param_tutorial.pictures.number_line import NumberLine, Request, Scale
 from param_tutorial.pictures.styles import style
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.services import full_name
+from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.view import View, nothing
@@ -120,7 +124,7 @@ class MotionView(View):
 class SetView(MotionView):
     """A picture that plays each set of one node's parameters, also one that the node rejects."""
 
-    def __init__(self, node: str | Node, executor: BackgroundExecutor | None) -> None:
+    def __init__(self, node: str | Node | ParameterClient, executor: BackgroundExecutor | None) -> None:
         """
         :param node: The node, or its name; it has to be spun in this process, now or later.
         :param executor: As for MotionView.
@@ -128,7 +132,7 @@ class SetView(MotionView):
         self._followed: Node | None = None
         self._stop_sets: Callable[[], None] = nothing
         self._latest: RecordedSet | None = None
-        super().__init__(full_name(node), executor)
+        super().__init__(node.node if isinstance(node, ParameterClient) else full_name(node), executor)
 
     def _wants(self, record: RecordedSet) -> bool:
         """True if a set is to be shown."""
@@ -164,7 +168,7 @@ class LadderView(SetView):
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node, name: str | None = None, *,
+    def __init__(self, node: str | Node | ParameterClient, name: str | None = None, *,
                  executor: BackgroundExecutor | None = None) -> None:
         """
         :param node: The node, or its name; it has to be spun in this process, now or later.
@@ -191,6 +195,92 @@ class LadderView(SetView):
             self._say(f'Set {self._name or "a parameter"}, and see how far the value climbs.')
         else:
             self._say('This node is not running in this process. The picture follows it when it does.')
+
+
+class NumberLineView(SetView):
+    """A parameter that holds a number, on a line with its range and steps; a rejected value springs back.
+
+    Show it as the last line of a cell.
+    """
+
+    def __init__(self, node: str | Node | ParameterClient, name: str, *,
+                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC) -> None:
+        """
+        :param node: The node, or its name. What it rejects is seen only if it is spun in this process.
+        :param name: The parameter.
+        :param executor: As for LadderView.
+        :param timeout_sec: How long the node may take for each answer.
+        """
+        self._name = name
+        self._live: LiveParameters | None = None
+        self._shown: object = self
+        self._stored: float | None = None
+        super().__init__(node, executor)
+        self._live = LiveParameters(self._subject, self._worker.wake, names=[name], executor=executor,
+                                    timeout_sec=timeout_sec)
+        self._live.first_look()
+        self._worker.call_now(1.0)
+
+    def __repr__(self) -> str:
+        return f'<NumberLineView: {self._name} of {self._subject}{", closed" if self._closed else ""}>'
+
+    def settle(self, timeout_sec: float = 10.0) -> None:
+        """Wait until the view shows what the node has now.
+
+        :raises WaitTimeoutError: it took too long.
+        """
+        if self._live is not None:
+            self._live.settle(timeout_sec)
+        self._worker.call_now(timeout_sec)
+
+    def _wants(self, record: RecordedSet) -> bool:
+        return record.timeline.name == self._name
+
+    def _show(self) -> None:
+        node, record = self._find_node(), self._latest
+        if self._live is None:
+            return
+        parameter = self._live.parameters.get(self._name)
+        if self._live.status or parameter is None:
+            self._shown = None
+            self._say(self._live.status or f'The node has no parameter {self._name} now.')
+            return
+        # What the node itself says is never older than the events.
+        stored = parameter.value if node is None or not node.has_parameter(self._name) \
+            else node.get_parameter_or(self._name).value
+        descriptor = parameter.descriptor
+        if not _is_number(stored):
+            self._say(f'{self._name} is no number.')
+            return
+        shown = descriptor, stored, record
+        if shown == self._shown:
+            return
+        is_first = not isinstance(self._shown, tuple)
+        before = None if is_first else self._stored
+        is_new = record is not None and (is_first or record is not self._shown[2])
+        self._shown, self._stored = shown, stored
+        request = None
+        if is_new:
+            request = Request(record.value if _is_number(record.value) else None, values.format_value(record.value),
+                              record.objection)
+        elif before is not None and before != stored:
+            request = Request(stored, values.format_value(stored))
+        if descriptor.range:
+            scale = Scale(descriptor.range.from_value, descriptor.range.to_value, descriptor.range.step)
+        else:
+            scale = Scale.around(stored, *(each for each in (before, request and request.value) if each is not None))
+        line = NumberLine(self._subject, self._name, scale, stored, before=before, request=request,
+                          is_locked=descriptor.read_only)
+        self._play(line.text, line.html)
+
+    def _end(self) -> None:
+        super()._end()
+        if self._live is not None:
+            self._live.close()
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def _name_of(node: Node) -> str:
