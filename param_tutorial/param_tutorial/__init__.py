@@ -30,6 +30,7 @@ _HOMES = {
     'Layers': 'pictures.layers',
     'LinePlot': 'pictures.plots',
     'LogView': 'widgets.log',
+    'MessageView': 'widgets.motion',
     'NumberLineView': 'widgets.motion',
     'ParameterClient': 'parameters.client',
     'ParameterHistory': 'parameters.history',

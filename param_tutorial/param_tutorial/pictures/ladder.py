@@ -63,7 +63,8 @@ class Climb:
             return f'{asked}: an exception at {last.title}, and the caller gets no answer.'
         if self.objection:
             return f'{asked} is rejected at {last.title}.'
-        return f'{asked} is accepted{"" if self._rungs[_GROUND].value == last.stored else f", and {last.stored} is stored"}.'
+        as_asked = self._rungs[_GROUND].value == last.stored
+        return f'{asked} is accepted.' if as_asked else f'{asked} is accepted, and {last.stored} is stored.'
 
     @property
     def text(self) -> str:
@@ -154,7 +155,8 @@ def _rungs(name: str, steps: Sequence[Step], objection: str) -> Iterator[_Rung]:
     by_rung = {what: [step for step in steps if step.what == what] for what, _ in _RUNGS}
     last = len(_RUNGS) - 1
     if objection:
-        stopped = [index for index, (what, _) in enumerate(_RUNGS[:-1]) if any(step.objection for step in by_rung[what])]
+        stopped = [index for index, (what, _) in enumerate(_RUNGS[:-1])
+                   if any(step.objection for step in by_rung[what])]
         # rclpy's own checks leave no trace but the answer.
         last = stopped[-1] if stopped else _CHECKS
     asked = value = steps[0].proposed

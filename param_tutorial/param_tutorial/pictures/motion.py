@@ -68,14 +68,13 @@ class Reel:
 
         :param stops: Seconds, x and y, in the picture's units.
         """
-        return self.track([(at_sec, f'transform:translate({x:.1f}px,{y:.1f}px)') for at_sec, x, y in stops], easing)
+        return self.track([(at_sec, place(x, y)) for at_sec, x, y in stops], easing)
 
     def travel_and_go(self, stops: Sequence[tuple[float, float, float]], easing: str = 'ease-in-out') -> str:
         """Return a style attribute for what travels from place to place and is gone at the end."""
         end_sec, x, y = stops[-1]
-        frames = [(at_sec, f'opacity:1;transform:translate({at_x:.1f}px,{at_y:.1f}px)') for at_sec, at_x, at_y in stops]
-        return self.track([*frames, (end_sec + _BLINK_SEC, f'opacity:0;transform:translate({x:.1f}px,{y:.1f}px)')],
-                          easing)
+        frames = [(at_sec, f'opacity:1;{place(at_x, at_y)}') for at_sec, at_x, at_y in stops]
+        return self.track([*frames, (end_sec + _BLINK_SEC, f'opacity:0;{place(x, y)}')], easing)
 
     @property
     def moves(self) -> bool:
@@ -85,6 +84,11 @@ class Reel:
     def style(self) -> str:
         """Return the keyframes of all tracks so far as a style element; empty if nothing moves."""
         return f'<style>{"".join(self._keyframes)}</style>' if self._keyframes else ''
+
+
+def place(x: float, y: float) -> str:
+    """Return the CSS that moves a part, drawn around 0, 0, to a place in the picture's units."""
+    return f'transform:translate({x:.1f}px,{y:.1f}px)'
 
 
 def name_of(*facts: object) -> str:
@@ -109,8 +113,8 @@ def stage(heading: str, words: str, text: str, size: tuple[int, int], parts: Ite
     again = '<button type="button" class="motion-again" tabindex="0">Play again</button>' if reel.moves else ''
     return (f'<div class="motion">{reel.style()}{again}<div class="motion-head"><span class="motion-name">'
             f'{html.escape(heading)}</span><span class="motion-words"{told}>{html.escape(words)}</span></div>'
-            f'<div class="motion-scene" role="img" aria-label="{html.escape(text)}"><svg viewBox="0 0 {width} {height}" '
-            f'aria-hidden="true">{body}</svg></div></div>')
+            f'<div class="motion-scene" role="img" aria-label="{html.escape(text)}">'
+            f'<svg viewBox="0 0 {width} {height}" aria-hidden="true">{body}</svg></div></div>')
 
 
 def group(parts: Iterable[str] | str, look: str = '', css_class: str = '') -> str:

@@ -13,6 +13,8 @@ _ASKED_Y, _PIN_Y, _LINE_Y, _LABEL_Y, _WORDS_Y = 40, 92, 126, 156, 188
 _LOW_X, _HIGH_X = 112, 608
 _EDGE = 46
 _MOST_DOTS = 60
+# What is smaller is 0 to the eye.
+_LEAST = 1e-100
 _LETTERS = 84
 _GO_SEC, _DROP_SEC, _PAUSE_SEC, _BACK_SEC = 0.6, 0.3, 0.35, 0.5
 
@@ -32,9 +34,10 @@ class Scale:
     def around(*values: float) -> 'Scale':
         """Return a scale without limits on which all these values, and 0, have a place."""
         finite = [0.0, *(value for value in values if math.isfinite(value))]
-        largest = max(map(abs, finite)) or 1.0
+        largest = max(map(abs, finite))
+        largest = largest if largest > _LEAST else 1.0
         power = 10.0 ** math.floor(math.log10(largest))
-        end = math.ceil(largest / power - 1e-9) * power
+        end = max(largest, math.ceil(largest / power - 1e-9) * power)
         return Scale(-end if min(finite) < 0 else 0.0, end if max(finite) > 0 else 0.0 if min(finite) < 0 else end,
                      is_range=False)
 
@@ -45,9 +48,9 @@ class Scale:
         share = 0.0 if self.high == self.low else (value - self.low) / (self.high - self.low)
         # Slightly outside must be seen to be outside.
         place = _LOW_X + share * (_HIGH_X - _LOW_X) if math.isfinite(share) else math.copysign(math.inf, share)
-        if self.is_range and place < _LOW_X:
+        if self.is_range and value < self.low:
             place = min(place, _LOW_X - 22)
-        if self.is_range and place > _HIGH_X:
+        if self.is_range and value > self.high:
             place = max(place, _HIGH_X + 22)
         return min(max(place, _EDGE), _WIDTH - _EDGE)
 
@@ -164,7 +167,8 @@ class NumberLine:
         if not request.objection:
             landed_sec = _GO_SEC + _PAUSE_SEC + _DROP_SEC
             if self._before is not None:
-                yield motion.group(self._pin(before_x, _number(self._before)), reel.shown(0, landed_sec - .5 * _DROP_SEC))
+                yield motion.group(self._pin(before_x, _number(self._before)),
+                                   reel.shown(0, landed_sec - .5 * _DROP_SEC))
             # What was asked for becomes what is stored, which a callback may have changed on the way.
             yield motion.group(self._pin(stored_x, _number(self.stored)), reel.shown(landed_sec))
             yield motion.group(asked, reel.travel_and_go(
@@ -182,7 +186,7 @@ class NumberLine:
         rest = [motion.group(motion.token(motion.cut(request.shown, 12), css_class='motion-token-bad'),
                              f' transform="translate({asked_x:.1f} {_ASKED_Y})"')]
         if request.value is not None:
-            rest += [motion.path(f'M{asked_x - 6} {_LINE_Y - 6}l12 12M{asked_x + 6} {_LINE_Y - 6}l-12 12', 'motion-cross'),
+            rest += [motion.path(f'M{asked_x - 6} {_LINE_Y - 6}l12 12m0 -12l-12 12', 'motion-cross'),
                      motion.path(f'M{asked_x} {_ASKED_Y + 16}V{_LINE_Y - 10}', 'motion-dashed')]
         lines = textwrap.wrap(f'rejected: {request.objection}', _LETTERS)
         lines = [*lines[:1], motion.cut(' '.join(lines[1:]), _LETTERS)] if len(lines) > 1 else lines

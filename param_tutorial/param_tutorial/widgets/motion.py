@@ -4,27 +4,33 @@ What they look like is in the room ``pictures``; here is what they follow. Somet
 something has happened: the browser moves the rest.
 """
 
+import contextlib
 import html
 from collections.abc import Callable
+from typing import TypeGuard
 
 import ipywidgets as widgets
+from rcl_interfaces.msg import ParameterEvent
 from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
 
 from param_tutorial.errors import ExecutorError
 from param_tutorial.parameters import values
-from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.client import Descriptor, ParameterClient
 from param_tutorial.parameters.live import LiveParameters
 from param_tutorial.parameters.recording import RecordedSet, follow_sets
 from param_tutorial.pictures import motion
 from param_tutorial.pictures.ladder import Climb
+from param_tutorial.pictures.messages import MessageTraffic
 from param_tutorial.pictures.number_line import NumberLine, Request, Scale
 from param_tutorial.pictures.styles import style
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.graph import ends_of_parameter_events
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets.cells import close_with_cell
+from param_tutorial.widgets.events import changes_in
 from param_tutorial.widgets.view import View, nothing
 
 _STYLE = motion.STYLE + style('widgets/motion.css')
@@ -117,8 +123,12 @@ class MotionView(View):
             self._executor = self._chosen_executor or stage.current()
         except ExecutorError:
             self._executor = None
+            self._lose()
         else:
             self._stop_listening = self._subscribe(self._executor)
+
+    def _lose(self) -> None:
+        """Take note that there is no executor any more."""
 
 
 class SetView(MotionView):
@@ -139,18 +149,29 @@ class SetView(MotionView):
         raise NotImplementedError
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
-        return executor.on_graph_change(self._worker.wake)
+        stop_listening = executor.on_graph_change(self._on_graph_change)
+        with contextlib.suppress(ExecutorError):
+            executor.run(self._follow, f'follow {self._subject}')
+        return stop_listening
 
-    def _find_node(self) -> Node | None:
-        """Return the node that has the name now, and follow it."""
-        nodes = self._executor.nodes if self._executor is not None and self._executor.is_running else ()
-        node = next((each for each in nodes if _name_of(each) == self._subject), None)
+    def _lose(self) -> None:
+        self._followed, self._stop_sets = None, nothing
+
+    def _on_graph_change(self) -> None:
+        self._follow()
+        self._worker.wake()
+
+    def _follow(self) -> None:
+        """Follow the node that has the name now: in the executor's thread, so that no set of a new node is missed."""
+        executor = self._executor
+        if self._closed or executor is None:
+            return
+        node = next((each for each in executor.nodes if _name_of(each) == self._subject), None)
         if node is not self._followed:
             self._stop_sets()
             self._followed, self._stop_sets = node, nothing
-            if node is not None and self._executor is not None:
-                self._stop_sets = follow_sets(node, self._on_set, executor=self._executor)
-        return node
+            if node is not None:
+                self._stop_sets = follow_sets(node, self._on_set, executor=executor)
 
     def _on_set(self, record: RecordedSet) -> None:
         if self._wants(record):
@@ -183,7 +204,7 @@ class LadderView(SetView):
         return self._name in (None, record.timeline.name)
 
     def _show(self) -> None:
-        is_there, record = self._find_node() is not None, self._latest
+        is_there, record = self._followed is not None, self._latest
         shown = is_there if record is None else record
         if shown is self._shown:
             return
@@ -213,8 +234,7 @@ class NumberLineView(SetView):
         """
         self._name = name
         self._live: LiveParameters | None = None
-        self._shown: object = self
-        self._stored: float | None = None
+        self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
         super().__init__(node, executor)
         self._live = LiveParameters(self._subject, self._worker.wake, names=[name], executor=executor,
                                     timeout_sec=timeout_sec)
@@ -237,7 +257,7 @@ class NumberLineView(SetView):
         return record.timeline.name == self._name
 
     def _show(self) -> None:
-        node, record = self._find_node(), self._latest
+        node, record = self._followed, self._latest
         if self._live is None:
             return
         parameter = self._live.parameters.get(self._name)
@@ -250,25 +270,25 @@ class NumberLineView(SetView):
             else node.get_parameter_or(self._name).value
         descriptor = parameter.descriptor
         if not _is_number(stored):
+            self._shown = None
             self._say(f'{self._name} is no number.')
             return
         shown = descriptor, stored, record
         if shown == self._shown:
             return
-        is_first = not isinstance(self._shown, tuple)
-        before = None if is_first else self._stored
-        is_new = record is not None and (is_first or record is not self._shown[2])
-        self._shown, self._stored = shown, stored
+        before = None if self._shown is None else self._shown[1]
+        is_new = record is not None and (self._shown is None or record is not self._shown[2])
+        self._shown = shown
         request = None
-        if is_new:
+        if record is not None and is_new:
             request = Request(record.value if _is_number(record.value) else None, values.format_value(record.value),
                               record.objection)
         elif before is not None and before != stored:
             request = Request(stored, values.format_value(stored))
+        asked = None if request is None else request.value
+        scale = Scale.around(*(each for each in (stored, before, asked) if each is not None))
         if descriptor.range:
             scale = Scale(descriptor.range.from_value, descriptor.range.to_value, descriptor.range.step)
-        else:
-            scale = Scale.around(stored, *(each for each in (before, request and request.value) if each is not None))
         line = NumberLine(self._subject, self._name, scale, stored, before=before, request=request,
                           is_locked=descriptor.read_only)
         self._play(line.text, line.html)
@@ -279,7 +299,53 @@ class NumberLineView(SetView):
             self._live.close()
 
 
-def _is_number(value: object) -> bool:
+class MessageView(MotionView):
+    """Messages on /parameter_events that travel from the node that has changed to each that listens.
+
+    Show it as the last line of a cell.
+    """
+
+    def __init__(self, *, executor: BackgroundExecutor | None = None) -> None:
+        """:param executor: As for LadderView."""
+        self._event: ParameterEvent | None = None
+        self._shown: object = self
+        super().__init__('all nodes', executor)
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
+        stops = [executor.on_parameter_event(self._on_event), executor.on_graph_change(self._worker.wake)]
+
+        def stop() -> None:
+            for each in stops:
+                each()
+        return stop
+
+    def _on_event(self, event: ParameterEvent) -> None:
+        # Of a node that starts, the graph tells; a message for each of its declarations would hide the rest.
+        if '/_' not in event.node and (event.changed_parameters or event.deleted_parameters):
+            self._event = event
+            self._worker.wake()
+
+    def _show(self) -> None:
+        if self._executor is None or not self._executor.is_running:
+            self._shown = None
+            self._say('The stage is stopped.')
+            return
+        tells, listens = ends_of_parameter_events(self._executor.tool_node)
+        event = self._event
+        shown = tells, listens, event
+        if shown == self._shown:
+            return
+        # The same message is not sent again because somebody came or went.
+        is_new = event is not None and not (isinstance(self._shown, tuple) and self._shown[2] is event)
+        self._shown = shown
+        told = [] if event is None else [
+            f'{each.kind} {each.name}' + ('' if each.kind == 'deleted' else f' = {values.format_value(each.value, 40)}')
+            for each in changes_in(event)]
+        traffic = MessageTraffic(tells, listens, event.node if event else '', told)
+        self._play(traffic.text, traffic.html, is_still=not is_new)
+
+
+def _is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
