@@ -27,7 +27,7 @@ _HOMES = {
     'BackgroundExecutor': 'runtime.executor',
     'EventView': 'widgets.events',
     'LadderView': 'widgets.motion',
-    'Layers': 'pictures.layers',
+    'LayersView': 'widgets.motion',
     'LinePlot': 'pictures.plots',
     'LogView': 'widgets.log',
     'MessageView': 'widgets.motion',

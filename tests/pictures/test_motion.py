@@ -50,10 +50,6 @@ def test_only_what_moves_can_be_played_again():
     assert 'Play again' not in motion.stage('a', 'b', 'c', (10, 10), [], motion.Reel('one'))
 
 
-def test_the_name_of_a_picture_follows_from_what_it_shows():
-    assert motion.name_of('speed', 1) == motion.name_of('speed', 1) != motion.name_of('speed', 2)
-
-
 def test_names_are_text():
     parts = [motion.label(0, 0, '<b>&'), motion.group(motion.token('<i>'))]
     picture = motion.stage('<node>', '<words>', '"text"', (10, 10), parts, motion.Reel('one'))

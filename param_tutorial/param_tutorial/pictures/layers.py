@@ -23,20 +23,20 @@ class _Entry:
 
 
 class Layers:
-    """The sources of one parameter's value, as layers that cover each other. Show it as the last line of a cell."""
+    """The sources of one parameter's value, as layers that cover each other."""
 
-    def __init__(self, name: str, sources: Iterable[tuple[str, Any] | tuple[str, Any, str]], *, has: Any = ...) -> None:
+    def __init__(self, name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, Any]], *, has: Any = ...) -> None:
         """
         :param name: The parameter.
-        :param sources: In the order in which they are given to the node: a source, its value, and the name of the
-            layer into which it goes. A source with a layer that is there already changes that one, wherever it lies;
-            without such a name it is a layer of its own, on top.
+        :param sources: In the order in which they are given to the node: a source and its value, or a
+            source, the name of the layer into which it goes, and its value. A layer that is there already is changed
+            where it lies; a new one, and a source without such a name, comes on top.
         :param has: What the node has in the end, if it was asked.
         :raises ValueError: there is no source.
         """
         self.name = name
         self._layers: dict[str, list[_Entry]] = {}
-        for number, (source, value, *layer) in enumerate(sources):
+        for number, (source, *layer, value) in enumerate(sources):
             entry = _Entry(str(source), repr(value), _BEGIN_SEC + number * _EACH_SEC)
             self._layers.setdefault(layer[0] if layer else entry.source, []).append(entry)
         if not self._layers:
@@ -64,9 +64,6 @@ class Layers:
 
     def __repr__(self) -> str:
         return '\n'.join([*reversed(self._lines), self.sentence])
-
-    def _repr_html_(self) -> str:
-        return motion.STYLE + self.html(motion.Reel(motion.name_of(self.name, self._layers, self._has)))
 
     def html(self, reel: motion.Reel) -> str:
         """Return the picture; at rest all layers lie on each other."""

@@ -5,7 +5,6 @@ them by itself, at its own rate. Every part carries its last state too: that is 
 ended, where the reader wants no motion, and where a page is printed.
 """
 
-import hashlib
 import html
 import itertools
 from collections.abc import Iterable, Sequence
@@ -89,11 +88,6 @@ class Reel:
 def place(x: float, y: float) -> str:
     """Return the CSS that moves a part, drawn around 0, 0, to a place in the picture's units."""
     return f'transform:translate({x:.1f}px,{y:.1f}px)'
-
-
-def name_of(*facts: object) -> str:
-    """Return a name for a reel that is the same for the same facts, for pictures that are stored and compared."""
-    return 'reel-' + hashlib.sha256(repr(facts).encode()).hexdigest()[:8]
 
 
 def stage(heading: str, words: str, text: str, size: tuple[int, int], parts: Iterable[str], reel: Reel) -> str:
