@@ -11,6 +11,7 @@ from param_tutorial.errors import CallbackError, ExecutorError, InvalidValueErro
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from param_tutorial.nodes.param_query_node import ParamQueryNode
 from param_tutorial.parameters.client import changes
+from param_tutorial.parameters.recording import follow_sets
 
 
 class Ladder(Node):
@@ -187,6 +188,53 @@ def test_a_value_that_no_parameter_can_hold_is_told_and_nothing_stays_wrapped(la
         record_change(ladder, 'speed', {1: 2})
     assert ladder._pre_set_parameters_callbacks == [ladder.trim]
     assert type(ladder._pre_set_parameters_callbacks[0]).__name__ == 'method'
+
+
+def test_who_follows_a_node_hears_of_each_set_and_of_what_the_node_rejects(ros, ladder):
+    heard = []
+    stop_following = follow_sets(ladder, lambda record: heard.append((record.value, record.stored, record.objection)))
+    client = ParameterClient(ladder)
+    for value in (900, -1):
+        client.set_parameter('speed', value)
+    client.set_parameter('gain', 2.0)
+    client.set_parameter('wings', 2)
+    ros.run(lambda: ladder.set_parameters([Parameter('speed', value=7)]), 'set')
+    with pytest.raises(CallbackError):
+        client.set_parameter('speed', 'fast')
+    stop_following()
+    stop_following()
+    client.set_parameter('speed', 8)
+    assert heard == [
+        (900, 300, ''), (-1, 300, 'minus one'),
+        (2.0, 0.5, 'Parameter gain out of range Min: 0.0, Max: 1.0, value: 2.0'),
+        (2, None, 'Invalid access to undeclared parameter(s): []'), (7, 7, ''),
+        ('fast', 7, "TypeError: '<' not supported between instances of 'int' and 'str'")]
+
+
+def test_several_follow_one_node_and_leave_in_any_order(ladder):
+    first, second = [], []
+    stop_first, stop_second = follow_sets(ladder, first.append), follow_sets(ladder, second.append)
+    ParameterClient(ladder).set_parameter('speed', 1)
+    stop_first()
+    ParameterClient(ladder).set_parameter('speed', 2)
+    stop_second()
+    assert ([each.value for each in first], [each.value for each in second]) == ([1], [1, 2])
+    assert ladder._pre_set_parameters_callbacks == [ladder.trim]
+    assert type(ladder._pre_set_parameters_callbacks[0]).__name__ == 'method'
+
+
+def test_a_callback_that_sets_another_parameter_is_recorded_by_itself(ros, ladder):
+    heard = []
+
+    def set_limit(parameters):
+        if parameters[0].name == 'speed':
+            ladder.set_parameters([Parameter('limit', value=parameters[0].value)])
+
+    ladder.add_post_set_parameters_callback(set_limit)
+    stop_following = follow_sets(ladder, lambda record: heard.append((record.timeline.name, record.stored)))
+    ParameterClient(ladder).set_parameter('speed', 5)
+    stop_following()
+    assert heard == [('limit', 5), ('speed', 5)]
 
 
 def test_the_graph_is_what_is_connected(ros, ladder):

@@ -352,6 +352,25 @@ def test_a_parameter_event_is_published_through_the_nodes_own_publisher(ros, lam
     assert [event.changed_parameters[0].value.integer_value for event in events] == [6]
 
 
+def test_every_set_goes_through_one_method_of_the_node_and_no_declaration_does(ros, lamp):
+    asked = []
+
+    def set_instead(set_parameters, parameters):
+        asked.append([each.value for each in parameters])
+        return set_parameters(parameters)
+
+    stop = ros.run(lambda: rclpy_private.observe_changes(
+        lamp, lambda kind, callback, parameters: callback(parameters), lambda publish, event: publish(event),
+        set_instead), 'observe')
+    ParameterClient(lamp).set_parameter('watts', 6)
+    ParameterClient(lamp).set_parameters_atomically({'watts': 7})
+    ros.run(lambda: lamp.set_parameters([Parameter('watts', value=8)]), 'set')
+    ros.run(lambda: lamp.declare_parameter('volts', 230), 'declare')
+    ros.run(stop, 'stop observing')
+    ParameterClient(lamp).set_parameter('watts', 9)
+    assert asked == [[6], [7], [8]]
+
+
 def test_no_other_file_uses_private_names_of_rclpy(ros, lamp):
     client = lamp.create_client(GetParameters, '/nobody/get_parameters')
     private = {name for thing in (lamp, client, lamp._parameter_service, rclpy.task.Future(), *lamp.services)

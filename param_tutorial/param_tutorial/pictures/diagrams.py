@@ -27,6 +27,12 @@ class Step:
     """Who sent a message to the node; empty if nobody did."""
     goes_to: str = ''
     """To whom the node sent a message; empty if to nobody."""
+    who: str = ''
+    """The callback that was called; empty if none was."""
+    proposed: str = ''
+    """The value on its way when the moment is over; empty if it does not change."""
+    objection: str = ''
+    """Why the value gets no further, e.g. the callback's reason; empty if it does."""
 
 
 class Timeline:

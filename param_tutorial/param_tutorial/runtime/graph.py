@@ -19,6 +19,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 
 from rclpy.node import Node, NodeNameNonExistentError
+from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 from param_tutorial.pictures.diagrams import NodeGraph
@@ -128,6 +129,23 @@ def who_talks_to_whom(observer: Node) -> NodeGraph:
     return NodeGraph(serves=serves, asks=asks,
                      tells=_display_names(observer.get_publishers_info_by_topic('/parameter_events'), observer),
                      listens=_display_names(observer.get_subscriptions_info_by_topic('/parameter_events'), observer))
+
+
+def ends_of_parameter_events(observer: Node) -> tuple[list[str], dict[str, bool]]:
+    """Return who publishes on /parameter_events, and who subscribes to it.
+
+    :param observer: Whose view of the graph it is; it is called "this notebook".
+    :return: The publishers, and for each subscriber whether the messages reach it: they do not if its subscription
+        asks for more than the publishers offer.
+    """
+    publishers = observer.get_publishers_info_by_topic('/parameter_events')
+    listens: dict[str, bool] = {}
+    for subscription in observer.get_subscriptions_info_by_topic('/parameter_events'):
+        reached = any(qos_check_compatible(each.qos_profile, subscription.qos_profile)[0] != QoSCompatibility.ERROR
+                      for each in publishers)
+        for name in _display_names([subscription], observer):
+            listens[name] = listens.get(name, False) or reached
+    return sorted({*_display_names(publishers, observer)} - {_NOTEBOOK}), listens
 
 
 def _display_names(endpoints: list[TopicEndpointInfo], observer: Node) -> Iterator[str]:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import rclpy
-from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent
+from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
 from rclpy import utilities
 from rclpy.client import Client
 from rclpy.context import Context
@@ -26,6 +26,8 @@ from rclpy.task import Future
 ParameterCallback = Callable[[list[Parameter]], Any]
 # Called in place of a parameter callback: with its kind, itself and the parameters. Calls it, and returns its answer.
 CallInstead = Callable[[str, ParameterCallback, list[Parameter]], Any]
+# Sets the parameters at one go, and returns the node's result.
+SetParameters = Callable[[list[Parameter]], SetParametersResult]
 
 _CALLBACK_LISTS = {
     'pre-set': '_pre_set_parameters_callbacks',
@@ -261,6 +263,7 @@ def own_descriptor(node: Node, name: str) -> ParameterDescriptor:
 
 def observe_changes(node: Node, call_instead: CallInstead,
                     publish_instead: Callable[[Callable[[ParameterEvent], None], ParameterEvent], None],
+                    set_instead: Callable[[SetParameters, list[Parameter]], SetParametersResult] | None = None,
                     ) -> Callable[[], None]:
     """Step in between a node and its parameter callbacks, and between the node and its parameter events.
 
@@ -268,6 +271,8 @@ def observe_changes(node: Node, call_instead: CallInstead,
     who goes through the list gets others to call. To be called, and undone, between two callbacks.
 
     :param publish_instead: Called with the function that publishes an event, and with the event.
+    :param set_instead: Called with the function that sets parameters, and with those that somebody wants to set,
+        whether by a service or in the node's own code; returns the result. A declaration is not a set.
     :return: Call it to leave the node as it was, with the callbacks that it has by then.
     """
     originals: dict[str, list[ParameterCallback]] = {}
@@ -276,8 +281,12 @@ def observe_changes(node: Node, call_instead: CallInstead,
         setattr(node, attribute, _Observed(kind, originals[attribute], call_instead))
     publisher: Any = node._parameter_event_publisher
     publisher.publish = functools.partial(publish_instead, publisher.publish)
+    in_node = vars(node)
+    if set_instead is not None:
+        in_node['_set_parameters_atomically'] = functools.partial(set_instead, node._set_parameters_atomically)
 
     def stop_observing() -> None:
+        in_node.pop('_set_parameters_atomically', None)
         for attribute, original in originals.items():
             original[:] = getattr(node, attribute).callbacks()
             setattr(node, attribute, original)
