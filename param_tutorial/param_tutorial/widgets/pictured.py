@@ -1,0 +1,223 @@
+"""Pictures that play what was measured before they are shown. They follow nothing; the browser moves them.
+
+What they look like is in the room ``pictures``. Those that follow a node are in ``motion``.
+"""
+
+import itertools
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Protocol
+
+import ipywidgets as widgets
+from rclpy.node import Node
+
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.declarations import record_declarations
+from param_tutorial.pictures import motion
+from param_tutorial.pictures.lifts import Lifts
+from param_tutorial.pictures.plane import Plane, Point
+from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.trail import Trail
+from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.widgets.cells import close_with_cell
+from param_tutorial.widgets.view import View
+
+_STYLE = motion.STYLE + style('widgets/motion.css')
+
+
+class Picture(Protocol):
+    """What a picture can tell of itself."""
+
+    @property
+    def subject(self) -> str:
+        """What it is of."""
+
+    @property
+    def sentence(self) -> str:
+        """What it shows, in short."""
+
+    @property
+    def text(self) -> str:
+        """The whole of it in words, as a screen reader tells it."""
+
+    def html(self, reel: motion.Reel) -> str:
+        """Return it as HTML."""
+
+
+class PictureView(View):
+    """A picture on the page, until it is closed."""
+
+    def __init__(self, picture: Picture) -> None:
+        self._picture = picture
+        self._count = 0
+        self._drawn = widgets.HTML()
+        super().__init__([widgets.HTML(_STYLE), self._drawn], 'motion-view')
+        self._draw()
+        close_with_cell(self)
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__}: {self._picture.sentence}{", closed" if self._closed else ""}>'
+
+    @property
+    def text(self) -> str:
+        """What the picture shows, in words, as a screen reader tells it."""
+        return self._picture.text
+
+    @property
+    def node(self) -> str:
+        """What the view is of; no node is asked."""
+        return self._picture.subject
+
+    def _draw(self) -> None:
+        with self._drawing:
+            if not self._closed:
+                self._count += 1
+                self._drawn.value = self._picture.html(motion.Reel(f'reel-{self.model_id[:8]}-{self._count}'))
+
+    def _end(self) -> None:
+        pass
+
+
+class TrailView(PictureView):
+    """Places that hold values, moment by moment, and what travels between them. Show it as the last line of a cell."""
+
+    def __init__(self, subject: str, places: Sequence[str]) -> None:
+        """
+        :param subject: What the picture is of, e.g. a node's name or a file's.
+        :param places: Their names, from the left to the right; each stands in the heading of a column.
+        :raises ValueError: there is no place, or two have one name.
+        """
+        self._trail = Trail(subject, places)
+        super().__init__(self._trail)
+
+    def add(self, words: str, values: Sequence[Any], *moves: tuple[str, str] | tuple[str, str, Any, str],
+            note: str = '') -> None:
+        """Add a moment; the picture plays anew with it.
+
+        :param words: What happens, e.g. ``'colcon build'``.
+        :param values: What each place holds when it is over, as it was measured; ``...`` for nothing.
+        :param moves: What travels: from which place ('' for from outside) and to which. For what the second place
+            does not take, also the value, and why.
+        :param note: What is worth seeing in this moment.
+        :raises ValueError: there are not as many values as places, or no such place, or a value arrives where there
+            is none afterwards.
+        """
+        self._trail.add(words, values, *moves, note=note)
+        self._draw()
+
+
+class LiftsView(PictureView):
+    """Lifts that rise beside each other at the speeds of their nodes. Show it as the last line of a cell."""
+
+    def __init__(self, heights: Mapping[str, Sequence[tuple[float, float]]],
+                 marks: Mapping[float, str] | None = None) -> None:
+        """
+        :param heights: By lift, points in time in s and its height there in m; in between it rises evenly.
+        :param marks: What happens, by the time in s.
+        :raises ValueError: there is no lift, or one without two points, or no time passes.
+        """
+        super().__init__(Lifts(heights, marks))
+
+
+class PlaneView(PictureView):
+    """Which pairs of values a node takes, and how requests get from one to another. Show it as the last line of a cell.
+
+    The node is asked for each pair, and then has again what it had before.
+    """
+
+    def __init__(self, node: str | Node | ParameterClient, values: Mapping[str, Iterable[float]], *,
+                 executor: BackgroundExecutor | None = None) -> None:
+        """
+        :param node: The node, or its name.
+        :param values: Two parameters by name, to the right and upward, and the values to ask for.
+        :param executor: Carries the requests; by default the one that runs in the background.
+        :raises ValueError: there are not two parameters, or one has not two values.
+        :raises NodeNotFoundError: there is no such node.
+        """
+        if len(values) != 2:
+            raise ValueError(f'a PlaneView takes two parameters, not {list(values)}')
+        self._client = node if isinstance(node, ParameterClient) else ParameterClient(node, executor=executor)
+        self._names = list(values)
+        before = self._pair()
+        right, up = values.values()
+        answers = {pair: self._ask(dict(zip(self._names, pair, strict=True))) for pair in itertools.product(right, up)}
+        self._ask(dict(zip(self._names, before, strict=True)))
+        self._plane = Plane((self._names[0], self._names[1]), answers)
+        super().__init__(self._plane)
+
+    def go(self, name: str, start: Mapping[str, float], *requests: Mapping[str, float]) -> None:
+        """Bring the node to a pair, and send it requests; the picture plays the way that they go.
+
+        :param name: What the way is called.
+        :param start: Both values with which it begins.
+        :param requests: Each is one atomic change of one value or both.
+        :raises ValueError: the node does not take the start, or there is no request.
+        """
+        before = self._pair()
+        if not self._ask(start):
+            raise ValueError(f'the node does not take the start {dict(start)}')
+        begin, steps = self._pair(), []
+        for request in requests:
+            has = dict(zip(self._names, self._pair(), strict=True))
+            wanted = tuple(request.get(each, has[each]) for each in self._names)
+            self._ask(request)
+            words = ', '.join(f'{each} = {value:g}' for each, value in request.items())
+            steps.append((words, (wanted[0], wanted[1]), self._pair()))
+        self._ask(dict(zip(self._names, before, strict=True)))
+        self._plane.add_way(name, begin, steps)
+        self._draw()
+
+    def _ask(self, request: Mapping[str, float]) -> bool:
+        return all(result.successful for result in self._client.set_parameters_atomically(dict(request)))
+
+    def _pair(self) -> Point:
+        has = self._client.get_parameters(self._names)
+        return has[self._names[0]], has[self._names[1]]
+
+
+class DeclarationsView(TrailView):
+    """A node's parameters as they come to be, with what comes from outside. Show it as the last line of a cell."""
+
+    _OUTSIDE, _DECLARED, _HAS = 'from outside', 'declare_parameter', 'the node has'
+
+    def __init__(self, node_class: type[Node], overrides: Mapping[str, Any] | None = None, *,
+                 executor: BackgroundExecutor | None = None) -> None:
+        """Start a node on the stage, and record what it declares.
+
+        :param node_class: As for ``ros.add()``; its constructor takes no arguments.
+        :param overrides: Values from outside, by name, as after ``-p``.
+        :param executor: Spins the node; by default the one that runs in the background.
+        :raises ExecutorError: no executor is running, or node_class is not a class of nodes.
+        """
+        overrides = overrides or {}
+        node, declarations = record_declarations(node_class, overrides, executor=executor)
+        self._client = ParameterClient(node, executor=executor)
+        super().__init__(self._client.node, (self._OUTSIDE, self._DECLARED, self._HAS))
+        for each in declarations:
+            moves = [] if each.value is None else [
+                (self._OUTSIDE if each.name in overrides else self._DECLARED, self._HAS)]
+            self.add(each.name, (_or_nothing(overrides.get(each.name)), _or_nothing(each.default),
+                                 _or_nothing(each.value)), *moves,
+                     note='an override' if each.name in overrides else '')
+        declared = {each.name for each in declarations}
+        for name in (each for each in overrides if each not in declared):
+            asked = values.format_value(overrides[name])
+            self.add(name, (asked, ..., ...), (self._OUTSIDE, self._HAS, asked, 'ignored'),
+                     note='an override, never declared')
+
+    def set_parameter(self, name: str, value: Any) -> None:
+        """Set a parameter of the node from outside, and add what comes of it.
+
+        :raises NodeNotFoundError: the node has been removed.
+        """
+        result, asked = self._client.set_parameter(name, value), values.format_value(value)
+        if result.successful:
+            stored = values.format_value(self._client.get_parameter(name))
+            self.add(f'set {name}', (asked, ..., stored), (self._OUTSIDE, self._HAS))
+        else:
+            self.add(f'set {name}', (asked, ..., ...), (self._OUTSIDE, self._HAS, asked, 'rejected'),
+                     note=result.kind)
+
+
+def _or_nothing(value: Any) -> Any:
+    return ... if value is None else values.format_value(value)
