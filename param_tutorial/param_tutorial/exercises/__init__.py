@@ -3,6 +3,7 @@
     exercises.check('3a', Rover)      what is done, what is not yet, and where to look
     exercises.hint('3a')              one hint; run it again for the next
     exercises.predict('3-1')          a question, before the cell that answers it
+    exercises.recall('4-r1')          a question about an earlier chapter
     exercises.progress('3')           what you have solved of the chapter
     exercises.certificate()           a page that lists what you have proved
 
@@ -13,7 +14,7 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
     exercise        what an exercise is, and how its check runs
     trial           a corner of the stage for the learner's nodes, cleared afterwards
     results         the answer, as text and as HTML
-    questions       the predictions, as data
+    questions       the predictions and recalls, as data
     prediction      what a prediction is
     predicting      the widget that asks for one
     achievements    a chapter's ticks, and the certificate
@@ -54,11 +55,12 @@ from param_tutorial.progress import record, ticks
 _MODULES = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
             ch10_3, ch10_4, ch11)
 CHAPTERS = {each.number: each for each in (
-    Chapter(module.EXERCISES[0].number.rstrip('abcdef'), module.CHAPTER, module.EXERCISES, predictions, praise)
-    for module, (predictions, praise) in zip(_MODULES, QUESTIONS))}
+    Chapter(module.EXERCISES[0].number.rstrip('abcdef'), module.CHAPTER, module.EXERCISES, recalls, predictions, praise)
+    for module, (recalls, predictions, praise) in zip(_MODULES, QUESTIONS))}
 EXERCISES: dict[str, Exercise] = {each.number: each for chapter in CHAPTERS.values() for each in chapter.exercises}
 PREDICTIONS: dict[str, Prediction] = {each.number: each for chapter in CHAPTERS.values()
                                       for each in chapter.predictions}
+RECALLS: dict[str, Prediction] = {each.number: each for chapter in CHAPTERS.values() for each in chapter.recalls}
 
 _FORGOTTEN = object()
 _hints_given: dict[str, int] = {}
@@ -111,6 +113,17 @@ def predict(number: str = '') -> PredictionView | Answer:
     return PredictionView(prediction, _remember_prediction)
 
 
+def recall(number: str = '') -> PredictionView | Answer:
+    """Ask about an earlier chapter; the widget says at once whether the answer is right, and where it was learned.
+
+    :param number: Of the chapter, and its own, e.g. '4-r1'.
+    """
+    question = RECALLS.get(str(number))
+    if question is None:
+        return _unknown(number, 'question', RECALLS)
+    return PredictionView(question, _remember_prediction)
+
+
 def progress(number: str = '') -> Answer:
     """Return what there is to solve in a chapter, with a tick at what the learner has solved.
 
@@ -141,5 +154,5 @@ def _unknown(number: Any, what: str = 'exercise', existing: Mapping[str, object]
     return Answer(f'There is no {what} {number!r}{nearest(str(number), list(existing), "There are none")}')
 
 
-__all__ = ['CHAPTERS', 'EXERCISES', 'PREDICTIONS', 'Answer', 'Hint', 'Result', 'certificate', 'check', 'hint',
-           'predict', 'progress']
+__all__ = ['CHAPTERS', 'EXERCISES', 'PREDICTIONS', 'RECALLS', 'Answer', 'Hint', 'Result', 'certificate', 'check',
+           'hint', 'predict', 'progress', 'recall']

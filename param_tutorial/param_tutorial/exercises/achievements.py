@@ -26,6 +26,8 @@ class Chapter(NamedTuple):
     name: str
     """Of its notebook, without the ending."""
     exercises: Sequence[Exercise]
+    recalls: Sequence[Prediction]
+    """Its questions about earlier chapters."""
     predictions: Sequence[Prediction]
     praise: str
     """A sentence for whoever has solved it."""
@@ -62,7 +64,8 @@ class ChapterProgress(Answer):
         for each in self._chapter.exercises:
             mark = '✓' if each.number in self._solved else '·'
             lines.append(f'{mark} {each.number:<5} {each.title}  {self._solved.get(each.number, "")}'.rstrip())
-        lines += ['', ' '.join(f'{each.number}{self._mark(each)}' for each in self._chapter.predictions)]
+        for questions in filter(None, (self._chapter.recalls, self._chapter.predictions)):
+            lines += ['', ' '.join(f'{each.number}{self._mark(each)}' for each in questions)]
         if self._remembers and self.is_solved:
             lines += ['', f'Solved. {self._chapter.praise}']
         return '\n'.join([*lines, *(['', _HOW] if not self._remembers else []), *([self.text] if self.text else [])])
@@ -77,15 +80,18 @@ class ChapterProgress(Answer):
             f'<span aria-hidden="true">{"✓" if each.number in self._solved else "·"}</span> <b>{each.number}</b> '
             f'{with_code(each.title)} <small>{self._solved_words(each)}</small></li>'
             for each in self._chapter.exercises)
-        predictions = ''.join(f'<li>{each.number}{self._prediction_words(each)}</li>'
-                              for each in self._chapter.predictions)
+        questions = ''.join(
+            f'<p>{title}:</p><ul class="param-predictions">'
+            + ''.join(f'<li>{each.number}{self._prediction_words(each)}</li>' for each in asked) + '</ul>'
+            for title, asked in (('Earlier chapters', self._chapter.recalls),
+                                 ('Predictions', self._chapter.predictions)) if asked)
         solved = self._remembers and self.is_solved
         praise = (f'<div class="param-praise">{medal(self._chapter.number)}'
                   f'<p><b>Solved.</b> {with_code(self._chapter.praise)}</p></div>' if solved else '')
         notes = ''.join(f'<p>{with_code(each)}</p>' for each in (self.text, '' if self._remembers else _HOW) if each)
         return (f'{_STYLE}<div class="param-progress"><p><b>{self._heading}</b></p>{praise}'
                 f'<ul class="param-exercises">{exercises}</ul>'
-                f'<p>Predictions:</p><ul class="param-predictions">{predictions}</ul>{notes}</div>')
+                f'{questions}{notes}</div>')
 
     def _solved_words(self, exercise: Exercise) -> str:
         if not self._remembers:

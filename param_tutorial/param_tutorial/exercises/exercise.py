@@ -43,6 +43,7 @@ FUNCTION = Kind('a function, by its name alone and without parentheses', inspect
 DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(work, dict),
                   'my_dictionary')
 TEXT = Kind('a text, as in the cell above', lambda work: isinstance(work, str), 'my_text')
+LIST = Kind('a list, as in the cell above', lambda work: isinstance(work, list), 'my_list')
 
 
 class Requirement(NamedTuple):

@@ -1,5 +1,6 @@
-"""What several chapters expect of a learner's node, each with words for the node that does something else."""
+"""What several chapters expect of a learner's work, each with words for work that does something else."""
 
+import linecache
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
@@ -8,7 +9,7 @@ from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.exercises.trial import NodeT, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import CORNER, NodeT, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import ParameterType
 
@@ -57,6 +58,34 @@ def expect_service(trial: Trial, client: Client) -> None:
                    lambda: f'nobody offers a service `{client.srv_name}`, of that type')
     except NotYet as error:
         raise NoUse(error.expected, error.happened) from None
+
+
+# What an exception in the learner's lines names in place of a file.
+_LINES = '<your lines>'
+
+
+def run_lines(trial: Trial, **names: object) -> dict[str, Any]:
+    """Run the learner's text as a cell of a notebook, and return all names that there are afterwards.
+
+    :param names: What is there before.
+    :raises NoUse: there is nothing to run, or it does not get to its end.
+    """
+    text = trial.work
+    if not text.strip():
+        raise NoUse('some lines', 'there is none')
+    space: dict[str, Any] = {'__name__': '__main__', **names}
+    # So that the line which raises can be shown.
+    linecache.cache[_LINES] = len(text), None, text.splitlines(keepends=True), _LINES
+    try:
+        trial.call('the last line', lambda: exec(compile(text, _LINES, 'exec'), space))
+    except NotYet as error:
+        raise NoUse('the lines run to their end', error.happened) from None
+    return space
+
+
+def client_in_corner(node: Node | str) -> ParameterClient:
+    """Return what ``ParameterClient(node)`` is for the learner, whose nodes are in the corner during a check."""
+    return ParameterClient(f'{CORNER}/{node.lstrip("/")}' if isinstance(node, str) else node)
 
 
 def derive(mixin: type[NodeT], node_class: type[Node]) -> type[NodeT]:

@@ -1,7 +1,7 @@
 """The widget in which a learner commits to a prediction, and then sees what became of it.
 
 It never holds up a cell. What is right it says only after another cell has run, which is the one that decides; a
-learner who has run that cell already is told at once.
+learner who has run that cell already is told at once, and so is one who recalls an earlier chapter.
 """
 
 import weakref
@@ -31,21 +31,23 @@ class PredictionView(widgets.VBox):
         """
         self.prediction = prediction
         self._remember = remember
-        self._committed = self._next_cell_has_run = False
+        self._committed = False
+        self._next_cell_has_run = not prediction.is_decided_by_a_cell
         self._note = ''
-        question = widgets.HTML(f'{STYLE}<p class="param-predict-question"><b>Predict</b> · '
+        question = widgets.HTML(f'{STYLE}<p class="param-predict-question"><b>{prediction.word}</b> · '
                                 f'{with_code(prediction.question)}</p>')
         self.answer: Any = (
             widgets.Text(placeholder='your value', value='') if prediction.is_typed
             else widgets.RadioButtons(options=[each.text for each in prediction.choices], value=None))
-        self.button = widgets.Button(description=COMMIT, disabled=True, tooltip='Commit to this prediction')
+        self.button = widgets.Button(description=COMMIT, disabled=True, tooltip='Commit to this answer')
         self.said = widgets.HTML()
         super().__init__([question, self.answer, self.button, self.said])
         self.add_class('param-predict')
         self.answer.observe(self._on_answer, 'value')
         self.button.on_click(lambda _: self.commit())
-        _watch.add(self)
-        self._go_on()
+        if prediction.is_decided_by_a_cell:
+            _watch.add(self)
+            self._go_on()
         close_with_cell(self)
 
     def __repr__(self) -> str:
@@ -109,7 +111,7 @@ def verdict(prediction: Prediction, answer: str) -> str:
     """Return what is said to an answer, as HTML."""
     choice = prediction.choice(answer)
     css_class, word = ('param-predict-right', 'Right.') if choice.is_right else ('param-predict-wrong', 'Not so.')
-    return f'<b class="{css_class}">{word}</b> {with_code(choice.sentence)}'
+    return f'<b class="{css_class}">{word}</b> {with_code(f"{choice.sentence} {prediction.pointer}".strip())}'
 
 
 class _Watch:

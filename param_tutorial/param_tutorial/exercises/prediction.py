@@ -1,7 +1,10 @@
-"""What a prediction is: a question about the next cell, and a sentence for each answer that people give."""
+"""What a prediction is: a question about the next cell, and a sentence for each answer that people give.
+
+A recall is its sister: a question about an earlier chapter, which no cell has to decide.
+"""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 # In the output of a cell that shows a prediction: its number, so that a page without a kernel can show it too.
 MIME_TYPE = 'application/x-param-tutorial-prediction+json'
@@ -39,6 +42,11 @@ class Prediction:
     otherwise: str = ''
     """The sentence for any other value. With it the learner types a value, and the choices are not shown."""
 
+    word: ClassVar[str] = 'Predict'
+    """What the learner is asked to do."""
+    is_decided_by_a_cell: ClassVar[bool] = True
+    """True if the learner is told what is right only after the next cell has run."""
+
     @property
     def is_typed(self) -> bool:
         """True if the learner types a value, and does not choose."""
@@ -60,7 +68,30 @@ class Prediction:
     def text(self) -> str:
         """The question and the choices, without the answer."""
         lines = ['(type a value)'] if self.is_typed else [f'( ) {each.text}' for each in self.choices]
-        return '\n'.join([f'Predict {self.number} · {self.question}', *(f'    {line}' for line in lines)])
+        return '\n'.join([f'{self.word} {self.number} · {self.question}', *(f'    {line}' for line in lines)])
+
+    @property
+    def pointer(self) -> str:
+        """The sentence that says where to look it up; empty if the next cell shows it."""
+        return ''
+
+
+@dataclass(frozen=True)
+class Recall(Prediction):
+    """A question about an earlier chapter; the answer is told at once."""
+
+    chapter: str = ''
+    """The number of the chapter in which it was learned, e.g. '5.2'."""
+    section: str = ''
+    """The heading there."""
+
+    word: ClassVar[str] = 'Recall'
+    is_decided_by_a_cell: ClassVar[bool] = False
+
+    @property
+    def pointer(self) -> str:
+        """The sentence that says where to look it up."""
+        return f'You learned it in chapter {self.chapter}, “{self.section}”.'
 
 
 def plain_answer(text: str) -> str:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from param_tutorial.errors import ProgressError
-from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS
+from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.learner.copies import COPIES
 from param_tutorial.progress.record import FILE, Progress, parse
 
@@ -24,11 +24,11 @@ class Student(NamedTuple):
 
     @property
     def row(self) -> list[str]:
-        """What stands in the table: chapters, all exercises, predictions made and right."""
-        made = [each for number, each in self.progress.predicted.items() if number in PREDICTIONS]
+        """What stands in the table: chapters, all exercises, predictions and recalls made and right."""
+        made = [each for number, each in self.progress.predicted.items() if number in {**PREDICTIONS, **RECALLS}]
         return [*map(self.solved, CHAPTERS),
                 f'{sum(number in EXERCISES for number in self.progress.solved)}/{len(EXERCISES)}',
-                f'{len(made)}/{len(PREDICTIONS)}', str(sum(each.right for each in made))]
+                f'{len(made)}/{len(PREDICTIONS) + len(RECALLS)}', str(sum(each.right for each in made))]
 
 
 _COLUMNS = ('student', *CHAPTERS, 'all', 'predicted', 'right')

@@ -1,9 +1,13 @@
-"""Exercises of chapter 1: bring a robot to its goal by parameters alone, and make a parameter of a number."""
+"""Exercises of chapter 1: order a drive, bring a robot to its goal by parameters alone, and make a parameter of a
+number."""
 
 import math
 from typing import Any, NamedTuple
 
-from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from rclpy.parameter import Parameter
+
+from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, TEXT, Exercise
+from param_tutorial.exercises.expectations import client_in_corner, run_lines
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.parameters.client import ParameterClient
@@ -158,4 +162,59 @@ def changed(trial: Trial) -> None:
         else ''))
 
 
-EXERCISES = (park, free)
+order = Exercise('1c', 'Put a drive in order', CHAPTER, TEXT, hints=(
+    'A name has to be there before a line can use it. Which line makes `client`?',
+    'The robot drives off in the moment in which `robot.drive()` is called, with the values that it has then. So what '
+    'should hold for the whole drive comes before that line.'))
+
+
+class Noting(Patient):
+    """A Clawbot without safety mode, which notes what holds whenever it drives off."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.starts: list[dict[str, Any]] = []
+        self.set_parameters([Parameter('enable_safety_mode', value=False)])
+
+    def drive(self) -> None:
+        names = ('max_speed_rpm', 'enable_safety_mode')
+        self.starts.append({name: self.get_parameter(name).value for name in names})
+        super().drive()
+
+
+def ordered(trial: Trial) -> Noting:
+    """Run the learner's lines with a new robot."""
+    robot = trial.start(Noting)
+    run_lines(trial, robot=robot, ParameterClient=client_in_corner, Parameter=Parameter)
+    if not robot.starts:
+        raise NoUse('the robot drives', 'nothing has made it drive')
+    return robot
+
+
+@order.require('the lines run to their end, and the robot drives once', see=WORDS)
+def drives_once(trial: Trial) -> None:
+    starts = ordered(trial).starts
+    expect(len(starts) == 1, 'it drives off once', f'it drives off {len(starts)} times')
+
+
+def expect_at_start(trial: Trial, name: str, wanted: object) -> None:
+    robot = ordered(trial)
+    found, later = robot.starts[0][name], robot.get_parameter(name).value
+    expect(found == wanted, f'`{name}` is `{wanted!r}` when the robot drives off', f'it is `{found!r}`' + (
+        ', and becomes what you want only later' if later == wanted else ''))
+
+
+@order.require('when it drives off, the limit is 50 rpm', see='Change it')
+def limited(trial: Trial) -> None:
+    expect_at_start(trial, 'max_speed_rpm', 50)
+
+
+@order.require('when it drives off, the safety mode is on, and the robot stops before the wall', see='Break it')
+def safely(trial: Trial) -> None:
+    expect_at_start(trial, 'enable_safety_mode', True)
+    end = ordered(trial).step(math.inf)
+    expect(end.word == 'STOPPED', 'it stops by itself', 'it has run into the wall' if end.word == 'CRASHED'
+           else f'it is {end.word.lower()}')
+
+
+EXERCISES = (order, park, free)

@@ -1,4 +1,5 @@
-"""Exercises of chapter 2: mend a setup.py that is really built, and find a program as ``ros2 run`` does."""
+"""Exercises of chapter 2: order the lines of a terminal, mend a setup.py that is really built, and find a program
+as ``ros2 run`` does."""
 
 import functools
 import os
@@ -9,8 +10,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from param_tutorial.errors import ParameterToolError
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2.run import find_program
 from param_tutorial.ros2.session import CommandFailed
 
@@ -199,4 +202,89 @@ def overlaid(trial: Trial) -> None:
                  because='. `ros2` has found the package in `first`, and looks no further')
 
 
-EXERCISES = (mend, find)
+order = Exercise('2c', 'Put a terminal in order', CHAPTER, TEXT, hints=(
+    'Say for each line what has to be there before it: `source` needs a file that only a build writes.',
+    '`colcon build` builds the workspace that the terminal stands in, so the first line goes there. And `ros2 run` '
+    'finds only what the terminal has sourced.'))
+
+WORKSPACE = 'ros2_ws'
+# What the build of the package would put into its workspace; a real one takes half a minute on a slow machine.
+BUILT = {
+    f'install/lift/{MARKER}': '',
+    f'install/lift/{PROGRAM}': f'#!/bin/sh\necho "{READY}"\n',
+    'install/setup.bash': f'export AMENT_PREFIX_PATH="$HOME/{WORKSPACE}/install/lift:$AMENT_PREFIX_PATH"\n',
+}
+COLCON = """colcon() {
+    if [ "$1" = build ] && [ -d src/lift ]; then cp -r ~/.built/install . && echo 'Summary: 1 package finished'
+    else echo 'Summary: 0 packages finished'; fi
+}"""
+
+
+class Typed(NamedTuple):
+    """What became of lines that were typed in a terminal."""
+
+    said: str
+    is_built: bool
+    """True if the package is in the install space of its workspace."""
+    is_sourced: bool
+    """True if the terminal knows the package in the end."""
+
+
+@functools.lru_cache(maxsize=4)
+def type_lines(lines: str) -> Typed:
+    """Type lines in a new terminal, beside a workspace with the source of the package.
+
+    :raises WaitTimeoutError: they do not come to an end.
+    """
+    shell = Shell()
+    try:
+        Path(shell.home, WORKSPACE, 'src', 'lift').mkdir(parents=True)
+        for name, text in BUILT.items():
+            path = Path(shell.home, '.built', name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding='utf-8')
+            path.chmod(0o755)
+        shell.run(COLCON)
+        said = shell.run(lines, TIME_LIMIT_SEC)
+        known = shell.environment().get('AMENT_PREFIX_PATH', '').split(os.pathsep)
+        install = Path(shell.home, WORKSPACE, 'install', 'lift')
+        return Typed(said, (install / MARKER).exists(),
+                     any(Path(prefix, MARKER).exists() for prefix in known if prefix))
+    finally:
+        shell.close()
+
+
+def typed(trial: Trial) -> Typed:
+    """Type the learner's lines.
+
+    :raises NoUse: there are none, or they do not come to an end.
+    """
+    if not trial.work.strip():
+        raise NoUse('some lines to type', 'there is none')
+    try:
+        return type_lines(trial.work)
+    except ParameterToolError as error:
+        raise NoUse('the lines come to an end', str(error)) from None
+
+
+@order.require('the package is built, in its workspace', see=BUILD)
+def is_built(trial: Trial) -> None:
+    expect(typed(trial).is_built, f'`~/{WORKSPACE}/install/lift` is there', 'it is not. `colcon build` builds what is '
+           'in `src` of the folder in which the terminal stands')
+
+
+@order.require('the terminal knows the package', see=SOURCE)
+def is_sourced(trial: Trial) -> None:
+    expect(typed(trial).is_sourced, '`AMENT_PREFIX_PATH` of this terminal leads to the package', 'it does not. '
+           '`source` reads a file that has to be there already')
+
+
+@order.require('`ros2 run lift lift_node` starts the node', see=SOURCE)
+def is_running(trial: Trial) -> None:
+    said = typed(trial).said
+    lines = [line for line in said.splitlines() if 'ackage' in line or 'such file' in line]
+    expect(READY in said, f'the node says “{READY}”', 'it does not say so' + (
+        f'; the terminal says `{lines[0].strip()}`' if lines else ''))
+
+
+EXERCISES = (order, mend, find)

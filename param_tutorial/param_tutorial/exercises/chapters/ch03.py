@@ -1,9 +1,9 @@
-"""Exercises of chapter 3: declare parameters, and mend declarations."""
+"""Exercises of chapter 3: fill in defaults, declare parameters, and mend declarations."""
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import expect_answer, expect_declared
 from param_tutorial.exercises.trial import Trial
-from param_tutorial.parameters.values import BOOL, DOUBLE, INTEGER
+from param_tutorial.parameters.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
 
 CHAPTER = '03_declaring'
 TYPE = 'Build it: one declaration, one type'
@@ -72,4 +72,23 @@ def calibration(trial: Trial) -> None:
     expect_declared(trial, 'calibration', DOUBLE, None)
 
 
-EXERCISES = (declare, mend)
+fill = Exercise('3c', 'Fill three gaps', CHAPTER, NODE_CLASS, node_name='door', hints=(
+    'The default decides the type: how does Python write an integer, a float and a text?',
+    'A double needs its dot, and a text its quotes: without them, 7 is a number.'))
+
+
+def require_gap(name: str, wanted: ParameterType, value: object) -> None:
+    """Add the requirement that a parameter of the door is declared."""
+    article = 'an' if wanted is INTEGER else 'a'
+
+    @fill.require(f'`{name}` is {article} {wanted.label}, and it is `{value!r}`', see=TYPE)
+    def is_declared(trial: Trial) -> None:
+        expect_declared(trial, name, wanted, value)
+
+
+require_gap('max_angle_deg', INTEGER, 90)
+require_gap('speed_dps', DOUBLE, 30.0)
+require_gap('label', STRING, '7')
+
+
+EXERCISES = (fill, declare, mend)

@@ -1,12 +1,15 @@
-"""Exercises of chapter 4: read a parameter at the right moment, and predict what is read."""
+"""Exercises of chapter 4: fill in how a parameter is read, read a parameter at the right moment, and predict what
+is read."""
 
 from typing import Any, NamedTuple
 
+from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
-from param_tutorial.exercises.trial import Trial, expect
+from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
+from param_tutorial.exercises.trial import NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.parameters import values
 
 CHAPTER = '04_retrieving'
 OBJECT = 'An object and its value'
@@ -104,4 +107,51 @@ def overridden(trial: Trial) -> Any:
     return story(trial).second.get_parameter('max_speed_rpm').value
 
 
-EXERCISES = (read, predict)
+fill = Exercise('4c', 'Fill four gaps', CHAPTER, FUNCTION, hints=(
+    '`get_parameter` takes the name of a parameter. What the robot holds is the `.value` of what it returns.',
+    '`get_parameter_or` takes a name and a parameter object. The section “Several at once, and a fallback” '
+    "makes one: `Parameter('battery_volts', value=12.0)`."))
+
+
+class Battery(Node):
+    """A robot that knows its battery."""
+
+    def __init__(self) -> None:
+        super().__init__('robot')
+        self.declare_parameters('', [('max_speed_rpm', 80), ('battery_volts', 11.5)])
+
+
+def report(trial: Trial, robot: Node) -> tuple[Any, Any]:
+    """Call the learner's function, and return the two values."""
+    given = trial.call('`report(robot)`', trial.work, robot)
+    if not isinstance(given, (tuple, list)) or len(given) != 2:
+        raise NoUse('two values, the speed and the voltage', f'it returns `{given!r}`')
+    return given[0], given[1]
+
+
+@fill.require('the first value is the speed that the robot holds, also after a change', see=OBJECT)
+def reports_speed(trial: Trial) -> None:
+    robot = trial.start(SimpleParamNode)
+    for rpm in (100, 150):
+        trial.client(robot).set_parameter('max_speed_rpm', rpm).raise_for_reason()
+        speed, _ = report(trial, robot)
+        expect(values.same(rpm, speed), f'`{rpm}`', f'it is `{speed!r}`' + (
+            ', an object and not its value' if isinstance(speed, Parameter) else ''))
+
+
+@fill.require('the second value is 12.0 if the robot has no `battery_volts`', see=FALLBACK)
+def falls_back(trial: Trial) -> None:
+    robot = trial.start(SimpleParamNode)
+    _, volts = report(trial, robot)
+    expect(values.same(12.0, volts), '`12.0`', f'it is `{volts!r}`' + (
+        ', an object and not its value' if isinstance(volts, Parameter) else ''))
+    expect(not robot.has_parameter('battery_volts'), 'the robot stays as it is', 'your function has declared it')
+
+
+@fill.require('the second value is that of a robot that has one', see=FALLBACK)
+def reports_voltage(trial: Trial) -> None:
+    _, volts = report(trial, trial.start(Battery))
+    expect(values.same(11.5, volts), '`11.5`, which this robot holds', f'it is `{volts!r}`')
+
+
+EXERCISES = (fill, read, predict)

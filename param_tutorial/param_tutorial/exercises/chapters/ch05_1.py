@@ -1,13 +1,15 @@
-"""Exercises of chapter 5.1: spell values for the command line, and predict what becomes of them."""
+"""Exercises of chapter 5.1: order the words of commands, spell values for the command line, and predict what
+becomes of them."""
 
+import re
 import shlex
 from collections.abc import Mapping
 from typing import Any
 
 from rclpy.node import Node
 
-from param_tutorial.exercises.exercise import DICTIONARY, Exercise
-from param_tutorial.exercises.trial import CORNER, NotYet, Trial, expect
+from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
+from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters import values
 
@@ -98,4 +100,56 @@ require_foresight('robot_name 007', {
     '007': 'YAML reads a number, so it was refused, and the old value stays',
     7: 'A text never holds a number: it is refused, and the old value stays'})
 
-EXERCISES = (spell, foresee)
+
+order = Exercise('5.1c', 'Put the words in order', CHAPTER, TEXT, hints=(
+    'Each command begins with `ros2 param`, and then says what to do: `get`, `set` or `describe`.',
+    'After the verb comes the node, after the node the parameter, and with `set` the value at the end.'))
+
+
+def typed(trial: Trial) -> tuple[Gripper, str]:
+    """Type the learner's lines, and return the gripper with what was printed."""
+    if not trial.work.strip():
+        raise NoUse('three commands', 'there is none')
+    gripper = trial.start(Gripper)
+    printed = []
+    for line in trial.work.strip().splitlines():
+        try:
+            words = shlex.split(line, comments=True)
+        except ValueError as error:
+            raise NoUse('words that a shell can take apart', f'`{line}`: {error}') from None
+        if words and words[0].lstrip('%') != 'ros2':
+            printed.append(f'{words[0]}: command not found')
+        elif words[1:2] == ['param']:
+            own = [f'{CORNER}/gripper' if word in ('/gripper', 'gripper') else word for word in words[1:]]
+            printed.append(trial.ros2(*own))
+        elif words:
+            printed.append(f'after `ros2`, `{" ".join(words[1:2])}` is not `param`')
+    return gripper, '\n'.join(printed)
+
+
+def _complaint(said: str) -> str:
+    lines = [line for line in said.splitlines() if re.search('not found|error|invalid|is not `param`', line)]
+    return f'; the terminal says: {lines[0].strip()}' if lines else ''
+
+
+@order.require('`retries` of the gripper becomes 5', see='Change it')
+def is_set(trial: Trial) -> None:
+    gripper, said = typed(trial)
+    found = trial.client(gripper).get_parameter('retries')
+    expect(found == 5, '`retries` is `5`', f'it is `{found!r}`{_complaint(said)}')
+
+
+@order.require('the value of `mode` is printed', see='See it')
+def is_read(trial: Trial) -> None:
+    _, said = typed(trial)
+    expect(re.search(r'\bauto\b', said), 'the text `auto` is printed', f'it is not{_complaint(said)}')
+
+
+@order.require('`speed_mps` is described, with its type', see='See it')
+def is_described(trial: Trial) -> None:
+    _, said = typed(trial)
+    expect(re.search(r'speed_mps\s+Type: double', said), 'the description of `speed_mps` is printed',
+           f'it is not{_complaint(said)}')
+
+
+EXERCISES = (order, spell, foresee)

@@ -1,14 +1,16 @@
-"""Exercises of chapter 5.3: set two parameters of another node together, and read an answer."""
+"""Exercises of chapter 5.3: order the lines of a request, set two parameters of another node together, and read an
+answer."""
 
 from typing import Any
 
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
 from rcl_interfaces.srv import SetParameters
+from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import WithoutDeadlock, derive, expect_service
+from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
+from param_tutorial.exercises.expectations import WithoutDeadlock, derive, expect_service, run_lines
 from param_tutorial.exercises.trial import NotYet, Trial, expect
 from param_tutorial.parameters.client import ParameterValues
 
@@ -127,4 +129,47 @@ def none(trial: Trial) -> None:
     expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')
 
 
-EXERCISES = (supervise, read)
+order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, hints=(
+    'A name has to be there before a line can use it. Begin with the two lines that use none of the others’ names.',
+    'The request needs the parameter, the call needs client and request, and the last line needs the future that the '
+    'call returns.'))
+
+
+class Asking(Node):
+    """A node whose clients are ready as soon as it has made them."""
+
+    def __init__(self) -> None:
+        super().__init__('asking')
+
+    def create_client(self, *args: Any, **options: Any) -> Client:
+        client = super().create_client(*args, **options)
+        client.wait_for_service(timeout_sec=3.0)
+        return client
+
+
+def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
+    """Run the learner's lines beside a rover, and return it with the results that have come."""
+    rover = trial.start(Rover)
+    node = trial.start(Asking)
+    results: list[Any] = []
+    run_lines(trial, node=node, results=results, SetParameters=SetParameters, Parameter=Parameter)
+    return rover, results
+
+
+@order.require('the lines run to their end, and the rover gets 50 rpm', see=HOW)
+def arrives(trial: Trial) -> None:
+    rover, _ = ordered(trial)
+    client = trial.client(rover)
+    trial.wait(lambda: client.get_parameter('max_speed_rpm') == 50, 'the rover holds 50 rpm',
+               lambda: f'it holds {client.get_parameter("max_speed_rpm")!r}')
+
+
+@order.require('the answer of the rover comes into `results`', see=HOW)
+def is_answered(trial: Trial) -> None:
+    _, results = ordered(trial)
+    trial.wait(lambda: results, 'one result', lambda: '`results` is empty')
+    expect(len(results) == 1 and getattr(results[0], 'successful', False), 'one result, which is successful',
+           f'`results` is `{results!r}`')
+
+
+EXERCISES = (order, supervise, read)

@@ -1,4 +1,5 @@
-"""Exercises of chapter 7.1: write a parameter file by hand, and foresee what comes back of a dump."""
+"""Exercises of chapter 7.1: order the lines of a parameter file, write a parameter file by hand, and foresee what
+comes back of a dump."""
 
 import tempfile
 from collections.abc import Mapping
@@ -149,4 +150,35 @@ require_load('[]', {
     (): 'An empty list is a boolean array to this reader, and the node wants texts',
     None: 'Nothing is taken away here: what is refused leaves the old value'}, NO_FILE)
 
-EXERCISES = (write, foresee)
+
+order = Exercise('7.1c', 'Put a file in order', CHAPTER, TEXT, hints=(
+    'The indentation is right: each line belongs to the nearest line above it that stands further left.',
+    'The node stands at the left, below it `ros__parameters:`, and below that the parameters. A dot in a name makes a '
+    'level more: `color.red` is `red` below `color`.'))
+
+
+class Lamp(Node):
+    """The lamp that the file is for."""
+
+    def __init__(self) -> None:
+        super().__init__('lamp')
+        self.declare_parameters('', [('brightness_percent', 100), ('color.red', 1.0)])
+
+
+def require_lamp(name: str, value: object) -> None:
+    """Add the requirement that the lamp starts with a value."""
+    @order.require(f'the lamp starts with `{name}` of `{value!r}`', see=FORMAT)
+    def starts(trial: Trial) -> None:
+        if not trial.work.strip():
+            raise NoUse('the text of a parameter file', 'there is nothing in it')
+        lamp = trial.start_with_files(Lamp, {'lamp.yaml': trial.work}, '--params-file', 'lamp.yaml')
+        found = trial.client(lamp).get_parameter(name)
+        expect(values.same(found, value), f'`{value!r}`', f'it is `{found!r}`' + (
+            ', the default: the file does not reach it' if found in (100, 1.0) else ''))
+
+
+require_lamp('brightness_percent', 60)
+require_lamp('color.red', 0.5)
+
+
+EXERCISES = (order, write, foresee)

@@ -1,4 +1,5 @@
-"""Exercises of chapter 7.2: complete a launch file, and foresee what a robot starts with."""
+"""Exercises of chapter 7.2: fill in what a launch file says, complete a launch file, and foresee what a robot
+starts with."""
 
 import itertools
 import tempfile
@@ -164,4 +165,33 @@ require_foresight("parameters=[{'max_speed_rpm': '200'}]", {
 require_foresight("parameters=[config, {'max_speed': 200}]", {
     200: 'Is there a parameter of that name?', 'dead': 'A value whose name nobody declares is passed over'}, VALUES)
 
-EXERCISES = (complete, foresee)
+
+fill = Exercise('7.2c', 'Fill four gaps', CHAPTER, TEXT, hints=(
+    'The first two gaps are what you type after `ros2 run`: a package, and an executable in it. The robot that you '
+    'know is `simple_param_node` of `param_tutorial`.',
+    '`parameters` is a list, and a dictionary in it holds values as Python writes them: a text in quotes.'))
+
+
+@fill.require('the robot starts', see=READ)
+def robot_starts(trial: Trial) -> None:
+    launched(trial, trial.work)
+
+
+def require_filled(name: str, value: object) -> None:
+    """Add the requirement that the robot starts with a value."""
+    @fill.require(f'`{name}` is `{value!r}`', see=VALUES)
+    def holds(trial: Trial) -> None:
+        expect_filled(trial, name, value)
+
+
+def expect_filled(trial: Trial, name: str, value: object) -> None:
+    """Expect the robot that the learner's launch file starts to hold a value."""
+    found = launched(trial, trial.work).get_parameter(name).value
+    expect(found == value, f'`{value!r}`', f'it is `{found!r}`')
+
+
+require_filled('max_speed_rpm', 150)
+require_filled('robot_name', 'Berta')
+
+
+EXERCISES = (fill, complete, foresee)

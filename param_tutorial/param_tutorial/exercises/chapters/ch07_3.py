@@ -1,11 +1,11 @@
-"""Exercises of chapter 7.3: foresee which value wins, and write a file that reaches the right nodes."""
+"""Exercises of chapter 7.3: order sources, foresee which value wins, and write a file that reaches the right nodes."""
 
 from collections.abc import Mapping
 from typing import Any
 
 from rclpy.node import Node
 
-from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
+from param_tutorial.exercises.exercise import DICTIONARY, LIST, TEXT, Exercise
 from param_tutorial.exercises.trial import NoUse, Trial, expect
 
 CHAPTER = '07_3_overrides'
@@ -129,4 +129,47 @@ def spare(trial: Trial) -> None:
         expect_holds(trial, place, 'gripper', 5.0, 10)
 
 
-EXERCISES = (predict, reach)
+order = Exercise('7.3c', 'Put three sources in order', CHAPTER, LIST, hints=(
+    'The two files open the same block, `/robot`. In one block the later value wins.',
+    'A `-p` without a node’s name belongs to the block `/**`. It wins if this block was opened after `/robot`.'))
+
+# The sources of this exercise: both files name the robot.
+SOURCES = {
+    'slow.yaml': "/robot: {ros__parameters: {speed: 80, label: 'slow'}}",
+    'fast.yaml': "/robot: {ros__parameters: {speed: 300, label: 'fast'}}",
+}
+WORDS = ('-p speed:=400', '--params-file slow.yaml', '--params-file fast.yaml')
+
+
+class Labeled(Robot):
+    """The robot, with a label."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.declare_parameter('label', 'none')
+
+
+def labeled(trial: Trial) -> Labeled:
+    """Start the robot with the learner's sources.
+
+    :raises NoUse: they are not the three of the exercise.
+    """
+    words = [' '.join(word.split()) for word in trial.work if isinstance(word, str)]
+    if sorted(words) != sorted(WORDS) or len(words) != len(trial.work):
+        raise NoUse('the three sources as they are, each once', f'the list is `{trial.work!r}`')
+    return trial.start_with_files(Labeled, SOURCES, *(each for word in words for each in word.split()))
+
+
+@order.require('the robot starts with 400', see=TWO)
+def wins(trial: Trial) -> None:
+    found = labeled(trial).get_parameter('speed').value
+    expect(found == 400, '`speed` is `400`', f'it is `{found!r}`. Which block was opened last?')
+
+
+@order.require("its label is `'slow'`", see=TWO)
+def is_slow(trial: Trial) -> None:
+    found = labeled(trial).get_parameter('label').value
+    expect(found == 'slow', "`label` is `'slow'`", f'it is `{found!r}`. Both files write into the same block')
+
+
+EXERCISES = (order, predict, reach)

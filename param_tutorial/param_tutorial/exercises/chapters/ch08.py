@@ -1,4 +1,5 @@
-"""Exercises of chapter 8: repair a node, and find the practice that would have prevented a complaint."""
+"""Exercises of chapter 8: fill in a declaration, repair a node, and find the practice that would have prevented a
+complaint."""
 
 from collections.abc import Callable
 
@@ -7,8 +8,15 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_accepted, expect_follows, expect_left_alone, expect_refused
+from param_tutorial.exercises.expectations import (
+    expect_accepted,
+    expect_declared,
+    expect_follows,
+    expect_left_alone,
+    expect_refused,
+)
 from param_tutorial.exercises.trial import NoUse, Trial, expect
+from param_tutorial.parameters.values import DOUBLE
 
 CHAPTER = '08_best_practices'
 DECLARE = 'Practice 1: declare everything, with a default that works'
@@ -193,4 +201,40 @@ def has_gravity(trial: Trial, belt_class: type[Belt]) -> str:
     return 'it accepted a gravity of 0' if client.set_parameter('gravity_mps2', 0.0).successful else ''
 
 
-EXERCISES = (repair, find)
+fill = Exercise('8c', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='fan', hints=(
+    'A group is a name in front, and a dot: the last line shows what this parameter is called.',
+    'The default, and both ends of a range for doubles, are doubles too. The description is any sentence that says '
+    'what the number means.'))
+FAN_SPEED = 'fan.speed'
+
+
+@fill.require(f'`{FAN_SPEED}` is a double in a group `fan`, and the fan starts with 0.5', see=GROUP)
+def fan_grouped(trial: Trial) -> None:
+    fan = trial.start()
+    client = trial.client(fan)
+    expect(FAN_SPEED in client.list_parameters(), f'a parameter `{FAN_SPEED}`', 'the node has none of that name')
+    expect_declared(trial, FAN_SPEED, DOUBLE, 0.5)
+    motor = getattr(fan, 'motor', None)
+    expect(motor == 0.5, '`self.motor` is `0.5`', f'it is `{motor!r}`')
+
+
+@fill.require('its range goes from 0.0 to 1.0', see=DESCRIBE)
+def fan_limited(trial: Trial) -> None:
+    fan = trial.start()
+    for good in (0.0, 1.0):
+        expect_accepted(trial, fan, {FAN_SPEED: good})
+    for bad in (-0.5, 1.5):
+        expect_refused(trial, fan, {FAN_SPEED: bad})
+    limits = trial.client(fan).describe_parameter(FAN_SPEED).range
+    found = limits and (limits.from_value, limits.to_value)
+    expect(found == (0.0, 1.0), 'the descriptor has a range from 0.0 to 1.0',
+           f'it has {"no range" if found is None else found}')
+
+
+@fill.require('it is described', see=DESCRIBE)
+def fan_described(trial: Trial) -> None:
+    told = trial.client(trial.start()).describe_parameter(FAN_SPEED).description
+    expect(told.strip().strip('.…'), 'a sentence that says what the number means', 'there is none')
+
+
+EXERCISES = (fill, repair, find)

@@ -1,4 +1,5 @@
-"""Exercises of chapter 9: translate a parameter file of ROS 1, and predict what ROS 2 makes of ROS 1's habits."""
+"""Exercises of chapter 9: fill in what has become of ROS 1, translate a parameter file of ROS 1, and predict what
+ROS 2 makes of ROS 1's habits."""
 
 import tempfile
 from collections.abc import Mapping
@@ -9,7 +10,8 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 
 from param_tutorial.errors import ParameterFileError
-from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
+from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, TEXT, Exercise
+from param_tutorial.exercises.expectations import expect_declared
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import files, values
 
@@ -148,4 +150,39 @@ require_foresight("colour = 'green'", {
 require_foresight('max_speed_rpm = 200, and then the node is restarted', {
     200: 'There is no server that would have kept it'}, DIES, name='max_speed_rpm', value=200, restart=True)
 
-EXERCISES = (translate, foresee)
+
+fill = Exercise('9c', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='drive', hints=(
+    'What ROS 1 calls `~gains/kp` is private to its node. In ROS 2 all parameters are, so the `~` goes, and a dot '
+    'takes the place of the slash.',
+    'The default decides the type: the node calculates with doubles, so each default has a dot.'))
+OLD_NAMES = ('~max_speed_mps', '~gains/kp', 'gains/kp')
+
+
+def expect_translated(trial: Trial, name: str, value: float) -> None:
+    found = trial.client(trial.start()).list_parameters()
+    old = [f'`{each}`' for each in found if each in OLD_NAMES]
+    expect(name in found, f'a parameter `{name}`',
+           f'there is {old[0]}, as ROS 1 writes it' if old else 'the node has none of that name')
+    expect_declared(trial, name, values.DOUBLE, value)
+
+
+@fill.require('`max_speed_mps` is a double, and 0.5 at the start', see=TRANSLATE)
+def speed_translated(trial: Trial) -> None:
+    expect_translated(trial, 'max_speed_mps', 0.5)
+
+
+@fill.require('`gains.kp` is a double, and 2.0 at the start', see=NAMES)
+def gain_translated(trial: Trial) -> None:
+    expect_translated(trial, 'gains.kp', 2.0)
+
+
+@fill.require('`command(error)` uses the gain that the node has at that moment', see=TRANSLATE)
+def commands(trial: Trial) -> None:
+    drive = trial.start()
+    for gain in (2.0, 3.0):
+        trial.client(drive).set_parameter('gains.kp', gain).raise_for_reason()
+        given = trial.call('`command(0.1)`', drive.command, 0.1)
+        expect(given == gain * 0.1, f'`{gain * 0.1!r}` with a gain of {gain}', f'it is `{given!r}`')
+
+
+EXERCISES = (fill, translate, foresee)

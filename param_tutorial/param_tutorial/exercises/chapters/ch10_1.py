@@ -1,4 +1,5 @@
-"""Exercises of chapter 10.1: keep a journal of another node's parameters, and predict how many events there are."""
+"""Exercises of chapter 10.1: read an event, keep a journal of another node's parameters, and predict how many
+events there are."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
@@ -6,9 +7,10 @@ from typing import Any
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.qos import qos_profile_parameter_events
 from rclpy.subscription import Subscription
 
-from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import derive
 from param_tutorial.exercises.trial import CORNER, NoUse, Trial, expect
 from param_tutorial.parameters import values
@@ -204,4 +206,69 @@ require_count('undeclare_parameter',
               lambda trial, rover: trial.ros.run(lambda: rover.undeclare_parameter('label'), 'undeclare'),
               {1: 'Nobody is told that a parameter is gone, but for a dynamic one that is set to nothing'})
 
-EXERCISES = (keep, count)
+
+fill = Exercise('10.1c', 'Fill three gaps', CHAPTER, FUNCTION, hints=(
+    'An event has three lists: `new_parameters`, `changed_parameters` and `deleted_parameters`.',
+    'Each element has a `name` and a `value`. The value is a message with a field for each type, and '
+    '`parameter_value_to_python` finds the right one.'))
+
+
+class Listener(Node):
+    """Hears all events, and does nothing with them."""
+
+    def __init__(self) -> None:
+        super().__init__('listener')
+        self.create_subscription(ParameterEvent, TOPIC, lambda _: None, qos_profile_parameter_events)
+
+
+def changes_after(trial: Trial, action: Callable[[Rover], object]) -> list[Any]:
+    """Let something happen to a rover, and return what the learner's function makes of each event of it."""
+    rover = trial.start(Rover)
+    listener = trial.start(derive(InTheCorner, Listener))
+    action(rover)
+    trial.client(rover).set_parameter('last', 1)
+
+    def is_over() -> bool:
+        return any(each.name == 'last' for event in listener.events_heard for each in event.changed_parameters)
+
+    trial.wait(is_over, 'the events are heard', lambda: 'they are not')
+    given = [trial.call('the function', trial.work, event) for event in listener.events_heard
+             if event.node == '/rover' and not any(each.name in START for each in event.new_parameters)]
+    for each in given:
+        expect(isinstance(each, dict), 'a dictionary', f'it gives `{each!r}`')
+    return given
+
+
+START = ('speed', 'offset', 'label', 'enabled', 'gains', 'last', 'use_sim_time', 'start_type_description_service')
+
+
+def expect_changes(given: Sequence[Any], wanted: Sequence[Mapping[str, Any]]) -> None:
+    """Expect dictionaries, each value of the right type."""
+    found = [{name: values.normalize(value) for name, value in each.items()} for each in given]
+    expect(len(found) == len(wanted) and all(
+        each.keys() == right.keys() and all(values.same(each[name], right[name]) for name in right)
+        for each, right in zip(found, wanted)), f'`{wanted[0]!r}`', f'it gives `{given[0]!r}`')
+
+
+@fill.require('one change: its name and its value', see=LISTENER)
+def one_change(trial: Trial) -> None:
+    given = changes_after(trial, lambda rover: trial.client(rover).set_parameter('speed', 7))
+    expect_changes(given, [{'speed': 7}, {'last': 1}])
+
+
+@fill.require('several changes in one event, also to 0.0, an empty text and a list', see=LISTENER)
+def all_types(trial: Trial) -> None:
+    new = {'speed': 7, 'offset': 0.0, 'label': '', 'gains': [0.5, 0.0], 'enabled': False}
+    given = changes_after(trial, lambda rover: trial.client(rover).set_parameters_atomically(new))
+    expect_changes(given, [new, {'last': 1}])
+
+
+@fill.require('what is new is not a change', see=WHAT_IS_TOLD)
+def not_new(trial: Trial) -> None:
+    one_change(trial)  # a function that finds nothing earns nothing
+    given = changes_after(trial, lambda rover: trial.ros.run(
+        lambda: rover.declare_parameter('lamp', 0), 'declare a parameter'))
+    expect_changes(given, [{}, {'last': 1}])
+
+
+EXERCISES = (fill, keep, count)

@@ -1,7 +1,9 @@
-"""Exercises of chapter 10.2: read all parameters of another node, and find a parameter in all nodes."""
+"""Exercises of chapter 10.2: put names to values, read all parameters of another node, and find a parameter in all
+nodes."""
 
 from typing import Any
 
+from rcl_interfaces.srv import GetParameters
 from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -156,4 +158,38 @@ def nobody(trial: Trial) -> None:
     census(trial, 'wings')
 
 
-EXERCISES = (inspect, who)
+fill = Exercise('10.2c', 'Fill three gaps', CHAPTER, FUNCTION, hints=(
+    'The values come in the order of the names, and `zip` takes the first of both, then the second of both, and so on.',
+    'Each value is a message with a field for each type. `parameter_value_to_python` makes of it what Python has.'))
+
+
+def pairs(trial: Trial, *names: str) -> None:
+    """Ask a rover for some values, and expect the learner's function to give each its name."""
+    rover = trial.start(Rover)
+    request = GetParameters.Request(names=list(names))
+    answer = trial.ros.services.call(rover.get_fully_qualified_name(), 'get_parameters', request).values
+    given = trial.call('the function', trial.work, list(names), list(answer))
+    expect(isinstance(given, dict), 'a dictionary', f'it gives `{given!r}`')
+    held = trial.client(rover).get_parameters(names)
+    found = {name: values.normalize(value) for name, value in given.items()}
+    expect(found.keys() == held.keys() and all(values.same(found[name], held[name]) for name in held),
+           f'`{dict(held)!r}`', f'it gives `{given!r}`')
+
+
+@fill.require('one name and one value', see=BY_NAME)
+def one_pair(trial: Trial) -> None:
+    pairs(trial, 'speed')
+
+
+@fill.require('several, in the order of the names, whatever that is', see=BY_NAME)
+def several_pairs(trial: Trial) -> None:
+    pairs(trial, 'speed', 'label')
+    pairs(trial, 'label', 'speed')
+
+
+@fill.require('values of each type, also 0.0, an empty text and a list', see=BY_NAME)
+def typed_pairs(trial: Trial) -> None:
+    pairs(trial, 'gains', 'offset', 'enabled', 'label')
+
+
+EXERCISES = (fill, inspect, who)

@@ -1,4 +1,5 @@
-"""Exercises of chapter 10.3: tune a PID controller, and write the parameter file of two controllers."""
+"""Exercises of chapter 10.3: order a change of gains, tune a PID controller, and write the parameter file of two
+controllers."""
 
 import tempfile
 from collections.abc import Iterator, Mapping
@@ -6,10 +7,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from param_tutorial.errors import InvalidValueError, ParameterFileError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
+from param_tutorial.exercises.expectations import client_in_corner, run_lines
 from param_tutorial.exercises.trial import CORNER, NotYet, Trial, expect
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 from param_tutorial.parameters import files, values
@@ -19,6 +23,7 @@ INTEGRAL = 'Change it: an integral'
 DERIVATIVE = 'Change it: a derivative'
 FILE = 'The file of ros2_control'
 WHERE = 'Which controllers does a section reach?'
+TOGETHER = 'Change it: three gains, one change'
 
 tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
     'Begin with P alone, and raise it until the wheel is fast. It will ring; that is what D is for.',
@@ -145,4 +150,50 @@ def require_controller(name: str, joint: str, p: float) -> None:
 require_controller(LEFT, 'left_joint', 0.2)
 require_controller(RIGHT, 'right_joint', 0.25)
 
-EXERCISES = (tune, write)
+
+order = Exercise('10.3c', 'Put a change in order', CHAPTER, TEXT, hints=(
+    'A name has to be there before a line can use it. Which two lines use no name of another line?',
+    'The dictionary needs `group`, and the last line needs the client and the dictionary.'))
+
+
+class Noting(PidControllerNode):
+    """A controller that notes the names of each request."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.requests: list[set[str]] = []
+        self.add_on_set_parameters_callback(self.note)
+
+    def note(self, parameters: list[Parameter]) -> SetParametersResult:
+        self.requests.append({each.name for each in parameters})
+        return SetParametersResult(successful=True)
+
+
+def ordered(trial: Trial) -> Noting:
+    """Run the learner's lines beside a controller."""
+    controller = trial.start(Noting, ros_args=['-r', '__node:=wheel_controller'])
+    run_lines(trial, ParameterClient=client_in_corner)
+    return controller
+
+
+def require_gain(letter: str, value: float) -> None:
+    """Add the requirement that the controller holds a gain."""
+    @order.require(f'the controller holds a gain `{letter}` of {value}', see=TOGETHER)
+    def holds(trial: Trial) -> None:
+        found = ordered(trial).get_parameter(f'gains.wheel_joint.{letter}').value
+        expect(found == value, f'`{value}`', f'it is `{found!r}`')
+
+
+require_gain('p', 0.3)
+require_gain('d', 0.02)
+
+
+@order.require('both came in one request', see=TOGETHER)
+def together(trial: Trial) -> None:
+    requests = ordered(trial).requests
+    wanted = {'gains.wheel_joint.p', 'gains.wheel_joint.d'}
+    expect(any(wanted <= each for each in requests), 'one request with both gains',
+           f'{len(requests)} requests, and none of them has both')
+
+
+EXERCISES = (order, tune, write)

@@ -4,6 +4,8 @@ from param_tutorial.exercises.prediction import Prediction, right, wrong
 
 SOLVED = 'The robot is parked to the centimeter, and nobody had to touch its program.'
 
+RECALLS = ()
+
 PREDICTIONS = (
     Prediction('1-1', 'The safety mode is off now, with the same acceleration and the same speed. Where does the robot '
                'stop?', (

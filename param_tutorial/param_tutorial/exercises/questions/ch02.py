@@ -4,6 +4,8 @@ from param_tutorial.exercises.prediction import Prediction, right, wrong
 
 SOLVED = 'You have been `ros2 run` yourself, so it has few secrets left.'
 
+RECALLS = ()
+
 PREDICTIONS = (
     Prediction('2-1', 'The build has succeeded, and `install` holds the package. What does '
                '`ros2 run param_tutorial …` say in this terminal?', (

@@ -4,6 +4,8 @@ from param_tutorial.exercises.prediction import Prediction, right, wrong
 
 SOLVED = 'Two nodes declared as they were meant, and no default will surprise you again.'
 
+RECALLS = ()
+
 PREDICTIONS = (
     Prediction('3-1', 'The node never declared `robot_name`. What does it get when it asks itself for the value?', (
         wrong('None: there is no value', 'A parameter without a declaration is not an empty parameter. It does not '

@@ -1,8 +1,26 @@
 """Predictions of chapter 4: when a node notices."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'You read at the right moment. Many a robot in the field does not.'
+
+RECALLS = (
+    Recall('4-r1', 'A node declares `max_speed_mps` with the default `1`. Which type does the parameter get?', (
+        wrong('double: a speed needs its decimals', 'The name of a parameter says nothing about its type. In '
+              'Python `1` is an `int`; write `1.0` for a double.'),
+        right('integer', 'The default decides the type, and `1` is an `int`.'),
+        wrong('none, until somebody sets a value', 'The declaration fixes the type at once, and the default '
+              'decides it.')),
+           chapter='3', section='Build it: one declaration, one type'),
+    Recall('4-r2', 'Two robots run the same program, each under its own name. You set the speed of the first to '
+           '150. What does the second do?', (
+        wrong('It drives at 150 too: the program is the same', 'The program is the same, but each node keeps '
+              'parameters of its own.'),
+        right('It keeps its own speed', 'A parameter lives in one node.'),
+        wrong('It drives at 150 once it is started again', 'A restart brings back the default. What you set on '
+              'one node never reaches another.')),
+           chapter='1', section='Each node has its own'),
+)
 
 PREDICTIONS = (
     Prediction('4-1', 'The object `parameter` was taken when the speed was 100. Somebody has set it to 150 since. What '

@@ -1,8 +1,23 @@
 """Predictions of chapter 5.1: what a terminal asks, and what the node answers."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'A dot, a quote, a pair of quotes: you spell values so that they arrive.'
+
+RECALLS = (
+    Recall('5.1-r1', 'A node copied `max_speed_rpm` into an attribute in its constructor, and its timer uses '
+           'that attribute. Somebody sets the parameter from 100 to 150, and the node accepts. How fast does it '
+           'drive?', (
+        wrong('150: it has accepted', 'Accepting a value stores it in the parameter. The copy knows nothing of '
+              'that.'),
+        right('100', 'The parameter says 150, and the node still uses its copy.')),
+           chapter='4', section='Change it: when does a node notice?'),
+    Recall('5.1-r2', 'A parameter is a double. Somebody sends it the integer 1. What does the node do?', (
+        wrong('It converts it, and stores 1.0', 'ROS never converts, not even a whole number to a double.'),
+        wrong('It stores the integer 1', 'The type was fixed by the declaration. An integer is another type.'),
+        right('It rejects the value', 'ROS never converts: an integer is the wrong type for a double.')),
+           chapter='3', section='Build it: one declaration, one type'),
+)
 
 PREDICTIONS = (
     Prediction('5.1-1', 'The node declares six parameters. How many names does `ros2 param list` print for it?', (

@@ -1,8 +1,22 @@
 """Predictions of chapter 5.2: who judges, who acts, and when."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'You judge first and act later, and your motor never runs backwards by accident.'
+
+RECALLS = (
+    Recall('5.2-r1', 'A script types `ros2 param set`, and the node rejects the value. What is the exit status '
+           'of the command?', (
+        wrong('1: the value was not set', 'The command did its work: it asked, and it brought back the answer. A '
+              'script has to read that answer.'),
+        right('0', 'The command did its work: it asked, and it brought back the answer.')),
+           chapter='5.1', section='Break it: refusals and mistakes'),
+    Recall('5.2-r2', "A node keeps `speed = self.get_parameter('max_speed_rpm')`. Later somebody changes the "
+           'parameter. What is `speed.value`?', (
+        right('the old value', 'The object keeps the value of the moment when it was taken.'),
+        wrong('the new value', 'The object is not connected with the node. Ask again with `get_parameter`.')),
+           chapter='4', section='An object and its value'),
+)
 
 PREDICTIONS = (
     Prediction('5.2-1', 'The speed is 100, and 150 is being set. What does `get_parameter` return within the on-set '

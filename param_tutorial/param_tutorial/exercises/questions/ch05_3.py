@@ -1,8 +1,24 @@
 """Predictions of chapter 5.3: one node sets the parameters of another."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'You set the parameters of others without waiting for them. The executor thanks you.'
+
+RECALLS = (
+    Recall('5.3-r1', 'In which callback may a node start its motor with the new value?', (
+        wrong('pre-set', 'It runs first, before the type of anything has been checked.'),
+        wrong('on-set', 'It sees a proposal. Another callback may still reject it, and then the motor runs at a '
+              'speed that no parameter holds.'),
+        right('post-set', 'It runs when the values are stored.')),
+           chapter='5.2', section='The callback ladder'),
+    Recall('5.3-r2', '`ros2 param set /robot enable_safety_mode off` is typed in a terminal. What reaches the '
+           'node?', (
+        wrong("the string 'off'", 'YAML 1.1 has more words for false than `false`. For a string, two pairs of '
+              'quotes are needed.'),
+        right('the boolean False', 'The command reads the word as YAML 1.1, where `off` means false.'),
+        wrong('the integer 0', 'YAML has booleans, and `off` is one of them.')),
+           chapter='5.1', section='Break it: which type did you mean?'),
+)
 
 PREDICTIONS = (
     Prediction('5.3-1', 'One request asks for four values, and the last is out of its range. What becomes of the other '

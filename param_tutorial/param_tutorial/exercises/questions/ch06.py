@@ -1,8 +1,27 @@
 """Predictions of chapter 6: what a descriptor enforces, and what it only says."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'Nobody gets 110 °C past you any more, and you know which check to blame.'
+
+RECALLS = (
+    Recall('6-r1', 'The description of a parameter says *Must be positive*, and the descriptor says nothing '
+           'else. Somebody sets it to -5. What does the node do?', (
+        right('It accepts', 'A description is for people. Nothing enforces it.'),
+        wrong('It rejects the value', 'A description is for people, and rclpy does not read it. A range limits, '
+              'or a callback.'),
+        wrong('It accepts, and logs a warning', 'Nothing in rclpy reads a description, so there is nobody to '
+              'warn.')),
+           chapter='3', section='The node so far'),
+    Recall('6-r2', 'One atomic request sets four parameters, and the node rejects one of the values. What '
+           'becomes of the other three?', (
+        wrong('They are set', 'That is what `set_parameters` does. An atomic request is one request: all of it '
+              'or nothing.'),
+        wrong('Those before the bad one are set', 'The node judges the request as a whole before it stores '
+              'anything.'),
+        right('They keep their old values', 'An atomic request succeeds as a whole or not at all.')),
+           chapter='5.3', section='Change it: all or nothing'),
+)
 
 PREDICTIONS = (
     Prediction('6-1', 'The range of `opening_mm` is 0 to 85 in steps of 10. What does the node answer to 45, between '

@@ -1,8 +1,25 @@
 """Predictions of chapter 7.1: what a file brings back."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'What you save is what you get back, and you know whom to distrust on the way.'
+
+RECALLS = (
+    Recall('7.1-r1', 'A double has an `integer_range` from 0 to 10. Somebody sets it to 50.0. What does the node '
+           'do?', (
+        wrong('It rejects the value', 'A range of the wrong kind is ignored. A double needs a '
+              '`floating_point_range`.'),
+        right('It accepts', 'A range of the wrong kind is ignored.'),
+        wrong('It has never started: the descriptor is wrong', 'rclpy does not compare the kind of a range with '
+              'the type. It ignores the range without a word.')),
+           chapter='6', section='Change it: limits and steps'),
+    Recall('7.1-r2', 'The parameter `label` is a string. What do you type after `ros2 param set /gripper label`, '
+           'so that it becomes the text 42?', (
+        wrong('42', 'YAML reads a number, and the node rejects it.'),
+        wrong("'42'", 'The shell takes these quotes away, and YAML reads a number.'),
+        right('"\'42\'"', 'The shell takes one pair of quotes away, and YAML the other.')),
+           chapter='5.1', section='Break it: which type did you mean?'),
+)
 
 PREDICTIONS = (
     Prediction('7.1-1', 'The file holds all nine parameters of the robot, as it had them. How many of the nine does '

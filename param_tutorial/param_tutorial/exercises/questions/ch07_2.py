@@ -1,8 +1,23 @@
 """Predictions of chapter 7.2: what a launch file starts, and with which values."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'Your robot starts with its own values every time, and you would notice if it did not.'
+
+RECALLS = (
+    Recall('7.2-r1', 'In a parameter file, what stands between the name of the node and its parameters?', (
+        wrong('parameters:', 'That is the word of a launch file. In a parameter file it is `ros__parameters:`.'),
+        right('ros__parameters:', 'With two underscores, on a level of its own.'),
+        wrong('nothing: they follow on the next level', 'rcl does not read such a file. It wants a level '
+              '`ros__parameters:` in between.')),
+           chapter='7.1', section='The format'),
+    Recall('7.2-r2', 'A node declares `max_speed_rpm` with the default 100, and is started with `-p '
+           'max_speed_rpm:=120`. What does it read in its constructor, right after the declaration?', (
+        wrong('100: the override comes later', 'An override takes the place of the default while the parameter '
+              'is being declared. There is no later.'),
+        right('120', 'The override takes the place of the default in the declaration itself.')),
+           chapter='4', section='Which value does a node start with?'),
+)
 
 PREDICTIONS = (
     Prediction('7.2-1', 'The file says AlphaClaw, 180 rpm, safety off. The dictionary after it says 200 rpm, safety '

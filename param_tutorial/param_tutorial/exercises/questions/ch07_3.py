@@ -1,8 +1,27 @@
 """Predictions of chapter 7.3: which of several values wins."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'You predict the winner in any order, which few who write launch files can say.'
+
+RECALLS = (
+    Recall('7.3-r1', 'A parameter file begins with `/simple_param_node:`. A launch file gives it to a node named '
+           '`berta`. What happens?', (
+        right('berta starts with its defaults, and nobody says a word', 'The file is for another node, and what '
+              'is for somebody else is passed over in silence.'),
+        wrong('berta starts with the values of the file', 'The first line of the file names the node that it is '
+              'for, and that is not `berta`.'),
+        wrong('The launch ends with an error', 'The file can be read, so there is no error. It is for somebody '
+              'else, and is passed over in silence.')),
+           chapter='7.2', section='Break it: a file for somebody else'),
+    Recall('7.3-r2', 'A node declares the string `serial_number`. In its parameter file stands `serial_number: '
+           '0042`, without quotes. How does the node start?', (
+        wrong("with the string '0042'", 'To rcl `0042` without quotes is a number, whatever the node has '
+              'declared.'),
+        wrong("with the string '42'", 'rcl reads a number, and ROS never converts a number to a string.'),
+        right('not at all', 'rcl reads a number, and the declaration of a string rejects it.')),
+           chapter='7.1', section='Load it back'),
+)
 
 PREDICTIONS = (
     Prediction('7.3-1', 'Two sources name the same parameter. Which of them wins?', (

@@ -1,8 +1,24 @@
 """Predictions of chapter 8: what will hurt the next person."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'The next person who starts your node will not know whom to thank.'
+
+RECALLS = (
+    Recall('8-r1', 'An on-set callback accepts a speed and starts the motor with it. Then a second on-set '
+           'callback rejects the speed. What is the result?', (
+        wrong('Neither the motor nor the parameter has the new speed', 'Nothing takes back what the first '
+              'callback did. The motor already runs with the proposal.'),
+        right('The motor has the new speed, the parameter the old one', 'The first callback acted on a proposal, '
+              'and the proposal failed.'),
+        wrong('Both have the new speed', 'A value is stored only if all callbacks accept it.')),
+           chapter='5.2', section='Break it: acting too early'),
+    Recall('8-r2', "The file says 180 rpm. A launch file has `parameters=[config, {'max_speed_rpm': 200}]`, "
+           'where `config` is that file. With which speed does the robot start?', (
+        wrong('180: the file', 'Of two sources, the later one in the list wins, and here that is the dictionary.'),
+        right('200: the dictionary', 'Of two sources, the later one in the list wins.')),
+           chapter='7.2', section='Change it: values in the launch file'),
+)
 
 PREDICTIONS = (
     Prediction('8-1', '`Late` declares its speed on the first ride. A stranger starts it, and sets the speed before '

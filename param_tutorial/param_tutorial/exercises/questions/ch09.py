@@ -1,8 +1,24 @@
 """Predictions of chapter 9: what ROS 1 took, and what ROS 2 does with it."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'The node has moved, its values are at home, and the master is not missed.'
+
+RECALLS = (
+    Recall('9-r1', 'A node asks for the value of a parameter that it has never declared. What does '
+           '`get_parameter` do in ROS 2?', (
+        wrong('It returns None', 'A node could overlook that. rclpy raises `ParameterNotDeclaredException`.'),
+        wrong('It declares the parameter', 'Only `declare_parameter` declares.'),
+        right('It raises an exception', 'rclpy raises `ParameterNotDeclaredException`.')),
+           chapter='3', section='Break it: a name that was never declared'),
+    Recall('9-r2', 'Two parameter files both have a block for `/robot` and give it another speed. Which speed '
+           'does the robot start with?', (
+        wrong('that of the first file', 'A later source overwrites an earlier one of the same block.'),
+        right('that of the second file', 'A later source overwrites an earlier one of the same block.'),
+        wrong('its default: the files contradict each other', 'That is no contradiction to rcl. A later source '
+              'overwrites an earlier one.')),
+           chapter='7.3', section='Two sources'),
+)
 
 PREDICTIONS = (
     Prediction('9-1', 'A stranger sets a color for a node that is not there, misspells a name, and deletes the speed '

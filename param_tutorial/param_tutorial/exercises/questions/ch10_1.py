@@ -1,8 +1,26 @@
 """Predictions of chapter 10.1: what is told, to whom, and what is not."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'You listen first and ask afterwards, and your copy stays true.'
+
+RECALLS = (
+    Recall('10.1-r1', 'A node sets its motor in a post-set callback. Somebody sends a speed that the node '
+           'rejects. What does the post-set callback do?', (
+        right('It is not called', 'It is called with what has been stored, and nothing has.'),
+        wrong('It is called with the old speed', 'It is called with what has been stored, and a rejected request '
+              'stores nothing.'),
+        wrong('It is called, and has to look at the result', 'It is called only after all values were accepted '
+              'and stored.')),
+           chapter='5.2', section='The callback ladder'),
+    Recall('10.1-r2', 'A callback sends a request to another node and then blocks until the answer comes, under '
+           'the usual single-threaded executor. What happens?', (
+        wrong('The answer comes a little later', 'The executor would have to bring the answer, and this callback '
+              'keeps it busy.'),
+        right('The answer never comes in', 'The callback keeps the executor busy that would have to bring the '
+              'answer.')),
+           chapter='5.3', section='Break it: waiting in the wrong place'),
+)
 
 PREDICTIONS = (
     Prediction('10.1-1', 'The robot rejects a speed of -1. What do the listeners hear of it?', (

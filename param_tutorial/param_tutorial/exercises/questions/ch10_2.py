@@ -1,8 +1,23 @@
 """Predictions of chapter 10.2: what an answer holds, and how long to wait for one."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'You can tell an empty answer from an empty node, and your questions have a deadline.'
+
+RECALLS = (
+    Recall('10.2-r1', 'Somebody sets three parameters of one node with `set_parameters`, and the node accepts '
+           'all three. How many parameter events does it publish?', (
+        wrong('one, with three changes', 'That is so for `set_parameters_atomically`. Here the node decides '
+              'about each parameter alone.'),
+        right('three', 'The node decides about each parameter alone, and reports each one alone.'),
+        wrong('none: events are for declarations', 'A change of a value is reported too.')),
+           chapter='10.1', section='Change it: what is told, and how often'),
+    Recall('10.2-r2', 'The answer of `set_parameters` is a list of results. How do you know which result belongs '
+           'to which parameter?', (
+        wrong('Each result has a name', 'A result has `successful` and `reason`, and no name.'),
+        right('By the order of the request', 'The results come in the order in which the parameters were sent.')),
+           chapter='5.3', section='How it works'),
+)
 
 PREDICTIONS = (
     Prediction('10.2-1', 'A request names three parameters, and one of them is unknown. How many values come back?', (

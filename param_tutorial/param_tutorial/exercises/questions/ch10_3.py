@@ -1,8 +1,25 @@
 """Predictions of chapter 10.3: gains, files, and what the wheel makes of them."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'The wheel runs as it was asked to, and its gains are in a file that reaches it.'
+
+RECALLS = (
+    Recall('10.3-r1', 'A block in a parameter file begins with `/lab/*/gripper:`. Which of these nodes does it '
+           'reach?', (
+        wrong('/lab/gripper', '`*` stands for exactly one name. For any number of names, also none, there is '
+              '`**`.'),
+        right('/lab/left/gripper', '`*` stands for exactly one name.'),
+        wrong('/lab/left/front/gripper', '`*` stands for one name only. For any number of names there is `**`.')),
+           chapter='7.3', section='Which nodes does a file reach?'),
+    Recall('10.3-r2', 'Two values are valid only together: the old of one with the new of the other would be '
+           'rejected. How do you change them?', (
+        wrong('with `set_parameters`, in the right order', 'If each new value is rejected beside the old one, no '
+              'order helps.'),
+        right('with `set_parameters_atomically`', 'The node judges both values together, and stores both or '
+              'neither.')),
+           chapter='5.3', section='Change it: all or nothing'),
+)
 
 PREDICTIONS = (
     Prediction('10.3-1', 'A file gives a gain for `weel_joint`, and the joint is called `wheel_joint`. What happens '

@@ -1,8 +1,24 @@
 """Predictions of chapter 10.4: rules, aliases, and sets of parameters."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'You did not wait for a better ROS. You built it out of three callbacks and six services.'
+
+RECALLS = (
+    Recall('10.4-r1', 'A node rejects a value. How many parameter events does it publish?', (
+        right('none', 'Nothing has changed, so there is nothing to report.'),
+        wrong('one, with the old value', 'Events report what has changed, and nothing has.'),
+        wrong('one, with the reason', 'The reason goes to the caller alone, in the answer.')),
+           chapter='10.1', section='Change it: what is told, and how often'),
+    Recall('10.4-r2', 'A node keeps a rule for two parameters in an on-set callback. When is it not asked?', (
+        wrong('when the value comes from a terminal', 'Whoever asks, the callback is called: the service is the '
+              'same.'),
+        wrong('when only one of the two is set', 'It is called for each request that gets that far, and has to '
+              'look up the other value itself.'),
+        right('when the value has the wrong type', 'The type is checked first, and the callback never sees such '
+              'a value.')),
+           chapter='6', section='Who refuses, and in which order?'),
+)
 
 PREDICTIONS = (
     Prediction('10.4-1', 'The pattern is two capital letters and four digits, and the callback tries it with '

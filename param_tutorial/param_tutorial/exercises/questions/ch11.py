@@ -1,8 +1,23 @@
 """Predictions of chapter 11: the course once more, on a cart."""
 
-from param_tutorial.exercises.prediction import Prediction, right, wrong
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'The cart is yours: declared, judged, saved, launched and tuned. The arch holds.'
+
+RECALLS = (
+    Recall('11-r1', 'A tuned gain was set on a running ROS 2 node, and saved nowhere. The node is started again. '
+           'Which value does the gain have?', (
+        wrong('the tuned one: ROS keeps it', 'In ROS 1 a server kept it. In ROS 2 the values live in the node, '
+              'and go with it.'),
+        right('its start value', 'The values live in the node, and go with it.')),
+           chapter='9', section='When something dies'),
+    Recall('11-r2', '`get_parameters` is asked for three names, and one of them does not exist. What comes back?', (
+        wrong('two values', 'Values come without names, so a gap could not be seen. rclpy sends none at all.'),
+        wrong('three values, one of them not set', 'That is what the interface promises, and not what rclpy '
+              'does.'),
+        right('no values at all', 'One unknown name empties the whole answer.')),
+           chapter='10.2', section='Break it: a name too many'),
+)
 
 PREDICTIONS = (
     Prediction('11-1', 'The cart drives at 1.0 m/s with 0.5 m/s². One call of `set_parameters` asks for 2.0 m/s and '

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import nbformat
 
-from param_tutorial.exercises import EXERCISES, PREDICTIONS
+from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.lessons.pages import drawing
 from param_tutorial.lessons.recording.recorded import Recordings
@@ -59,7 +59,8 @@ def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer:
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if MIME_TYPE in output.get('data', {}):
-                prediction = PREDICTIONS[output.data[MIME_TYPE]['number']]
+                number = output.data[MIME_TYPE]['number']
+                prediction = PREDICTIONS.get(number) or RECALLS[number]
                 output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction)})
                 cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
 

@@ -52,7 +52,8 @@ class Drawer:
         facts = {'choices': {plain_answer(each.text): verdict(prediction, each.text) for each in prediction.choices},
                  'otherwise': verdict(prediction, '') if prediction.is_typed else ''}
         return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" id="{name}"><fieldset>'
-                f'<legend class="param-predict-question"><b>Predict</b> · {with_code(prediction.question)}</legend>'
+                f'<legend class="param-predict-question"><b>{prediction.word}</b> · '
+                f'{with_code(prediction.question)}</legend>'
                 f'{answers}<button type="submit" class="rec-commit" disabled>Commit</button></fieldset>'
                 f'<p class="rec-says" role="status"></p>{_packed(facts)}</form>')
 
