@@ -35,13 +35,15 @@ from nbformat import NotebookNode
 from playwright.sync_api import Error as BrowserError
 
 from param_tutorial.lessons.recording import comparison
-from tests.support.lab import CourseLab, LabPage, wait_for
+from tests.support.lab import CourseLab, LabPage
 from tests.support.paths import NOTEBOOKS
 from tests.tools.play import PRESENT_STATE
 
 _HANG_SEC = 150.0
 _REACT_SEC = 20.0
 _BUSY_SEC = 1.0
+# How often it looks whether a cell has ended; the page has to answer each time.
+_LOOK_MS = 100
 # A long cell of the mess is interrupted within this time.
 _PATIENCE_SEC = 1.5
 _TEXTS = ('-5', '0', '1', '7', '42', '120', '150', '0.5', '1.75', '1e3', '1e+5', 'abc', '', 'true', '[1, 2]',
@@ -313,9 +315,7 @@ class Stranger:
         self._page.evaluate(_ACTIVATE, index)
         self._page.keyboard.press('Control+Enter')
         if wait_for_start:
-            try:
-                wait_for(begun, 'the cell to begin', 10)
-            except TimeoutError:
+            if not self._is_soon(begun, _REACT_SEC / 2):
                 self._say(f'cell {index} did not begin by keyboard')
                 self._lab_page.command('notebook:enter-command-mode')
                 self._page.evaluate(_ACTIVATE, index)
@@ -378,19 +378,21 @@ class Stranger:
         return self._becomes(lambda: look() != before)
 
     def _becomes(self, condition: Callable[[], object]) -> bool:
-        try:
-            wait_for(condition, '', _REACT_SEC)
-        except TimeoutError:
-            return False
+        return self._is_soon(condition, _REACT_SEC)
+
+    def _is_soon(self, condition: Callable[[], object], timeout_sec: float) -> bool:
+        deadline = time.monotonic() + timeout_sec
+        while not condition():
+            if time.monotonic() > deadline:
+                return False
+            self._page.wait_for_timeout(_LOOK_MS)
         return True
 
     def _wait(self, condition: Callable[[], object], what: str) -> None:
-        try:
-            wait_for(condition, what, _HANG_SEC)
-        except TimeoutError:
-            states = [index for index, (_, state) in enumerate(self._page.evaluate(_CELLS)) if state == 'running']
-            raise Hang(f'HANGS: waited {_HANG_SEC:g} s for {what}; running: {states}; the kernel is '
-                       f'{self._lab.kernels()}\n{"".join(self._stacks())}') from None
+        if not self._is_soon(condition, _HANG_SEC):
+            running = [index for index, (_, state) in enumerate(self._page.evaluate(_CELLS)) if state == 'running']
+            raise Hang(f'HANGS: waited {_HANG_SEC:g} s for {what}; running cells: {running}; kernels: '
+                       f'{self._lab.kernels()}\n{"".join(self._stacks())}')
 
     def _stacks(self) -> Iterator[str]:
         """Yield where the threads of the kernels are, if py-spy is on the PATH."""
@@ -403,7 +405,7 @@ class Stranger:
 
     def _say(self, text: str) -> None:
         if self._verbose:
-            print(f'    {text}', flush=True)
+            print(f'    {time.strftime("%M:%S")} {text}', flush=True)
 
 
 def write(report: Report, seconds: float) -> None:
