@@ -314,13 +314,12 @@ class Stranger:
 
         self._page.evaluate(_ACTIVATE, index)
         self._page.keyboard.press('Control+Enter')
-        if wait_for_start:
-            if not self._is_soon(begun, _REACT_SEC / 2):
-                self._say(f'cell {index} did not begin by keyboard')
-                self._lab_page.command('notebook:enter-command-mode')
-                self._page.evaluate(_ACTIVATE, index)
-                self._page.keyboard.press('Control+Enter')
-                self._wait(begun, f'cell {index} to begin')
+        if wait_for_start and not self._is_soon(begun, _REACT_SEC / 2):
+            self._say(f'cell {index} did not begin by keyboard')
+            self._lab_page.command('notebook:enter-command-mode')
+            self._page.evaluate(_ACTIVATE, index)
+            self._page.keyboard.press('Control+Enter')
+            self._wait(begun, f'cell {index} to begin')
 
     def _reload(self) -> None:
         self._lab_page.reload()
