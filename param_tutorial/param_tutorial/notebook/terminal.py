@@ -19,7 +19,7 @@ from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
-from param_tutorial.runtime import domain
+from param_tutorial.runtime import domain, stage
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
 _LOG_FORMAT = '[{severity}] [{name}]: {message}'
@@ -155,3 +155,8 @@ def end_all() -> None:
     """End all commands that still run."""
     for terminal in list(_open):
         terminal.interrupt(3.0)
+
+
+# A cell that ran twice has lost the first of its terminals, and an interrupted one never came to its Ctrl+C. When the
+# notebook then runs from the top, their nodes would answer in place of its new ones of the same name.
+stage.on_start(end_all)
