@@ -60,3 +60,11 @@ def test_a_new_start_ends_the_terminals_of_an_earlier_run(ros):
     stage.start()
     assert not lost.is_running
     assert lost.interrupt() == 0
+
+
+def test_a_cell_that_starts_a_command_again_ends_the_first():
+    command = f'"{sys.executable}" -c "import time; print(1, flush=True); time.sleep(60)"'
+    first, other = Terminal(command), Terminal(f'{command} other')
+    first.read(until='1')
+    again = Terminal(command)
+    assert (first.is_running, other.is_running, again.is_running) == (False, True, True)

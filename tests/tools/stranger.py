@@ -153,16 +153,24 @@ class Stranger:
         """Do all of it; what is wrong is in the report."""
         try:
             self._pass_in_order()
+            self._hear_browser('the pass with play')
             self._mess()
+            self._hear_browser('the mess')
             self._run_all()
             self._look_at_views('after Run All')
+            self._hear_browser('Run All')
             self._reload()
             self._look_at_views('after Run All and a reload')
         except Hang as error:
             self.report.found.append(str(error))
-        self.report.found += [f'the browser complains: {error[:500]}' for error in self._lab_page.strange_errors()]
+        self._hear_browser('a reload')
         dialogs = self._page.locator('.jp-Dialog').all_inner_texts()
         self.report.found += [f'a dialog is open: {text!r}' for text in dialogs]
+
+    def _hear_browser(self, during: str) -> None:
+        self.report.found += [f'the browser complains during {during}: {error[:500]}'
+                              for error in self._lab_page.strange_errors()]
+        self._lab_page.errors.clear()
 
     # -- the three parts ---------------------------------------------------------------------------------
 
@@ -212,6 +220,9 @@ class Stranger:
 
     def _look_at_views(self, when: str) -> None:
         """Use every live view on the page once."""
+        broken = self._page.locator('.jp-OutputArea-output').filter(has_text='Error displaying widget').count()
+        if broken:
+            self.report.found.append(f'{when}, {broken} views are not displayed')
         for index in self._page.evaluate(_LIVE_CELLS):
             self._page.evaluate(_ACTIVATE, index)
             for key, node, bad in self._page.evaluate(_PANELS, index):

@@ -38,12 +38,18 @@ class Terminal:
     def __init__(self, command: str, shell: Shell | None = None):
         """Start a command, in the ROS domain of this process.
 
+        The same command, if it still runs in an earlier terminal, is interrupted first: that is a cell that runs again,
+        and nobody could interrupt it later.
+
         :param command: As typed into a shell, without pipes and variables. A leading ``ros2`` is the genuine
             one if that is on the PATH, otherwise the embedded one.
         :param shell: Start it in the folder and with the environment that this shell has now.
         :raises FileNotFoundError: there is no such command.
         """
         domain.choose()
+        for earlier in list(_open):
+            if earlier.command == command and earlier.is_running:
+                earlier.interrupt()
         self.command = command
         self._text = ''
         self._read = 0
