@@ -44,6 +44,8 @@ _REACT_SEC = 20.0
 _BUSY_SEC = 1.0
 # How often it looks whether a cell has ended; the page has to answer each time.
 _LOOK_MS = 100
+# Between two cells of Run All a kernel is idle for less than so many looks.
+_IDLE_LOOKS = 30
 # A long cell of the mess is interrupted within this time.
 _PATIENCE_SEC = 1.5
 _TEXTS = ('-5', '0', '1', '7', '42', '120', '150', '0.5', '1.75', '1e3', '1e+5', 'abc', '', 'true', '[1, 2]',
@@ -67,10 +69,6 @@ _ACTIVATE = """index => {
     notebook.mode = 'command';
     notebook.activate();
     return notebook.scrollToItem(index, 'center').catch(() => null);
-}"""
-_RUN_ALL = """() => {
-    window.strangerRan = false;
-    window.jupyterapp.commands.execute('notebook:run-all-cells').finally(() => { window.strangerRan = true; });
 }"""
 _CELL = """index => JSON.stringify(
     window.jupyterapp.shell.currentWidget.content.widgets[index].model.toJSON())"""
@@ -139,9 +137,10 @@ class Report:
 class Stranger:
     """Plays with one chapter on one page."""
 
-    def __init__(self, lab: CourseLab, page: LabPage, path: Path, chance: random.Random, *, verbose: bool):
+    def __init__(self, lab: CourseLab, page: LabPage, path: Path, chance: random.Random, *, mess: int,
+                 verbose: bool):
         self._lab, self._lab_page, self._page, self._path = lab, page, page.page, path
-        self._chance, self._verbose = chance, verbose
+        self._chance, self._mess_steps, self._verbose = chance, mess, verbose
         self.report = Report(path.name)
         notebook = nbformat.read(path, as_version=4)
         code = [index for index, cell in enumerate(notebook.cells) if cell.cell_type == 'code']
@@ -185,7 +184,7 @@ class Stranger:
 
     def _mess(self) -> None:
         indices = list(self._cells)
-        for number in range(10):
+        for number in range(self._mess_steps):
             index = self._chance.choice(indices)
             how = self._chance.choice(('once', 'once', 'twice', 'interrupted', 'interrupted'))
             self._say(f'mess: cell {index} {how}')
@@ -202,18 +201,17 @@ class Stranger:
             self._wait_for_end({index}, f'cell {index}, out of order and {how}')
             self.report.failed.update(output.ename for output in self._cell(index).outputs
                                       if output.output_type == 'error')
-            if number == 5:
+            if number == self._mess_steps // 2:
                 self._reload()
             self._play(1)
 
     def _run_all(self) -> None:
         before = self._counts()
-        self._page.evaluate(_RUN_ALL)
+        self._lab_page.command('notebook:run-all-cells')
         first = next(iter(self._cells))
         self._wait(lambda: self._counts()[first] != before[first], 'Run All to begin')
         self._play(3)
-        self._wait(lambda: self._page.evaluate('() => window.strangerRan'), 'Run All to end')
-        self._wait_for_end(set(self._cells), 'Run All')
+        self._wait(self._all_ran, 'Run All to end', 2 * _HANG_SEC)
         for index in self._cells:
             self._compare(index, 'after Run All')
         self._wait(lambda: self._lab.kernels()[0]['execution_state'] == 'idle', 'the kernel to be idle')
@@ -377,6 +375,20 @@ class Stranger:
                 lengths.append((time_ms - began.pop(identity)) / 1000)
         return dict(zip(self._cells, lengths)) if len(lengths) == len(self._cells) else {-1: max(lengths, default=0.0)}
 
+    def _all_ran(self) -> bool:
+        """Return whether each cell has its number, or the kernel has been idle for a while.
+
+        JupyterLab itself holds Run All for ended at the first error, also if it is one that is meant.
+        """
+        for _ in range(_IDLE_LOOKS):
+            if all(self._counts()[index] is not None or not cell.source.strip()
+                   for index, (cell, _) in self._cells.items()):
+                return True
+            if self._lab.kernels()[0]['execution_state'] != 'idle':
+                return False
+            self._page.wait_for_timeout(_LOOK_MS)
+        return True
+
     def _wait_for_end(self, indices: set[int], what: str) -> None:
         def ended() -> bool:
             cells = self._page.evaluate(_CELLS)
@@ -398,10 +410,10 @@ class Stranger:
             self._page.wait_for_timeout(_LOOK_MS)
         return True
 
-    def _wait(self, condition: Callable[[], object], what: str) -> None:
-        if not self._is_soon(condition, _HANG_SEC):
+    def _wait(self, condition: Callable[[], object], what: str, timeout_sec: float = _HANG_SEC) -> None:
+        if not self._is_soon(condition, timeout_sec):
             running = [index for index, (_, state) in enumerate(self._page.evaluate(_CELLS)) if state == 'running']
-            raise Hang(f'HANGS: waited {_HANG_SEC:g} s for {what}; running cells: {running}; kernels: '
+            raise Hang(f'HANGS: waited {timeout_sec:g} s for {what}; running cells: {running}; kernels: '
                        f'{self._lab.kernels()}\n{"".join(self._stacks())}')
 
     def _stacks(self) -> Iterator[str]:
@@ -435,6 +447,7 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('chapters', nargs='*', help='beginnings of file names, such as 05_2; by default all')
     parser.add_argument('--seed', type=int, default=random.randrange(10**6), help='repeats what a hand did')
+    parser.add_argument('--mess', type=int, default=10, help='how many cells run out of order')
     parser.add_argument('--verbose', action='store_true', help='tell of every action')
     options = parser.parse_args(arguments)
     beginnings = tuple(options.chapters or [''])
@@ -448,7 +461,8 @@ def main(arguments: list[str]) -> int:
                 continue
             began = time.monotonic()
             page = LabPage(lab, browser, path.name)
-            stranger = Stranger(lab, page, path, random.Random(f'{options.seed} {path.name}'), verbose=options.verbose)
+            stranger = Stranger(lab, page, path, random.Random(f'{options.seed} {path.name}'),
+                                mess=options.mess, verbose=options.verbose)
             stranger.play_chapter()
             page.page.close()
             lab.end_kernels()
