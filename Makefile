@@ -54,6 +54,9 @@ test-pythons: setup-all  ## run the tests that talk to rclpy on every other CPyt
 play: setup-all  ## play with each chapter between its cells, and look whether they still say the truth
 	@$(VENV) -W ignore -m tests.tools.play $(ARGS)
 
+stranger: setup-all  ## the same in the real JupyterLab, by mouse and keyboard, with interrupts, reloads and Run All
+	@$(VENV) -W ignore -m tests.tools.stranger $(ARGS)
+
 html: setup-all  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.lessons $(ARGS)
 
@@ -84,4 +87,4 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class test test-fast test-pythons play html lesson bench lint lock clean
+.PHONY: help setup setup-all lab reset reset-progress class test test-fast test-pythons play stranger html lesson bench lint lock clean

@@ -4,7 +4,6 @@ On a small notebook in the shape of a chapter, and on a chapter.
 """
 
 import ast
-import re
 import subprocess
 import sys
 
@@ -17,13 +16,6 @@ from tests.support.lab import ROOT, TIMEOUT_SEC, Lab, LabPage
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
-# What JupyterLab itself complains of in a browser without a way to the world; nothing of ours.
-KNOWN_ERRORS = (
-    # The page asks for its own favicon in a busy variant that this server does not have.
-    r'favicon',
-    # JupyterLab takes an output off the page that it has replaced already, when cells are run again.
-    r"Failed to execute 'removeChild' on 'Node'",
-)
 CHAPTER = ROOT / 'notebooks' / '05_2_with_a_callback.ipynb'
 NODE = '/simple_param_node'
 # Texts and controls that are cut off at the edge of their panel; a range is measured, since a text is wider than its
@@ -58,7 +50,7 @@ def open_notebook(server):
     for page in pages:
         page.page.close()
     lab.end_kernels()
-    assert [strange_errors(page) for page in pages] == [[]]
+    assert [page.strange_errors() for page in pages] == [[]]
 
 
 @pytest.fixture
@@ -75,11 +67,6 @@ def open_chapter(open_notebook, tmp_path):
     lab, page = open_notebook(CHAPTER)
     page.run_all()
     return lab, page
-
-
-def strange_errors(page):
-    """Give what the browser complained of, less what is known."""
-    return [error for error in page.errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
 
 
 def terminal(lab, *words):

@@ -7,6 +7,7 @@ import pytest
 
 from param_tutorial import ParameterClient, Terminal
 from param_tutorial.errors import WaitTimeoutError
+from param_tutorial.runtime import stage
 
 pytestmark = pytest.mark.slow
 
@@ -51,3 +52,19 @@ def test_a_command_that_ignores_ctrl_c_is_killed():
 def test_a_command_that_does_not_exist():
     with pytest.raises(FileNotFoundError, match='no_such_command'):
         Terminal('no_such_command at all')
+
+
+def test_a_new_start_ends_the_terminals_of_an_earlier_run(ros):
+    lost = Terminal('ros2 run param_tutorial simple_param_node')
+    lost.read(until='robot_serial_number')
+    stage.start()
+    assert not lost.is_running
+    assert lost.interrupt() == 0
+
+
+def test_a_cell_that_starts_a_command_again_ends_the_first():
+    command = f'"{sys.executable}" -c "import time; print(1, flush=True); time.sleep(60)"'
+    first, other = Terminal(command), Terminal(f'{command} other')
+    first.read(until='1')
+    again = Terminal(command)
+    assert (first.is_running, other.is_running, again.is_running) == (False, True, True)

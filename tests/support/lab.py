@@ -12,6 +12,7 @@ import ast
 import contextlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -28,6 +29,16 @@ CHROMIUM = shutil.which('chromium') or shutil.which('chromium-browser') or shuti
 # A machine with two cores that runs other tests beside is slow, and a deadline that passes costs a whole run.
 TIMEOUT_SEC = 120.0
 expect.set_options(timeout=TIMEOUT_SEC * 1000)
+
+# What JupyterLab itself complains of in a browser without a way to the world; nothing of ours.
+KNOWN_ERRORS = (
+    # The page asks for its own favicon in a busy variant that this server does not have.
+    r'favicon',
+    # JupyterLab takes an output off the page that it has replaced already, when cells are run again.
+    r"Failed to execute 'removeChild' on 'Node'",
+    # It asks each kernel for its debugger, which the course leaves out, when a page is loaded again.
+    r'Could not restore the debugger state',
+)
 
 CHROMIUM_FLAGS = (
     '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
@@ -209,6 +220,21 @@ class LabPage:
         if self.page.locator('body').get_attribute('data-jp-theme-name') != theme:
             self.command('apputils:change-theme', theme=theme)
         expect(self.page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
+        self._wait_for_kernel()
+
+    def reload(self) -> None:
+        """Save the notebook and load the page again, as a learner does who presses F5."""
+        self.command('docmanager:save')
+        self.page.reload()
+        self._wait_js('() => window.jupyterapp !== undefined')
+        self._wait_js('() => window.jupyterapp.restored.then(() => true)')
+        self._wait_for_kernel()
+
+    def strange_errors(self) -> list[str]:
+        """Return what the browser complained of, less what is known."""
+        return [error for error in self.errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
+
+    def _wait_for_kernel(self) -> None:
         # The kernel is there when the notebook's session says so; running cells before would ask for one.
         self._wait_js('''() => {
             const panel = window.jupyterapp.shell.currentWidget;

@@ -19,7 +19,7 @@ from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
-from param_tutorial.runtime import domain
+from param_tutorial.runtime import domain, stage
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
 _LOG_FORMAT = '[{severity}] [{name}]: {message}'
@@ -38,12 +38,18 @@ class Terminal:
     def __init__(self, command: str, shell: Shell | None = None):
         """Start a command, in the ROS domain of this process.
 
+        The same command, if it still runs in an earlier terminal, is interrupted first: that is a cell that runs again,
+        and nobody could interrupt it later.
+
         :param command: As typed into a shell, without pipes and variables. A leading ``ros2`` is the genuine
             one if that is on the PATH, otherwise the embedded one.
         :param shell: Start it in the folder and with the environment that this shell has now.
         :raises FileNotFoundError: there is no such command.
         """
         domain.choose()
+        for earlier in list(_open):
+            if earlier.command == command and earlier.is_running:
+                earlier.interrupt()
         self.command = command
         self._text = ''
         self._read = 0
@@ -155,3 +161,8 @@ def end_all() -> None:
     """End all commands that still run."""
     for terminal in list(_open):
         terminal.interrupt(3.0)
+
+
+# A cell that ran twice has lost the first of its terminals, and an interrupted one never came to its Ctrl+C. When the
+# notebook then runs from the top, their nodes would answer in place of its new ones of the same name.
+stage.on_start(end_all)

@@ -16,6 +16,7 @@ from param_tutorial.runtime.listeners import Listeners
 
 _current: BackgroundExecutor | None = None
 _change_listeners: Listeners[[]] = Listeners()
+_start_listeners: Listeners[[]] = Listeners()
 _lifecycle_lock = threading.RLock()
 
 
@@ -28,6 +29,7 @@ def start() -> BackgroundExecutor:
     :raises ExecutorError: other code has initialized rclpy in this process.
     """
     global _current
+    _start_listeners.call()
     with _lifecycle_lock:
         if _current is not None and _current.is_running:
             try:
@@ -72,6 +74,14 @@ def on_change(listener: Callable[[], None]) -> Callable[[], None]:
     :return: Call it to stop listening.
     """
     return _change_listeners.add(listener)
+
+
+def on_start(listener: Callable[[], None]) -> Callable[[], None]:
+    """Call a listener whenever start() is called, before it does anything, in the thread that called it.
+
+    :return: Call it to stop listening.
+    """
+    return _start_listeners.add(listener)
 
 
 def node_graph(*, executor: BackgroundExecutor | None = None) -> NodeGraph:
