@@ -10,7 +10,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
 from param_tutorial import LadderView, LayersView, MessageView, NumberLineView, ParameterClient
-from param_tutorial.errors import CallbackError
+from param_tutorial.errors import CallbackError, NodeNotFoundError
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from param_tutorial.widgets.motion import MotionView
 from tests.support.widgets import texts
@@ -121,6 +121,34 @@ def test_while_nothing_happens_nothing_is_sent(robot, client):
     assert texts(view) == before
 
 
+def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, client):
+    accepted, rejected = LadderView(robot, 'speed', 900), LadderView(robot, 'speed', -5)
+    line, message = NumberLineView(client, 'opening', 45), MessageView(client, 'speed', 7)
+    assert [repr(view) for view in (accepted, rejected, line)] == [
+        '<LadderView: speed = 900 is accepted, and 300 is stored.>',
+        '<LadderView: speed = -5 is rejected at on-set callbacks.>',
+        '<NumberLineView: opening = 45 is rejected; 40 stays.>']
+    assert 'It says: changed speed = 7.' in message.text and repr(message) == '<MessageView: /robot accepted speed = 7>'
+    before = [texts(view) for view in (accepted, rejected, line, message)]
+    other = LadderView(robot)
+    client.set_parameters({'speed': 8, 'opening': 50})
+    wait_for_text(other, 'opening = 50')
+    assert [texts(view) for view in (accepted, rejected, line, message)] == before
+
+
+def test_a_callback_that_raises_while_it_asks_is_shown_too(robot):
+    assert 'gets no answer' in LadderView(robot, 'speed', 'fast').text
+
+
+def test_a_node_that_is_not_there_cannot_be_asked(ros):
+    with pytest.raises(NodeNotFoundError, match='/nobody'):
+        LadderView('nobody', 'speed', 1)
+
+
+def test_a_rejected_value_sends_no_message(robot):
+    assert 'Nothing has changed yet' in MessageView(robot, 'speed', -5).text
+
+
 # -- the number line -----------------------------------------------------------------------------------------
 
 def test_the_number_line_shows_range_value_and_request(robot, client):
@@ -200,7 +228,7 @@ def test_who_comes_later_changes_the_picture_and_sends_nothing_again(ros, robot,
 
 def test_layers_are_shown_without_asking_anybody():
     view = LayersView('speed', [('default', 100), ('-p', 200)], has=200)
-    assert repr(view).splitlines() == ['-p 200', 'default 100', 'speed = 200, from -p.']
+    assert repr(view) == '<LayersView: speed = 200, from -p.>'
     assert 'aria-label="Layers of speed' in view.snapshot()['html']
     view.close()
 

@@ -125,8 +125,8 @@ class NumberLine:
         if scale.is_range:
             # Outside there is no road.
             yield motion.path(f'M12 {_LINE_Y}H{low_x - 8}M{high_x + 8} {_LINE_Y}H{_WIDTH - 12}', 'motion-dashed')
-            yield motion.label(14, _LABEL_Y, 'out of range', anchor='start', css_class='motion-faint')
-            yield motion.label(_WIDTH - 14, _LABEL_Y, 'out of range', anchor='end', css_class='motion-faint')
+            yield motion.label(14, _LABEL_Y, 'out of range', anchor='start', css_class='motion-small')
+            yield motion.label(_WIDTH - 14, _LABEL_Y, 'out of range', anchor='end', css_class='motion-small')
         else:
             yield motion.arrow(_WIDTH - 60, _LINE_Y, _WIDTH - 12, _LINE_Y)
             yield motion.arrow(60, _LINE_Y, 12, _LINE_Y)

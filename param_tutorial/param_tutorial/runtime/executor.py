@@ -195,7 +195,8 @@ class BackgroundExecutor:
         # Known before it is spun: its first callback, and listeners to the graph, may look for it.
         self._nodes.append(node)
         self.run(lambda: self._executor.add_node(node), what)
-        self._check_graph_soon()
+        if self.is_running:
+            self.run(self._tell_of_nodes, 'look at the graph')
         return node
 
     def remove(self, node: Node | str) -> bool:
@@ -499,11 +500,19 @@ class BackgroundExecutor:
         """
         return frozenset(gid for name, gid in self._incarnations if name == node)
 
-    def _check_graph(self) -> None:
+    def _check_graph(self) -> bool:
+        """Tell the listeners if the graph has changed, and return whether it has."""
         nodes = incarnations(self.tool_node)
-        if nodes != self._incarnations:
-            self._incarnations = nodes
-            self.services.graph_changed()
+        if nodes == self._incarnations:
+            return False
+        self._incarnations = nodes
+        self.services.graph_changed()
+        self._graph_listeners.call()
+        return True
+
+    def _tell_of_nodes(self) -> None:
+        # The graph may have told of a node while its constructor ran, when nobody could find it among the nodes yet.
+        if not self._check_graph():
             self._graph_listeners.call()
 
     def _check_graph_soon(self) -> None:

@@ -14,7 +14,7 @@ from rcl_interfaces.msg import ParameterEvent
 from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
 
-from param_tutorial.errors import ExecutorError
+from param_tutorial.errors import CallbackError, ExecutorError, NodeNotFoundError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor, ParameterClient
 from param_tutorial.parameters.live import LiveParameters
@@ -29,6 +29,7 @@ from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import ends_of_parameter_events
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
+from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.events import changes_in
@@ -52,6 +53,8 @@ class MotionView(View):
         self._executor: BackgroundExecutor | None = None
         self._text = ''
         self._count = 0
+        # What is shown, if it is to stay.
+        self._held = ''
         self._picture = widgets.HTML()
         self._stop_listening: Callable[[], None] = nothing
         super().__init__([widgets.HTML(_STYLE), self._picture], 'motion-view')
@@ -62,7 +65,7 @@ class MotionView(View):
         close_with_cell(self)
 
     def __repr__(self) -> str:
-        return f'<{type(self).__name__}: {self._subject}{", closed" if self._closed else ""}>'
+        return f'<{type(self).__name__}: {self._held or self._subject}{", closed" if self._closed else ""}>'
 
     @property
     def text(self) -> str:
@@ -104,12 +107,26 @@ class MotionView(View):
 
     def _step(self) -> None:
         with self._drawing:
-            if not self._closed:
+            if not self._closed and not self._held:
                 self._show()
 
-    def _end(self) -> None:
+    def _hold(self, sentence: str) -> None:
+        """Let the picture stay as it is from now on, whatever happens.
+
+        :param sentence: What it shows.
+        """
+        self._worker.call_now(1.0)
+        with self._drawing:
+            self._held = sentence
+        self._stop()
+
+    def _stop(self) -> None:
+        """Stop following."""
         self._stop_following()
         self._stop_listening()
+
+    def _end(self) -> None:
+        self._stop()
         self._worker.end()
 
     def _on_executor_change(self) -> None:
@@ -151,7 +168,7 @@ class LayersView(View):
         close_with_cell(self)
 
     def __repr__(self) -> str:
-        return repr(self._layers)
+        return f'<LayersView: {self._layers.sentence}>'
 
     @property
     def text(self) -> str:
@@ -214,8 +231,25 @@ class SetView(MotionView):
             self._latest = record
             self._worker.wake()
 
-    def _end(self) -> None:
-        super()._end()
+    def _ask(self, name: str, value: Any) -> RecordedSet:
+        """Ask the node for a value, and return what came of it.
+
+        :raises NodeNotFoundError: it is not running in this process.
+        :raises InvalidValueError: no parameter can hold this value.
+        """
+        if self._followed is None:
+            raise NodeNotFoundError(self._subject, [_name_of(each) for each in self._executor.nodes]
+                                    if self._executor is not None else [])
+        self._latest = None
+        with contextlib.suppress(CallbackError):
+            ParameterClient(self._subject, executor=self._executor).set_parameter(name, value)
+        record: RecordedSet | None = self._latest
+        if record is None:
+            raise ExecutorError(f'{self._subject} has answered, and nobody has asked it for {name}')
+        return record
+
+    def _stop(self) -> None:
+        super()._stop()
         self._stop_sets()
 
 
@@ -225,16 +259,21 @@ class LadderView(SetView):
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, name: str | None = None, *,
+    def __init__(self, node: str | Node | ParameterClient, name: str | None = None, value: Any = ..., *,
                  executor: BackgroundExecutor | None = None) -> None:
         """
         :param node: The node, or its name; it has to be spun in this process, now or later.
         :param name: Only this parameter; by default whichever is set.
+        :param value: Ask the node for this value, and show what comes of it and nothing after it; by default the view
+            asks for nothing, and follows the node.
         :param executor: Spins it; by default the one that runs in the background, also after a stop and a new start.
+        :raises NodeNotFoundError: a value is given, and the node is not running in this process.
         """
         self._name = name
         self._shown: object = self
         super().__init__(node, executor)
+        if name is not None and value is not ...:
+            self._hold(_climb(self._ask(name, value)).sentence)
 
     def _wants(self, record: RecordedSet) -> bool:
         return self._name in (None, record.timeline.name)
@@ -246,7 +285,7 @@ class LadderView(SetView):
             return
         self._shown = shown
         if record is not None:
-            climb = Climb(record.timeline.node, record.timeline.name, record.timeline.steps, record.objection)
+            climb = _climb(record)
             self._play(climb.text, climb.html)
         elif is_there:
             self._say(f'Set {self._name or "a parameter"}, and see how far the value climbs.')
@@ -260,15 +299,18 @@ class NumberLineView(SetView):
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, name: str, *,
+    def __init__(self, node: str | Node | ParameterClient, name: str, value: Any = ..., *,
                  executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC) -> None:
         """
         :param node: The node, or its name. What it rejects is seen only if it is spun in this process.
         :param name: The parameter.
+        :param value: As for LadderView.
         :param executor: As for LadderView.
         :param timeout_sec: How long the node may take for each answer.
+        :raises NodeNotFoundError: a value is given, and the node is not running in this process.
         """
         self._name = name
+        self._sentence = ''
         self._live: LiveParameters | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
         super().__init__(node, executor)
@@ -276,9 +318,14 @@ class NumberLineView(SetView):
                                     timeout_sec=timeout_sec)
         self._live.first_look()
         self._worker.call_now(1.0)
+        if value is not ...:
+            self._ask(name, value)
+            self._worker.call_now(1.0)
+            self._hold(self._sentence)
 
     def __repr__(self) -> str:
-        return f'<NumberLineView: {self._name} of {self._subject}{", closed" if self._closed else ""}>'
+        shown = self._held or f'{self._name} of {self._subject}'
+        return f'<NumberLineView: {shown}{", closed" if self._closed else ""}>'
 
     def settle(self, timeout_sec: float = 10.0) -> None:
         """Wait until the view shows what the node has now.
@@ -327,10 +374,11 @@ class NumberLineView(SetView):
             scale = Scale(descriptor.range.from_value, descriptor.range.to_value, descriptor.range.step)
         line = NumberLine(self._subject, self._name, scale, stored, before=before, request=request,
                           is_locked=descriptor.read_only)
+        self._sentence = line.sentence
         self._play(line.text, line.html)
 
-    def _end(self) -> None:
-        super()._end()
+    def _stop(self) -> None:
+        super()._stop()
         if self._live is not None:
             self._live.close()
 
@@ -341,11 +389,25 @@ class MessageView(MotionView):
     Show it as the last line of a cell.
     """
 
-    def __init__(self, *, executor: BackgroundExecutor | None = None) -> None:
-        """:param executor: As for LadderView."""
+    def __init__(self, node: str | Node | ParameterClient | None = None, name: str = '', value: Any = ..., *,
+                 executor: BackgroundExecutor | None = None) -> None:
+        """
+        :param node: Only its messages; by default those of all nodes.
+        :param name: With a value, the parameter.
+        :param value: Ask the node for this value, and show the message that it publishes, and nothing after it; by
+            default the view asks for nothing, and follows.
+        :param executor: As for LadderView.
+        """
         self._event: ParameterEvent | None = None
         self._shown: object = self
-        super().__init__('all nodes', executor)
+        self._node = None if node is None else node.node if isinstance(node, ParameterClient) else full_name(node)
+        super().__init__(self._node or 'all nodes', executor)
+        if self._node is not None and value is not ...:
+            result = ParameterClient(self._node, executor=self._executor).set_parameter(name, value)
+            if result.successful:
+                wait_until(lambda: self._event, 'the message on /parameter_events')
+            self._worker.call_now(1.0)
+            self._hold(f'{result}')
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
         stops = [executor.on_parameter_event(self._on_event), executor.on_graph_change(self._worker.wake)]
@@ -357,7 +419,8 @@ class MessageView(MotionView):
 
     def _on_event(self, event: ParameterEvent) -> None:
         # Of a node that starts, the graph tells; a message for each of its declarations would hide the rest.
-        if '/_' not in event.node and (event.changed_parameters or event.deleted_parameters):
+        is_wanted = event.node == self._node or (self._node is None and '/_' not in event.node)
+        if is_wanted and (event.changed_parameters or event.deleted_parameters):
             self._event = event
             self._worker.wake()
 
@@ -383,6 +446,10 @@ class MessageView(MotionView):
 
 def _is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _climb(record: RecordedSet) -> Climb:
+    return Climb(record.timeline.node, record.timeline.name, record.timeline.steps, record.objection)
 
 
 def _name_of(node: Node) -> str:
