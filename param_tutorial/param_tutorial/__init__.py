@@ -30,7 +30,7 @@ _HOMES = {
     'DeclarationsView': 'widgets.pictured',
     'EventView': 'widgets.events',
     'LadderView': 'widgets.motion',
-    'LayersView': 'widgets.motion',
+    'LayersView': 'widgets.pictured',
     'LiftsView': 'widgets.pictured',
     'LinePlot': 'pictures.plots',
     'LogView': 'widgets.log',

@@ -9,7 +9,7 @@ from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
-from param_tutorial import LadderView, LayersView, MessageView, NumberLineView, ParameterClient
+from param_tutorial import LadderView, MessageView, NumberLineView, ParameterClient
 from param_tutorial.errors import CallbackError, NodeNotFoundError
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
 from param_tutorial.widgets.motion import MotionView
@@ -222,15 +222,6 @@ def test_who_comes_later_changes_the_picture_and_sends_nothing_again(ros, robot,
     ros.add(ParamEventMonitor)
     wait_for_text(view, '/param_event_monitor, this notebook')
     assert '@keyframes' not in view.children[1].value
-
-
-# -- layers --------------------------------------------------------------------------------------------------
-
-def test_layers_are_shown_without_asking_anybody():
-    view = LayersView('speed', [('default', 100), ('-p', 200)], has=200)
-    assert repr(view) == '<LayersView: speed = 200, from -p.>'
-    assert 'aria-label="Layers of speed' in view.snapshot()['html']
-    view.close()
 
 
 # -- all of them ---------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ import pytest
 from rclpy.node import Node
 
 import param_tutorial
-from param_tutorial import DeclarationsView, LiftsView, ParameterClient, PlaneView, Rules, TrailView
+from param_tutorial import DeclarationsView, LayersView, LiftsView, ParameterClient, PlaneView, Rules, TrailView
 from param_tutorial.errors import NodeNotFoundError
 from tests.support.widgets import texts
 
@@ -65,6 +65,15 @@ def test_requests_from_outside_get_in_or_bounce(ros):
     assert 'set hihg_c: 20 bounces off the node has (rejected); from outside 20; undeclared.' in view.text
 
 
+# -- layers --------------------------------------------------------------------------------------------------
+
+def test_layers_are_shown_without_asking_anybody():
+    view = LayersView('speed', [('default', 100), ('-p', 200)], has=200)
+    assert repr(view) == '<LayersView: speed = 200, from -p.>'
+    assert 'aria-label="Layers of speed' in view.snapshot()['html']
+    view.close()
+
+
 # -- lifts ---------------------------------------------------------------------------------------------------
 
 def test_lifts_are_shown():
@@ -105,7 +114,8 @@ def test_a_plane_has_two_parameters_of_a_node_that_is_there(weather, ros):
 
 # -- all of them ---------------------------------------------------------------------------------------------
 
-VIEWS = {'trail': make_trail, 'declarations': lambda: DeclarationsView(Weather),
+VIEWS = {'layers': lambda: LayersView('speed', [('default', 100)]),
+         'trail': make_trail, 'declarations': lambda: DeclarationsView(Weather),
          'lifts': lambda: LiftsView({'a': [(0, 0.0), (1, 1.0)]}),
          'plane': lambda: PlaneView('/weather', {'low_c': DAYS, 'high_c': DAYS})}
 

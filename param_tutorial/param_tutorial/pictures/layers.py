@@ -34,7 +34,7 @@ class Layers:
         :param has: What the node has in the end, if it was asked.
         :raises ValueError: there is no source.
         """
-        self.name = name
+        self.subject = name
         self._layers: dict[str, list[_Entry]] = {}
         for number, (source, *layer, value) in enumerate(sources):
             entry = _Entry(str(source), repr(value), _BEGIN_SEC + number * _EACH_SEC)
@@ -48,13 +48,13 @@ class Layers:
     def sentence(self) -> str:
         """What counts."""
         if self._has != self._top.value:
-            return f'The node has {self.name} = {self._has}, which these layers do not explain.'
-        return f'{self.name} = {self._has}, from {self._top.source}.'
+            return f'The node has {self.subject} = {self._has}, which these layers do not explain.'
+        return f'{self.subject} = {self._has}, from {self._top.source}.'
 
     @property
     def text(self) -> str:
         """The picture in words, as a screen reader tells it."""
-        return f'Layers of {self.name}, from the top: {"; ".join(reversed(self._lines))}. {self.sentence}'
+        return f'Layers of {self.subject}, from the top: {"; ".join(reversed(self._lines))}. {self.sentence}'
 
     @property
     def _lines(self) -> list[str]:
@@ -80,7 +80,7 @@ class Layers:
                motion.label(_EYE_X + 36, _EYE_Y + 5, f'the node has {motion.cut(self._has, 30)}', anchor='start',
                             css_class='motion-big')]
         parts.append(motion.group(eye, reel.appear(end_sec)))
-        return motion.stage(self.name, self.sentence, self.text, (_WIDTH, height), parts, reel)
+        return motion.stage(self.subject, self.sentence, self.text, (_WIDTH, height), parts, reel)
 
     def _slab(self, y: float, layer: str, entries: list[_Entry], reel: motion.Reel) -> Iterator[str]:
         first, is_top = entries[0], entries[-1] is self._top

@@ -11,7 +11,7 @@ from typing import Any
 
 from param_tutorial.pictures import motion
 
-_WIDTH, _HEAD, _ROW, _BOTTOM = 720, 52, 56, 8
+_WIDTH, _HEAD, _ROW, _BOTTOM = 720, 50, 48, 8
 _WORDS_X, _BANDS_X, _GAP = 14, 192, 8
 _WORDS_LETTERS, _NOTE_LETTERS = 20, 28
 _BEGIN_SEC, _READ_SEC, _TRAVEL_SEC, _STAY_SEC = 0.3, 0.6, 0.8, 0.7
@@ -177,7 +177,7 @@ class Trail:
             # From the left if nothing is in the way, and otherwise from above.
             start = (_BANDS_X - 30, y) if target == 0 else (to_x, y - _ROW / 2 - 6)
             road = motion.arrow(start[0], y, to_x - half - 4, y) if target == 0 else \
-                motion.arrow(to_x, y - 27, to_x, y - 14)
+                motion.arrow(to_x, y - _ROW / 2 + 1, to_x, y - 14)
             stops = [(leaves_sec, *start), (there_sec, to_x, y)]
         else:
             source = self._places.index(move.source)

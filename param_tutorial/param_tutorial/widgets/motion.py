@@ -6,7 +6,7 @@ something has happened: the browser moves the rest.
 
 import contextlib
 import html
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any, TypeGuard
 
 import ipywidgets as widgets
@@ -21,7 +21,6 @@ from param_tutorial.parameters.live import LiveParameters
 from param_tutorial.parameters.recording import RecordedSet, follow_sets
 from param_tutorial.pictures import motion
 from param_tutorial.pictures.ladder import Climb
-from param_tutorial.pictures.layers import Layers
 from param_tutorial.pictures.messages import MessageTraffic
 from param_tutorial.pictures.number_line import NumberLine, Request, Scale
 from param_tutorial.pictures.styles import style
@@ -147,41 +146,6 @@ class MotionView(View):
 
     def _lose(self) -> None:
         """Take note that there is no executor any more."""
-
-
-class LayersView(View):
-    """The sources of one parameter's value, as layers that cover each other. Show it as the last line of a cell."""
-
-    def __init__(self, name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, Any]], *, has: Any = ...) -> None:
-        """
-        :param name: The parameter.
-        :param sources: In the order in which they are given to the node: a source and its value, or a source, the
-            name of the layer into which it goes, and its value. A layer that is there already is changed where it
-            lies; a new one, and a source without such a name, comes on top.
-        :param has: What the node has in the end, if it was asked.
-        :raises ValueError: there is no source.
-        """
-        self._layers = Layers(name, sources, has=has)
-        picture = widgets.HTML()
-        super().__init__([widgets.HTML(_STYLE), picture], 'motion-view')
-        picture.value = self._layers.html(motion.Reel(f'reel-{self.model_id[:8]}'))
-        close_with_cell(self)
-
-    def __repr__(self) -> str:
-        return f'<LayersView: {self._layers.sentence}>'
-
-    @property
-    def text(self) -> str:
-        """What the picture shows, in words, as a screen reader tells it."""
-        return self._layers.text
-
-    @property
-    def node(self) -> str:
-        """What the view is of; no node is asked."""
-        return self._layers.name
-
-    def _end(self) -> None:
-        pass
 
 
 class SetView(MotionView):

@@ -14,6 +14,7 @@ from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.declarations import record_declarations
 from param_tutorial.pictures import motion
+from param_tutorial.pictures.layers import Layers
 from param_tutorial.pictures.lifts import Lifts
 from param_tutorial.pictures.plane import Plane, Point
 from param_tutorial.pictures.styles import style
@@ -76,6 +77,21 @@ class PictureView(View):
 
     def _end(self) -> None:
         pass
+
+
+class LayersView(PictureView):
+    """The sources of one parameter's value, as layers that cover each other. Show it as the last line of a cell."""
+
+    def __init__(self, name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, Any]], *, has: Any = ...) -> None:
+        """
+        :param name: The parameter.
+        :param sources: In the order in which they are given to the node: a source and its value, or a source, the
+            name of the layer into which it goes, and its value. A layer that is there already is changed where it
+            lies; a new one, and a source without such a name, comes on top.
+        :param has: What the node has in the end, if it was asked.
+        :raises ValueError: there is no source.
+        """
+        super().__init__(Layers(name, sources, has=has))
 
 
 class TrailView(PictureView):
