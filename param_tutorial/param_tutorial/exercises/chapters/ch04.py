@@ -107,7 +107,7 @@ def overridden(trial: Trial) -> Any:
     return story(trial).second.get_parameter('max_speed_rpm').value
 
 
-fill = Exercise('4c', 'Fill four gaps', CHAPTER, FUNCTION, hints=(
+fill = Exercise('4c', 'Fill two gaps, and mend a line', CHAPTER, FUNCTION, hints=(
     '`get_parameter` takes the name of a parameter. What the robot holds is the `.value` of what it returns.',
     '`get_parameter_or` takes a name and a parameter object. The section “Several at once, and a fallback” '
     "makes one: `Parameter('battery_volts', value=12.0)`."))

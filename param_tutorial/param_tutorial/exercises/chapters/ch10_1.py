@@ -208,7 +208,7 @@ require_count('undeclare_parameter',
               {1: 'Nobody is told that a parameter is gone, but for a dynamic one that is set to nothing'})
 
 
-fill = Exercise('10.1c', 'Fill three gaps', CHAPTER, FUNCTION, hints=(
+fill = Exercise('10.1c', 'Fill two gaps', CHAPTER, FUNCTION, hints=(
     'An event has three lists: `new_parameters`, `changed_parameters` and `deleted_parameters`.',
     'Each element has a `name` and a `value`. The value is a message with a field for each type, and '
     '`parameter_value_to_python` finds the right one.'))
