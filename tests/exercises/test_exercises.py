@@ -22,9 +22,10 @@ from param_tutorial.errors import ExecutorError
 from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch06, ch07_3, ch11
 from param_tutorial.exercises.results import Finding, Result
+from param_tutorial.progress import record
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
-from tests.exercises.wrong_answers import WRONG
+from tests.exercises.wrong_answers import RIGHT, WRONG
 from tests.support.paths import NOTEBOOKS
 
 
@@ -103,12 +104,22 @@ def test_a_solution_is_done(ros, number):
     for position, wrong in enumerate(all_wrong)])
 @pytest.mark.filterwarnings('ignore:Callback returned an invalid type')
 def test_a_wrong_answer_is_told_with_a_fitting_word(ros, monkeypatch, number, replacements, met, word):
-    if number == '5.3a':  # the only one where something is waited for
+    if number in ('5.3c', '5.3a'):  # the only ones where something is waited for
         monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 1.5)
     result = exercises.check(number, solution(number, *replacements))
     assert not result.done
     assert result.count == met
     assert word in ' '.join(not_yet(result).values())
+    assert not ros.nodes
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(('number', 'replacements'), [
+    pytest.param(number, each, id=f'{number}-{position}') for number, all_right in RIGHT.items()
+    for position, each in enumerate(all_right)])
+def test_an_unusual_right_answer_is_done(ros, number, replacements):
+    result = exercises.check(number, solution(number, *replacements))
+    assert result.done, result
     assert not ros.nodes
 
 
@@ -370,7 +381,7 @@ def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
 def test_a_number_that_is_none_is_told(ask):
     assert repr(ask('5.2')).startswith("There is no exercise '5.2'. Did you mean 5.2")
     assert 'There is no exercise 3. Did you mean 3' in repr(ask(3))
-    assert 'There is: 1a' in repr(ask([]))
+    assert 'There is: 1c' in repr(ask([]))
 
 
 @pytest.mark.parametrize('number', EXERCISES)
@@ -414,6 +425,44 @@ def test_an_exercise_leads_to_sections_that_exist(number):
 def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
     assert [f'`{question}`' for question in blank(number)] == [
         requirement.sentence for requirement in EXERCISES[number].requirements]
+
+
+def test_each_chapter_has_three_exercises_or_more():
+    assert {number: len(chapter.exercises) for number, chapter in exercises.CHAPTERS.items()
+            if len(chapter.exercises) < 3} == {}
+
+
+def test_each_chapter_from_4_on_opens_with_two_questions_on_earlier_ones():
+    order = list(exercises.CHAPTERS)
+    for number, chapter in exercises.CHAPTERS.items():
+        assert len(chapter.recalls) == (2 if order.index(number) >= order.index('4') else 0)
+        cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
+        asked = [source for each in cells for source in re.findall(r"exercises\.recall\('(.*?)'\)", each.source)]
+        assert asked == [each.number for each in chapter.recalls]
+        for each in chapter.recalls:
+            assert order.index(each.chapter) < order.index(number)
+            there = nbformat.read(NOTEBOOKS / f'{exercises.CHAPTERS[each.chapter].name}.ipynb', as_version=4).cells
+            assert any(re.search(f'^#+ {re.escape(each.section)}$', cell.source, re.MULTILINE) for cell in there)
+
+
+@pytest.mark.parametrize('number', exercises.RECALLS)
+def test_a_recall_says_at_once_whether_it_is_right_and_where_it_was_learned(monkeypatch, tmp_path, number):
+    monkeypatch.setenv(record.VARIABLE, str(tmp_path / record.FILE))
+    question = exercises.RECALLS[number]
+    assert sum(each.is_right for each in question.choices) == 1
+    for each in question.choices:
+        view = exercises.recall(number)
+        view.answer.value = each.text
+        view.button.click()
+        for text in ('Right.' if each.is_right else 'Not so.', f'in chapter {question.chapter}, '):
+            assert text in view.said.value
+    made = record.own().read()[0].predicted[number]
+    assert (made.choice, made.right) == (question.choices[0].text, question.choices[0].is_right)  # the first counts
+    assert f'{number} {"✓" if made.right else "✗"}' in repr(exercises.progress(number.partition('-')[0]))
+
+
+def test_a_recall_that_is_none_is_told():
+    assert "There is no question '4-r3'. Did you mean 4-r" in repr(exercises.recall('4-r3'))
 
 
 def test_the_values_to_spell_are_those_of_the_check():

@@ -2,6 +2,8 @@
 
 {exercise: [(replacements, count, word), …]}: what is replaced in the solution, how many requirements are still met,
 and a word that the check has to find.
+
+RIGHT has answers that do what is asked in an unusual way: {exercise: [replacements, …]}.
 """
 
 import re
@@ -13,3 +15,4 @@ from param_tutorial.exercises import CHAPTERS
 _MODULES = [import_module(f'{__name__}.ch{re.match("[0-9]+(_[0-9])?(?=_)", chapter.name)[0]}')
             for chapter in CHAPTERS.values()]
 WRONG = {number: cases for module in _MODULES for number, cases in module.WRONG.items()}
+RIGHT = {number: cases for module in _MODULES for number, cases in getattr(module, 'RIGHT', {}).items()}

@@ -1,6 +1,37 @@
-"""Wrong answers that people give to the exercises of chapter 5.3."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 5.3."""
 
 WRONG = {
+    '5.3c': [
+        ([("parameter = Parameter('max_speed_rpm', value=50)\n", ''),
+          ('request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])\n',
+           'request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])\n'
+           "parameter = Parameter('max_speed_rpm', value=50)\n")],
+         0, "NameError: name 'parameter' is not defined, in the line"),
+        ([("client = node.create_client(SetParameters, '/rover/set_parameters')\n", ''),
+          ('future = client.call_async(request)\n',
+           'future = client.call_async(request)\n'
+           "client = node.create_client(SetParameters, '/rover/set_parameters')\n")],
+         0, "NameError: name 'client' is not defined, in the line"),
+        ([('request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])\n', ''),
+          ('future = client.call_async(request)\n',
+           'future = client.call_async(request)\n'
+           'request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])\n')],
+         0, "NameError: name 'request' is not defined, in the line"),
+        ([('future.add_done_callback(lambda answer: results.extend(answer.result().results))\n', ''),
+          ("client = node.create_client(SetParameters, '/rover/set_parameters')\n",
+           'future.add_done_callback(lambda answer: results.extend(answer.result().results))\n'
+           "client = node.create_client(SetParameters, '/rover/set_parameters')\n")],
+         0, "NameError: name 'future' is not defined, in the line"),
+        ([('future.add_done_callback(lambda answer: results.extend(answer.result().results))\n', '')],
+         1, '`results` is empty'),
+        ([('future = client.call_async(request)\n'
+           'future.add_done_callback(lambda answer: results.extend(answer.result().results))\n',
+           '')], 0, 'it holds 100'),
+        ([('.to_parameter_msg()', '')], 0, "AttributeError: 'int' object has no attribute 'type', in"),
+        ([('value=50', 'value=50.0')], 0, 'it holds 100'),
+        ([('/rover/', '/rovr/')], 0, 'it holds 100'),
+        ([('results.extend(answer.result().results)', 'answer')], 1, '`results` is empty'),
+    ],
     '5.3a': [
         # Not atomic: the other service, whose answer has a list of results.
         ([('SetParametersAtomically', 'SetParameters'), ('set_parameters_atomically', 'set_parameters'),
@@ -22,5 +53,22 @@ WRONG = {
            '            if not result.successful}', '    for parameter, result in zip(parameters, results):\n'
            '        if not result.successful:\n            return {parameter.name: result.reason}\n    return {}')], 2,
          'before the loop has ended'),
+    ],
+}
+
+RIGHT = {
+    '5.3c': [
+        [("client = node.create_client(SetParameters, '/rover/set_parameters')\n", ''),
+         ('future = client.call_async(request)\n',
+          "client = node.create_client(SetParameters, '/rover/set_parameters')\n"
+          'future = client.call_async(request)\n')],
+        [("client = node.create_client(SetParameters, '/rover/set_parameters')\n", ''),
+         ("parameter = Parameter('max_speed_rpm', value=50)\n",
+          "parameter = Parameter('max_speed_rpm', value=50)\n"
+          "client = node.create_client(SetParameters, '/rover/set_parameters')\n")],
+        [('future = client.call_async(request)\n'
+          'future.add_done_callback(lambda answer: results.extend(answer.result().results))\n',
+          'results.extend(client.call(request).results)\n')],
+        [("'/rover/set", "'rover/set")],
     ],
 }

@@ -1,6 +1,20 @@
-"""Wrong answers that people give to the exercises of chapter 7.2."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 7.2."""
 
 WRONG = {
+    '7.2c': [
+        ([("'param_tutorial'", "'param_tutorials'")],
+         0, 'LaunchFailed: [ERROR] [launch]: Caught exception in launch'),
+        ([("executable='simple_param_node'", "executable='simple_node'")],
+         0, 'LaunchFailed: [ERROR] [launch]: Caught exception in launch'),
+        ([('150', "'150'")], 0, 'its constructor did not get to its end.'),
+        ([("'Berta'", '...')], 0, 'LaunchFailed: [ERROR] [launch]: Caught exception in launch'),
+        ([("'Berta'", "'Bertha'")], 2, "it is `'Bertha'`"),
+        ([('150', '15')], 2, 'it is `15`'),
+        ([("'max_speed_rpm': 150, ", '')], 2, 'it is `100`'),
+        ([('            parameters', '            params')],
+         0, 'LaunchFailed: Caught exception when trying to load file of'),
+        ([('    ])\n', '    )\n')], 0, 'LaunchFailed: Caught exception when trying to load file of'),
+    ],
     '7.2a': [
         ([("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml']),", '')], 2,
          'Is the file in `parameters`'),
@@ -24,5 +38,15 @@ WRONG = {
         ([('.yaml\']": 100', '.yaml\']": \'dead\'')], 6, 'a warning and no error'),
         ([("'dead'", '200')], 6, 'There are quotes around it'),
         ([('200}]": 180', '200}]": 200')], 6, 'Is there a parameter of that name?'),
+    ],
+}
+
+RIGHT = {
+    '7.2c': [
+        [("[{'max_speed_rpm': 150, 'robot_name': 'Berta'}]",
+          "[{'max_speed_rpm': 150}, {'robot_name': 'Berta'}]")],
+        [("            name='simple_param_node',\n", '')],
+        [("'Berta'", "'Ber' + 'ta'"),
+         ('150', 'int(1.5e2)')],
     ],
 }

@@ -1,6 +1,31 @@
-"""Wrong answers that people give to the exercises of chapter 7.3."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 7.3."""
 
 WRONG = {
+    '7.3c': [
+        ([("    '--params-file fast.yaml',\n    '--params-file slow.yaml',\n",
+           "    '--params-file slow.yaml',\n    '--params-file fast.yaml',\n")],
+         1, "it is `'fast'`. Both files write into the same block"),
+        ([("    '-p speed:=400',\n", ''),
+          ("    '--params-file fast.yaml',\n", "    '-p speed:=400',\n    '--params-file fast.yaml',\n")],
+         1, 'it is `80`. Which block was opened last?'),
+        ([("    '-p speed:=400',\n", ''),
+          ("    '--params-file fast.yaml',\n    '--params-file slow.yaml',\n",
+           "    '-p speed:=400',\n"
+           "    '--params-file slow.yaml',\n"
+           "    '--params-file fast.yaml',\n")], 0, 'it is `300`. Which block was opened last?'),
+        ([("    '--params-file fast.yaml',\n", '')],
+         0, "the list is `['--params-file slow.yaml', '-p speed:=400']`"),
+        ([("    '-p speed:=400',\n", ''),
+          ("    '--params-file fast.yaml',\n    '--params-file slow.yaml',\n",
+           "    '--params-file slow.yaml',\n"
+           "    '-p speed:=400',\n"
+           "    '--params-file fast.yaml',\n")],
+         1, "it is `'fast'`. Both files write into the same block"),
+        ([('400', '300')], 0, "the list is `['--params-file fast.yaml', '--params-file"),
+        ([("    '-p speed:=400',\n", "    '-p speed:=400',\n    '-p speed:=400',\n")],
+         0, "the list is `['--params-file fast.yaml', '--params-file"),
+        ([("'-p speed:=400'", '400')], 0, "the list is `['--params-file fast.yaml', '--params-file"),
+    ],
     '7.3a': [
         ([("{\n    'mixed.yaml': 300", "{\n    'mixed.yaml': 200")], 7, 'the later block does'),
         ([("'mixed.yaml, -p 400': 400,\n    '-p", "'mixed.yaml, -p 400': 200,\n    '-p")], 7, 'opened last?'),
@@ -20,5 +45,14 @@ WRONG = {
          'Cannot have a value before ros__parameters at line 7'),
         ([('\n/lab/*/gripper:', '\n/lab/right/gripper:\n  ros__parameters:\n    force_n: 20.0\n/lab/*/gripper:'),
           ('40\n/lab/right/gripper:\n  ros__parameters:\n    force_n: 20.0\n', '40\n')], 3, '`force_n` is `12.0`'),
+    ],
+}
+
+RIGHT = {
+    '7.3c': [
+        [("    '-p speed:=400',\n", ''),
+         ("    '--params-file slow.yaml',\n", "    '-p speed:=400',\n    '--params-file slow.yaml',\n")],
+        [("'-p speed", "'-p  speed")],
+        [("'--params-file fast.yaml'", "'--params-file ' + 'fast.yaml'")],
     ],
 }

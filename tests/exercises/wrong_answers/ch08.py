@@ -1,6 +1,20 @@
-"""Wrong answers that people give to the exercises of chapter 8."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 8."""
 
 WRONG = {
+    '8c': [
+        ([("'fan.speed', 0.5", "'speed', 0.5")], 0, 'its constructor did not get to its end.'),
+        ([("'fan.speed', 0.5", "'fan.speed', 1")], 1, 'type integer, value `1`'),
+        ([('0.5, Param', '0.25, Param')], 2, 'type double, value `0.25`'),
+        ([('to_value=1.0', 'to_value=2.0')], 2, 'it was accepted'),
+        ([('to_value=1.0', 'to_value=1')], 2, 'it has (0.0, 5e-324). Do both ends have a dot?'),
+        ([("'Speed, as a part of the full speed.'", "''")], 2, 'there is none'),
+        ([('from_value=0.0', 'from_value=0.25')],
+         2, 'it was refused: Parameter fan.speed out of range Min: 0.25,'),
+        ([("'Speed, as a part of the full speed.'", '...')], 0, 'it is `Ellipsis`'),
+        ([('            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0)]',
+           '            ')], 2, 'it was accepted'),
+        ([("'fan.speed', 0.5", "'fan/speed', 0.5")], 0, 'its constructor did not get to its end.'),
+    ],
     '8a': [
         ([("'belt.speed_mps', 0.0, ParameterDescriptor(", "'belt.speed_mps', 0, ParameterDescriptor(")], 2,
          'it is of type integer: the default decides'),
@@ -28,5 +42,13 @@ WRONG = {
         ([("weighs nothing.': 7", "weighs nothing.': 2")], 4, 'it accepted a gravity of 0'),
         ([("weighs nothing.': 7", "weighs nothing.': '7'")], 4, "there is `'7'`"),
         ([("weighs nothing.': 7", "weighs nothing.': True")], 4, 'there is `True`'),
+    ],
+}
+
+RIGHT = {
+    '8c': [
+        [('0.0, to_value=1.0', '-0.0, to_value=float(1)')],
+        [("'Speed, as a part of the full speed.'", "'0: off, 1: full'")],
+        [("'fan.speed', 0.5", "'.'.join(['fan', 'speed']), 1 / 2")],
     ],
 }

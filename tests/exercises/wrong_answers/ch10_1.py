@@ -1,6 +1,22 @@
-"""Wrong answers that people give to the exercises of chapter 10.1."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.1."""
 
 WRONG = {
+    '10.1c': [
+        ([('changed_parameters', 'new_parameters')], 0, 'it gives `{}`'),
+        ([('parameter_value_to_python(parameter.value)', 'parameter.value')], 0, "it gives `{'speed':"),
+        ([('parameter_value_to_python(parameter.value)', 'parameter.value.integer_value')],
+         2, "it gives `{'speed': 7, 'offset': 0, 'label': 0, 'gains': 0,"),
+        ([('parameter.name', 'parameter')], 0, "TypeError: unhashable type: 'Parameter'"),
+        ([('event.changed_parameters', 'event')], 0, "TypeError: 'ParameterEvent' object is not iterable"),
+        ([('event.changed_parameters', 'event.changed_parameters + event.new_parameters')],
+         2, "it gives `{'lamp': 0}`"),
+        ([('event.changed_parameters', 'event.changed_parameters[:1]')], 2, "it gives `{'speed': 7}`"),
+        ([('parameter_value_to_python(parameter.value)', 'parameter_value_to_python(parameter)')],
+         0, "AttributeError: 'Parameter' object has no attribute 'type'"),
+        ([('changed_parameters', 'removed_parameters')],
+         0, "AttributeError: 'ParameterEvent' object has no attribute"),
+        ([(' for parameter in event.changed_parameters', '')], 0, "NameError: name 'parameter' is not defined"),
+    ],
     '10.1a': [
         # The chain of the article.
         ([('parameter_value_to_python(parameter.value)',
@@ -27,5 +43,18 @@ WRONG = {
         ([("already': 1", "already': 0")], 6, 'A node does not compare'),
         ([("two parameters': 2", "two parameters': 1")], 6, 'It declares one after the other'),
         ([("undeclare_parameter': 0", "undeclare_parameter': 1")], 6, 'Nobody is told'),
+    ],
+}
+
+RIGHT = {
+    '10.1c': [
+        [('{parameter.name: parameter_value_to_python(parameter.value) for parameter in '
+          'event.changed_parameters}',
+          'dict((each.name, parameter_value_to_python(each.value)) for each in '
+          'event.changed_parameters)')],
+        [('def changes', 'from rclpy.parameter import Parameter\n\n\ndef changes'),
+         ('parameter_value_to_python(parameter.value)', 'Parameter.from_parameter_msg(parameter).value')],
+        [('parameter in event', 'parameter in list(event'),
+         ('changed_parameters}', 'changed_parameters)}')],
     ],
 }

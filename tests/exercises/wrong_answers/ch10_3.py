@@ -1,6 +1,32 @@
-"""Wrong answers that people give to the exercises of chapter 10.3."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.3."""
 
 WRONG = {
+    '10.3c': [
+        ([("group = 'gains.wheel_joint'\n", ''),
+          ("gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n",
+           "gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n"
+           "group = 'gains.wheel_joint'\n")],
+         0, "NameError: name 'group' is not defined, in the line `gains"),
+        ([("gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n", ''),
+          ('client.set_parameters_atomically(gains)\n',
+           'client.set_parameters_atomically(gains)\n'
+           "gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n")],
+         0, "NameError: name 'gains' is not defined, in the line"),
+        ([("client = ParameterClient('/wheel_controller')\n", ''),
+          ('client.set_parameters_atomically(gains)\n',
+           'client.set_parameters_atomically(gains)\n'
+           "client = ParameterClient('/wheel_controller')\n")],
+         0, "NameError: name 'client' is not defined, in the line"),
+        ([('client.set_parameters_atomically(gains)\n', '')], 0, 'it is `0.1`'),
+        ([('_atomically', '')], 2, 'there is no such request'),
+        ([('0.3', '0.4')], 2, 'it is `0.4`'),
+        ([('{group}.d', '{group}.i')], 1, 'it is `0.0`'),
+        ([('/wheel_controller', '/wheel')], 0, 'there is no node /wheel. No node is running'),
+        ([('0.02', '-0.02')], 0, 'it is `0.1`'),
+        ([("gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n",
+           "gains = {f'{group}.p': 0.3, 'x'{group}.d': 0.02}\n")],
+         0, 'SyntaxError: unterminated string literal (detected at line'),
+    ],
     '10.3a': [
         # P alone, as loud as it goes.
         ([(".i': 0.3", ".i': 0.0")], 0, 'P alone always leaves one'),
@@ -24,5 +50,19 @@ WRONG = {
         ([('[right_joint]', 'right_joint')], 3, 'InvalidParameterTypeException'),
         ([('  ros__parameters:\n    update_rate', '  update_rate')], 0, 'before ros__parameters'),
         ([('type: pid_controller/PidController', 'type: PidController')], 3, "it is `'PidController'`"),
+    ],
+}
+
+RIGHT = {
+    '10.3c': [
+        [("client = ParameterClient('/wheel_controller')\n", ''),
+         ("group = 'gains.wheel_joint'\n",
+          "client = ParameterClient('/wheel_controller')\n"
+          "group = 'gains.wheel_joint'\n")],
+        [("f'{group}.p': 0.3, f'{group}.d': 0.02", "f'{group}.d': 0.02, f'{group}.p': 0.3")],
+        [("'/wheel_controller'", "'wheel_controller'")],
+        [("group = 'gains.wheel_joint'\n"
+          "gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n",
+          "gains = {'gains.wheel_joint.p': 0.3, 'gains.wheel_joint.d': 0.02}\n")],
     ],
 }

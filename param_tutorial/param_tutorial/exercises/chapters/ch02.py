@@ -3,6 +3,7 @@ as ``ros2 run`` does."""
 
 import functools
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -269,20 +270,24 @@ def typed(trial: Trial) -> Typed:
 
 @order.require('the package is built, in its workspace', see=BUILD)
 def is_built(trial: Trial) -> None:
-    expect(typed(trial).is_built, f'`~/{WORKSPACE}/install/lift` is there', 'it is not. `colcon build` builds what is '
-           'in `src` of the folder in which the terminal stands')
+    done = typed(trial)
+    expect(done.is_built, f'`~/{WORKSPACE}/install/lift` is there', 'it is not' + (
+        '. `colcon build` builds what is in `src` of the folder in which the terminal stands'
+        if '0 packages' in done.said else ''))
 
 
 @order.require('the terminal knows the package', see=SOURCE)
 def is_sourced(trial: Trial) -> None:
-    expect(typed(trial).is_sourced, '`AMENT_PREFIX_PATH` of this terminal leads to the package', 'it does not. '
-           '`source` reads a file that has to be there already')
+    done = typed(trial)
+    expect(done.is_sourced, '`AMENT_PREFIX_PATH` of this terminal leads to the package', 'it does not' + (
+        '. A file can be sourced only when it is there' if 'setup.bash: No such file' in done.said else ''))
 
 
 @order.require('`ros2 run lift lift_node` starts the node', see=SOURCE)
 def is_running(trial: Trial) -> None:
     said = typed(trial).said
-    lines = [line for line in said.splitlines() if 'ackage' in line or 'such file' in line]
+    lines = [line for line in said.splitlines()
+             if re.search('not found|No such file|No executable|0 packages', line)]
     expect(READY in said, f'the node says “{READY}”', 'it does not say so' + (
         f'; the terminal says `{lines[0].strip()}`' if lines else ''))
 

@@ -107,7 +107,7 @@ def overridden(trial: Trial) -> Any:
     return story(trial).second.get_parameter('max_speed_rpm').value
 
 
-fill = Exercise('4c', 'Fill four gaps', CHAPTER, FUNCTION, hints=(
+fill = Exercise('4c', 'Fill two gaps, and mend a line', CHAPTER, FUNCTION, hints=(
     '`get_parameter` takes the name of a parameter. What the robot holds is the `.value` of what it returns.',
     '`get_parameter_or` takes a name and a parameter object. The section “Several at once, and a fallback” '
     "makes one: `Parameter('battery_volts', value=12.0)`."))
@@ -129,29 +129,31 @@ def report(trial: Trial, robot: Node) -> tuple[Any, Any]:
     return given[0], given[1]
 
 
+def _format_given(given: object) -> str:
+    return 'it is a parameter object, and not its value' if isinstance(given, Parameter) else f'it is `{given!r}`'
+
+
 @fill.require('the first value is the speed that the robot holds, also after a change', see=OBJECT)
 def reports_speed(trial: Trial) -> None:
     robot = trial.start(SimpleParamNode)
     for rpm in (100, 150):
         trial.client(robot).set_parameter('max_speed_rpm', rpm).raise_for_reason()
         speed, _ = report(trial, robot)
-        expect(values.same(rpm, speed), f'`{rpm}`', f'it is `{speed!r}`' + (
-            ', an object and not its value' if isinstance(speed, Parameter) else ''))
+        expect(values.same(rpm, speed), f'`{rpm}`', _format_given(speed))
 
 
 @fill.require('the second value is 12.0 if the robot has no `battery_volts`', see=FALLBACK)
 def falls_back(trial: Trial) -> None:
     robot = trial.start(SimpleParamNode)
     _, volts = report(trial, robot)
-    expect(values.same(12.0, volts), '`12.0`', f'it is `{volts!r}`' + (
-        ', an object and not its value' if isinstance(volts, Parameter) else ''))
+    expect(values.same(12.0, volts), '`12.0`', _format_given(volts))
     expect(not robot.has_parameter('battery_volts'), 'the robot stays as it is', 'your function has declared it')
 
 
 @fill.require('the second value is that of a robot that has one', see=FALLBACK)
 def reports_voltage(trial: Trial) -> None:
     _, volts = report(trial, trial.start(Battery))
-    expect(values.same(11.5, volts), '`11.5`, which this robot holds', f'it is `{volts!r}`')
+    expect(values.same(11.5, volts), '`11.5`, which this robot holds', _format_given(volts))
 
 
 EXERCISES = (fill, read, predict)

@@ -128,7 +128,7 @@ def typed(trial: Trial) -> tuple[Gripper, str]:
 
 
 def _complaint(said: str) -> str:
-    lines = [line for line in said.splitlines() if re.search('not found|error|invalid|is not `param`', line)]
+    lines = [line for line in said.splitlines() if re.search('not found|error|invalid|failed|is not `param`', line)]
     return f'; the terminal says: {lines[0].strip()}' if lines else ''
 
 

@@ -174,7 +174,7 @@ def require_lamp(name: str, value: object) -> None:
         lamp = trial.start_with_files(Lamp, {'lamp.yaml': trial.work}, '--params-file', 'lamp.yaml')
         found = trial.client(lamp).get_parameter(name)
         expect(values.same(found, value), f'`{value!r}`', f'it is `{found!r}`' + (
-            ', the default: the file does not reach it' if found in (100, 1.0) else ''))
+            ', the default: the file has no value for it' if found in (100, 1.0) else ''))
 
 
 require_lamp('brightness_percent', 60)

@@ -2,6 +2,7 @@
 complaint."""
 
 from collections.abc import Callable
+from typing import Any
 
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
@@ -208,9 +209,21 @@ fill = Exercise('8c', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='fan', hi
 FAN_SPEED = 'fan.speed'
 
 
+def started_fan(trial: Trial) -> Any:
+    """Start the learner's fan.
+
+    :raises NoUse: it can't describe itself, and whoever asks it would wait for nothing.
+    """
+    fan = trial.start()
+    for each in fan.describe_parameters([name for name in (FAN_SPEED,) if fan.has_parameter(name)]):
+        if not isinstance(each.description, str):
+            raise NoUse('a description that is a text', f'it is `{each.description!r}`')
+    return fan
+
+
 @fill.require(f'`{FAN_SPEED}` is a double in a group `fan`, and the fan starts with 0.5', see=GROUP)
 def fan_grouped(trial: Trial) -> None:
-    fan = trial.start()
+    fan = started_fan(trial)
     client = trial.client(fan)
     expect(FAN_SPEED in client.list_parameters(), f'a parameter `{FAN_SPEED}`', 'the node has none of that name')
     expect_declared(trial, FAN_SPEED, DOUBLE, 0.5)
@@ -220,7 +233,7 @@ def fan_grouped(trial: Trial) -> None:
 
 @fill.require('its range goes from 0.0 to 1.0', see=DESCRIBE)
 def fan_limited(trial: Trial) -> None:
-    fan = trial.start()
+    fan = started_fan(trial)
     for good in (0.0, 1.0):
         expect_accepted(trial, fan, {FAN_SPEED: good})
     for bad in (-0.5, 1.5):
@@ -228,12 +241,12 @@ def fan_limited(trial: Trial) -> None:
     limits = trial.client(fan).describe_parameter(FAN_SPEED).range
     found = limits and (limits.from_value, limits.to_value)
     expect(found == (0.0, 1.0), 'the descriptor has a range from 0.0 to 1.0',
-           f'it has {"no range" if found is None else found}')
+           'it has ' + ('no range' if found is None else f'{found}. Do both ends have a dot?'))
 
 
 @fill.require('it is described', see=DESCRIBE)
 def fan_described(trial: Trial) -> None:
-    told = trial.client(trial.start()).describe_parameter(FAN_SPEED).description
+    told = trial.client(started_fan(trial)).describe_parameter(FAN_SPEED).description
     expect(told.strip().strip('.…'), 'a sentence that says what the number means', 'there is none')
 
 

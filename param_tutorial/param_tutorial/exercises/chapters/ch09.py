@@ -178,6 +178,7 @@ def gain_translated(trial: Trial) -> None:
 
 @fill.require('`command(error)` uses the gain that the node has at that moment', see=TRANSLATE)
 def commands(trial: Trial) -> None:
+    gain_translated(trial)
     drive = trial.start()
     for gain in (2.0, 3.0):
         trial.client(drive).set_parameter('gains.kp', gain).raise_for_reason()

@@ -2,6 +2,7 @@
 events there are."""
 
 from collections.abc import Callable, Mapping, Sequence
+from textwrap import shorten
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent
@@ -207,7 +208,7 @@ require_count('undeclare_parameter',
               {1: 'Nobody is told that a parameter is gone, but for a dynamic one that is set to nothing'})
 
 
-fill = Exercise('10.1c', 'Fill three gaps', CHAPTER, FUNCTION, hints=(
+fill = Exercise('10.1c', 'Fill two gaps', CHAPTER, FUNCTION, hints=(
     'An event has three lists: `new_parameters`, `changed_parameters` and `deleted_parameters`.',
     'Each element has a `name` and a `value`. The value is a message with a field for each type, and '
     '`parameter_value_to_python` finds the right one.'))
@@ -247,7 +248,7 @@ def expect_changes(given: Sequence[Any], wanted: Sequence[Mapping[str, Any]]) ->
     found = [{name: values.normalize(value) for name, value in each.items()} for each in given]
     expect(len(found) == len(wanted) and all(
         each.keys() == right.keys() and all(values.same(each[name], right[name]) for name in right)
-        for each, right in zip(found, wanted)), f'`{wanted[0]!r}`', f'it gives `{given[0]!r}`')
+        for each, right in zip(found, wanted)), f'`{wanted[0]!r}`', f'it gives `{shorten(repr(given[0]), 120)}`')
 
 
 @fill.require('one change: its name and its value', see=LISTENER)

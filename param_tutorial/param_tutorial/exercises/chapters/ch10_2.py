@@ -1,6 +1,7 @@
 """Exercises of chapter 10.2: put names to values, read all parameters of another node, and find a parameter in all
 nodes."""
 
+from textwrap import shorten
 from typing import Any
 
 from rcl_interfaces.srv import GetParameters
@@ -173,7 +174,7 @@ def pairs(trial: Trial, *names: str) -> None:
     held = trial.client(rover).get_parameters(names)
     found = {name: values.normalize(value) for name, value in given.items()}
     expect(found.keys() == held.keys() and all(values.same(found[name], held[name]) for name in held),
-           f'`{dict(held)!r}`', f'it gives `{given!r}`')
+           f'`{dict(held)!r}`', f'it gives `{shorten(repr(given), 120)}`')
 
 
 @fill.require('one name and one value', see=BY_NAME)
