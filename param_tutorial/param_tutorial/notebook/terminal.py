@@ -47,10 +47,10 @@ class Terminal:
         :raises FileNotFoundError: there is no such command.
         """
         domain.choose()
+        self.command = command
         for earlier in list(_open):
             if earlier.command == command and earlier.is_running:
                 earlier.interrupt()
-        self.command = command
         self._text = ''
         self._read = 0
         self._changed = threading.Condition()
