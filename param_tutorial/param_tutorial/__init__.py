@@ -26,6 +26,7 @@ from typing import Any
 _HOMES = {
     'Aliases': 'parameters.aliases',
     'BackgroundExecutor': 'runtime.executor',
+    'CallsView': 'widgets.pictured',
     'CartView': 'widgets.cart',
     'DeclarationsView': 'widgets.pictured',
     'EventView': 'widgets.events',
