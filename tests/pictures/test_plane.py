@@ -25,7 +25,7 @@ def test_every_pair_that_was_asked_for_has_a_ring_or_a_cross(plane):
     rings = [part for part in parts if part.tag == 'circle']
     # One of each is that of the legend.
     assert len(rings) == 3 + 1
-    assert sum(part.get('class') == 'motion-thin' for part in parts) == 6 + 1
+    assert sum(part.get('class') == 'motion-line motion-faint' for part in parts) == 6 + 1
     assert plane.sentence == 'The node takes 3 of 9 pairs.'
 
 

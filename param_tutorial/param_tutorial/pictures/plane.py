@@ -103,7 +103,7 @@ class Plane:
             if is_taken:
                 yield f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{_MARK}" class="motion-line"/>'
             else:
-                yield _cross(x, y, _MARK, 'motion-thin')
+                yield _cross(x, y, _MARK, 'motion-line motion-faint')
 
     def _axes(self) -> Iterator[str]:
         foot = _TOP + _SIDE
@@ -119,7 +119,7 @@ class Plane:
         yield motion.group([
             f'<circle cx="{_WORDS_X + 10}" cy="{foot - 26}" r="{_MARK}" class="motion-line"/>',
             motion.label(_WORDS_X + 30, foot - 22, 'the node takes this pair', anchor='start'),
-            _cross(_WORDS_X + 10, foot - 6, _MARK, 'motion-thin'),
+            _cross(_WORDS_X + 10, foot - 6, _MARK, 'motion-line motion-faint'),
             motion.label(_WORDS_X + 30, foot - 2, 'the node rejects it', anchor='start')])
         yield motion.label(_LEFT, _TOP - 12, f'↑ {self._names[1]}', css_class='motion-bold')
 

@@ -29,7 +29,7 @@ WRONG = {
            '')], 0, 'it holds 100'),
         ([('.to_parameter_msg()', '')], 0, "AttributeError: 'int' object has no attribute 'type', in"),
         ([('value=50', 'value=50.0')], 0, 'it holds 100'),
-        ([('/rover/', '/rovr/')], 0, 'it holds 100'),
+        ([('/rover/', '/rovr/')], 0, 'nobody offers a service `/rovr/set_parameters`'),
         ([('results.extend(answer.result().results)', 'answer')], 1, '`results` is empty'),
     ],
     '5.3a': [

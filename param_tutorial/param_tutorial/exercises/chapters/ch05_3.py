@@ -11,7 +11,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import WithoutDeadlock, derive, expect_service, run_lines
-from param_tutorial.exercises.trial import NotYet, Trial, expect
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.client import ParameterValues
 
 CHAPTER = '05_3_from_another_node'
@@ -136,14 +136,16 @@ order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, hints=(
 
 
 class Asking(Node):
-    """A node whose clients are ready as soon as it has made them."""
+    """A node that lets no request go before the other side is there: it would be lost."""
 
     def __init__(self) -> None:
         super().__init__('asking')
+        self.not_found = ''
 
     def create_client(self, *args: Any, **options: Any) -> Client:
         client = super().create_client(*args, **options)
-        client.wait_for_service(timeout_sec=3.0)
+        if not client.wait_for_service(timeout_sec=1.0):
+            self.not_found = client.srv_name
         return client
 
 
@@ -153,6 +155,8 @@ def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
     node = trial.start(Asking)
     results: list[Any] = []
     run_lines(trial, node=node, results=results, SetParameters=SetParameters, Parameter=Parameter)
+    if node.not_found:
+        raise NoUse('the client finds its service', f'nobody offers a service `{node.not_found}`, of that type')
     return rover, results
 
 

@@ -29,7 +29,7 @@ from param_tutorial.runtime import domain
 
 WIDGET = 'application/vnd.jupyter.widget-view+json'
 _ANSWER = 'application/x-param-tutorial-recording+json'
-_CELL_TIMEOUT_SEC = 120
+_CELL_TIMEOUT_SEC = 300
 # What these cells name are numbers of predictions and chapters, which nobody types into a panel.
 _ABOUT_LEARNER = re.compile(r'^exercises\.(predict|progress|certificate)\(', re.MULTILINE)
 
