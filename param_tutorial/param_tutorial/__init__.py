@@ -49,6 +49,7 @@ _HOMES = {
     'StepResponseView': 'widgets.step_response',
     'Terminal': 'notebook.terminal',
     'TrailView': 'widgets.pictured',
+    'WorldsView': 'widgets.pictured',
     'all_parameters': 'parameters.snapshot',
     'compare': 'parameters.sets',
     'load_ipython_extension': 'notebook.magics',

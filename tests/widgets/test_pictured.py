@@ -15,6 +15,7 @@ from param_tutorial import (
     PlaneView,
     Rules,
     TrailView,
+    WorldsView,
 )
 from param_tutorial.errors import ExecutorError, InvalidValueError, NodeNotFoundError
 from tests.support.widgets import texts
@@ -121,6 +122,16 @@ def test_a_plane_has_two_parameters_of_a_node_that_is_there(weather, ros):
         PlaneView('/nobody', {'low_c': DAYS, 'high_c': DAYS})
 
 
+# -- worlds --------------------------------------------------------------------------------------------------
+
+def test_a_world_that_is_added_is_played():
+    view = WorldsView('speed')
+    before = texts(view)
+    view.add('ROS 2', {'/robot': 900}, killed='/robot', successor=100)
+    assert repr(view) == '<WorldsView: ROS 2: the new /robot has 100.>'
+    assert '@keyframes' in texts(view) and texts(view) != before
+
+
 # -- service calls -------------------------------------------------------------------------------------------
 
 def test_calls_are_real_and_show_what_came_back(weather):
@@ -180,7 +191,8 @@ def make_calls():
     return view
 
 
-VIEWS = {'calls': make_calls, 'layers': lambda: LayersView('speed', [('default', 100)]),
+VIEWS = {'calls': make_calls, 'worlds': lambda: WorldsView('speed'),
+         'layers': lambda: LayersView('speed', [('default', 100)]),
          'trail': make_trail, 'declarations': lambda: DeclarationsView(Weather),
          'lifts': lambda: LiftsView({'a': [(0, 0.0), (1, 1.0)]}),
          'plane': lambda: PlaneView('/weather', {'low_c': DAYS, 'high_c': DAYS})}

@@ -21,6 +21,7 @@ from param_tutorial.pictures.lifts import Lifts
 from param_tutorial.pictures.plane import Plane, Point
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.trail import Trail
+from param_tutorial.pictures.worlds import Worlds
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.service_types import SERVICE_TYPES
@@ -138,6 +139,31 @@ class LiftsView(PictureView):
         :raises ValueError: there is no lift, or one without two points, or no time passes.
         """
         super().__init__(Lifts(heights, marks))
+
+
+class WorldsView(PictureView):
+    """Who keeps a parameter's values in one world and in another. Show it as the last line of a cell."""
+
+    def __init__(self, name: str) -> None:
+        """Begin without a world.
+
+        :param name: The parameter.
+        """
+        self._worlds = Worlds(name)
+        super().__init__(self._worlds)
+
+    def add(self, title: str, values: Mapping[str, Any], *, killed: str, successor: Any, server: str = '') -> None:
+        """Add a world; the picture plays anew with it.
+
+        :param values: What each node has set the parameter to, as it was measured.
+        :param killed: The node that is killed and started again.
+        :param successor: What the new node of that name begins with.
+        :param server: Who keeps the values of all nodes; empty if each node keeps its own.
+        :raises ValueError: there are two worlds already, or no value belongs to the node that is killed, or there is
+            another one below a server.
+        """
+        self._worlds.add(title, values, killed=killed, successor=successor, server=server)
+        self._draw()
 
 
 class PlaneView(PictureView):
