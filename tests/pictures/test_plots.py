@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from param_tutorial import plot_responses
 from param_tutorial.nodes.pid_controller_node import Gains, Motor, simulate
-from param_tutorial.pictures.plots import LinePlot, _scale
+from param_tutorial.pictures.plots import Band, LinePlot, _scale
 
 RAMP = [(0.0, 0.0), (2.0, 1.0)]
 
@@ -118,3 +118,13 @@ def test_a_plot_says_how_many_responses_it_takes(count):
 def test_a_plot_of_no_responses_is_refused(nonsense):
     with pytest.raises(TypeError, match='takes a dictionary of step responses'):
         plot_responses(nonsense)
+
+
+def test_a_band_and_a_line_of_before_are_drawn_and_told():
+    plain = LinePlot({'speed': [(0, 0.0), (1, 10.0)]}, x='s', y='rad/s')
+    plot = LinePlot({'speed': [(0, 0.0), (1, 10.0)]}, x='s', y='rad/s', ghost=[(0, 0.0), (1, 5.0)],
+                    band=Band(0.4, 9.7, 10.3))
+    assert plot.text == f'{plain.text}. target: 9.7 to 10.3 from 0.4 on'
+    picture = plot._repr_html_()
+    assert '>target<' in picture and '>before<' in picture and picture.count('<polyline') == 2
+    assert plain._repr_html_().count('<polyline') == 1 and '>before<' not in plain._repr_html_()

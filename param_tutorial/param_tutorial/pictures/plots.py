@@ -6,6 +6,7 @@ to the byte on every machine, and to be readable in a light and a dark theme, wi
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
 from param_tutorial.pictures.svg import BRAND, FAINT, INK, line, picture, words
@@ -28,11 +29,28 @@ _MAX_POINTS = 200
 _ROOM_FOR_OVERSHOOT = 1.5
 
 
+# What was there before: fainter than any line, and thin.
+_GHOST = f'stroke="{INK}" stroke-opacity="0.45"'
+_GHOST_NAME = 'before'
+
+
+@dataclass(frozen=True)
+class Band:
+    """Where lines are to end up, in the units of the axes."""
+
+    from_x: float
+    low: float
+    high: float
+
+    def __str__(self) -> str:
+        return f'target: {self.low:g} to {self.high:g} from {self.from_x:g} on'
+
+
 class LinePlot:
     """Lines through points, with axes and a key. Show it as the last line of a cell."""
 
     def __init__(self, lines: Mapping[str, Points], *, x: str, y: str, marks: Mapping[float, str] | None = None,
-                 y_reaches: float = 0.0, text: str = '') -> None:
+                 y_reaches: float = 0.0, text: str = '', ghost: Points = (), band: Band | None = None) -> None:
         """
         :param lines: For each line its name and its points, x and y; four lines at most.
         :param x: What the horizontal axis shows, with its unit, e.g. ``'time in s'``. It begins at 0.
@@ -40,12 +58,15 @@ class LinePlot:
         :param marks: Places on the horizontal axis, each with a word.
         :param y_reaches: What the vertical axis reaches at least, so that plots can be compared.
         :param text: The lines in words, where they have too many points to name each.
+        :param ghost: A line of before, to compare the others with.
+        :param band: Where the lines are to end up.
         :raises ValueError: there is no point, or there are more than four lines.
         """
         if not any(lines.values()) or len(lines) > len(_STROKES):
             raise ValueError(f'a LinePlot takes one to {len(_STROKES)} lines, with points; got {len(lines)} lines')
         self._lines, self._x, self._y, self._marks = dict(lines), x, y, dict(marks or {})
         self._text = text
+        self._ghost, self._band = ghost, band
         points = [point for line in lines.values() for point in line]
         self._x_step, self._x_end = _scale(max(x for x, _ in points))
         lowest, highest = min(0.0, *(y for _, y in points)), max(y_reaches, *(y for _, y in points))
@@ -59,18 +80,26 @@ class LinePlot:
         lines = [self._text] if self._text else [
             f'{name}: ' + ', '.join(f'{y:.2f} at {x:.2f}' for x, y in points) for name, points in self._lines.items()]
         marks = [f'{word} at {x:g}' for x, word in self._marks.items()]
-        return f'{self._y} over {self._x}. ' + '. '.join([*lines, *marks])
+        band = [f'{self._band}'] if self._band else []
+        return f'{self._y} over {self._x}. ' + '. '.join([*lines, *marks, *band])
 
     def __repr__(self) -> str:
         return f'<LinePlot: {self.text}>'
 
     def _repr_html_(self) -> str:
-        parts = [*self._axis_parts(), *self._mark_parts(), *self._line_parts()]
+        parts = [*self._band_parts(), *self._axis_parts(), *self._mark_parts(), *self._line_parts()]
         return picture(self.text, _WIDTH, _HEIGHT, parts)
 
     def _at(self, x: float, y: float) -> tuple[float, float]:
         return (_LEFT + (_RIGHT - _LEFT) * x / self._x_end,
                 _BOTTOM - (_BOTTOM - _TOP) * (y - self._y_begin) / (self._y_end - self._y_begin))
+
+    def _band_parts(self) -> Iterator[str]:
+        if self._band:
+            (x, top), (_, bottom) = self._at(self._band.from_x, self._band.high), self._at(0, self._band.low)
+            yield (f'<rect x="{x:.1f}" y="{top:.1f}" width="{_RIGHT - x:.1f}" height="{bottom - top:.1f}" '
+                   f'fill="{BRAND}" fill-opacity="0.18" stroke="{INK}" stroke-opacity="0.5" stroke-dasharray="2 3"/>')
+            yield words(_RIGHT - 2, top - 5, 'target', 'end')
 
     def _axis_parts(self) -> Iterator[str]:
         for index in range(round(self._y_begin / self._y_step), round(self._y_end / self._y_step) + 1):
@@ -94,14 +123,19 @@ class LinePlot:
     def _line_parts(self) -> Iterator[str]:
         # The key stands in the top right corner, in the order of the lines.
         end = _RIGHT
-        for stroke, (name, points) in reversed(list(zip(_STROKES, self._lines.items()))):
+        strokes = [(2.5, stroke, name, points) for stroke, (name, points) in zip(_STROKES, self._lines.items())]
+        if self._ghost:
+            # The first to be drawn, so that it lies below the others.
+            strokes.append((1.5, _GHOST, _GHOST_NAME, self._ghost))
+        for width, stroke, name, points in reversed(strokes):
             corners = ' '.join('{:.1f},{:.1f}'.format(*self._at(*point)) for point in points)
-            yield f'<polyline points="{corners}" fill="none" stroke-width="2.5" stroke-linejoin="round" {stroke}/>'
+            yield (f'<polyline points="{corners}" fill="none" stroke-width="{width}" stroke-linejoin="round" '
+                   f'{stroke}/>')
             # Only the browser knows the width of the text; 8 is that of a letter, on the safe side. Any room left over
             # comes after the name, so that each name stays beside its own stroke.
             begin = end - 8 * len(name)
             yield words(begin, 16, name, 'start')
-            yield line(begin - 38, 12, begin - 8, 12, f'stroke-width="2.5" {stroke}')
+            yield line(begin - 38, 12, begin - 8, 12, f'stroke-width="{width}" {stroke}')
             end = begin - 54
 
 
@@ -120,10 +154,13 @@ class Response(Protocol):
         """Rise time, overshoot and so on, as ``str`` puts them."""
 
 
-def plot_responses(responses: Mapping[str, Response]) -> LinePlot:
+def plot_responses(responses: Mapping[str, Response], *, before: Response | None = None,
+                   band: Band | None = None) -> LinePlot:
     """Draw step responses over one another, with the reference of the first.
 
     :param responses: One to three, by name.
+    :param before: One of before, to compare them with.
+    :param band: Where they are to end up.
     :raises ValueError: there is none, or there are more.
     :raises TypeError: they are no step responses.
     """
@@ -138,7 +175,7 @@ def plot_responses(responses: Mapping[str, Response]) -> LinePlot:
             *(f'{name}: {response.figures}' for name, response in responses.items())]
     return LinePlot({'reference': reference, **{name: _thinned(each.points) for name, each in responses.items()}},
                     x='time in s', y='speed in rad/s', y_reaches=_ROOM_FOR_OVERSHOOT * first.reference,
-                    text='. '.join(text))
+                    text='. '.join(text), ghost=_thinned(before.points) if before else (), band=band)
 
 
 def _thinned(points: Points) -> Points:

@@ -5,17 +5,20 @@ controller in another process, and what it shows is what the node has confirmed.
 """
 
 import html
-import re
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import ipywidgets as widgets
 from rclpy.node import Node
 
-from param_tutorial.nodes.pid_controller_node import response_of
+from param_tutorial.nodes.pid_controller_node import SETTLING_BAND, Figures, StepResponse, response_of
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.live import LiveParameters
-from param_tutorial.pictures.plots import plot_responses
+from param_tutorial.pictures.plots import Band, plot_responses
 from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.wheel import Wheel
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.widgets.cells import close_with_cell
@@ -23,6 +26,38 @@ from param_tutorial.widgets.recordable import html_of
 from param_tutorial.widgets.view import View
 
 _STYLE = style('widgets/step_response.css')
+# Changes that follow each other sooner are one drag: the curve of before is the one from before all of it.
+_PAUSE_SEC = 1.0
+
+
+@dataclass(frozen=True)
+class Goals:
+    """What a step response is to reach."""
+
+    error: float = 0.1
+    """The steady-state error is at most this, in rad/s, in either direction."""
+    overshoot_percent: float = 5.0
+    """The overshoot is less than this."""
+    settling_sec: float = 0.4
+    """The settling time is less than this."""
+
+    def band(self, reference: float) -> Band:
+        """Return where the speed is to be in the end: what settles in time, near enough, stays in it."""
+        room = self.error + SETTLING_BAND * reference
+        return Band(self.settling_sec, round(reference - room, 6), round(reference + room, 6))
+
+    def verdicts(self, figures: Figures) -> Iterator[tuple[str, bool | None, str]]:
+        """Yield each figure in words, whether it meets its goal (None if it has none), and the goal in words."""
+        parts = str(figures).split(', ')
+        if figures.settling_sec is None or figures.overshoot_percent is None:
+            yield parts[0], False, 'a steady speed'
+            yield ', '.join(parts[1:]), None, ''
+            return
+        rise, overshoot, settling, error = parts
+        yield rise, None, ''
+        yield overshoot, figures.overshoot_percent < self.overshoot_percent, f'below {self.overshoot_percent:g} %'
+        yield settling, figures.settling_sec < self.settling_sec, f'below {self.settling_sec:g} s'
+        yield error, abs(figures.steady_state_error) <= self.error, f'within {self.error:g} rad/s'
 
 
 class StepResponseView(View):
@@ -31,11 +66,12 @@ class StepResponseView(View):
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None,
+    def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None, goals: Goals | None = None,
                  executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC) -> None:
         """
         :param node: The node or its name; it may run in another process, and it may be absent now.
         :param joint: Which of its joints; by default the first.
+        :param goals: What the response is to reach; by default what exercise 10.3a asks for.
         :param executor: Carries the requests; by default the one that runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         """
@@ -43,6 +79,12 @@ class StepResponseView(View):
         self._joint = joint
         self._shown: tuple[str, dict[str, Any]] | None = None
         self._text = ''
+        self._goals = goals or Goals()
+        # What is drawn, what stood there before the last drag, and the picture without that.
+        self._response: StepResponse | None = None
+        self._before: StepResponse | None = None
+        self._plain = ''
+        self._drawn_sec = 0.0
         self._picture, self._figures = widgets.HTML(), widgets.HTML()
         super().__init__([widgets.HTML(_STYLE), self._picture, self._figures], 'step-view')
         self._live = LiveParameters(self._node, self._show, executor=executor, timeout_sec=timeout_sec)
@@ -82,7 +124,7 @@ class StepResponseView(View):
             try:
                 joint = self._joint or parameters['dof_names'][0]
                 response = response_of(parameters, joint)
-                figures = str(response.figures)
+                figures, wheel = str(response.figures), Wheel(response.points).html()
             except KeyError as missing:
                 self._say(f'{self._node} has no parameter {missing.args[0]}, so there is nothing to simulate.')
                 return
@@ -93,14 +135,28 @@ class StepResponseView(View):
                 return
             gains = ', '.join(f'{name} = {parameters[f"gains.{joint}.{name}"]:g}' for name in 'pid')
             self._text = f'{joint} with {gains}: {figures}'
-            self._picture.value = (
-                f'{_head(self._node, f"{joint}: {gains}")}{plot_responses({joint: response})._repr_html_()}')
-            parts = ''.join(f'<span>{part}</span>' for part in figures.split(', '))
-            self._figures.value = f'<div class="step-figures" role="status">{parts}</div>'
+            self._draw(joint, gains, response, wheel)
+
+    def _draw(self, joint: str, gains: str, response: StepResponse, wheel: str) -> None:
+        now = time.monotonic()
+        if now - self._drawn_sec > _PAUSE_SEC:
+            self._before = self._response
+        self._response, self._drawn_sec = response, now
+        head = _head(self._node, f'{joint}: {gains}')
+
+        def picture(before: StepResponse | None) -> str:
+            plot = plot_responses({joint: response}, before=before, band=self._goals.band(response.reference))
+            return f'{head}<div class="step-scene">{plot._repr_html_()}{wheel}</div>'
+        self._plain = picture(None)
+        self._picture.value = picture(self._before) if self._before else self._plain
+        parts = ''.join(f'<span>{html.escape(words)}{_mark(met, goal)}</span>'
+                        for words, met, goal in self._goals.verdicts(response.figures))
+        self._figures.value = f'<div class="step-figures" role="status">{parts}</div>'
 
     def _say(self, words: str) -> None:
         self._text = words
-        self._picture.value = _head(self._node, '')
+        self._plain = self._picture.value = _head(self._node, '')
+        self._response = self._before = None
         self._figures.value = f'<div class="step-figures" role="status">{html.escape(words)}</div>'
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
@@ -118,12 +174,16 @@ class StepResponseView(View):
 
     def snapshot(self) -> dict[str, Any]:
         """Return what a page without a kernel needs to draw it as it stands."""
-        return {'kind': 'steps', 'node': self.node, 'html': html_of(self)}
+        return {'kind': 'steps', 'node': self.node, 'html': self._html()}
 
     def look(self) -> str:
         """Return the picture of what the node has now, without the style sheet."""
         self.settle()
-        return re.sub(r'<style>.*?</style>', '', html_of(self), flags=re.DOTALL)
+        return self._html().replace(_STYLE, '')
+
+    def _html(self) -> str:
+        # What stood there before says nothing of the node.
+        return html_of(self).replace(self._picture.value, self._plain)
 
     def film(self) -> None:
         """Return nothing: the picture stands still."""
@@ -132,3 +192,10 @@ class StepResponseView(View):
 def _head(node: str, words: str) -> str:
     return (f'<div class="step-head"><span class="step-node">{html.escape(node)}</span>'
             f'<span>{html.escape(words)}</span></div>')
+
+
+def _mark(met: bool | None, goal: str) -> str:
+    if met is None:
+        return ''
+    shape, words, css_class = ('✓', 'goal met', 'step-met') if met else ('✗', 'not yet', 'step-missed')
+    return f' <b class="{css_class}">{shape} {words}: {html.escape(goal)}</b>'
