@@ -26,6 +26,7 @@ from typing import Any
 _HOMES = {
     'Aliases': 'parameters.aliases',
     'BackgroundExecutor': 'runtime.executor',
+    'CallsView': 'widgets.pictured',
     'CartView': 'widgets.cart',
     'DeclarationsView': 'widgets.pictured',
     'EventView': 'widgets.events',
@@ -48,6 +49,7 @@ _HOMES = {
     'StepResponseView': 'widgets.step_response',
     'Terminal': 'notebook.terminal',
     'TrailView': 'widgets.pictured',
+    'WorldsView': 'widgets.pictured',
     'all_parameters': 'parameters.snapshot',
     'compare': 'parameters.sets',
     'load_ipython_extension': 'notebook.magics',

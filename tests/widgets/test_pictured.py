@@ -6,8 +6,18 @@ import pytest
 from rclpy.node import Node
 
 import param_tutorial
-from param_tutorial import DeclarationsView, LayersView, LiftsView, ParameterClient, PlaneView, Rules, TrailView
-from param_tutorial.errors import NodeNotFoundError
+from param_tutorial import (
+    CallsView,
+    DeclarationsView,
+    LayersView,
+    LiftsView,
+    ParameterClient,
+    PlaneView,
+    Rules,
+    TrailView,
+    WorldsView,
+)
+from param_tutorial.errors import ExecutorError, InvalidValueError, NodeNotFoundError
 from tests.support.widgets import texts
 
 DAYS = (0, 10, 20)
@@ -112,9 +122,77 @@ def test_a_plane_has_two_parameters_of_a_node_that_is_there(weather, ros):
         PlaneView('/nobody', {'low_c': DAYS, 'high_c': DAYS})
 
 
+# -- worlds --------------------------------------------------------------------------------------------------
+
+def test_a_world_that_is_added_is_played():
+    view = WorldsView('speed')
+    before = texts(view)
+    view.add('ROS 2', {'/robot': 900}, killed='/robot', successor=100)
+    assert repr(view) == '<WorldsView: ROS 2: the new /robot has 100.>'
+    assert '@keyframes' in texts(view) and texts(view) != before
+
+
+# -- service calls -------------------------------------------------------------------------------------------
+
+def test_calls_are_real_and_show_what_came_back(weather):
+    view = CallsView()
+    view.call(weather, 'get_parameters', ['low_c', 'high_c'])
+    assert 'carries low_c; high_c. /weather answers get_parameters. The answer carries -5; 40.' in view.text
+    view.call('weather', 'get_parameters', ['low_c', 'wings'])
+    assert 'The answer carries no values at all.' in view.text
+    view.call('/weather', 'list_parameters', ['nothing'])
+    assert 'The answer carries no names at all.' in view.text
+    assert repr(view) == '<CallsView: /weather answers list_parameters.>' and view.node == 'this notebook'
+
+
+def test_each_value_has_a_result_and_an_atomic_request_has_one(weather):
+    view, pair = CallsView(), {'high_c': 30, 'low_c': 'cold'}
+    view.call(weather, 'set_parameters_atomically', pair)
+    assert 'The answer carries rejected: wrong type.' in view.text
+    view.call(weather, 'set_parameters', pair)
+    assert "carries high_c = 30; low_c = 'cold'. /weather answers set_parameters, 1 of 2 rejected." in view.text
+    assert 'The answer carries accepted; rejected: wrong type.' in view.text
+    view.call(weather, 'set_parameters', {'low_c': 50})
+    assert view.text.endswith('The answer carries rejected.')
+    assert ParameterClient(weather).get_parameters(['low_c', 'high_c']) == {'low_c': -5, 'high_c': 30}
+
+
+def test_who_is_not_there_and_who_does_not_answer_are_told_apart(weather):
+    dozing, view = Node('dozing'), CallsView(timeout_sec=.2)
+    view.call('/wether', 'get_parameters', ['low_c'])
+    assert 'Nobody takes the request get_parameters for /wether. There is no node /wether. Did you mean' in view.text
+    param_tutorial.wait_until(lambda: '/dozing' in node_names(), 'the dozing node to be seen')
+    view.call('/dozing', 'list_parameters')
+    assert repr(view) == '<CallsView: /dozing gets the request list_parameters, and no answer comes.>'
+    dozing.destroy_node()
+
+
+def node_names():
+    return param_tutorial.start().services.node_names()
+
+
+def test_what_cannot_be_asked_is_said_and_adds_nothing(weather):
+    view = CallsView()
+    with pytest.raises(ValueError, match='a CallsView calls get_parameters, '):
+        view.call(weather, 'describe_parameters', ['low_c'])
+    with pytest.raises(InvalidValueError):
+        view.call(weather, 'set_parameters', {'low_c': object()})
+    param_tutorial.stop()
+    with pytest.raises(ExecutorError):
+        view.call('/weather', 'list_parameters')
+    assert repr(view) == '<CallsView: Nothing has been asked yet.>'
+
+
 # -- all of them ---------------------------------------------------------------------------------------------
 
-VIEWS = {'layers': lambda: LayersView('speed', [('default', 100)]),
+def make_calls():
+    view = CallsView()
+    view.call('/weather', 'get_parameters', ['low_c'])
+    return view
+
+
+VIEWS = {'calls': make_calls, 'worlds': lambda: WorldsView('speed'),
+         'layers': lambda: LayersView('speed', [('default', 100)]),
          'trail': make_trail, 'declarations': lambda: DeclarationsView(Weather),
          'lifts': lambda: LiftsView({'a': [(0, 0.0), (1, 1.0)]}),
          'plane': lambda: PlaneView('/weather', {'low_c': DAYS, 'high_c': DAYS})}
