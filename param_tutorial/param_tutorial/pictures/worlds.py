@@ -75,7 +75,7 @@ class Worlds:
         """Return the picture; at rest a killed node stands crossed out beside its successor."""
         rows = max((len(world.values) + bool(world.server) for world in self._worlds), default=1)
         height = _TOP + rows * (_BOX + _GAP) - _GAP + _BOTTOM
-        parts = []
+        parts: list[str] = []
         for number, world in enumerate(self._worlds):
             parts += self._world(world, _MARGIN + number * (_WORLD_WIDTH + _MIDDLE_GAP), reel)
         if len(self._worlds) > 1:
