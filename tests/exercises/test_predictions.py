@@ -75,7 +75,7 @@ def test_each_prediction_stands_before_a_cell_of_its_chapter(chapter):
     found = []
     for cell, after in itertools.pairwise(cells):
         for output in cell.get('outputs', ()):
-            if MIME_TYPE in output.get('data', {}):
+            if MIME_TYPE in output.get('data', {}) and 'exercises.recall(' not in cell.source:
                 found.append(output.data[MIME_TYPE]['number'])
                 assert cell.source.endswith(f"exercises.predict('{found[-1]}')")
                 assert after.cell_type == 'code', f'nothing decides {found[-1]}'

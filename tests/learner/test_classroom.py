@@ -4,7 +4,7 @@ import csv
 
 import pytest
 
-from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS
+from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.learner import command
 from param_tutorial.learner.copies import Copies
 from param_tutorial.progress.record import ProgressFile
@@ -14,7 +14,7 @@ from param_tutorial.progress.record import ProgressFile
 def folder(tmp_path):
     """Return a folder with the files of three students, in the three ways in which they come, and two bad ones."""
     ada = ProgressFile(tmp_path / 'ada.json')
-    for number in ('3a', '3b', '5.2a'):
+    for number in ('3a', '3b', '3c', '5.2a'):
         ada.add_solved(number)
     ada.add_prediction('3-1', 'None', right=False)
     ada.add_prediction('3-2', 'It rejects it', right=True)
@@ -33,8 +33,9 @@ def test_one_row_for_each_student_and_bad_files_are_named(folder, capsys):
     assert header == ['student', *CHAPTERS, 'all', 'predicted', 'right']
     assert [row[0] for row in rows] == ['ada', 'Bob', 'group']
     ada = dict(zip(header, rows[0]))
-    assert (ada['3'], ada['5.2'], ada['6']) == ('2/2', '1/3', '0/3')
-    assert (ada['all'], ada['predicted'], ada['right']) == (f'3/{len(EXERCISES)}', f'2/{len(PREDICTIONS)}', '1')
+    assert (ada['3'], ada['5.2'], ada['6']) == ('3/3', '1/3', '0/3')
+    questions = len(PREDICTIONS) + len(RECALLS)
+    assert (ada['all'], ada['predicted'], ada['right']) == (f'4/{len(EXERCISES)}', f'2/{questions}', '1')
     assert dict(zip(header, rows[1]))['11'] == '1/6'
     assert rows[2][-3] == f'0/{len(EXERCISES)}'
     assert len({len(line) for line in printed.splitlines()}) == 1
@@ -45,7 +46,7 @@ def test_as_csv(folder, capsys):
     assert command.main(['class', str(folder), '--csv']) == 0
     rows = {row['student']: row for row in csv.DictReader(capsys.readouterr().out.splitlines())}
     assert list(rows) == ['ada', 'Bob', 'group 2/cyd']
-    assert (rows['ada']['3'], rows['ada']['all'], rows['ada']['right']) == ('2', '3', '1')
+    assert (rows['ada']['3'], rows['ada']['all'], rows['ada']['right']) == ('3', '4', '1')
 
 
 def test_a_folder_without_files(tmp_path, capsys):
