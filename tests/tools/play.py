@@ -2,7 +2,7 @@
 
 Before every cell, a hand moves controls on each panel, presses Drive, and leaves the changes on their way. Then the
 cell runs, and its outputs must be the stored ones: what a lesson says may not depend on what was done before it. Cells
-with the tag `present-state` show what the node has now, so they may differ.
+with the tag `present-state` show what the node or the learner has now, so they may differ.
 """
 
 import argparse
