@@ -250,7 +250,8 @@ class Stranger:
                 each.click()
             else:
                 text = each.input_value()
-                each.fill(f'{text}1' if text != '1' else '2')
+                # A longer number may only be cut to the limit at which the value stands already.
+                each.fill('0' if text.strip('-0.').replace('.', '').isdigit() else f'{text}1')
                 each.press('Enter')
             return self._changes(look, before)
         return True
