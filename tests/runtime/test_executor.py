@@ -428,6 +428,7 @@ def test_a_node_that_is_destroyed_leaves_the_stage(ros):
 def test_a_node_that_destroys_itself_in_its_callback_leaves_the_stage(ros):
     ros.add(Asking, lambda node: node.destroy_node())
     param_tutorial.wait_until(lambda: ros.nodes == (), 'the node to be gone')
+    ros.run(lambda: None, 'see its callback through')
     assert ros.services.node_names() == []
     assert ParameterClient(ros.add(Speed)).set_parameter('rpm', 2).successful
 
