@@ -41,7 +41,8 @@ class Wheel:
         spokes = ''.join(f'<path d="M50 50V12" transform="rotate({360 * number / _SPOKES:.0f} 50 50)" stroke="{INK}" '
                          f'stroke-width="4"/>' for number in range(_SPOKES))
         rest = f'transform:rotate({math.degrees(self.angles[-1][1]):.1f}deg)'
-        return (f'<style>@keyframes {name} {{{frames}}}</style>'
+        keyframes = f'@keyframes {name} {{{frames}}}'
+        return (f'<style>{keyframes}</style>'
                 f'<svg class="step-wheel" viewBox="0 0 100 100" aria-hidden="true"><g class="step-turn" '
                 f'style="{rest};animation:{name} {self.duration_sec:.2f}s linear both">'
                 f'<circle cx="50" cy="50" r="42" fill="{PAPER}" stroke="{INK}" stroke-width="8"/>{spokes}'
