@@ -9,7 +9,7 @@ import threading
 import pytest
 
 from param_tutorial import Shell, Terminal, wait_until
-from param_tutorial.notebook.interrupts import interruptible
+from param_tutorial.notebook.interrupts import handed_to, interruptible
 
 WAITS = f'"{sys.executable}" -c "import signal; print(1, flush=True); signal.pause()"'
 
@@ -68,11 +68,24 @@ def test_python_itself_is_interrupted():
         signal.raise_signal(signal.SIGINT)
 
 
-def test_in_another_thread_nothing_changes():
+@pytest.mark.parametrize('ended', [False, True])
+def test_what_is_handed_on_raises_nothing_here(ended):
+    with interruptible():
+        child = subprocess.Popen(['sleep', '60'], start_new_session=True)
+    if ended:
+        child.kill()
+        child.wait()
+    with handed_to(child.pid):
+        signal.raise_signal(signal.SIGINT)
+    assert child.wait(60) == -(signal.SIGKILL if ended else signal.SIGINT)
+
+
+@pytest.mark.parametrize('context', [interruptible, lambda: handed_to(os.getpid())])
+def test_in_another_thread_nothing_changes(context):
     found = []
 
     def look():
-        with interruptible():
+        with context():
             found.append(signal.getsignal(signal.SIGINT))
 
     thread = threading.Thread(target=look)

@@ -1,6 +1,7 @@
 """Ctrl+C for the processes that a notebook starts, whatever this process does about it."""
 
 import contextlib
+import os
 import signal
 import threading
 from collections.abc import Iterator
@@ -23,3 +24,28 @@ def interruptible() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+@contextlib.contextmanager
+def handed_to(group: int) -> Iterator[None]:
+    """Hand each Ctrl+C to a group of processes, and raise no KeyboardInterrupt here, where it could come between
+    reading a piece of output and keeping it.
+
+    :param group: The group's id, which is the process id of the one that was started in a new session. If it has
+        ended, nothing happens.
+
+    As with ``interruptible``, in any thread but the main one this does nothing.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def hand_on(*_: object) -> None:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(group, signal.SIGINT)
+
+    before = signal.signal(signal.SIGINT, hand_on)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)

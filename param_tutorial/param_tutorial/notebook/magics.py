@@ -23,7 +23,7 @@ from IPython.core.interactiveshell import ExecutionInfo, InteractiveShell
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
 from param_tutorial.errors import ExecutorError
-from param_tutorial.notebook.interrupts import interruptible
+from param_tutorial.notebook.interrupts import handed_to, interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import command as embedded
 from param_tutorial.ros2 import genuine
@@ -234,23 +234,19 @@ def _run_genuine(words: list[str], streams: _Streams) -> int:
     process = subprocess.Popen(
         [*genuine.words(), *words], env=genuine.environment(), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
-    with process, selectors.DefaultSelector() as selector:
+    with process, handed_to(process.pid), selectors.DefaultSelector() as selector:
         assert process.stdout and process.stderr  # both are pipes
         for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):
             selector.register(pipe, selectors.EVENT_READ, (stream, codecs.getincrementaldecoder('utf-8')('replace')))
         try:
-            while True:
-                try:
-                    while selector.get_map():
-                        for key, _ in selector.select():
-                            stream, decoder = key.data
-                            chunk = os.read(key.fd, 65536)
-                            stream.write(decoder.decode(chunk, final=not chunk))
-                            if not chunk:
-                                selector.unregister(key.fileobj)
-                    return process.wait()
-                except KeyboardInterrupt:
-                    os.killpg(process.pid, signal.SIGINT)
+            while selector.get_map():
+                for key, _ in selector.select():
+                    stream, decoder = key.data
+                    chunk = os.read(key.fd, 65536)
+                    stream.write(decoder.decode(chunk, final=not chunk))
+                    if not chunk:
+                        selector.unregister(key.fileobj)
+            return process.wait()
         finally:
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGKILL)

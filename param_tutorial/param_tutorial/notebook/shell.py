@@ -18,7 +18,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from param_tutorial.errors import ShellError
-from param_tutorial.notebook.interrupts import interruptible
+from param_tutorial.notebook.interrupts import handed_to, interruptible
 from param_tutorial.ros2 import genuine
 from param_tutorial.runtime import domain
 
@@ -108,17 +108,13 @@ class Shell:
         deadline = time.monotonic() + timeout_sec
         end = re.compile(rf'\n{mark} (\d+)\n'.encode())
         output = b''
-        with interruptible(), selectors.DefaultSelector() as selector:
+        with handed_to(self._process.pid), selectors.DefaultSelector() as selector:
             selector.register(self._output, selectors.EVENT_READ)
             self._input.write(line.encode())
             self._input.flush()
             while not (found := end.search(output)):
-                try:
-                    ready = selector.select(max(0.0, deadline - time.monotonic()))
-                    chunk = os.read(self._output.fileno(), 65536) if ready else b''
-                except KeyboardInterrupt:
-                    os.killpg(self._process.pid, signal.SIGINT)
-                    continue
+                ready = selector.select(max(0.0, deadline - time.monotonic()))
+                chunk = os.read(self._output.fileno(), 65536) if ready else b''
                 if not chunk:
                     why = 'ended the shell' if ready else f'was not done within {timeout_sec:g} s'
                     what_came = self._stable(output.decode(errors='replace')) or '(nothing)'
