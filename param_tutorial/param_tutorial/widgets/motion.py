@@ -9,7 +9,6 @@ import html
 from collections.abc import Callable
 from typing import Any, TypeGuard
 
-import ipywidgets as widgets
 from rcl_interfaces.msg import ParameterEvent
 from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
@@ -23,18 +22,16 @@ from param_tutorial.pictures import motion
 from param_tutorial.pictures.ladder import Climb
 from param_tutorial.pictures.messages import MessageTraffic
 from param_tutorial.pictures.number_line import NumberLine, Request, Scale
-from param_tutorial.pictures.styles import style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import ends_of_parameter_events
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets.events import changes_in
+from param_tutorial.widgets.reel import ReelView
 from param_tutorial.widgets.view import FollowingView, nothing
 
-_STYLE = motion.STYLE + style('widgets/motion.css')
 
-
-class MotionView(FollowingView):
+class MotionView(ReelView, FollowingView):
     """A picture that plays anew whenever something happens, until it is closed."""
 
     def __init__(self, subject: str, executor: BackgroundExecutor | None) -> None:
@@ -44,11 +41,9 @@ class MotionView(FollowingView):
         """
         self._subject = subject
         self._text = ''
-        self._count = 0
         # What is shown, if it is to stay.
         self._held = ''
-        self._picture = widgets.HTML()
-        super().__init__([widgets.HTML(_STYLE), self._picture], 'motion-view')
+        super().__init__()
         self._begin(executor)
 
     def __repr__(self) -> str:
@@ -72,14 +67,13 @@ class MotionView(FollowingView):
     def _play(self, text: str, picture: Callable[[motion.Reel], str], *, is_still: bool = False) -> None:
         """Put a picture onto the page; it moves from now on."""
         self._text = text
-        self._count += 1
-        self._picture.value = picture(motion.Reel(f'reel-{self.model_id[:8]}-{self._count}', is_still=is_still))
+        self._put(picture, is_still=is_still)
 
     def _say(self, words: str) -> None:
         """Put a sentence in the place of the picture."""
         self._text = words
-        self._picture.value = (f'<div class="motion"><div class="motion-head"><span class="motion-name">'
-                               f'{html.escape(self._subject)}</span><span>{html.escape(words)}</span></div></div>')
+        self._drawn.value = (f'<div class="motion"><div class="motion-head"><span class="motion-name">'
+                             f'{html.escape(self._subject)}</span><span>{html.escape(words)}</span></div></div>')
 
     def _step(self) -> float | None:
         with self._drawing:
