@@ -20,7 +20,7 @@ import param_tutorial
 from param_tutorial import ParameterClient, exercises
 from param_tutorial.errors import ExecutorError
 from param_tutorial.exercises import EXERCISES, trial
-from param_tutorial.exercises.chapters import ch04, ch05_1, ch06, ch07_3, ch11
+from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06, ch07_3, ch11
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
 from param_tutorial.runtime import stage
@@ -246,7 +246,7 @@ def test_a_callback_that_keeps_the_executor_for_good_is_told(ros, monkeypatch):
 class WaitsInConstructor(Node):
     def __init__(self):
         super().__init__('rover')
-        while not self.create_client(exercises.ch05_3.SetParameters, '/nobody/set_parameters').wait_for_service(1.0):
+        while not self.create_client(ch05_3.SetParameters, '/nobody/set_parameters').wait_for_service(1.0):
             pass
 
 
@@ -272,7 +272,7 @@ class Loops(Node):
     def __init__(self):
         super().__init__('supervisor')
         self.refusal = ''
-        self.client = self.create_client(exercises.ch05_3.SetParameters, '/rover/set_parameters')
+        self.client = self.create_client(ch05_3.SetParameters, '/rover/set_parameters')
 
     def slow_down(self):
         while not self.refusal:
@@ -293,7 +293,7 @@ class Sleeps(Loops):
 
 class Spins(Loops):
     def slow_down(self):
-        rclpy.spin_until_future_complete(self, self.client.call_async(exercises.ch05_3.SetParameters.Request()))
+        rclpy.spin_until_future_complete(self, self.client.call_async(ch05_3.SetParameters.Request()))
 
 
 def test_a_button_that_waits_for_its_own_executor_is_told_at_once(ros):

@@ -12,7 +12,7 @@ from param_tutorial.exercises import CHAPTERS, PREDICTIONS, predicting
 from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, right, wrong
 from param_tutorial.progress import record
-from tests.support.paths import NOTEBOOKS
+from tests.support.paths import NOTEBOOKS, PACKAGE
 
 CHOICE = Prediction('1-1', 'What is `1`?', (wrong('a text', 'It is a `number`.'), right('a number', 'So it is.')))
 TYPED = Prediction('1-2', 'How many?', (right('150', 'Yes.'), wrong('100', 'More.')), otherwise='It is 150.')
@@ -43,6 +43,14 @@ def answered(view, text):
 
 
 # -- the data --------------------------------------------------------------------------------------------------
+
+
+def test_each_chapter_has_its_exercises_and_its_questions_in_modules_of_one_name():
+    exercises_of, questions_of = ([each.name for each in sorted((PACKAGE / 'exercises' / folder).glob('ch*.py'))]
+                                  for folder in ('chapters', 'questions'))
+    assert exercises_of == questions_of
+    assert [each.name.partition('_')[0] for each in CHAPTERS.values()] == [name[2:4] for name in exercises_of]
+
 
 @pytest.mark.parametrize('number', CHAPTERS)
 def test_each_chapter_has_at_least_four_numbered_in_order(number):

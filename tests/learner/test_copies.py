@@ -19,9 +19,11 @@ from hypothesis.stateful import RuleBasedStateMachine, rule
 from nbformat.sign import NotebookNotary
 
 from param_tutorial.errors import CopiesError
+from param_tutorial.exercises import CHAPTERS
 from param_tutorial.learner import command
 from param_tutorial.learner.copies import Copies
 from param_tutorial.learner.merging import NOTE
+from param_tutorial.progress import ticks
 from tests.support.lab import wait_for
 from tests.support.paths import NOTEBOOKS, ROOT
 
@@ -396,6 +398,15 @@ def test_a_delivery_that_is_killed_anywhere_is_made_up_for_by_the_next(tmp_path)
             break
         assert process.returncode == -signal.SIGKILL
     assert process.returncode == 0 and killed_at > 8
+
+
+def test_the_chapters_have_a_check_for_each_exercise_that_is_known(monkeypatch):
+    """The ticks at a delivery go by the cells in the chapters, those after a check by the exercises themselves."""
+    found = []
+    monkeypatch.setattr(ticks, 'tick', lambda folder, exercises, solved: found.append(exercises))
+    Copies(ROOT).tick()
+    assert {name: numbers for name, numbers in found[0].items() if numbers} == {
+        chapter.name: [each.number for each in chapter.exercises] for chapter in CHAPTERS.values()}
 
 
 @pytest.mark.slow

@@ -20,43 +20,30 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
     achievements    a chapter's ticks, and the certificate
 """
 
-from collections.abc import Mapping
+import pkgutil
+from collections.abc import Iterator, Mapping
+from importlib import import_module
 from typing import Any
 
 from param_tutorial.errors import nearest
+from param_tutorial.exercises import chapters
 from param_tutorial.exercises.achievements import Certificate, Chapter, ChapterProgress, CourseProgress
-from param_tutorial.exercises.chapters import (
-    ch01,
-    ch02,
-    ch03,
-    ch04,
-    ch05_1,
-    ch05_2,
-    ch05_3,
-    ch06,
-    ch07_1,
-    ch07_2,
-    ch07_3,
-    ch08,
-    ch09,
-    ch10_1,
-    ch10_2,
-    ch10_3,
-    ch10_4,
-    ch11,
-)
 from param_tutorial.exercises.exercise import Exercise
 from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import Prediction
-from param_tutorial.exercises.questions import QUESTIONS
 from param_tutorial.exercises.results import Answer, Hint, Result
 from param_tutorial.progress import record, ticks
 
-_MODULES = (ch01, ch02, ch03, ch04, ch05_1, ch05_2, ch05_3, ch06, ch07_1, ch07_2, ch07_3, ch08, ch09, ch10_1, ch10_2,
-            ch10_3, ch10_4, ch11)
-CHAPTERS = {each.number: each for each in (
-    Chapter(module.EXERCISES[0].number.rstrip('abcdef'), module.CHAPTER, module.EXERCISES, recalls, predictions, praise)
-    for module, (recalls, predictions, praise) in zip(_MODULES, QUESTIONS))}
+
+def _chapters() -> Iterator[Chapter]:
+    """Yield the chapters in order. Each is a module in ``chapters`` and one of the same name in ``questions``."""
+    for name in sorted(module.name for module in pkgutil.iter_modules(chapters.__path__)):
+        work, asked = (import_module(f'{__name__}.{folder}.{name}') for folder in ('chapters', 'questions'))
+        yield Chapter(work.EXERCISES[0].number.rstrip('abcdef'), work.CHAPTER, work.EXERCISES, asked.RECALLS,
+                      asked.PREDICTIONS, asked.SOLVED)
+
+
+CHAPTERS = {each.number: each for each in _chapters()}
 EXERCISES: dict[str, Exercise] = {each.number: each for chapter in CHAPTERS.values() for each in chapter.exercises}
 PREDICTIONS: dict[str, Prediction] = {each.number: each for chapter in CHAPTERS.values()
                                       for each in chapter.predictions}

@@ -33,7 +33,7 @@ DELIVERED = '.delivered'
 TRUST = '.trust'
 # Where the version of the chapter stands in a copy's metadata.
 _KEY = 'param_tutorial'
-# The cell that checks an exercise.
+# The cell that checks an exercise. The room ``exercises`` knows them too, but importing it loads rclpy.
 _CHECK = re.compile(r'"id": "check-([\w-]+)"')
 
 

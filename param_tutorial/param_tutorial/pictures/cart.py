@@ -66,13 +66,6 @@ class Cart(Vehicle):
         match state.word:
             case 'READY':
                 return 'stands at the beginning of the aisle'
-            case 'SPEEDING UP':
-                return (f'is speeding up with {state.acceleration_mps2:.2f} m/s², '
-                        f'up to {self.settings.max_speed_mps:.2f} m/s')
-            case 'CRUISING':
-                return 'is driving at a steady speed'
-            case 'SLOWING DOWN':
-                return f'is slowing down to {self.settings.max_speed_mps:.2f} m/s'
             case 'BRAKING':
                 return 'is braking, to stop at the end of the aisle'
             case 'EMERGENCY BRAKING':
@@ -82,7 +75,7 @@ class Cart(Vehicle):
             case 'STOPPED':
                 seconds = self.before_sec + self.motion.duration_sec
                 return f'has reached the end of the aisle after {seconds:.2f} s' if seconds else 'stands still'
-        raise AssertionError(f'no words for {state.word}')
+        return super().predicate(state)
 
     def behind(self, moment: Moment) -> str:
         """Return SVG of the shelves, the ruler and the line at which it starts."""

@@ -23,17 +23,12 @@ class _Entry:
 
 
 class Layers:
-    """The sources of one parameter's value, as layers that cover each other."""
+    """The sources of one parameter's value, as layers that cover each other.
+
+    LayersView (``widgets.pictured``) explains the arguments.
+    """
 
     def __init__(self, name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, Any]], *, has: Any = ...) -> None:
-        """
-        :param name: The parameter.
-        :param sources: In the order in which they are given to the node: a source and its value, or a
-            source, the name of the layer into which it goes, and its value. A layer that is there already is changed
-            where it lies; a new one, and a source without such a name, comes on top.
-        :param has: What the node has in the end, if it was asked.
-        :raises ValueError: there is no source.
-        """
         self.subject = name
         self._layers: dict[str, list[_Entry]] = {}
         for number, (source, *layer, value) in enumerate(sources):

@@ -14,15 +14,10 @@ _BEGIN_SEC = 0.6
 
 
 class Lifts:
-    """The heights of lifts over time, as lifts."""
+    """The heights of lifts over time, as lifts. LiftsView (``widgets.pictured``) explains the arguments."""
 
     def __init__(self, heights: Mapping[str, Sequence[tuple[float, float]]],
                  marks: Mapping[float, str] | None = None) -> None:
-        """
-        :param heights: By lift, points in time in s and its height there in m; in between it rises evenly.
-        :param marks: What happens, by the time in s.
-        :raises ValueError: there is no lift, or one without two points, or no time passes.
-        """
         if not heights or any(len(points) < 2 for points in heights.values()):
             raise ValueError('Lifts takes one lift at least, and two points for each')
         self.subject = ' and '.join(heights)

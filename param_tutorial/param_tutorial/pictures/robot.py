@@ -79,13 +79,6 @@ class Robot(Vehicle):
         match state.word:
             case 'READY':
                 return 'stands at the start'
-            case 'SPEEDING UP':
-                return (f'is speeding up with {state.acceleration_mps2:.2f} m/s², '
-                        f'up to {self.settings.max_speed_mps:.2f} m/s')
-            case 'CRUISING':
-                return 'is driving at a steady speed'
-            case 'SLOWING DOWN':
-                return f'is slowing down to {self.settings.max_speed_mps:.2f} m/s'
             case 'BRAKING' | 'EMERGENCY BRAKING':
                 gap_m = self.gap_m(self.motion.end)
                 hard = ' as hard as it can' if state.word == 'EMERGENCY BRAKING' else ''
@@ -96,7 +89,7 @@ class Robot(Vehicle):
                 return f'has stopped {self.gap_m(state):.2f} m from the wall'
             case 'CRASHED':
                 return f'has run into the wall at {state.crash_speed_mps:.2f} m/s'
-        raise AssertionError(f'no words for {state.word}')
+        return super().predicate(state)
 
     # -- what stands still -------------------------------------------------------------------------------
 

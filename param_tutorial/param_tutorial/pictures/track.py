@@ -69,9 +69,20 @@ class Vehicle(ABC):
     def numbers(self, state: 'State', elapsed_sec: float) -> str:
         """Return how fast it is, and what else changes on the way."""
 
-    @abstractmethod
     def predicate(self, state: 'State') -> str:
-        """Return what it is doing: a sentence without its name and its full stop."""
+        """Return what it is doing: a sentence without its name and its full stop.
+
+        These are the words for driving. Each vehicle adds its own for standing and stopping.
+        """
+        match state.word:
+            case 'SPEEDING UP':
+                return (f'is speeding up with {state.acceleration_mps2:.2f} m/s², '
+                        f'up to {self.settings.max_speed_mps:.2f} m/s')
+            case 'CRUISING':
+                return 'is driving at a steady speed'
+            case 'SLOWING DOWN':
+                return f'is slowing down to {self.settings.max_speed_mps:.2f} m/s'
+        raise AssertionError(f'no words for {state.word}')
 
     @abstractmethod
     def behind(self, moment: 'Moment') -> str:

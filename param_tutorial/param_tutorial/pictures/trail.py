@@ -51,14 +51,9 @@ class _Moment:
 
 
 class Trail:
-    """What some places hold, moment by moment."""
+    """What some places hold, moment by moment. TrailView (``widgets.pictured``) explains the arguments."""
 
     def __init__(self, subject: str, places: Sequence[str]) -> None:
-        """
-        :param subject: What the picture is of, e.g. a node's name or a file's.
-        :param places: Their names, from the left to the right; each stands in the heading of a column.
-        :raises ValueError: there is no place, or two have one name.
-        """
         if not places or len(set(places)) < len(places):
             raise ValueError(f'a Trail takes one place at least, and each once, not {list(places)}')
         self.subject, self._places = subject, tuple(places)
@@ -66,16 +61,7 @@ class Trail:
 
     def add(self, words: str, values: Sequence[Any], *moves: tuple[str, str] | tuple[str, str, Any, str],
             note: str = '') -> None:
-        """Add a moment.
-
-        :param words: What happens, e.g. ``'colcon build'``.
-        :param values: What each place holds when it is over, as it was measured; ``...`` for nothing.
-        :param moves: What travels: from which place ('' for from outside) and to which. For what the second place
-            does not take, also the value, and why.
-        :param note: What is worth seeing in this moment.
-        :raises ValueError: there are not as many values as places, or no such place, or a value arrives where there
-            is none afterwards.
-        """
+        """Add a moment."""
         if len(values) != len(self._places):
             raise ValueError(f'{len(values)} values for {len(self._places)} places')
         held = {place: _told(value) for place, value in zip(self._places, values, strict=True) if value is not ...}

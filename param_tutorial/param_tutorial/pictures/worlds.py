@@ -31,26 +31,17 @@ class _World:
 
 
 class Worlds:
-    """What becomes of one parameter when a node is killed and started again, in one world or two."""
+    """What becomes of one parameter when a node is killed and started again, in one world or two.
+
+    WorldsView (``widgets.pictured``) explains the arguments.
+    """
 
     def __init__(self, name: str) -> None:
-        """Begin without a world.
-
-        :param name: The parameter.
-        """
         self.subject = name
         self._worlds: list[_World] = []
 
     def add(self, title: str, values: Mapping[str, Any], *, killed: str, successor: Any, server: str = '') -> None:
-        """Add a world.
-
-        :param values: What each node has set the parameter to.
-        :param killed: The node that is killed and started again.
-        :param successor: What the new node of that name begins with.
-        :param server: Who keeps the values of all nodes; empty if each node keeps its own.
-        :raises ValueError: there are two worlds already, or no value belongs to the node that is killed, or there is
-            another one below a server.
-        """
+        """Add a world."""
         if len(self._worlds) == _MOST_WORLDS:
             raise ValueError(f'there is room for {_MOST_WORLDS} worlds')
         if killed not in values:

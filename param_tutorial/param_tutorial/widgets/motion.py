@@ -9,7 +9,6 @@ import html
 from collections.abc import Callable
 from typing import Any, TypeGuard
 
-import ipywidgets as widgets
 from rcl_interfaces.msg import ParameterEvent
 from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
@@ -23,23 +22,16 @@ from param_tutorial.pictures import motion
 from param_tutorial.pictures.ladder import Climb
 from param_tutorial.pictures.messages import MessageTraffic
 from param_tutorial.pictures.number_line import NumberLine, Request, Scale
-from param_tutorial.pictures.styles import style
-from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import ends_of_parameter_events
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.runtime.worker import Worker
-from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.events import changes_in
-from param_tutorial.widgets.view import View, nothing
-
-_STYLE = motion.STYLE + style('widgets/motion.css')
-# What happens more often than this is shown once: nobody could follow it.
-_SHOW_PERIOD_SEC = 0.1
+from param_tutorial.widgets.reel import ReelView
+from param_tutorial.widgets.view import FollowingView, nothing
 
 
-class MotionView(View):
+class MotionView(ReelView, FollowingView):
     """A picture that plays anew whenever something happens, until it is closed."""
 
     def __init__(self, subject: str, executor: BackgroundExecutor | None) -> None:
@@ -48,20 +40,11 @@ class MotionView(View):
         :param executor: None for whichever runs in the background, also after a stop and a new start.
         """
         self._subject = subject
-        self._chosen_executor = executor
-        self._executor: BackgroundExecutor | None = None
         self._text = ''
-        self._count = 0
         # What is shown, if it is to stay.
         self._held = ''
-        self._picture = widgets.HTML()
-        self._stop_listening: Callable[[], None] = nothing
-        super().__init__([widgets.HTML(_STYLE), self._picture], 'motion-view')
-        self._worker = Worker(self._step, type(self).__name__, _SHOW_PERIOD_SEC)
-        self._stop_following = stage.on_change(self._on_executor_change)
-        self._listen()
-        self._worker.call_now(1.0)
-        close_with_cell(self)
+        super().__init__()
+        self._begin(executor)
 
     def __repr__(self) -> str:
         return f'<{type(self).__name__}: {self._held or self._subject}{", closed" if self._closed else ""}>'
@@ -81,33 +64,20 @@ class MotionView(View):
         self._worker.call_now(1.0)
         return super().snapshot()
 
-    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
-        """Wake the worker whenever there is something to show.
-
-        :return: Ends that.
-        """
-        raise NotImplementedError
-
-    def _show(self) -> None:
-        """Draw what there is to show; called with the lock held, in any thread."""
-        raise NotImplementedError
-
     def _play(self, text: str, picture: Callable[[motion.Reel], str], *, is_still: bool = False) -> None:
         """Put a picture onto the page; it moves from now on."""
         self._text = text
-        self._count += 1
-        self._picture.value = picture(motion.Reel(f'reel-{self.model_id[:8]}-{self._count}', is_still=is_still))
+        self._put(picture, is_still=is_still)
 
     def _say(self, words: str) -> None:
         """Put a sentence in the place of the picture."""
         self._text = words
-        self._picture.value = (f'<div class="motion"><div class="motion-head"><span class="motion-name">'
-                               f'{html.escape(self._subject)}</span><span>{html.escape(words)}</span></div></div>')
+        self._drawn.value = (f'<div class="motion"><div class="motion-head"><span class="motion-name">'
+                             f'{html.escape(self._subject)}</span><span>{html.escape(words)}</span></div></div>')
 
-    def _step(self) -> None:
+    def _step(self) -> float | None:
         with self._drawing:
-            if not self._closed and not self._held:
-                self._show()
+            return None if self._held else super()._step()
 
     def _hold(self, sentence: str) -> None:
         """Let the picture stay as it is from now on, whatever happens.
@@ -118,34 +88,6 @@ class MotionView(View):
         with self._drawing:
             self._held = sentence
         self._stop()
-
-    def _stop(self) -> None:
-        """Stop following."""
-        self._stop_following()
-        self._stop_listening()
-
-    def _end(self) -> None:
-        self._stop()
-        self._worker.end()
-
-    def _on_executor_change(self) -> None:
-        if self._chosen_executor is None:
-            self._listen()
-            self._worker.wake()
-
-    def _listen(self) -> None:
-        self._stop_listening()
-        self._stop_listening = nothing
-        try:
-            self._executor = self._chosen_executor or stage.current()
-        except ExecutorError:
-            self._executor = None
-            self._lose()
-        else:
-            self._stop_listening = self._subscribe(self._executor)
-
-    def _lose(self) -> None:
-        """Take note that there is no executor any more."""
 
 
 class SetView(MotionView):

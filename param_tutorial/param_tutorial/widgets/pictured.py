@@ -7,7 +7,6 @@ import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
-import ipywidgets as widgets
 from rclpy.node import Node
 
 from param_tutorial.errors import NodeError, NodeNotFoundError
@@ -19,7 +18,6 @@ from param_tutorial.pictures.calls import Call, Calls, Line
 from param_tutorial.pictures.layers import Layers
 from param_tutorial.pictures.lifts import Lifts
 from param_tutorial.pictures.plane import Plane, Point
-from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.trail import Trail
 from param_tutorial.pictures.worlds import Worlds
 from param_tutorial.runtime import stage
@@ -27,9 +25,7 @@ from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.service_types import SERVICE_TYPES
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 from param_tutorial.widgets.cells import close_with_cell
-from param_tutorial.widgets.view import View
-
-_STYLE = motion.STYLE + style('widgets/motion.css')
+from param_tutorial.widgets.reel import ReelView
 
 
 class Picture(Protocol):
@@ -51,14 +47,12 @@ class Picture(Protocol):
         """Return it as HTML."""
 
 
-class PictureView(View):
+class PictureView(ReelView):
     """A picture on the page, until it is closed."""
 
     def __init__(self, picture: Picture) -> None:
         self._picture = picture
-        self._count = 0
-        self._drawn = widgets.HTML()
-        super().__init__([widgets.HTML(_STYLE), self._drawn], 'motion-view')
+        super().__init__()
         self._draw()
         close_with_cell(self)
 
@@ -78,8 +72,7 @@ class PictureView(View):
     def _draw(self) -> None:
         with self._drawing:
             if not self._closed:
-                self._count += 1
-                self._drawn.value = self._picture.html(motion.Reel(f'reel-{self.model_id[:8]}-{self._count}'))
+                self._put(self._picture.html)
 
     def _end(self) -> None:
         pass

@@ -7,25 +7,23 @@ from typing import Any, TypeGuard
 from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
 
-from param_tutorial.errors import ExecutorError, NodeNotFoundError
+from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, SENSOR_MOUNT_M, ClawbotNode, Motion
 from param_tutorial.pictures.robot import Robot
-from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import full_name
-from param_tutorial.runtime.worker import Worker
-from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.driving import DrivingView
-from param_tutorial.widgets.view import nothing
+from param_tutorial.widgets.view import FollowingView, nothing
 
-_SHOW_PERIOD_SEC = 0.05
 # How long to look for a robot that is known to be coming.
 _LOOK_PERIOD_SEC = 0.1
 _LOOKS_FOR_ROBOT = 50
 
 
-class RobotView(DrivingView):
+class RobotView(DrivingView, FollowingView):
     """A robot that moves as its parameters let it, until it is closed. Show it as the last line of a cell."""
+
+    _show_period_sec = 0.05
 
     def __init__(self, robot: ClawbotNode | str, *, executor: BackgroundExecutor | None = None) -> None:
         """
@@ -33,18 +31,11 @@ class RobotView(DrivingView):
         :param executor: Spins it; by default the one that runs in the background, also after a stop and a new start.
         """
         self._name = full_name(robot)
-        self._chosen_executor = executor
-        self._executor: BackgroundExecutor | None = None
         self._robot: ClawbotNode | None = None
-        self._looks_left = 0
-        super().__init__('Put the robot back to the start, and let it go')
-        self._worker = Worker(self._show, 'robot view', _SHOW_PERIOD_SEC)
-        self._stop_graph: Callable[[], None] = nothing
         self._stop_motion: Callable[[], None] = nothing
-        self._stop_following = stage.on_change(self._on_executor_change)
-        self._on_executor_change()
-        self._worker.call_now(1.0)
-        close_with_cell(self)
+        self._looks_left = _LOOKS_FOR_ROBOT
+        super().__init__('Put the robot back to the start, and let it go')
+        self._begin(executor)
 
     def __repr__(self) -> str:
         return f'<RobotView: {self._name}{", closed" if self._closed else ""}>'
@@ -64,19 +55,18 @@ class RobotView(DrivingView):
         with self._drawing:
             return self._find_robot()
 
-    def _end(self) -> None:
-        for stop in (self._stop_following, self._stop_graph, self._stop_motion, self._worker.end):
-            stop()
-
     # -- following the node ------------------------------------------------------------------------------
 
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
+        return executor.on_graph_change(self._on_graph_change)
+
+    def _stop(self) -> None:
+        super()._stop()
+        self._stop_motion()
+
     def _on_executor_change(self) -> None:
-        self._stop_graph()
-        try:
-            self._executor = self._chosen_executor or stage.current()
-            self._stop_graph = self._executor.on_graph_change(self._on_graph_change)
-        except ExecutorError:
-            self._executor, self._stop_graph = None, nothing
+        super()._on_executor_change()
+        # Also if the executor was chosen: it may be the one that has stopped.
         self._on_graph_change()
 
     def _on_graph_change(self) -> None:
@@ -96,18 +86,15 @@ class RobotView(DrivingView):
     # -- drawing: the worker's thread -------------------------------------------------------------------
 
     def _show(self) -> float | None:
-        with self._drawing:
-            if self._closed:
-                return None
-            robot = self._find_robot()
-            if robot is None:
-                self._draw_nothing(f'{self._name} is not running. It comes back here when it does.')
-                # The graph may tell of a node whose constructor is still running.
-                self._looks_left -= 1
-                coming = self._executor and self._looks_left > 0 and self._executor.node_incarnations(self._name)
-                return _LOOK_PERIOD_SEC if coming else None
-            motion, elapsed_sec = robot.motion
-            self._draw(vehicle_of(robot, motion), elapsed_sec)
+        robot = self._find_robot()
+        if robot is None:
+            self._draw_nothing(f'{self._name} is not running. It comes back here when it does.')
+            # The graph may tell of a node whose constructor is still running.
+            self._looks_left -= 1
+            coming = self._executor and self._looks_left > 0 and self._executor.node_incarnations(self._name)
+            return _LOOK_PERIOD_SEC if coming else None
+        motion, elapsed_sec = robot.motion
+        self._draw(vehicle_of(robot, motion), elapsed_sec)
         return None
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------

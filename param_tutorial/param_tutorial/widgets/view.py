@@ -3,7 +3,6 @@
 What each of them shows is in ``panel``, ``robot``, ``step_response``, ``events`` and ``log``.
 """
 
-import contextlib
 import html
 import threading
 from collections.abc import Callable, Iterable, Mapping
@@ -18,8 +17,6 @@ from param_tutorial.runtime.services import full_name
 from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets import recordable
 from param_tutorial.widgets.cells import close_with_cell
-
-_SHOW_PERIOD_SEC = 0.1
 
 
 def nothing() -> None:
@@ -102,47 +99,54 @@ def _all_within(box: widgets.Box) -> list[widgets.Widget]:
     return parts
 
 
-class FeedView(View):
-    """What one node or all nodes report, as text under a title."""
+class FollowingView(View):
+    """A view that listens to an executor until it is closed. A constructor calls ``_begin`` when all else is there."""
 
-    def __init__(self, node: str | None, executor: BackgroundExecutor | None, *, subject: str,
-                 css_class: str, content_class: str, style: str):
-        """
-        :param node: Only what this one reports; None for all.
+    # What happens more often than this is shown once: nobody could follow it.
+    _show_period_sec = 0.1
+
+    def _begin(self, executor: BackgroundExecutor | None) -> None:
+        """Listen, show what there is to show, and close with the cell.
+
         :param executor: None for whichever runs in the background, also after a stop and a new start.
         """
-        self._node = None if node is None else full_name(node)
         self._chosen_executor = executor
-        self._stop_listening: Callable[[], None] = nothing
-        self._title = f'{subject} of {self._node or "all nodes"}'
-        self._content = widgets.HTML()
-        self._content.add_class(content_class)
-        heading = widgets.HTML(f'{style}<b>{html.escape(self._title)}</b>')
-        heading.add_class(f'{css_class}-title')
-        super().__init__([heading, self._content], css_class)
-        self._worker = Worker(self._show, type(self).__name__, _SHOW_PERIOD_SEC)
+        self._executor: BackgroundExecutor | None = None
+        self._stop_listening: Callable[[], object] = nothing
+        self._worker = Worker(self._step, type(self).__name__, self._show_period_sec)
         self._stop_following = stage.on_change(self._on_executor_change)
         self._listen()
         self._worker.call_now(1.0)
         close_with_cell(self)
 
-    def __repr__(self) -> str:
-        return f'<{type(self).__name__}: {self._node or "all nodes"}>'
-
-    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], Any]:
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], object]:
         """Wake the worker whenever there is something to show.
 
         :return: Ends that.
         """
         raise NotImplementedError
 
-    def _markup(self) -> str:
-        """Return all that there is to show, as HTML."""
+    def _lose(self) -> None:
+        """Take note that there is no executor any more; what was shown before stays."""
+
+    def _show(self) -> float | None:
+        """Draw what there is to show; called with the lock held, in any thread.
+
+        :return: In how many seconds to draw again, even if nothing happens; None if only what happens counts.
+        """
         raise NotImplementedError
 
-    def _end(self) -> None:
+    def _step(self) -> float | None:
+        with self._drawing:
+            return None if self._closed else self._show()
+
+    def _stop(self) -> None:
+        """Stop following; what is shown stays."""
         self._stop_following()
         self._stop_listening()
+
+    def _end(self) -> None:
+        self._stop()
         self._worker.end()
 
     def _on_executor_change(self) -> None:
@@ -153,13 +157,42 @@ class FeedView(View):
     def _listen(self) -> None:
         self._stop_listening()
         self._stop_listening = nothing
-        with contextlib.suppress(ExecutorError):  # stopped: what was reported before stays readable
-            self._stop_listening = self._subscribe(self._chosen_executor or stage.current())
+        try:
+            self._executor = self._chosen_executor or stage.current()
+        except ExecutorError:
+            self._executor = None
+            self._lose()
+        else:
+            self._stop_listening = self._subscribe(self._executor)
+
+
+class FeedView(FollowingView):
+    """What one node or all nodes report, as text under a title."""
+
+    def __init__(self, node: str | None, executor: BackgroundExecutor | None, *, subject: str,
+                 css_class: str, content_class: str, style: str):
+        """
+        :param node: Only what this one reports; None for all.
+        :param executor: None for whichever runs in the background, also after a stop and a new start.
+        """
+        self._node = None if node is None else full_name(node)
+        self._title = f'{subject} of {self._node or "all nodes"}'
+        self._content = widgets.HTML()
+        self._content.add_class(content_class)
+        heading = widgets.HTML(f'{style}<b>{html.escape(self._title)}</b>')
+        heading.add_class(f'{css_class}-title')
+        super().__init__([heading, self._content], css_class)
+        self._begin(executor)
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__}: {self._node or "all nodes"}>'
+
+    def _markup(self) -> str:
+        """Return all that there is to show, as HTML."""
+        raise NotImplementedError
 
     def _show(self) -> None:
-        with self._drawing:
-            if not self._closed:
-                self._content.value = self._markup()
+        self._content.value = self._markup()
 
     @property
     def node(self) -> str:
