@@ -11,7 +11,7 @@ from tests.support import lab
 def _chromium():
     """In CI a missing Chromium is a failure; elsewhere the tests are skipped, and say why."""
     if lab.CHROMIUM is None:
-        missing = 'there is no Chromium on the PATH: apt-get install chromium'
+        missing = 'there is no Chromium on the PATH: apt-get install chromium-headless-shell'
         if os.environ.get('CI'):
             pytest.fail(missing)
         pytest.skip(missing)

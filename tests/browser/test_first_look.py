@@ -7,7 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.support import lesson
-from tests.support.lab import TIMEOUT_SEC, CourseLab
+from tests.support.lab import TIMEOUT_SEC, CourseLab, chromium
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
 
@@ -59,7 +59,7 @@ def test_a_learner_starts_comes_back_and_gets_a_new_version(tmp_path):
     lab = CourseLab(tmp_path / 'lab', [])
     write_chapter(lab.course / 'notebooks' / CHAPTER, '# A lesson\nStart ROS:')
     (lab.course / 'notebooks' / 'conftest.py').touch()
-    with lab, lab.browser() as browser:
+    with lab, chromium() as browser:
         page = open_lab(lab, browser)
 
         # The start page, and beside it what is the learner's.
@@ -89,7 +89,7 @@ def test_a_learner_starts_comes_back_and_gets_a_new_version(tmp_path):
     # The course changes; the next start brings that in, and what the learner's cells have put out is still trusted.
     ran = (lab.copies / CHAPTER).read_bytes()
     write_chapter(lab.course / 'notebooks' / CHAPTER, '# A better lesson\nStart ROS:')
-    with lab, lab.browser() as browser:
+    with lab, chromium() as browser:
         page = open_lab(lab, browser, f'lab/tree/{CHAPTER}')
         expect(page.get_by_role('heading', name='A better lesson')).to_be_visible()
         expect_picture(page)

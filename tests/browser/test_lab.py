@@ -12,7 +12,7 @@ from playwright.sync_api import expect
 
 from tests.support import lab as lab_module
 from tests.support import lesson
-from tests.support.lab import ROOT, TIMEOUT_SEC, Lab, LabPage
+from tests.support.lab import ROOT, TIMEOUT_SEC, Lab, LabPage, chromium
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -31,7 +31,7 @@ OUTSIDE = """() => [...document.querySelectorAll('.param-panel')].flatMap(panel 
 @pytest.fixture(scope='module')
 def server(tmp_path_factory):
     """Give a server without notebooks, and a browser."""
-    with Lab(tmp_path_factory.mktemp('lab'), []) as lab, lab.browser() as browser:
+    with Lab(tmp_path_factory.mktemp('lab'), []) as lab, chromium() as browser:
         yield lab, browser
 
 

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.support import lesson
-from tests.support.lab import CourseLab, LabPage
+from tests.support.lab import CourseLab, LabPage, chromium
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
 
@@ -34,7 +34,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
     notebook = nbformat.read(lab.course / 'notebooks' / CHAPTER, as_version=4)
     notebook.cells += [nbformat.v4.new_code_cell(id=f'check-3{letter}') for letter in 'ab']
     nbformat.write(notebook, lab.course / 'notebooks' / CHAPTER)
-    with lab, lab.browser() as browser:
+    with lab, chromium() as browser:
         lab_page = LabPage(lab, browser, CHAPTER)
         page = lab_page.page
         lab_page.select_cell(1)
@@ -77,7 +77,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
     assert {number: each['right'] for number, each in remembered['predicted'].items()} == {'3-1': False, '6-2': True}
 
     # The next start: the page has a tick, and the file is what it was.
-    with lab, lab.browser() as browser:
+    with lab, chromium() as browser:
         page = browser.new_page()
         page.goto(f'{lab.url}?token={lab.token}')
         expect(page.get_by_role('row', name='3 ✓ Declaring')).to_be_visible()

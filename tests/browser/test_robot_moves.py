@@ -4,7 +4,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.support import lesson
-from tests.support.lab import Lab, LabPage, wait_for
+from tests.support.lab import Lab, LabPage, chromium, wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -27,23 +27,27 @@ RUNNING = '() => document.getAnimations().filter(each => /^robot-/.test(each.ani
 
 
 @pytest.fixture(scope='module')
-def server(tmp_path_factory):
-    """Give a server on the notebook, and a browser."""
+def browser():
+    with chromium() as browser:
+        yield browser
+
+
+@pytest.fixture(scope='module')
+def opened(browser, tmp_path_factory):
+    """Give a server on the notebook, and a page with it."""
     folder = tmp_path_factory.mktemp('robot')
-    notebooks = [lesson.write(folder / 'robot.ipynb', CELLS), lesson.write(folder / 'long.ipynb', LONG)]
-    with Lab(folder / 'lab', notebooks) as lab, lab.browser() as browser:
-        yield lab, browser
+    with Lab(folder / 'lab', [lesson.write(folder / 'robot.ipynb', CELLS)]) as lab:
+        yield lab, LabPage(lab, browser, 'robot.ipynb')
 
 
 @pytest.fixture
-def open_robot(server):
-    """Give the server and a page of its own for each test; running the cells makes a new robot."""
-    lab, browser = server
-    page = LabPage(lab, browser, 'robot.ipynb')
+def open_robot(opened):
+    """Give the server and the page, on which running the cells has made a new robot."""
+    _, page = opened
+    page.page.emulate_media(reduced_motion='no-preference')
     page.run_all()
     expect(word(page)).to_have_text('READY')
-    yield lab, page
-    page.page.close()
+    return opened
 
 
 def word(page):
@@ -117,7 +121,8 @@ def test_with_safety_off_it_crashes_in_words_and_shape(open_robot):
     expect(page.page.locator('.robot-burst')).to_be_visible()
     expect(page.page.get_by_role('img', name='CRASHED. Clawbot has run into the wall at 1.05 m/s.')).to_be_visible()
     expect(page.page.get_by_role('status').filter(has_text='has run into the wall')).to_be_visible()
-    assert front_m(page) == pytest.approx(4.0, abs=0.05)
+    # The word may be there before the last picture.
+    wait_for(lambda: front_m(page) == pytest.approx(4.0, abs=0.05), 'the robot to stand at the wall')
 
 
 def test_whoever_wants_no_motion_gets_it_in_a_few_jumps(open_robot):
@@ -131,21 +136,25 @@ def test_whoever_wants_no_motion_gets_it_in_a_few_jumps(open_robot):
     assert front_m(page) == pytest.approx(3.8, abs=0.01)
 
 
-@pytest.mark.parametrize(('width', 'height', 'beside'), [(1280, 800, True), (1000, 800, False), (1920, 1080, True)])
-def test_the_picture_stays_in_sight_while_one_works_with_a_long_panel(server, width, height, beside):
-    lab, browser = server
-    lab.end_kernels()
-    page = LabPage(lab, browser, 'long.ipynb', width=width, height=height)
-    page.run_all()
+def test_the_picture_stays_in_sight_while_one_works_with_a_long_panel(browser, tmp_path):
+    with Lab(tmp_path / 'lab', [lesson.write(tmp_path / 'long.ipynb', LONG)]) as lab:
+        page = LabPage(lab, browser, 'long.ipynb')
+        for width, height, beside in ((1280, 800, True), (1000, 800, False), (1920, 1080, True)):
+            page.page.set_viewport_size({'width': width, 'height': height})
+            page.run_all()
+            expect_in_sight(page, beside)
+
+
+def expect_in_sight(page, beside):
     expect(word(page)).to_have_text('READY')
     picture, panel = page.page.locator('.robot-view'), page.page.locator('.param-panel')
-    assert (picture.bounding_box()['x'] + picture.bounding_box()['width'] <= panel.bounding_box()['x']) is beside
+    wait_for(lambda: (picture.bounding_box()['x'] + picture.bounding_box()['width']
+                      <= panel.bounding_box()['x']) is beside, f'the panel to be beside the picture: {beside}')
     page.row('wheel_radius_meters').scroll_into_view_if_needed()
     expect(page.page.locator('.robot-scene')).to_be_in_viewport(ratio=0.99)
     expect(page.row('wheel_radius_meters')).to_be_in_viewport(ratio=0.99)
     # And nothing lies on the row: a hand can reach its control.
+    expect(page.page.locator('.robot-snow')).to_be_hidden()
     page.box('ambient_temperature_c').fill('-10')
     page.box('ambient_temperature_c').press('Enter')
     expect(page.page.locator('.robot-snow')).to_be_visible()
-    page.page.close()
-    lab.end_kernels()

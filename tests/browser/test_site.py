@@ -15,14 +15,14 @@ import threading
 import nbformat
 import pytest
 from nbclient import NotebookClient
-from playwright.sync_api import expect, sync_playwright
+from playwright.sync_api import expect
 
 from param_tutorial.lessons import archive, single
 from param_tutorial.lessons.build import Site
 from param_tutorial.lessons.pages import writing
 from param_tutorial.lessons.recording import run
 from tests.support import lesson
-from tests.support.lab import CHROMIUM, CHROMIUM_FLAGS, ROOT
+from tests.support.lab import ROOT, chromium
 from tests.tools.site_rules import check_page, open_page
 
 # Sphinx and its extensions tell each other, in each release, what the next one will bring.
@@ -131,11 +131,8 @@ def made(tmp_path_factory):
 
 @pytest.fixture(scope='module')
 def browser():
-    """Give Chromium, which can reach this machine and nothing else."""
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(CHROMIUM_FLAGS))
+    with chromium() as browser:
         yield browser
-        browser.close()
 
 
 @pytest.fixture

@@ -5,6 +5,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 import param_tutorial
 from tests.support.paths import PACKAGE, ROOT
 
@@ -45,7 +47,10 @@ def imports_of(module: str) -> Iterator[str]:
                     yield source
 
 
-ARROWS = {module: sorted(set(imports_of(module))) for module in FILES}
+@pytest.fixture(scope='module')
+def arrows() -> dict[str, list[str]]:
+    """Give what each file of the package imports of it."""
+    return {module: sorted(set(imports_of(module))) for module in FILES}
 
 
 def test_readme_and_package_name_the_same_rooms():
@@ -54,34 +59,34 @@ def test_readme_and_package_name_the_same_rooms():
     assert sorted(drawn) == sorted({room_of(module) for module in FILES if module not in ABOVE})
 
 
-def test_readme_draws_the_arrows_that_there_are():
-    arrows = {room: set() for room in picture_of_the_readme()}
-    for module, others in ARROWS.items():
+def test_readme_draws_the_arrows_that_there_are(arrows):
+    drawn = {room: set() for room in picture_of_the_readme()}
+    for module, others in arrows.items():
         if module not in ABOVE:
-            arrows[room_of(module)] |= {room_of(other) for other in others if other not in ABOVE} - {room_of(module)}
-    assert {room: set(imported) for room, imported in picture_of_the_readme().items()} == arrows
+            drawn[room_of(module)] |= {room_of(other) for other in others if other not in ABOVE} - {room_of(module)}
+    assert {room: set(imported) for room, imported in picture_of_the_readme().items()} == drawn
 
 
-def test_imports_go_downward_only():
+def test_imports_go_downward_only(arrows):
     floor = {room: number for number, room in enumerate(reversed(rooms_of_the_readme()))}
-    upward = [f'{module} imports {other}' for module, others in ARROWS.items() if module not in ABOVE
+    upward = [f'{module} imports {other}' for module, others in arrows.items() if module not in ABOVE
               for other in others if other in ABOVE or floor[room_of(other)] > floor[room_of(module)]]
-    assert sum(map(len, ARROWS.values())) > 200
+    assert sum(map(len, arrows.values())) > 200
     assert upward == []
 
 
-def test_no_file_is_in_a_circle_of_imports():
-    remaining = dict(ARROWS)
+def test_no_file_is_in_a_circle_of_imports(arrows):
+    remaining = dict(arrows)
     while leaves := [module for module, others in remaining.items() if not any(each in remaining for each in others)]:
         for module in leaves:
             del remaining[module]
     assert remaining == {}
 
 
-def test_no_chapter_of_the_exercises_imports_another():
+def test_no_chapter_of_the_exercises_imports_another(arrows):
     chapters = [module for module in FILES if module.startswith('param_tutorial.exercises.chapters.')]
     assert len(chapters) == 18
-    assert [(module, other) for module in chapters for other in ARROWS[module] if other in chapters] == []
+    assert [(module, other) for module in chapters for other in arrows[module] if other in chapters] == []
 
 
 def test_pictures_need_neither_ros_nor_widgets():

@@ -22,7 +22,7 @@ from jupyter_client.manager import start_new_kernel
 from playwright.sync_api import expect
 
 from tests.support import lesson
-from tests.support.lab import CHROMIUM, ROOT, Lab, LabPage
+from tests.support.lab import CHROMIUM, ROOT, Lab, LabPage, chromium
 from tests.tools import robot_bench
 
 # Run in a kernel, as a lesson is: there a widget's messages really travel.
@@ -240,7 +240,7 @@ def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
     first_panel = []
     with tempfile.TemporaryDirectory() as scratch:
         notebook = lesson.write(Path(scratch) / 'lesson.ipynb')
-        with Lab(Path(scratch) / 'lab', [notebook]) as lab, lab.browser() as browser:
+        with Lab(Path(scratch) / 'lab', [notebook]) as lab, chromium() as browser:
             page = LabPage(lab, browser, notebook.name)
             for _ in range(rounds):
                 page.page.evaluate("() => window.jupyterapp.commands.execute('notebook:clear-all-cell-outputs')")

@@ -11,7 +11,7 @@ import psutil
 from playwright.sync_api import expect
 
 from tests.support import lesson
-from tests.support.lab import Lab, LabPage
+from tests.support.lab import Lab, LabPage, chromium
 
 SECONDS = 5.0
 CELLS = (
@@ -36,18 +36,18 @@ def measure() -> dict[str, float]:
     """
     with tempfile.TemporaryDirectory() as scratch:
         notebook = lesson.write(Path(scratch) / 'robot.ipynb', CELLS)
-        with Lab(Path(scratch) / 'lab', [notebook]) as lab, lab.browser() as browser:
+        with Lab(Path(scratch) / 'lab', [notebook]) as lab, chromium() as browser:
             page = LabPage(lab, browser, notebook.name)
             page.run_all()
             kernel = [psutil.Process(int(lab.ask_kernel('os.getpid()')))]
-            chromium = [each for each in psutil.Process().children(recursive=True) if 'chrom' in each.name()]
+            processes = [each for each in psutil.Process().children(recursive=True) if 'chrom' in each.name()]
             page.page.wait_for_timeout(3000)  # whatever JupyterLab does after running a cell
-            figures = {'still: kernel': _load(page, kernel), 'still: browser': _load(page, chromium)}
+            figures = {'still: kernel': _load(page, kernel), 'still: browser': _load(page, processes)}
             lab.ask_kernel("client.set_parameter('max_acceleration_mps2', 0.02)")  # long enough on its way
             page.page.get_by_role('button', name='Drive').click()
             expect(page.page.locator('.robot-word')).to_have_text('SPEEDING UP')
             figures['moving: kernel'] = _load(page, kernel)
-            figures['moving: browser'] = _load(page, chromium)
+            figures['moving: browser'] = _load(page, processes)
             figures['frames per second'] = page.page.evaluate(COUNT, SECONDS * 1000) / SECONDS
             return figures
 

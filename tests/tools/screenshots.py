@@ -12,7 +12,7 @@ from pathlib import Path
 from playwright.sync_api import expect
 
 from tests.support import lesson
-from tests.support.lab import Lab, LabPage
+from tests.support.lab import Lab, LabPage, chromium
 
 LOOKS = {
     'light': {'width': 1280, 'height': 1000},
@@ -24,7 +24,7 @@ LOOKS = {
 def shoot(notebook: Path, folder: Path, looks: list[str], scale: float, scroll_to: str) -> None:
     """Save one picture of the notebook for each look."""
     with tempfile.TemporaryDirectory() as scratch, Lab(Path(scratch) / 'lab', [notebook]) as lab, \
-            lab.browser() as browser:
+            chromium() as browser:
         for look in looks:
             page = LabPage(lab, browser, notebook.name, scale=scale, **LOOKS[look])
             page.run_all()

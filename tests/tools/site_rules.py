@@ -8,9 +8,8 @@ import sys
 from pathlib import Path
 
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import sync_playwright
 
-from tests.support.lab import CHROMIUM, CHROMIUM_FLAGS
+from tests.support.lab import chromium
 
 WCAG = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa']
 MAX_LESSON_BYTES = 3_000_000
@@ -54,8 +53,7 @@ def check_page(page):
 def main(folder):
     """Check every page of a site, and print what is wrong."""
     problems = []
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(CHROMIUM_FLAGS))
+    with chromium() as browser:
         for path in sorted(folder.glob('*.html')):
             if path.stat().st_size > MAX_LESSON_BYTES:
                 problems.append(f'{path.name}: {path.stat().st_size / 1e6:.1f} MB')
@@ -66,7 +64,6 @@ def main(folder):
                 except AssertionError as error:
                     problems.append(f'{path.name}, {scheme}: {error}')
             print(f'{path.name} checked', flush=True)
-        browser.close()
     print(*problems, sep='\n')
     print(f'{len(list(folder.glob("*.html")))} pages checked, {len(problems)} problems')
     return 1 if problems else 0

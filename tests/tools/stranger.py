@@ -35,7 +35,7 @@ from nbformat import NotebookNode
 from playwright.sync_api import Error as BrowserError
 
 from param_tutorial.lessons.recording import comparison
-from tests.support.lab import CourseLab, LabPage
+from tests.support.lab import CourseLab, LabPage, chromium
 from tests.support.paths import NOTEBOOKS
 from tests.tools.play import PRESENT_STATE
 
@@ -456,7 +456,7 @@ def main(arguments: list[str]) -> int:
     print(f'seed {options.seed}', flush=True)
     status = 0
     with tempfile.TemporaryDirectory() as scratch, CourseLab(Path(scratch) / 'lab', notebooks) as lab, \
-            lab.browser() as browser:
+            chromium() as browser:
         for path in notebooks:
             if not path.name.startswith(beginnings):
                 continue
