@@ -1,5 +1,6 @@
 """terminals: commands in processes of their own, and their end."""
 
+import signal
 import sys
 
 import psutil
@@ -68,3 +69,5 @@ def test_a_cell_that_starts_a_command_again_ends_the_first():
     first.read(until='1')
     again = Terminal(command)
     assert (first.is_running, other.is_running, again.is_running) == (False, True, True)
+    # Left running, they would be missed by Python a minute later, in the middle of another test.
+    assert (other.interrupt(), again.interrupt()) == (-signal.SIGINT, -signal.SIGINT)

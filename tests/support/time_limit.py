@@ -19,6 +19,8 @@ from xdist.scheduler import LoadScopeScheduling
 from xdist.workermanage import WorkerController
 
 _limit_sec = pytest.StashKey[float]()
+# Set when this process is about to end.
+_ending = threading.Event()
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -35,6 +37,14 @@ def pytest_runtest_teardown(item: pytest.Item) -> None:
     if _limit_sec in item.stash:
         item.cancel_timeout()
         _start(item)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_makereport() -> None:
+    """Give no report when this process ends: a test that waited for one of those that are killed may have come to its
+    end by that, and would count as passed."""
+    if _ending.is_set():
+        threading.Event().wait()
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -78,6 +88,7 @@ def _end(item: pytest.Item) -> None:
     """Show where each thread is, then kill this process and its descendants."""
     if is_debugging():
         return
+    _ending.set()
     try:
         capture = item.config.pluginmanager.getplugin('capturemanager')
         capture.suspend_global_capture(in_=True)
