@@ -179,6 +179,14 @@ def is_housekeeping(name: str) -> bool:
     return name in ('use_sim_time', 'start_type_description_service') or name.startswith('qos_overrides.')
 
 
+def node_name(node: 'str | Node | ParameterClient') -> str:
+    """Return the fully qualified name of a node, given in any of the ways in which our tools take one.
+
+    :raises TypeError: it is none of these.
+    """
+    return node.node if isinstance(node, ParameterClient) else full_name(node)
+
+
 class ParameterClient:
     """The parameters of one node, wherever it runs. Cheap to make; there is nothing to close.
 

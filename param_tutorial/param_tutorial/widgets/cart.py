@@ -11,11 +11,11 @@ from rclpy.node import Node
 
 from param_tutorial.nodes.cart_node import AISLE_M, SIGHT_M
 from param_tutorial.nodes.clawbot_node import SAFETY_GAP_M, Motion, Settings, State, plan
-from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.client import ParameterClient, node_name
 from param_tutorial.parameters.live import LiveParameters
 from param_tutorial.pictures.cart import Cart
 from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
+from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.driving import DrivingView
@@ -57,7 +57,7 @@ class CartView(DrivingView):
         :param executor: Carries the requests; by default the one that runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         """
-        self._node = node.node if isinstance(node, ParameterClient) else full_name(node)
+        self._node = node_name(node)
         self._settings: Settings | None = None
         self._motion, self._begin_sec, self._before_sec = _READY, 0.0, 0.0
         super().__init__('Put the cart back to the start, and let it go')

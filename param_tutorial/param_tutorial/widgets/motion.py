@@ -15,7 +15,7 @@ from rclpy.node import Node
 
 from param_tutorial.errors import CallbackError, ExecutorError, NodeNotFoundError
 from param_tutorial.parameters import values
-from param_tutorial.parameters.client import Descriptor, ParameterClient
+from param_tutorial.parameters.client import Descriptor, ParameterClient, node_name
 from param_tutorial.parameters.live import LiveParameters
 from param_tutorial.parameters.recording import RecordedSet, follow_sets
 from param_tutorial.pictures import motion
@@ -24,7 +24,7 @@ from param_tutorial.pictures.messages import MessageTraffic
 from param_tutorial.pictures.number_line import NumberLine, Request, Scale
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import ends_of_parameter_events
-from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
+from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets.events import changes_in
 from param_tutorial.widgets.reel import ReelView
@@ -101,7 +101,7 @@ class SetView(MotionView):
         self._followed: Node | None = None
         self._stop_sets: Callable[[], None] = nothing
         self._latest: RecordedSet | None = None
-        super().__init__(node.node if isinstance(node, ParameterClient) else full_name(node), executor)
+        super().__init__(node_name(node), executor)
 
     def _wants(self, record: RecordedSet) -> bool:
         """True if a set is to be shown."""
@@ -306,7 +306,7 @@ class MessageView(MotionView):
         """
         self._event: ParameterEvent | None = None
         self._shown: object = self
-        self._node = None if node is None else node.node if isinstance(node, ParameterClient) else full_name(node)
+        self._node = None if node is None else node_name(node)
         super().__init__(self._node or 'all nodes', executor)
         if self._node is not None and value is not ...:
             result = ParameterClient(self._node, executor=self._executor).set_parameter(name, value)

@@ -19,12 +19,12 @@ from rclpy.node import Node
 
 from param_tutorial.errors import ParameterNotDeclaredError
 from param_tutorial.parameters import values
-from param_tutorial.parameters.client import Descriptor, ParameterClient, is_housekeeping
+from param_tutorial.parameters.client import Descriptor, ParameterClient, is_housekeeping, node_name
 from param_tutorial.parameters.live import LiveParameter, LiveParameters
 from param_tutorial.parameters.text import fit
 from param_tutorial.pictures.styles import style
 from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
+from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.editors import (
     CheckBoxEditor,
@@ -139,7 +139,7 @@ class ParameterPanel(View):
         :param executor: Carries the requests; by default whichever runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         """
-        self._node = node.node if isinstance(node, ParameterClient) else full_name(node)
+        self._node = node_name(node)
         self._controls: dict[str, Control] = {}
         # What each parameter had when the panel first saw it.
         self._first: dict[str, Any] = {}

@@ -14,13 +14,13 @@ import ipywidgets as widgets
 from rclpy.node import Node
 
 from param_tutorial.nodes.pid_controller_node import SETTLING_BAND, Figures, StepResponse, response_of
-from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.client import ParameterClient, node_name
 from param_tutorial.parameters.live import LiveParameters
 from param_tutorial.pictures.plots import Band, plot_responses
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.wheel import Wheel
 from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
+from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.recordable import html_of
 from param_tutorial.widgets.view import View
@@ -75,7 +75,7 @@ class StepResponseView(View):
         :param executor: Carries the requests; by default the one that runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         """
-        self._node = node.node if isinstance(node, ParameterClient) else full_name(node)
+        self._node = node_name(node)
         self._joint = joint
         self._shown: tuple[str, dict[str, Any]] | None = None
         self._text = ''
