@@ -612,6 +612,19 @@ def test_the_stage_goes_on_when_a_callback_never_returns(asleep):
 
 
 @pytest.mark.slow
+def test_nodes_that_go_after_that_leave_nothing_with_the_executor():
+    """What they served is gone at once, and the memory is another's before the executor has looked."""
+    done = run_python(STUCK.format(asleep=True) + '''
+    ros.run(lambda: None, 'work', timeout_sec=0.3)
+    for _ in range(30):
+        ros.run(lambda: (ros.remove('/simple_param_node'), ros.add(SimpleParamNode)), 'replace it')
+    print(ros.errors, ParameterClient('/simple_param_node').set_parameter('max_speed_rpm', 3))
+    ''')
+    assert done.stdout == '[] /simple_param_node accepted max_speed_rpm = 3\n'
+    assert done.stderr.count('\n') == 1
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize('asleep', [True, False])
 @pytest.mark.parametrize(('ending', 'status'), [('', 0), ('sys.exit(3)', 3), ('param_tutorial.stop()', 0)])
 def test_the_interpreter_ends_well_with_a_callback_that_never_returns(asleep, ending, status):

@@ -6,7 +6,6 @@ of its own, survives exceptions in their callbacks, and offers the feeds that to
 """
 
 import ctypes
-import functools
 import sys
 import threading
 import time
@@ -133,7 +132,6 @@ class BackgroundExecutor:
         self._graph_listeners: Listeners[[]] = Listeners()
         self._incarnations: frozenset[tuple[str, bytes]] = frozenset()
         self._stopping = False
-        self._has_abandoned_a_thread = False
         self._executor = rclpy_private.new_executor(self.context)
         self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
         self.tool_node.create_subscription(
@@ -207,10 +205,7 @@ class BackgroundExecutor:
         """
         doomed = [each for each in self._nodes if node is each or _full_name(each) == node]
         for each in doomed:
-            handles, what = rclpy_private.handles_of(each), f'remove {_full_name(each)}'
-            self.run(each.destroy_node, what)
-            if self._has_abandoned_a_thread:  # whose executor still counts as a user; ours has let go by the next turn
-                self.run(functools.partial(rclpy_private.release, handles), what)
+            self.run(each.destroy_node, f'remove {_full_name(each)}')
         if doomed:
             self._check_graph_soon()
         return bool(doomed)
@@ -338,6 +333,7 @@ class BackgroundExecutor:
         self._executor = rclpy_private.new_executor(self.context)
         self._thread = self._new_thread()
         for node in [self.tool_node, *self._nodes]:
+            rclpy_private.take_from_dead_executor(node)
             self._executor.add_node(node)
         self._thread.start()
         # A client that is created while the executor still takes over the nodes may never hear an answer.
@@ -345,7 +341,6 @@ class BackgroundExecutor:
 
     def _park_thread(self) -> None:
         """Keep the thread from ever running Python again: it sleeps until the process ends."""
-        self._has_abandoned_a_thread = True
         _Parked.is_parked.clear()
         self._raise_in_thread(_Parked)
         if _CallbackInterrupted.is_noticed.is_set():  # otherwise it is asleep already, which is as good
@@ -456,17 +451,18 @@ class BackgroundExecutor:
         self._let_go_of_context()
         if self._thread.is_alive() and self.context.ok():
             self._executor.create_task(lambda: None)
-        if self._ends_within(STOP_TIMEOUT_SEC) or self._interrupt(self._ends_within):
+        has_ended = self._ends_within(STOP_TIMEOUT_SEC) or self._interrupt(self._ends_within)
+        if has_ended:
             self._executor.shutdown()
         else:
             self._park_thread()
-        # Left as they are, other nodes would see those of a parked thread for as long as this process lives, and never
-        # get an answer.
         for node in [*reversed(self._nodes), self.tool_node]:
-            if self._has_abandoned_a_thread:
-                rclpy_private.destroy_by_force(node)
-            else:
+            if has_ended:
                 node.destroy_node()
+            else:
+                # Left as they are, other nodes would see those of a parked thread for as long as this process lives,
+                # and never get an answer.
+                rclpy_private.destroy_by_force(node)
         self._nodes.clear()
         self._guard.leave()
         if utilities.get_default_context() is self.context:

@@ -201,29 +201,34 @@ def is_in_graph(node: Node) -> bool:
     return hasattr(node, '_Node__node')
 
 
-def handles_of(node: Node) -> list[Any]:
-    """Return the handles of a node and of all that it has created; to be called before it is destroyed."""
-    entities: list[Any] = [*node.publishers, *node.subscriptions, *node.clients, *node.services, *node.timers]
-    return [*node.waitables, *(entity.handle for entity in entities), node.handle]
+def take_from_dead_executor(node: Node) -> None:
+    """Let go of a node's handles in the name of an executor that will never run again, so that another may have it.
 
-
-def release(handles: list[Any]) -> None:
-    """Let go of handles in the name of an executor that will never run again; those to be destroyed then are.
-
-    An executor counts as a user of each handle that it waits for, and rclpy destroys a handle when the last user
-    has left it: with ``__exit__``, as at the end of a ``with`` block.
+    An executor counts as a user of each handle that it waits for, and rclpy destroys a handle when the last user has
+    left it. To be called before the other executor becomes a user: what is let go of here is everybody's.
     """
-    for handle in handles:
-        with contextlib.suppress(RuntimeError):  # raised when there is no user left
-            while True:
-                handle.__exit__(None, None, None)
+    _release(_waited_for(node))
 
 
 def destroy_by_force(node: Node) -> None:
     """Destroy a node whose executor will never run again."""
-    handles = handles_of(node)
+    handles = [*_waited_for(node), *(publisher.handle for publisher in node.publishers), node.handle]
     node.destroy_node()
-    release(handles)
+    _release(handles)
+
+
+def _waited_for(node: Node) -> list[Any]:
+    """Return the handles of what a node has created and its executor waits for."""
+    entities: list[Any] = [*node.subscriptions, *node.clients, *node.services, *node.timers]
+    return [*node.waitables, *(entity.handle for entity in entities)]
+
+
+def _release(handles: list[Any]) -> None:
+    """Leave handles with ``__exit__``, as at the end of a ``with`` block, until they have no user."""
+    for handle in handles:
+        with contextlib.suppress(RuntimeError):  # raised when there is no user left
+            while True:
+                handle.__exit__(None, None, None)
 
 
 def watch_answers(service: Service, failed: Callable[[BaseException], None]) -> None:
