@@ -349,9 +349,13 @@ def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
 
 @pytest.mark.slow
 def test_ctrl_c_ends_a_command_that_waits(ros, start_process):
+    def count():
+        return ros.tool_node.get_node_names().count(executor.TOOL_NODE_NAME)
+
+    wait_until(lambda: count() == 1, 'the commands of earlier tests to be gone', 30)
     process = start_process(*EMBEDDED, 'param', 'get', '--timeout', '600', '/nobody', 'x',
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    wait_until(lambda: ros.tool_node.get_node_names().count(executor.TOOL_NODE_NAME) == 2, 'the command to join', 30)
+    wait_until(lambda: count() == 2, 'the command to join', 30)
     process.send_signal(signal.SIGINT)
     assert process.communicate(timeout=60) == ('', '')
     assert process.returncode == 2
