@@ -83,6 +83,12 @@ def test_a_learner_starts_comes_back_and_gets_a_new_version(tmp_path):
         expect(page.locator('.picture')).to_have_count(0)
         page.get_by_role('link', name='Begin with chapter 1').click()
         expect_picture(page)
+        # A page that gets no word of the kernel's widgets in 4 s gives up on them until it is loaded again: so it is in
+        # ipywidgets, and on a busy machine 4 s are short.
+        lost = page.get_by_text('Error displaying widget').first
+        expect(page.get_by_label('robot_name', exact=True).or_(lost).first).to_be_visible()
+        if lost.is_visible():
+            page.reload()
         expect_live_panel(page)
         assert [trusted for _, _, trusted in page.evaluate(CELLS)] == [True] * 4
 
