@@ -15,3 +15,10 @@ def _chromium():
         if os.environ.get('CI'):
             pytest.fail(missing)
         pytest.skip(missing)
+
+
+@pytest.fixture(scope='module')
+def browser():
+    """A Chromium without windows, one for all tests of a file."""
+    with lab.chromium() as browser:
+        yield browser

@@ -4,7 +4,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.support import lesson
-from tests.support.lab import Lab, LabPage, chromium, wait_for
+from tests.support.lab import Lab, LabPage, wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -24,12 +24,6 @@ FRONT_PX = """() => { const svg = document.querySelector('.robot-scene svg'), mo
     return mover.getCTM().e / svg.getCTM().a * svg.getBoundingClientRect().width / 1000
         + svg.getBoundingClientRect().left; }"""
 RUNNING = '() => document.getAnimations().filter(each => /^robot-/.test(each.animationName)).length'
-
-
-@pytest.fixture(scope='module')
-def browser():
-    with chromium() as browser:
-        yield browser
 
 
 @pytest.fixture(scope='module')

@@ -22,7 +22,7 @@ from param_tutorial.lessons.build import Site
 from param_tutorial.lessons.pages import writing
 from param_tutorial.lessons.recording import run
 from tests.support import lesson
-from tests.support.lab import ROOT, chromium
+from tests.support.lab import ROOT
 from tests.tools.site_rules import check_page, open_page
 
 # Sphinx and its extensions tell each other, in each release, what the next one will bring.
@@ -127,12 +127,6 @@ def made(tmp_path_factory):
     site = Site(notebooks, folder / 'html', folder / 'work', processes=2)
     site.build()
     return site
-
-
-@pytest.fixture(scope='module')
-def browser():
-    with chromium() as browser:
-        yield browser
 
 
 @pytest.fixture
