@@ -16,10 +16,10 @@
         ├── NodeGoneError           the node went away in mid-call                  (also ConnectionError)
         ├── CallbackError           the node's own callback raised instead of answering
         ├── ParameterNotDeclaredError  the node has no parameter of that name       (also LookupError)
-        └── ParameterRefusedError   the node said no; carries ``.result``
+        └── ParameterRejectedError   the node said no; carries ``.result``
 
-A refused value is not an exception by itself: it is a result with a reason (see ``client.SetResult``), and
-becomes a ParameterRefusedError on request.
+A rejected value is not an exception by itself: it is a result with a reason (see ``client.SetResult``), and
+becomes a ParameterRejectedError on request.
 """
 
 import difflib
@@ -122,7 +122,7 @@ class ParameterNotDeclaredError(NodeError, LookupError):
             node, f'{node} has no parameter {name!r}{nearest(name, existing, "It has no parameters at all")}')
 
 
-class Refusal(Protocol):
+class Rejection(Protocol):
     """What a node said no to; a ``client.SetResult`` is one."""
 
     @property
@@ -146,10 +146,10 @@ class Refusal(Protocol):
         """The node's own words."""
 
 
-class ParameterRefusedError(NodeError):
-    """The node refused a value; ``.result`` holds the parameter, the value and the reason."""
+class ParameterRejectedError(NodeError):
+    """The node rejected a value; ``.result`` holds the parameter, the value and the reason."""
 
-    def __init__(self, result: Refusal):
+    def __init__(self, result: Rejection):
         super().__init__(result.node, str(result))
         self.result = result
 

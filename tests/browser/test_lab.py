@@ -130,12 +130,12 @@ def test_a_learner_and_a_terminal(request, opened):
     expect(box).to_have_value('2.0')
     lab_module.wait_for(lambda: value(lab, 'max_acceleration_mps2') == 2.0, 'the node to have it')
 
-    # What the node refuses springs back, with its reason, until the next change.
+    # What the node rejects springs back, with its reason, until the next change.
     speed = page.box('max_speed_rpm')
     kept = speed.input_value()
     speed.fill('-5')
     speed.press('Enter')
-    expect(page.message('max_speed_rpm')).to_have_text('Not taken: max_speed_rpm must not be negative, got -5')
+    expect(page.message('max_speed_rpm')).to_have_text('Rejected: max_speed_rpm must not be negative, got -5')
     expect(speed).to_have_value(kept)
     assert value(lab, 'max_speed_rpm') == int(kept)
     speed.fill('120')

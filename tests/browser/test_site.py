@@ -191,7 +191,7 @@ def test_what_the_node_told_stands_in_the_table_of_events(page):
     rows = page.get_by_role('log', name='Changes of all nodes').get_by_role('row')
     expect(rows).to_have_count(1)
     type_into(page, 'power_w', '150')
-    type_into(page, 'low_c', '25')  # refused, so nothing is told
+    type_into(page, 'low_c', '25')  # rejected, so nothing is told
     box(page, 'on').click()
     expect(rows).to_have_count(3)
     expect(rows.nth(1)).to_have_text('/heaterchangedonFalse')
@@ -199,16 +199,16 @@ def test_what_the_node_told_stands_in_the_table_of_events(page):
 
 
 @limits
-def test_a_value_that_the_node_refused_springs_back_with_the_nodes_reason(page):
+def test_a_value_that_the_node_rejected_springs_back_with_the_nodes_reason(page):
     type_into(page, 'low_c', '25')
-    expect(message(page, 'low_c')).to_have_text('Not taken: 25 is not below 22')
+    expect(message(page, 'low_c')).to_have_text('Rejected: 25 is not below 22')
     expect(box(page, 'low_c')).to_have_value('18')
     expect(row(page, 'low_c').get_by_role('slider')).to_have_value('18')
     type_into(page, 'low_c', '35')
-    expect(message(page, 'low_c')).to_contain_text('Not taken: ')
+    expect(message(page, 'low_c')).to_contain_text('Rejected: ')
     type_into(page, 'low_c', 'fast')
     expect(message(page, 'low_c')).to_have_text(
-        "Not taken: 'fast' cannot be read: low_c wants a whole number, e.g. 42")
+        "Rejected: 'fast' cannot be read: low_c wants a whole number, e.g. 42")
     expect(box(page, 'low_c')).to_have_value('18')
 
 
@@ -247,7 +247,7 @@ def test_an_answer_that_depends_on_another_parameter_is_not_given_for_another_st
     unknown = next(str(each) for each in range(23, 35) if str(each) not in asked)
     type_into(page, 'high_c', known)
     type_into(page, 'low_c', '21')
-    expect(message(page, 'low_c')).to_have_text(f'Not taken: 21 is not below {known}')
+    expect(message(page, 'low_c')).to_have_text(f'Rejected: 21 is not below {known}')
     page.get_by_role('button', name='Back to the start').click()
     expect(box(page, 'high_c')).to_have_value('22')
     type_into(page, 'high_c', unknown)
@@ -406,7 +406,7 @@ def test_one_lesson_as_one_file(made, browser, tmp_path):
     shutil.move(single.build(site), alone)
     with open_page(browser, alone.as_uri()) as page:
         type_into(page, 'low_c', '25')
-        expect(message(page, 'low_c')).to_have_text('Not taken: 25 is not below 22')
+        expect(message(page, 'low_c')).to_have_text('Rejected: 25 is not below 22')
         assert check_page(page) == []
         assert page.locator('a[href$=".ipynb"], a[href="2_robot.html"]').count() == 0
         loaded = page.evaluate("performance.getEntriesByType('resource').map(each => each.name)"

@@ -148,7 +148,7 @@ def test_on_set_is_asked_for_more_than_changes_of_declared_parameters(ros, robot
     client.set_parameter('use_sim_time', False)
     ros.run(lambda: robot.declare_parameter('late', 7), 'declare')
     ros.run(lambda: robot.undeclare_parameter('late'), 'undeclare')
-    client.set_parameter('speed', 'fast')  # refused before
+    client.set_parameter('speed', 'fast')  # rejected before
     assert robot.asked == [[('speed', 100)], [('use_sim_time', False)], [('late', 7)]]
 
 
@@ -195,10 +195,10 @@ def article(ros):
 @pytest.mark.parametrize(('name', 'value', 'kind'), [
     ('robot_name', 'AlphaClaw', 'accepted'), ('enable_safety_mode', False, 'accepted'),
     ('min_operating_temperature_c', 10, 'accepted'), ('min_operating_temperature_c', 51, 'out of range'),
-    ('max_speed_rpm', 150, 'refused by the node'), ('max_speed_rpm', 180, 'refused by the node'),
-    ('max_acceleration_mps2', 0.75, 'refused by the node'),
+    ('max_speed_rpm', 150, 'rejected by the node'), ('max_speed_rpm', 180, 'rejected by the node'),
+    ('max_acceleration_mps2', 0.75, 'rejected by the node'),
 ])
-def test_the_articles_robot_refuses_every_speed_and_every_acceleration(article, name, value, kind):
+def test_the_articles_robot_rejects_every_speed_and_every_acceleration(article, name, value, kind):
     assert ParameterClient(article).set_parameter(name, value).kind == kind
 
 

@@ -117,7 +117,7 @@ def test_one_cell_in_ten_may_be_left_out_with_a_reason(problems_of, skipped):
     assert any('2 of 11 code cells' in problem for problem in problems_of([*cells, skipped, second]))
 
 
-def test_the_fifth_code_cell_in_a_row_is_refused(problems_of):
+def test_the_fifth_code_cell_in_a_row_is_rejected(problems_of):
     cells = [markdown('# Title'), *(code('1', count) for count in range(1, 5))]
     assert problems_of(cells) == []
     assert problems_of([*cells, code('1', 5)]) == ['6: is the fifth code cell in a row: say something after at most 4.']

@@ -271,11 +271,11 @@ def test_what_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
 class Loops(Node):
     def __init__(self):
         super().__init__('supervisor')
-        self.refusal = ''
+        self.rejection = ''
         self.client = self.create_client(ch05_3.SetParameters, '/rover/set_parameters')
 
     def slow_down(self):
-        while not self.refusal:
+        while not self.rejection:
             pass
 
 
@@ -360,11 +360,11 @@ def test_without_a_stage_there_is_one_for_the_time_of_the_check():
 
 def test_a_line_of_the_learners_is_shown(ros, tmp_path):
     path = tmp_path / 'cell.py'
-    path.write_text('def refused(parameters, results):\n    return results[9]\n')
+    path.write_text('def rejected(parameters, results):\n    return results[9]\n')
     space = {'__name__': '__main__'}
     exec(compile(path.read_text(), str(path), 'exec'), space)
     assert 'in the line `return results[9]`' in ' '.join(repr(exercises.check(
-        '5.3b', space['refused'])).split())
+        '5.3b', space['rejected'])).split())
 
 
 def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):

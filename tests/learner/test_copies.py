@@ -328,15 +328,15 @@ def test_make_reset_says_which_chapter_it_wants():
 
 @pytest.mark.parametrize(('number', 'told'), [
     (errno.ENOSPC, 'The disk is full'), (errno.EROFS, 'Read-only file system'), (errno.EACCES, 'Permission denied')])
-def test_what_the_system_refuses_is_one_sentence_and_changes_no_copy(copies, monkeypatch, number, told):
+def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, monkeypatch, number, told):
     edit(copies.folder / FIRST, 1, 'speed = 99')
     write_chapter(copies.chapters / FIRST, 'speed = 2', 'stop()')
     before = files(copies.folder)
 
-    def refuse(file: int) -> None:
+    def reject(file: int) -> None:
         raise OSError(number, os.strerror(number), 'the file')
 
-    monkeypatch.setattr(os, 'fsync', refuse)
+    monkeypatch.setattr(os, 'fsync', reject)
     with pytest.raises(CopiesError, match=told):
         copies.deliver()
     assert files(copies.folder) == before

@@ -193,7 +193,7 @@ def test_what_a_node_says_is_text_and_not_markup():
            'message': '<i>', 'type': 'string', 'locked': False, 'editor': 'text',
            'answers': {'x': {'reason': '</script><i>'}}}
     drawn = drawing.Drawer('page').draw({'kind': 'panel', 'node': '/<n>', 'status': '', 'rows': [row]})
-    assert '<b>' not in drawn.replace('<b>Not taken:</b>', '') and '<i>' not in drawn and '/<n>' not in drawn
+    assert '<b>' not in drawn.replace('<b>Rejected:</b>', '') and '<i>' not in drawn and '/<n>' not in drawn
     assert drawn.count('<script') == drawn.count('</script>') == 1
 
 

@@ -44,16 +44,16 @@ def test_it_objects_to_what_it_could_not_stop_from(speed, acceleration):
     assert bool(CartNode.objection(speed, acceleration)) == (stopping_m > SIGHT_M)
 
 
-def test_a_request_is_judged_as_a_whole_and_a_refused_one_leaves_no_trace(cart, client):
+def test_a_request_is_judged_as_a_whole_and_a_rejected_one_leaves_no_trace(cart, client):
     pair = {'max_speed_mps': 2.0, 'max_acceleration_mps2': 1.0}
-    assert [result.kind for result in client.set_parameters(pair)] == ['refused by the node', 'accepted']
+    assert [result.kind for result in client.set_parameters(pair)] == ['rejected by the node', 'accepted']
     assert cart.trip_sec == 12 / 1.0 + 1.0 / 1.0
     assert client.set_parameters_atomically(pair).successful
     assert not client.set_parameter('max_acceleration_mps2', 0.9).successful
     assert cart.trip_sec == 8.0
 
 
-def test_with_start_values_that_it_would_refuse_it_does_not_start(ros):
+def test_with_start_values_that_it_would_reject_it_does_not_start(ros):
     with pytest.raises(InvalidParameterValueException, match=r'it would take 4.00 m to stop'):
         ros.add(CartNode, ros_args=['-p', 'max_speed_mps:=2.0'])
     assert ros.add(CartNode, ros_args=['-p', 'max_speed_mps:=2.0', '-p', 'max_acceleration_mps2:=1.0']).trip_sec == 8.0

@@ -200,20 +200,20 @@ def test_where_a_drive_has_ended_a_change_counts_for_the_next(robot, client):
 
 
 @pytest.mark.parametrize(('name', 'value', 'kind'), [
-    ('robot_name', 'Alpha', 'accepted'), ('robot_name', ' ', 'refused by the node'),
+    ('robot_name', 'Alpha', 'accepted'), ('robot_name', ' ', 'rejected by the node'),
     ('max_speed_rpm', 0, 'accepted'), ('max_speed_rpm', -1, 'out of range'), ('max_speed_rpm', 301, 'out of range'),
     ('max_acceleration_mps2', 0.0, 'out of range'), ('max_acceleration_mps2', 1, 'wrong type'),
     ('sensor_offset_meters', float('nan'), 'out of range'), ('sensor_offset_meters', 0.6, 'out of range'),
     ('robot_serial_number', 'SN-2', 'read only'), ('simulation.track_length_meters', 5.0, 'read only'),
 ])
-def test_what_it_refuses(robot, client, name, value, kind):
+def test_what_it_rejects(robot, client, name, value, kind):
     before = robot.settings
     assert client.set_parameter(name, value).kind == kind
     if kind != 'accepted':
         assert robot.settings == before
 
 
-def test_a_refused_atomic_set_changes_nothing_on_the_way(robot, client):
+def test_a_rejected_atomic_set_changes_nothing_on_the_way(robot, client):
     robot.drive()
     robot.step(1.0)
     client.set_parameters_atomically({'max_acceleration_mps2': 2.0, 'robot_name': ''})

@@ -1,4 +1,4 @@
-"""The lessons' nodes: what they declare, refuse and do, and that each stands on rclpy alone."""
+"""The lessons' nodes: what they declare, reject and do, and that each stands on rclpy alone."""
 
 import ast
 import sys
@@ -58,10 +58,10 @@ def test_the_robot_declares_the_seven_of_the_course(client):
     assert all(each.description for each in client.describe_parameters(own).values())
 
 
-# claims A052: the article's comparison refuses every one of the first three.
+# claims A052: the article's comparison rejects every one of the first three.
 @pytest.mark.parametrize(('name', 'value', 'kind'), [
     ('max_speed_rpm', 150, 'accepted'), ('max_speed_rpm', 0, 'accepted'), ('max_acceleration_mps2', 0.75, 'accepted'),
-    ('max_speed_rpm', -1, 'refused by the node'), ('robot_name', ' ', 'refused by the node'),
+    ('max_speed_rpm', -1, 'rejected by the node'), ('robot_name', ' ', 'rejected by the node'),
     ('max_acceleration_mps2', 2.5, 'out of range'), ('min_operating_temperature_c', 51, 'out of range'),
     ('robot_serial_number', 'SN-2', 'read only'), ('enable_safety_mode', 1, 'wrong type'),
 ])
@@ -85,11 +85,11 @@ def test_the_setter_waits_for_its_target_and_reports_each_result(ros):
     param_tutorial.wait_until(setter.client.service_is_ready, 'the target')
     ros.run(setter.set_parameters_periodically, 'press the button')
     report = ros.node_log.read(until='max_acceleration_mps2 =', node='/param_setter_node').splitlines()
-    assert [line.split(': ')[2] for line in report[-4:]] == ['accepted', 'accepted', 'accepted', 'refused']
+    assert [line.split(': ')[2] for line in report[-4:]] == ['accepted', 'accepted', 'accepted', 'rejected']
     assert ParameterClient('/simple_param_node').get_parameter('max_speed_rpm') == 130
 
 
-def test_only_each_third_proposal_holds_a_value_that_the_robot_refuses():
+def test_only_each_third_proposal_holds_a_value_that_the_robot_rejects():
     for iteration in range(1, 61):
         acceleration = ParamSetterNode.proposal(iteration)[-1].value
         assert (0.01 <= acceleration <= 2.0) == (iteration % 3 != 0)

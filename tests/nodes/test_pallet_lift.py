@@ -1,4 +1,4 @@
-"""The pallet lift of chapter 8: how it moves, what it refuses, and the two files that it starts with."""
+"""The pallet lift of chapter 8: how it moves, what it rejects, and the two files that it starts with."""
 
 
 import hypothesis
@@ -53,7 +53,7 @@ def client(ros):
     ({'lift.lowest_m': 1.0, 'lift.highest_m': 0.9}, 'not below the top'),
     ({'controller.kp': 0.0}, 'out of range'),
 ])
-def test_what_does_not_fit_together_is_refused_and_changes_nothing(ros, client, wish, word):
+def test_what_does_not_fit_together_is_rejected_and_changes_nothing(ros, client, wish, word):
     node = ros.nodes[0]
     before = client.get_parameters(), node.settings
     result = client.set_parameters_atomically(wish)

@@ -154,23 +154,23 @@ def client(controller):
 @pytest.mark.parametrize(('name', 'value', 'kind'), [
     (KP, 0.0, 'accepted'), (KP, 2.0, 'accepted'), (KP, -0.1, 'out of range'), (KP, math.nan, 'out of range'),
     (KP, math.inf, 'out of range'), (KP, 1, 'wrong type'), (KI, -0.1, 'out of range'), (KD, math.nan, 'out of range'),
-    (MAX, 0.5, 'accepted'), (MAX, math.nan, 'refused by the node'), (MIN, math.nan, 'refused by the node'),
-    (MAX, -math.inf, 'refused by the node'), (MIN, math.inf, 'refused by the node'),
+    (MAX, 0.5, 'accepted'), (MAX, math.nan, 'rejected by the node'), (MIN, math.nan, 'rejected by the node'),
+    (MAX, -math.inf, 'rejected by the node'), (MIN, math.inf, 'rejected by the node'),
     ('gains.wheel_joint.antiwindup_strategy', 'back_calculation', 'accepted'),
-    ('gains.wheel_joint.antiwindup_strategy', 'legacy', 'refused by the node'),
+    ('gains.wheel_joint.antiwindup_strategy', 'legacy', 'rejected by the node'),
     ('gains.wheel_joint.tracking_time_constant', -1.0, 'out of range'),
     ('dof_names', ['other_joint'], 'read only'), ('command_interface', 'velocity', 'read only'),
     ('reference_and_state_interfaces', ['position'], 'read only'), ('update_rate', 50, 'read only'),
     ('simulation.inertia_kgm2', 0.0, 'out of range'), ('simulation.lag_sec', 0.0, 'accepted'),
 ])
-def test_what_it_refuses(controller, client, name, value, kind):
+def test_what_it_rejects(controller, client, name, value, kind):
     before = controller.response()
     assert client.set_parameter(name, value).kind == kind
     if kind != 'accepted':
         assert controller.response() is before
 
 
-def test_clamps_that_cross_are_refused_with_both_named(client):
+def test_clamps_that_cross_are_rejected_with_both_named(client):
     client.set_parameters_atomically({MAX: 1.0, MIN: -1.0}).raise_for_reason()
     result = client.set_parameter(MIN, 1.0)
     assert result.reason == 'gains.wheel_joint.u_clamp_min = 1.0 must be less than u_clamp_max = 1.0'
@@ -212,7 +212,7 @@ def test_it_does_not_start_without_distinct_joints(ros, tmp_path, joints, error)
 @pytest.mark.parametrize(('override', 'word'), [
     (f'{KP}:=.nan', 'out of range'), (f'{KP}:=-1.0', 'out of range'), (f'{MAX}:=-.inf', 'must be less than'),
     ('gains.wheel_joint.antiwindup_strategy:=magic', 'must be one of')])
-def test_what_it_would_refuse_later_it_refuses_at_the_start(ros, override, word):
+def test_what_it_would_reject_later_it_rejects_at_the_start(ros, override, word):
     with pytest.raises(InvalidParameterValueException, match=word):
         ros.add(PidControllerNode, ros_args=['-p', override])
 

@@ -51,7 +51,7 @@ def node(ros):
     return ros.add(SimpleParamNode)
 
 
-def test_an_answer_goes_to_standard_output_and_a_refusal_to_standard_error(cell, node):
+def test_an_answer_goes_to_standard_output_and_a_rejection_to_standard_error(cell, node):
     assert cell('%ros2 param set /simple_param_node max_speed_rpm 150') == ('Set parameter successful\n', '', 0)
     assert cell('%ros2 param get /simple_param_node max_speed_rpm') == ('Integer value is: 150\n', '', 0)
     stdout, stderr, status = cell('%ros2 param set /simple_param_node max_speed_rpm -1')
@@ -115,7 +115,7 @@ def test_output_goes_into_a_file(cell, node, tmp_path):
     ('param list > no/such/folder/file', 'No such file or directory'),
     ('run param_tutorial simple_param_node', "param_tutorial.Terminal('ros2 run param_tutorial simple_param_node')"),
 ])
-def test_what_is_not_one_command_is_refused_with_a_sentence(cell, ros, line, complaint):
+def test_what_is_not_one_command_is_rejected_with_a_sentence(cell, ros, line, complaint):
     stdout, stderr, status = cell(f'%ros2 {line}')
     assert (stdout, status) == ('', 1)
     assert complaint in stderr
@@ -236,7 +236,7 @@ def test_the_genuine_command_may_not_block_the_cell_either(cell_with_genuine):
     assert 'Terminal' in stderr
 
 
-def test_the_advice_beside_a_refused_run_leaves_the_other_nodes_alone(cell, ros, node):
+def test_the_advice_beside_a_rejected_run_leaves_the_other_nodes_alone(cell, ros, node):
     _, advice, _ = cell('%ros2 run param_tutorial cart_node')
     assert re.search(r'\bros\.add\(', advice)
     assert 'start()' not in advice

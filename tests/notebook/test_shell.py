@@ -143,7 +143,7 @@ def test_what_is_told_stands_in_the_files_whatever_it_is(here):
     (['class', '--build-type', 'ament_python'], "'class' cannot be"),
     (['x', '--build-type', 'ament_python', '--node-name', 'a b'], "'a b' cannot be the name of a Python executable"),
 ])
-def test_what_cannot_be_a_package_is_refused(here, words, why):
+def test_what_cannot_be_a_package_is_rejected(here, words, why):
     out, err, status = create(*words)
     assert (out, status) == ('', 1)
     assert why in err

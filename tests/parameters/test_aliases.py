@@ -76,17 +76,17 @@ def test_the_warning_comes_once_for_each_old_name(ros):
 @pytest.mark.parametrize(('name', 'value', 'words'), [
     ('speed', 301, 'Parameter max_speed out of range'), ('v', 'fast', 'Wrong parameter type'),
     ('sn', 'S2', 'Trying to set a read-only parameter: serial'), ('v', None, 'Static parameter cannot be undeclared')])
-def test_a_refusal_is_told_of_the_new_name_and_changes_none(client, name, value, words):
+def test_a_rejection_is_told_of_the_new_name_and_changes_none(client, name, value, words):
     before = client.get_parameters()
     assert words in client.set_parameter(name, value).reason
     assert client.get_parameters() == before
 
 
-def test_two_names_with_two_values_are_refused_and_with_one_value_are_one(client):
-    refused = client.set_parameters_atomically({'speed': 1, 'max_speed': 2, 'other': 3})
-    assert refused[0].reason == 'speed = 1 and max_speed = 2 are one parameter: set max_speed only'
-    refused = client.set_parameters_atomically({'speed': 1, 'v': 2})
-    assert refused[0].reason == 'speed = 1 and v = 2 are one parameter: set max_speed only'
+def test_two_names_with_two_values_are_rejected_and_with_one_value_are_one(client):
+    rejected = client.set_parameters_atomically({'speed': 1, 'max_speed': 2, 'other': 3})
+    assert rejected[0].reason == 'speed = 1 and max_speed = 2 are one parameter: set max_speed only'
+    rejected = client.set_parameters_atomically({'speed': 1, 'v': 2})
+    assert rejected[0].reason == 'speed = 1 and v = 2 are one parameter: set max_speed only'
     assert client.get_parameters([*SPEEDS, 'other']) == {'max_speed': 100, 'speed': 100, 'v': 100, 'other': 1}
     assert client.set_parameters_atomically({'v': 2, 'max_speed': 2}).successful
     assert client.get_parameter('speed') == 2
@@ -149,7 +149,7 @@ def test_overrides_that_disagree_keep_the_node_from_starting(ros):
     assert not ros.nodes
 
 
-def test_an_override_that_does_not_fit_is_refused_as_one_of_the_new_name(ros):
+def test_an_override_that_does_not_fit_is_rejected_as_one_of_the_new_name(ros):
     with pytest.raises(InvalidParameterTypeException, match=r"set parameter 'max_speed' to '2\.0'"):
         ros.add(Robot, ros_args=['-p', 'v:=2.0'])
     with pytest.raises(InvalidParameterValueException, match='Parameter max_speed out of range'):
@@ -163,7 +163,7 @@ def test_an_override_that_does_not_fit_is_refused_as_one_of_the_new_name(ros):
     ({'': 'a'}, "'' cannot stand for 'a'"), ({'a': None}, "'a' cannot stand for None"),
     ({'use_sim_time': 'a'}, '/robot has declared use_sim_time already'),
 ])
-def test_nonsense_is_refused_at_once(ros, names, words):
+def test_nonsense_is_rejected_at_once(ros, names, words):
     node = ros.add(Node, 'robot')
     with pytest.raises(AliasError) as raised:
         Aliases(node, names)
@@ -180,7 +180,7 @@ def test_arguments_that_are_none_are_told(ros, names, options):
         Aliases('/robot', {'a': 'b'})
 
 
-def test_a_second_object_is_refused(client, ros):
+def test_a_second_object_is_rejected(client, ros):
     with pytest.raises(AliasError, match='/robot has Aliases already: name all of them in one object'):
         Aliases(ros.nodes[0], {'x': 'y'})
 
@@ -229,7 +229,7 @@ def test_rules_and_other_callbacks_judge_old_names_too(ros, client):
     assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 50)
 
 
-def test_what_was_never_declared_is_refused_and_the_node_lives(ros):
+def test_what_was_never_declared_is_rejected_and_the_node_lives(ros):
     class Unfinished(Node):
         def __init__(self):
             super().__init__('robot')

@@ -32,7 +32,7 @@ from param_tutorial.errors import (
     NodeGoneError,
     NodeNotFoundError,
     ParameterNotDeclaredError,
-    ParameterRefusedError,
+    ParameterRejectedError,
 )
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters import values
@@ -159,7 +159,7 @@ def test_types(client):
     ('gain', 1, 'wrong type', 'DOUBLE'),
     ('serial', 'S1', 'read only', 'read-only'),
     ('cuont', 1, 'undeclared', 'Did you mean count'),
-    ('limits.low', 6, 'refused by the node', 'low is too high'),
+    ('limits.low', 6, 'rejected by the node', 'low is too high'),
     ('any', [1.5], 'accepted', ''),
     ('unset', 2.5, 'accepted', ''),
     ('numbers', [], 'accepted', ''),
@@ -179,7 +179,7 @@ def test_set(client, name, value, kind, words):
         assert result.raise_for_reason() is result
     else:
         assert repr(after) == repr(before)
-        with pytest.raises(ParameterRefusedError, match=kind) as caught:
+        with pytest.raises(ParameterRejectedError, match=kind) as caught:
             result.raise_for_reason()
         assert caught.value.result is result
 
@@ -198,7 +198,7 @@ def test_set_several_one_by_one_and_together(client):
     assert [result.successful for result in results] == [True, False, True]
     assert not results.successful
     assert client.get_parameters(wish) == {'count': 9, 'gain': 0.5, 'limits.low': 2}
-    with pytest.raises(ParameterRefusedError, match='gain'):
+    with pytest.raises(ParameterRejectedError, match='gain'):
         results.raise_for_reason()
 
     wish = {'count': 6, 'gain': 9.0}
@@ -276,7 +276,7 @@ def test_a_malformed_request_does_not_end_the_node(client, ros):
     assert client.get_parameter('count') == 3
 
 
-def test_waiting_inside_a_callback_is_refused(client, ros):
+def test_waiting_inside_a_callback_is_rejected(client, ros):
     with pytest.raises(ExecutorError, match='callback cannot wait'):
         ros.run(client.list_parameters, 'list inside the executor')
 
@@ -311,7 +311,7 @@ def test_a_node_in_another_process(ros, remote_node):
     client = ParameterClient('/remote', timeout_sec=30)
     assert client.set_parameter('max_speed_rpm', 42).successful
     assert client.get_parameter('max_speed_rpm') == 42
-    assert client.set_parameter('max_speed_rpm', -1).kind == 'refused by the node'
+    assert client.set_parameter('max_speed_rpm', -1).kind == 'rejected by the node'
 
 
 def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatch):

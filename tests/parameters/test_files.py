@@ -53,7 +53,7 @@ def rcl_reads(ros, text, node='/lab/reader'):
 
 
 def we_read(text, node='/lab/reader'):
-    """Give what ``read`` makes of a text; None if it refuses."""
+    """Give what ``read`` makes of a text; None if it rejects."""
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
         file.write(text if isinstance(text, bytes) else text.encode())
         file.flush()
@@ -203,10 +203,10 @@ DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
 @example('/**: {ros__parameters: {s: {c: {}, d: 1}, e: 2}}')
 @example('hello')
 @example('')
-def test_documents_are_read_or_refused_as_rcl_reads_or_refuses_them(ros, text):
+def test_documents_are_read_or_rejected_as_rcl_reads_or_rejects_them(ros, text):
     expected, found = rcl_reads(ros, text), we_read(text)
     if found is None:
-        # We also refuse a file that holds nothing for the node.
+        # We also reject a file that holds nothing for the node.
         assert not expected
     elif any(value == [] for value in found.values()):
         assert expected is None  # rcl makes an untyped parameter of it, which no node can declare
@@ -224,15 +224,15 @@ def test_documents_are_read_or_refused_as_rcl_reads_or_refuses_them(ros, text):
 @example('/n:\n  ros__parameters:\n    a: [[1], [2]]\n')
 @example('/n:\n  a: 1\n')
 @example('ros__parameters:\n  a: 1\n')
-def test_a_refusal_names_the_line_that_rcl_names(text):
-    ours, theirs = refusal_of(text), rcl_refusal_of(text)
+def test_a_rejection_names_the_line_that_rcl_names(text):
+    ours, theirs = rejection_of(text), rcl_rejection_of(text)
     named = re.search(r'line(?:_num)? (\d+)', theirs)
     # rcl names no line for the name of a node, and often the wrong one for what is not YAML.
     if named and 'Error parsing a event near line' not in theirs:
         assert f', line {named[1]}: ' in ours
 
 
-def refusal_of(text):
+def rejection_of(text):
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
         file.write(text.encode())
         file.flush()
@@ -243,7 +243,7 @@ def refusal_of(text):
     return ''
 
 
-def rcl_refusal_of(text):
+def rcl_rejection_of(text):
     """Return what rcl's parser says against a file, or nothing."""
     context = Context()
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
@@ -279,12 +279,12 @@ def test_a_block_is_for_the_nodes_that_rcl_gives_it_to(ros, block, node):
     ('/other:\n  ros__parameters:\n    a: 1\n', 'holds nothing for /n; it is for /other'),
     ('', 'holds nothing for /n; it is for no node at all'),
 ])
-def test_a_refusal_says_where_and_what(tmp_path, text, complaint):
+def test_a_rejection_says_where_and_what(tmp_path, text, complaint):
     path = tmp_path / 'robot.yaml'
     path.write_text(text)
-    with pytest.raises(ParameterFileError, match=r'robot\.yaml') as refusal:
+    with pytest.raises(ParameterFileError, match=r'robot\.yaml') as rejection:
         read(path, '/n')
-    assert complaint in str(refusal.value)
+    assert complaint in str(rejection.value)
 
 
 def test_a_missing_file_is_named(tmp_path):
@@ -372,7 +372,7 @@ def test_a_dump_loads_back_into_a_live_node(ros, tmp_path):
     assert all(values.same(after[name], before[name]) for name in before)
 
 
-def test_a_read_only_parameter_with_another_value_is_refused(ros, tmp_path):
+def test_a_read_only_parameter_with_another_value_is_rejected(ros, tmp_path):
     ros.add(SimpleParamNode)
     client = ParameterClient('/simple_param_node')
     path = tmp_path / 'robot.yaml'

@@ -150,7 +150,7 @@ def test_settling_says_what_it_waited_for(ros, follow):
     node = ros.add(Gate)
     live = follow('gate')
     live.parameters['y'].ask(1)
-    with pytest.raises(WaitTimeoutError, match=r'waited 0 s for /gate to answer y'):
+    with pytest.raises(WaitTimeoutError, match=r'timed out after 0 s waiting for /gate to answer y'):
         live.settle(0.0)
     node.open.release()
     live.settle(TIMEOUT_SEC)

@@ -70,11 +70,11 @@ def test_a_recorded_change_is_told_to_everybody(ros, ladder):
 
 
 @pytest.mark.parametrize(('name', 'value', 'last_callback', 'answer'), [
-    ('speed', -1, 'on-set', 'refused: minus one'),
-    ('gain', 2.0, 'pre-set', 'refused: Parameter gain out of range Min: 0.0, Max: 1.0, value: 2.0'),
-    ('wings', 2, 'pre-set', 'refused: Invalid access to undeclared parameter(s): []'),
+    ('speed', -1, 'on-set', 'rejected: minus one'),
+    ('gain', 2.0, 'pre-set', 'rejected: Parameter gain out of range Min: 0.0, Max: 1.0, value: 2.0'),
+    ('wings', 2, 'pre-set', 'rejected: Invalid access to undeclared parameter(s): []'),
 ])
-def test_a_refusal_ends_where_it_happens(ladder, name, value, last_callback, answer):
+def test_a_rejection_ends_where_it_happens(ladder, name, value, last_callback, answer):
     steps = record_change(ladder, name, value).steps
     assert [steps[-2].what, steps[-1].what, steps[-1].happened] == [last_callback, 'answer', answer]
     assert len({step.stored for step in steps}) == 1

@@ -1,4 +1,4 @@
-"""rules: what each kind accepts and refuses, on a real node; at its start, one by one and together."""
+"""rules: what each kind accepts and rejects, on a real node; at its start, one by one and together."""
 
 import math
 
@@ -58,7 +58,7 @@ def client(robot):
     ('length', ('serial', 1, 6), ['x'], ['', '1234567'], 'must have 1 to 6 characters'),
     ('check', ('level', lambda level: level != 13, 'must not be 13'), [12], [13], 'must not be 13'),
 ])
-def test_a_rule_refuses_with_parameter_value_and_rule(robot, client, method, arguments, good, bad, sentence):
+def test_a_rule_rejects_with_parameter_value_and_rule(robot, client, method, arguments, good, bad, sentence):
     getattr(Rules(robot), method)(*arguments)
     name = arguments[0]
     assert client.describe_parameter(name).additional_constraints == sentence[0].upper() + sentence[1:]
@@ -197,7 +197,7 @@ def test_a_rule_for_a_parameter_that_is_not_declared_is_told(robot, state):
         state(Rules(robot))
 
 
-def test_a_rule_that_raises_later_refuses_and_the_node_lives(ros, robot, client):
+def test_a_rule_that_raises_later_rejects_and_the_node_lives(ros, robot, client):
     Rules(robot).check(['level', 'any'], lambda level, other: level / other < 10, 'a small ratio')
     assert client.set_parameter('any', 0).reason == (
         'level = 1, any = 0: the rule "a small ratio" could not be judged: ZeroDivisionError: division by zero')

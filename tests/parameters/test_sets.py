@@ -196,19 +196,19 @@ def test_a_reason_of_several_lines_stays_in_its_row(ros, client):
     assert len(repr(restored).splitlines()) == 4
 
 
-def test_one_refusal_leaves_everything_as_it_was(client):
+def test_one_rejection_leaves_everything_as_it_was(client):
     before = ParameterSet.of(client)
     restored = restore(client, {'speed': 301, 'low_c': 19})
     assert not compare(before, client)
     assert [(each.name, each.word) for each in restored] == [('speed', 'left'), ('low_c', 'left')]
-    assert all('the node refused them together: Parameter speed out of range' in each.reason for each in restored)
+    assert all('the node rejected them together: Parameter speed out of range' in each.reason for each in restored)
     assert repr(restored).startswith('/robot from given values: NOT RESTORED, nothing was changed\n')
-    assert restore(client, {'speed': 301})['speed'].word == 'refused'
+    assert restore(client, {'speed': 301})['speed'].word == 'rejected'
 
 
 def test_one_by_one_sets_what_it_can_in_whatever_order_it_takes(client):
     restored = restore(client, {'low_c': 50, 'high_c': 60, 'speed': 301}, one_by_one=True)
-    assert {each.name: each.word for each in restored} == {'low_c': 'set', 'high_c': 'set', 'speed': 'refused'}
+    assert {each.name: each.word for each in restored} == {'low_c': 'set', 'high_c': 'set', 'speed': 'rejected'}
     assert 'out of range' in restored['speed'].reason
     assert client.get_parameters(['low_c', 'high_c']) == {'low_c': 50, 'high_c': 60}
 
@@ -276,14 +276,14 @@ def test_a_change_after_an_undo_begins_anew(client):
     assert client.get_parameter('speed') == 100
 
 
-def test_an_undo_that_is_refused_says_so_and_loses_nothing(ros, client):
+def test_an_undo_that_is_rejected_says_so_and_loses_nothing(ros, client):
     history = ParameterHistory(client)
     for speed in (110, 120):
         client.set_parameter('speed', speed)
         history.keep()
     history.undo()
     Rules(ros.nodes[0]).check('speed', lambda speed: speed > 100, 'must be above 100')
-    assert history.undo()['speed'].word == 'refused'
+    assert history.undo()['speed'].word == 'rejected'
     assert client.get_parameter('speed') == 110
     assert history.redo().complete
     assert client.get_parameter('speed') == 120

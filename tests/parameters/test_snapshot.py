@@ -90,7 +90,7 @@ def test_all_are_asked_at_the_same_time(ros, monkeypatch):
     assert len(all_parameters(nodes)) == 3
 
 
-def test_in_a_callback_it_refuses_to_wait(ros):
+def test_in_a_callback_it_rejects_to_wait(ros):
     with pytest.raises(ExecutorError, match='a callback cannot wait'):
         ros.run(all_parameters, 'ask in a callback')
 

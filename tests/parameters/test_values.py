@@ -60,7 +60,7 @@ def test_words_that_surprise(text, value):
     ({}, 'dict'), (1j, 'complex'), ([1, 2.0], 'one type'), ([1, True], 'one type'), ([None], 'NoneType'),
     (object, 'type'),
 ])
-def test_what_no_parameter_can_hold_is_refused_by_name(value, word):
+def test_what_no_parameter_can_hold_is_rejected_by_name(value, word):
     with pytest.raises(InvalidValueError, match=word):
         values.type_of(value)
 
@@ -83,6 +83,6 @@ def test_equality_knows_types_nan_and_signed_zero():
     assert not values.same([1], [1, 1])
 
 
-def test_a_message_with_a_made_up_type_is_refused():
+def test_a_message_with_a_made_up_type_is_rejected():
     with pytest.raises(InvalidValueError, match='77'):
         values.to_python(ParameterValue(type=77))

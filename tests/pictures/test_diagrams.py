@@ -45,14 +45,14 @@ def test_messages_have_arrows_in_their_direction():
 
 
 def test_a_long_step_is_wrapped_and_a_long_value_is_cut():
-    timeline = Timeline('/robot', 'speed', [Step('answer', 'refused: ' + 'because ' * 20, "'" + 'x' * 60 + "'")])
+    timeline = Timeline('/robot', 'speed', [Step('answer', 'rejected: ' + 'because ' * 20, "'" + 'x' * 60 + "'")])
     shown = texts(timeline)
     assert ' '.join(shown).count('because') == 20
     assert max(map(len, shown)) <= 60
     assert 'x' * 60 in timeline.text
 
 
-def test_a_timeline_of_nothing_is_refused():
+def test_a_timeline_of_nothing_is_rejected():
     with pytest.raises(ValueError, match='one step'):
         Timeline('/robot', 'speed', [])
 

@@ -115,7 +115,7 @@ def test_a_plot_says_how_many_responses_it_takes(count):
 
 
 @pytest.mark.parametrize('nonsense', [3, {'p': 'fast'}])
-def test_a_plot_of_no_responses_is_refused(nonsense):
+def test_a_plot_of_no_responses_is_rejected(nonsense):
     with pytest.raises(TypeError, match='takes a dictionary of step responses'):
         plot_responses(nonsense)
 

@@ -1,4 +1,4 @@
-"""ros2 launch, embedded: what a launch file may say, what comes of it, and what is refused by name."""
+"""ros2 launch, embedded: what a launch file may say, what comes of it, and what is rejected by name."""
 
 import io
 import itertools
@@ -135,14 +135,14 @@ def test_modules_that_were_there_before_are_there_again(launch_file, monkeypatch
     ('from launch_ros.actions import Node\nNode(package="p", executable="e", respawn=True)', "'respawn'"),
     ('from launch import LaunchDescription\nLaunchDescription([1])', 'takes Node and DeclareLaunchArgument here'),
 ])
-def test_what_only_a_full_installation_has_is_refused_by_name(launch_file, text, why):
+def test_what_only_a_full_installation_has_is_rejected_by_name(launch_file, text, why):
     path = launch_file('', head=f'{text}\ndef generate_launch_description():\n    return ([')
     with pytest.raises(LaunchFailed, match=f'(?s){why}.*environment/README.md'):
         load_description(path)
 
 
 @pytest.mark.parametrize('name', ['some_launch.xml', 'some_launch.yaml'])
-def test_other_formats_are_refused(launch_file, name):
+def test_other_formats_are_rejected(launch_file, name):
     with pytest.raises(LaunchFailed, match=rf'{name} is no launch file in Python.*environment/README.md'):
         load_description(launch_file('', name=name))
 

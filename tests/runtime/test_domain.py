@@ -85,7 +85,7 @@ def test_a_network_that_the_user_chose_is_not_narrowed():
 
 
 @pytest.mark.parametrize('wrong', ['-1', '233', '1.5', 'seven', '²'])
-def test_nonsense_is_refused(wrong):
+def test_nonsense_is_rejected(wrong):
     assert f"ROS_DOMAIN_ID is '{wrong}': it must be a whole number" in choose(ROS_DOMAIN_ID=wrong).stderr
 
 

@@ -157,7 +157,7 @@ def act(parameters, results):
 {_method(source, 4)}
 exercises.check('5.3b', act)''',
     'check, button': lambda source: _node(
-        source, name='supervisor', in_constructor="self.refusal = ''; self.slow_down = self.act; "
+        source, name='supervisor', in_constructor="self.rejection = ''; self.slow_down = self.act; "
         "self.client = self.create_client(SetParameters, '/rover/set_parameters')",
         begins="exercises.check('5.3a', Victim)"),
 }

@@ -291,6 +291,6 @@ def wait_for(condition, what: str, timeout_sec: float = TIMEOUT_SEC):
     deadline = time.monotonic() + timeout_sec
     while not (value := condition()):
         if time.monotonic() > deadline:
-            raise TimeoutError(f'waited {timeout_sec:g} s for {what}, in vain')
+            raise TimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
         time.sleep(0.05)
     return value

@@ -1,7 +1,7 @@
 """Check the notebooks without running them: `python -m tests.tools.notebook_lint notebooks`.
 
 The notebooks are the course's tests, and nbval compares only what is stored in them. A notebook that was stripped, or
-run out of order, would pass without testing anything. These rules refuse it, and hold the lessons to one shape.
+run out of order, would pass without testing anything. These rules reject it, and hold the lessons to one shape.
 """
 
 import json

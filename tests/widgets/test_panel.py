@@ -41,7 +41,7 @@ def test_a_control_takes_python_values(arm):
 # -- what the node confirmed --------------------------------------------------------------------------
 
 
-def test_a_refused_value_springs_back_with_the_nodes_reason_until_the_next_change(ros):
+def test_a_rejected_value_springs_back_with_the_nodes_reason_until_the_next_change(ros):
     ros.add(SimpleParamNode)
     panel = ParameterPanel('/simple_param_node')
     control = panel['max_speed_rpm']
@@ -164,7 +164,7 @@ def test_while_an_answer_is_outstanding_the_newest_value_waits_and_nothing_jumps
     assert (panel['x'].value, box.value, panel['y'].value) == (4, '4', 7)
 
 
-def test_after_a_refusal_of_the_newest_the_last_accepted_value_stands(ros):
+def test_after_a_rejection_of_the_newest_the_last_accepted_value_stands(ros):
     node = ros.add(Gate)
     panel = ParameterPanel('/gate')
     panel['x'].value = 5
@@ -181,7 +181,7 @@ def test_settle_says_what_it_waited_for(ros):
     panel = ParameterPanel('/gate')
     panel['x'].value = 1
     assert node.entered.acquire(timeout=10)
-    with pytest.raises(WaitTimeoutError, match=r'waited 0.05 s for /gate to answer x'):
+    with pytest.raises(WaitTimeoutError, match=r'timed out after 0.05 s waiting for /gate to answer x'):
         panel.settle(timeout_sec=0.05)
     node.open.release()
     panel.settle()

@@ -59,7 +59,7 @@ def test_it_redraws_when_a_gain_is_moved_on_a_panel(view, controller):
     panel.close()
 
 
-def test_it_shows_what_was_confirmed_and_nothing_of_what_was_refused(view, controller):
+def test_it_shows_what_was_confirmed_and_nothing_of_what_was_rejected(view, controller):
     client = ParameterClient(controller)
     client.set_parameters_atomically({KP: 0.4, KI: -1.0})
     client.set_parameter('simulation.reference_rad_per_sec', 5.0)

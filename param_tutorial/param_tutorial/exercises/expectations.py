@@ -44,7 +44,7 @@ def expect_answer(trial: Trial, name: str, value: object, kind: str, because: st
 def expect_result(client: ParameterClient, name: str, value: object, kind: str, because: str = '') -> None:
     """Expect the answer of a node that is there already; as above."""
     result = client.set_parameter(name, value)
-    expect(result.kind == kind, f'`{name} = {value!r}` is {"" if kind == "accepted" else "refused: "}{kind}',
+    expect(result.kind == kind, f'`{name} = {value!r}` is {"" if kind == "accepted" else "rejected: "}{kind}',
            f'{result}' + (f'. {because}' if result.successful else ''))
 
 
@@ -94,10 +94,10 @@ def derive(mixin: type[NodeT], node_class: type[Node]) -> type[NodeT]:
 
 
 class WithSecondJudge(Node):
-    """A mixin: one more on-set callback, which is asked last, and refuses when it is told to."""
+    """A mixin: one more on-set callback, which is asked last, and rejects when it is told to."""
 
     has_second_judge = False
-    refuses = False
+    rejects = False
 
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
         if not self.has_second_judge:  # the oldest is asked last
@@ -106,7 +106,7 @@ class WithSecondJudge(Node):
         super().add_on_set_parameters_callback(callback)
 
     def second_judge(self, _: list[Parameter]) -> SetParametersResult:
-        return SetParametersResult(successful=not self.refuses, reason='a second judge refuses')
+        return SetParametersResult(successful=not self.rejects, reason='a second judge rejects')
 
 
 class WithoutDeadlock(Node):
@@ -122,12 +122,12 @@ class WithoutDeadlock(Node):
                            'the executor busy. Use call_async()')
 
 
-def expect_refused(trial: Trial, node: Node, new: Mapping[str, object]) -> None:
-    """Expect a request, as a whole, to be refused with a reason."""
+def expect_rejected(trial: Trial, node: Node, new: Mapping[str, object]) -> None:
+    """Expect a request, as a whole, to be rejected with a reason."""
     result = trial.client(node).set_parameters_atomically(new)[0]
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-    expect(not result.successful, f'{asked} is refused', 'it was accepted')
-    expect(result.reason.strip(), f'{asked} is refused with a reason', 'it was refused, and the reason is empty')
+    expect(not result.successful, f'{asked} is rejected', 'it was accepted')
+    expect(result.reason.strip(), f'{asked} is rejected with a reason', 'it was rejected, and the reason is empty')
 
 
 def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because: str = '') -> None:
@@ -136,7 +136,7 @@ def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because
     if result.reason == 'Callback returned an invalid type':  # rclpy's words for whatever else is returned
         because = '. An on-set callback has to return a `SetParametersResult`, whatever happens in it'
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-    expect(result.successful, f'{asked} is accepted', f'it was refused: {result.reason}{because}')
+    expect(result.successful, f'{asked} is accepted', f'it was rejected: {result.reason}{because}')
 
 
 def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[str, object], object]]
@@ -152,11 +152,11 @@ def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[s
 
 
 def expect_left_alone(trial: Trial, node: WithSecondJudge, attribute: str, new: Mapping[str, object]) -> None:
-    """Expect an attribute of the node to stay when another callback refuses a change."""
+    """Expect an attribute of the node to stay when another callback rejects a change."""
     before = getattr(node, attribute)
-    node.refuses = True
+    node.rejects = True
     trial.client(node).set_parameters_atomically(new)
     after = getattr(node, attribute)
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-    expect(after == before, f'`self.{attribute}` stays `{before!r}` when a second judge refuses {asked}',
+    expect(after == before, f'`self.{attribute}` stays `{before!r}` when a second judge rejects {asked}',
            f'it became `{after!r}`: that is a side effect of an on-set callback, which has only a proposal')

@@ -224,7 +224,7 @@ class Copies:
 
     @contextlib.contextmanager
     def _folder_of_ours(self) -> Iterator[None]:
-        """Make the folder, let one process at a time work in it, and say in one sentence what the system refuses."""
+        """Make the folder, let one process at a time work in it, and say in one sentence what the system rejects."""
         try:
             self.folder.mkdir(exist_ok=True)
             self.trust.mkdir(mode=0o700, exist_ok=True)

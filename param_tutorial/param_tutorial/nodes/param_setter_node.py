@@ -55,7 +55,7 @@ class ParamSetterNode(Node):
             if result.successful:
                 self.get_logger().info(f'  {parameter.name} = {parameter.value}: accepted')
             else:
-                self.get_logger().error(f'  {parameter.name} = {parameter.value}: refused: {result.reason}')
+                self.get_logger().error(f'  {parameter.name} = {parameter.value}: rejected: {result.reason}')
 
 
 def main(args: list[str] | None = None) -> None:

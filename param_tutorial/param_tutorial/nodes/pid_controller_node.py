@@ -185,7 +185,7 @@ class PidControllerNode(Node):
     """A controller for one or more wheels. Whenever its parameters change, the wheels start anew from rest."""
 
     def __init__(self) -> None:
-        """:raises InvalidParameterValueException: it is started with values that it would refuse later."""
+        """:raises InvalidParameterValueException: it is started with values that it would reject later."""
         super().__init__('pid_controller_node')
         # ros2_control reads these when it configures a controller, and never again.
         self.declare_parameter('dof_names', ['wheel_joint'], _described('The joints it controls.', read_only=True))
@@ -252,7 +252,7 @@ class PidControllerNode(Node):
         for joint in self.joints:
             prefix = f'gains.{joint}'
             low, high = values[f'{prefix}.u_clamp_min'], values[f'{prefix}.u_clamp_max']
-            # Asked this way round NaN is refused as well: with it every comparison is false.
+            # Asked this way round NaN is rejected as well: with it every comparison is false.
             if not low < high:
                 return SetParametersResult(successful=False, reason=(
                     f'{prefix}.u_clamp_min = {low} must be less than u_clamp_max = {high}'))

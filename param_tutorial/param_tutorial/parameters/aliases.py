@@ -10,7 +10,7 @@ the new one, and a pre-set callback makes of every change to one of the names th
 step. So set, get, list, describe, events and dumps know the old name. Overrides are moved to the new name before it is
 declared. Two limits are rclpy's: who *reads* an old name gets no notice; and in set_parameters, where each parameter is
 a change of its own, two names with two values are two changes, of which the later one stays (set atomically, they are
-refused). Needs rclpy and three modules of this package: errors, values, rclpy_private.
+rejected). Needs rclpy and three modules of this package: errors, values, rclpy_private.
 """
 
 import copy
@@ -50,7 +50,7 @@ class Aliases:
         self._pre_set = pre_set
         self._declaring = ''
         self._used: list[str] = []
-        self._refuse_nonsense()
+        self._reject_nonsense()
         _have_aliases.add(node)
         self._move_overrides()
         node.add_pre_set_parameters_callback(self._forward)
@@ -65,7 +65,7 @@ class Aliases:
         """The old names that somebody has set so far, by override or request; an alias outside it may go."""
         return list(self._used)
 
-    def _refuse_nonsense(self) -> None:
+    def _reject_nonsense(self) -> None:
         full_name = self._node.get_fully_qualified_name()
         if self._node in _have_aliases:
             raise AliasError(f'{full_name} has Aliases already: name all of them in one object, since two pre-set '
@@ -118,7 +118,7 @@ class Aliases:
             if self._mirrors_of(parameter.name):
                 if parameter.name in said:
                     if not _equal(said[parameter.name], parameter):
-                        return parameters  # _validate refuses them, with a reason, which no pre-set callback can give
+                        return parameters  # _validate rejects them, with a reason, which no pre-set callback can give
                     continue
                 said[parameter.name] = parameter
             forwarded.append(parameter)
@@ -130,7 +130,7 @@ class Aliases:
             if self._node.has_parameter(old)))]
 
     def _validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Refuse changes in which the names of one parameter do not agree. Changes nothing."""
+        """Reject changes in which the names of one parameter do not agree. Changes nothing."""
         said: dict[str, Parameter] = {}
         names = [parameter.name for parameter in parameters]
         for parameter in parameters:
@@ -138,12 +138,12 @@ class Aliases:
             if not self._mirrors_of(new):
                 continue
             if parameter.name != new and parameter.name not in (self._declaring, *self._known):
-                return _refused(f'{parameter.name} is an old name of {new}, which declares it: do not declare it')
+                return _rejected(f'{parameter.name} is an old name of {new}, which declares it: do not declare it')
             if not _equal(said.setdefault(new, parameter), parameter):
-                return _refused(f'{said[new].name} = {said[new].value!r} and {parameter.name} = {parameter.value!r} '
+                return _rejected(f'{said[new].name} = {said[new].value!r} and {parameter.name} = {parameter.value!r} '
                                 f'are one parameter: set {new} only')
             if names.count(parameter.name) > 1:
-                return _refused(f'{parameter.name} is there twice in one change. If the request named it once, the '
+                return _rejected(f'{parameter.name} is there twice in one change. If the request named it once, the '
                                 f'node has another pre-set callback: hand that to Aliases(..., pre_set=...)')
         return SetParametersResult(successful=True)
 
@@ -177,5 +177,5 @@ def _equal(left: Parameter, right: Parameter) -> bool:
     return left.type_ == right.type_ and values.same(values.normalize(left.value), values.normalize(right.value))
 
 
-def _refused(reason: str) -> SetParametersResult:
+def _rejected(reason: str) -> SetParametersResult:
     return SetParametersResult(successful=False, reason=reason)

@@ -22,14 +22,14 @@ from rcl_interfaces.srv import (
 )
 from rclpy.node import Node
 
-from param_tutorial.errors import InvalidValueError, ParameterNotDeclaredError, ParameterRefusedError, nearest
+from param_tutorial.errors import InvalidValueError, ParameterNotDeclaredError, ParameterRejectedError, nearest
 from param_tutorial.parameters import files, values
 from param_tutorial.parameters.values import ParameterType
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 
-# What rclpy (and, after the bar, rclcpp) say when they refuse, before any callback of the node is asked.
+# What rclpy (and, after the bar, rclcpp) say when they reject, before any callback of the node is asked.
 _KINDS = (
     ('undeclared', r'^Invalid access to undeclared parameter|cannot be set because it was not declared$'),
     ('read only', r'^Trying to set a read-only parameter|cannot be set because it is read-only$'),
@@ -56,22 +56,22 @@ class SetResult:
     @property
     def kind(self) -> str:
         """'accepted', or why not: 'undeclared', 'read only', 'wrong type', 'off the step', 'out of range',
-        'not deletable', or 'refused by the node' for everything that the node's own callback decided."""
+        'not deletable', or 'rejected by the node' for everything that the node's own callback decided."""
         if self.successful:
             return 'accepted'
-        return next((kind for kind, pattern in _KINDS if re.search(pattern, self.reason)), 'refused by the node')
+        return next((kind for kind, pattern in _KINDS if re.search(pattern, self.reason)), 'rejected by the node')
 
     def raise_for_reason(self) -> 'SetResult':
-        """Raise ParameterRefusedError if the node refused, else return the result itself."""
+        """Raise ParameterRejectedError if the node rejected, else return the result itself."""
         if not self.successful:
-            raise ParameterRefusedError(self)
+            raise ParameterRejectedError(self)
         return self
 
     def __str__(self) -> str:
         asked = f'{self.name} = {values.format_value(self.value)}'
         if self.successful:
             return f'{self.node} accepted {asked}'
-        return f'{self.node} refused {asked} ({self.kind}): {self.reason}{self.hint}'
+        return f'{self.node} rejected {asked} ({self.kind}): {self.reason}{self.hint}'
 
     __repr__ = __str__
 
@@ -85,7 +85,7 @@ class SetResults(list[SetResult]):
         return all(result.successful for result in self)
 
     def raise_for_reason(self) -> 'SetResults':
-        """Raise ParameterRefusedError for the first refused one, if any, else return the results themselves."""
+        """Raise ParameterRejectedError for the first rejected one, if any, else return the results themselves."""
         for result in self:
             result.raise_for_reason()
         return self
@@ -297,16 +297,16 @@ class ParameterClient:
         return Reference(''.join(f'| {" | ".join(row)} |\n' for row in rows))
 
     def set_parameter(self, name: str, value: Any) -> SetResult:
-        """Ask the node to set one parameter. A refusal is a result, not an exception.
+        """Ask the node to set one parameter. A rejection is a result, not an exception.
 
-        ROS converts nothing: 3 is an integer and will be refused by a double, which wants 3.0.
+        ROS converts nothing: 3 is an integer and will be rejected by a double, which wants 3.0.
 
         :raises InvalidValueError: no parameter can hold this value.
         """
         return self.set_parameters({name: value})[0]
 
     def set_parameters(self, new: Mapping[str, Any]) -> SetResults:
-        """Ask the node to set several parameters, each for itself: some may be refused and others not.
+        """Ask the node to set several parameters, each for itself: some may be rejected and others not.
 
         :raises InvalidValueError: no parameter can hold one of the values; then nothing was sent.
         """
@@ -317,7 +317,7 @@ class ParameterClient:
     def set_parameters_atomically(self, new: Mapping[str, Any]) -> SetResults:
         """Ask the node to set several parameters together: all are stored, or none.
 
-        :return: One result for each parameter; where the node refused, all carry its one reason.
+        :return: One result for each parameter; where the node rejected, all carry its one reason.
         :raises InvalidValueError: no parameter can hold one of the values; then nothing was sent.
         """
         request = SetParametersAtomically.Request(parameters=self._to_messages(new))

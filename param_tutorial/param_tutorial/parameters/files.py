@@ -7,7 +7,7 @@ a reason, what rcl has no words for.
 ``read`` follows rcl's parser event by event, oddities included: of two blocks that match the node the one whose
 name appeared later wins, however specific the other; a name given twice with two types keeps the first of
 boolean, integer, double, string. It deviates from rcl on purpose in two points: an empty array is returned as
-``[]`` where rcl makes a parameter without a type of it, and other names without a value are refused.
+``[]`` where rcl makes a parameter without a type of it, and other names without a value are rejected.
 """
 
 import contextlib
@@ -115,7 +115,7 @@ def read(path: str | Path, node: str) -> dict[str, Any]:
     :param path: The YAML file.
     :param node: Fully qualified name of the node.
     :return: Names and values, in the order of the file; an empty array is ``[]``.
-    :raises ParameterFileError: the file cannot be read, rcl would refuse it, or it holds nothing for the node.
+    :raises ParameterFileError: the file cannot be read, rcl would reject it, or it holds nothing for the node.
     """
     try:
         content = Path(path).read_bytes()
@@ -123,8 +123,8 @@ def read(path: str | Path, node: str) -> dict[str, Any]:
         raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
     try:
         blocks = _Parser().parse(content)
-    except _Refused as refused:
-        raise ParameterFileError(f'{path}, line {refused.line}: {refused}') from None
+    except _Rejected as rejected:
+        raise ParameterFileError(f'{path}, line {rejected.line}: {rejected}') from None
     matching = [block for name, block in blocks.items() if _matches(name, node)]
     if not matching:
         names = ', '.join(blocks) or 'no node at all'
@@ -145,8 +145,8 @@ def _matches(block: str, node: str) -> bool:
     return re.fullmatch(pattern, node, re.ASCII) is not None
 
 
-class _Refused(Exception):
-    """rcl would refuse the file at this line."""
+class _Rejected(Exception):
+    """rcl would reject the file at this line."""
 
     def __init__(self, line: int, reason: str):
         super().__init__(reason)
@@ -202,14 +202,14 @@ class _Parser:
         except yaml.YAMLError as error:
             mark = getattr(error, 'problem_mark', None)
             what = getattr(error, 'problem', None) or str(error).splitlines()[0]
-            raise _Refused(mark.line + 1 if mark else 1, f'this is not YAML: {what}') from None
+            raise _Rejected(mark.line + 1 if mark else 1, f'this is not YAML: {what}') from None
         except RecursionError:
-            raise _Refused(1, 'this is nested too deeply') from None
+            raise _Rejected(1, 'this is nested too deeply') from None
         return self.blocks
 
     def _handle(self, event: yaml.Event, line: int) -> None:
         if isinstance(event, yaml.AliasEvent):
-            raise _Refused(line, f'ROS reads no aliases: write the value itself instead of *{event.anchor}')
+            raise _Rejected(line, f'ROS reads no aliases: write the value itself instead of *{event.anchor}')
         if isinstance(event, yaml.ScalarEvent):
             if self.expects_key:
                 self._key(event, line)
@@ -219,10 +219,10 @@ class _Parser:
                 self.expects_key = not self.in_sequence
         elif isinstance(event, yaml.SequenceStartEvent):
             if self.expects_key:
-                raise _Refused(line, 'a list cannot stand here; a parameter is a value or a list of values, '
+                raise _Rejected(line, 'a list cannot stand here; a parameter is a value or a list of values, '
                                      'never a list of lists')
             if not self.in_parameters:
-                raise _Refused(line, f'a list cannot stand before {_KEY}')
+                raise _Rejected(line, f'a list cannot stand before {_KEY}')
             self.in_sequence, self.item_type = True, None
             if self.block:
                 self.block[self.entry].is_empty_array = True
@@ -247,14 +247,14 @@ class _Parser:
 
     def _key(self, event: yaml.ScalarEvent, line: int) -> None:
         if not event.value:
-            raise _Refused(line, 'there is a value without a name')
+            raise _Rejected(line, 'there is a value without a name')
         name = _c_string(event.value)
         if not self.in_parameters:
             self._node_key(name, line)
             return
         if self.is_new_map:
             if not self.block or self.entry >= len(self.block):
-                raise _Refused(line, f'cannot tell which parameter {name} belongs to; an empty map before it may '
+                raise _Rejected(line, f'cannot tell which parameter {name} belongs to; an empty map before it may '
                                      f'be the cause')
             self.parameter_path = self.block[self.entry].name
             self.parameter_parts += 1
@@ -269,13 +269,13 @@ class _Parser:
     def _node_key(self, name: str, line: int) -> None:
         if not name.startswith(_KEY):
             if not name:
-                raise _Refused(line, 'there is a block without a name')
+                raise _Rejected(line, 'there is a block without a name')
             separator = '/' if self.node_parts and not self.node_path.endswith('/') else ''
             self.node_path = (self.node_path if self.node_parts else '') + separator + name
             self.node_parts += 1
             return
         if not self.node_parts:
-            raise _Refused(line, f'there is no node name before {_KEY}; start with "/name_of_the_node:" or "/**:"')
+            raise _Rejected(line, f'there is no node name before {_KEY}; start with "/name_of_the_node:" or "/**:"')
         _check_block_name(self.node_path, line)
         self.block = self.blocks.setdefault(self.node_path, [])
         self.node_path, self.node_parts = _shortened(self.node_path, self.node_parts, '/')
@@ -290,12 +290,12 @@ class _Parser:
 
     def _value(self, event: yaml.ScalarEvent, line: int) -> None:
         if not self.in_parameters or not self.block:
-            raise _Refused(line, f'there is a value before {_KEY}: it has to be node name, {_KEY}, then parameters')
+            raise _Rejected(line, f'there is a value before {_KEY}: it has to be node name, {_KEY}, then parameters')
         if self.entry >= len(self.block):
-            raise _Refused(line, 'there is a value without a name')
+            raise _Rejected(line, 'there is a value without a name')
         quoted = event.style in ("'", '"')
         if not event.value and not quoted:
-            raise _Refused(line, f"{self.block[self.entry].name} has no value; for an empty text write ''")
+            raise _Rejected(line, f"{self.block[self.entry].name} has no value; for an empty text write ''")
         value = _typed(_c_string(event.value), quoted or event.tag == 'tag:yaml.org,2002:str')
         entry, kind = self.block[self.entry], type(value)
         if not self.in_sequence:
@@ -305,7 +305,7 @@ class _Parser:
             self.item_type = kind
             entry.arrays[kind] = []
         elif self.item_type is not kind or kind not in entry.arrays:
-            raise _Refused(line, f'the elements of {entry.name} must all be of one type; {event.value!r} is not '
+            raise _Rejected(line, f'the elements of {entry.name} must all be of one type; {event.value!r} is not '
                                  f'like those before it')
         entry.arrays[kind].append(value)
 
@@ -323,10 +323,10 @@ def _shortened(path: str, parts: int, separator: str) -> tuple[str, int]:
 
 
 def _check_block_name(name: str, line: int) -> None:
-    """Refuse what can be neither the name of a node nor a pattern for such names."""
+    """Reject what can be neither the name of a node nor a pattern for such names."""
     for part in ('/' + name).replace('//', '/', 1).split('/')[1:]:
         if not re.fullmatch(r'\*\*?|[A-Za-z_][A-Za-z0-9_]*', part):
-            raise _Refused(line, f'{name!r} is no name of a node: it takes letters, digits and underscores between '
+            raise _Rejected(line, f'{name!r} is no name of a node: it takes letters, digits and underscores between '
                                  f'slashes, or * and ** for any')
 
 

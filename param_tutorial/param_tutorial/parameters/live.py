@@ -133,7 +133,7 @@ class LiveParameters:
                 if self._state.is_settled:
                     return
             if not done_in_time or time.monotonic() > deadline:
-                raise WaitTimeoutError(f'waited {timeout_sec:g} s to read the parameters of {self.node}, in vain')
+                raise WaitTimeoutError(f'timed out after {timeout_sec:g} s reading the parameters of {self.node}')
 
     def close(self) -> None:
         """Stop following. Safe to call more than once."""
@@ -280,8 +280,8 @@ class LiveParameters:
                 if not busy:
                     return
                 if time.monotonic() > deadline:
-                    raise WaitTimeoutError(f'waited {timeout_sec:g} s for {self.node} to answer '
-                                           f'{", ".join(busy)}, in vain')
+                    raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {self.node} '
+                                           f'to answer {", ".join(busy)}')
                 self._ended.wait(max(0.0, min(LATE_SEC, deadline - time.monotonic())))
             self._hand_over(self._state.give_up_late, time.monotonic())
 

@@ -133,7 +133,7 @@ class _Tap:
         finally:
             self._recorders.pop()
             if objection and recorder.steps[-1].what != 'no answer':
-                recorder.note('answer', f'refused: {objection}', goes_to='you', objection=objection)
+                recorder.note('answer', f'rejected: {objection}', goes_to='you', objection=objection)
             self._listeners.call(RecordedSet(parameters[0].value, recorder.timeline, recorder.stored, objection))
 
     def _call(self, kind: str, callback: rclpy_private.ParameterCallback, parameters: list[Parameter]) -> Any:
@@ -211,7 +211,7 @@ class _Recorder:
         if kind == 'pre-set':
             return f', gives {self._format_parameters(answer)}'
         if kind == 'on-set':
-            return ', accepts' if getattr(answer, 'successful', False) else ', refuses'
+            return ', accepts' if getattr(answer, 'successful', False) else ', rejects'
         return ''
 
     def _proposed(self, parameters: object) -> str:

@@ -104,7 +104,7 @@ class Rules:
         """
         try:
             compiled = re.compile(pattern)
-            compiled.fullmatch('')  # which one made of bytes refuses
+            compiled.fullmatch('')  # which one made of bytes rejects
         except (re.error, TypeError) as error:
             raise RuleError(f'cannot state a rule for {name}: {pattern!r} is no regular expression: {error}') from None
         return self._state_for_each(name, f'must match {compiled.pattern}', compiled.fullmatch, _TEXTS, 'texts')
@@ -173,7 +173,7 @@ class Rules:
 
         :param names: Of the parameters; the rule is judged whenever one of them is to change.
         :param holds: Called with their values in this order, says whether they go together. It must change
-            nothing: the change may still be refused by others.
+            nothing: the change may still be rejected by others.
         :param sentence: What has to hold, for the one who broke it.
         """
         listed = (names,) if isinstance(names, str) else tuple(_listed(names))

@@ -223,8 +223,8 @@ class Outcome:
     name: str
     wanted: Any
     word: str
-    """'set', 'left' (because others of the same request were refused), or why not: 'read only', 'wrong type',
-    'not declared', 'no value', 'refused', or 'not kept' by the node, which accepted and stored something else."""
+    """'set', 'left' (because others of the same request were rejected), or why not: 'read only', 'wrong type',
+    'not declared', 'no value', 'rejected', or 'not kept' by the node, which accepted and stored something else."""
     reason: str = ''
 
 
@@ -274,12 +274,12 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
     """Give a node the values of a set, as far as they differ from what it has.
 
     What no service can change (read-only parameters, types, parameters that are not declared) is left out and
-    reported. The rest is set in one request, atomically: if the node refuses one, none is changed. Parameters that
+    reported. The rest is set in one request, atomically: if the node rejects one, none is changed. Parameters that
     only the node has are left alone.
 
     :param wanted: A ParameterSet or dictionary.
-    :param one_by_one: If the node refuses the request, try each parameter for itself, again and again as long as that
-        helps: rules across parameters may allow in one order what they refuse in another.
+    :param one_by_one: If the node rejects the request, try each parameter for itself, again and again as long as that
+        helps: rules across parameters may allow in one order what they reject in another.
     :raises ParameterToolError: the node does not answer; whether it was changed is then not known.
     """
     client = as_client(node)
@@ -321,16 +321,16 @@ def _set(client: ParameterClient, new: Mapping[str, Any], one_by_one: bool) -> d
     reason = results[0].reason
     if not one_by_one:
         if len(new) == 1:
-            return {name: Outcome(name, value, 'refused', reason) for name, value in new.items()}
+            return {name: Outcome(name, value, 'rejected', reason) for name, value in new.items()}
         # The one reason of an atomic request names the culprit, or it does not; all are in the same boat.
-        return {name: Outcome(name, value, 'left', f'the node refused them together: {reason}')
+        return {name: Outcome(name, value, 'left', f'the node rejected them together: {reason}')
                 for name, value in new.items()}
     outcomes: dict[str, Outcome] = {}
     missing = dict(new)
     while missing:
         answers = client.set_parameters(missing)
         outcomes |= {each.name: Outcome(each.name, each.value, 'set') if each.successful else
-                     Outcome(each.name, each.value, 'refused', each.reason) for each in answers}
+                     Outcome(each.name, each.value, 'rejected', each.reason) for each in answers}
         if not any(each.successful for each in answers):
             break
         missing = {each.name: each.value for each in answers if not each.successful}

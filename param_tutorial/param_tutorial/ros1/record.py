@@ -276,7 +276,7 @@ class System:
         """Do what an event says: these six, and nothing else."""
         if match := re.fullmatch(r'(\S+) waits until (.*)', action):
             if self.node(match[1]).ask(_wait, match[2]) is None:
-                raise RecordingError(f'waited {TIME_LIMIT_SEC:g} s until {match[2]}, in vain')
+                raise RecordingError(f'timed out after {TIME_LIMIT_SEC:g} s waiting until {match[2]}')
         elif match := re.fullmatch(r'(/\S+) is killed', action):
             self.nodes.pop(match[1]).kill()
         elif action == 'the master is killed':

@@ -1,6 +1,6 @@
 """ros2 param list, get, set, describe, dump, load and delete.
 
-A value that a node refuses is no failure of the command: the reason goes to standard error, the exit status
+A value that a node rejects is no failure of the command: the reason goes to standard error, the exit status
 is 0. That is so in the genuine command, and scripts rely on it.
 """
 

@@ -20,7 +20,7 @@ def wait_until(condition: Callable[[], T], what: str, timeout_sec: float = 5.0) 
     pause_sec = 0.001
     while not (value := condition()):
         if time.monotonic() > deadline:
-            raise WaitTimeoutError(f'waited {timeout_sec:g} s for {what}, in vain')
+            raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
         time.sleep(pause_sec)
         pause_sec = min(2 * pause_sec, 0.02)
     return value

@@ -345,4 +345,4 @@ def _message_markup(parameter: LiveParameter) -> str:
         return '<div class="param-message param-waiting" role="status">Waiting for the node to answer…</div>'
     if not parameter.message:
         return ''
-    return f'<div class="param-message" role="alert"><b>Not taken:</b> {html.escape(parameter.message)}</div>'
+    return f'<div class="param-message" role="alert"><b>Rejected:</b> {html.escape(parameter.message)}</div>'

@@ -325,7 +325,7 @@ def _lines_of(answer: Any, node: str, asked: Mapping[str, Any] | Iterable[str]) 
 def _judged(result: SetResult) -> Line:
     if result.successful:
         return Line('accepted', True)
-    return Line('rejected' if result.kind.startswith('refused') else f'rejected: {result.kind}', False)
+    return Line('rejected' if result.kind.startswith('rejected') else f'rejected: {result.kind}', False)
 
 
 def _or_nothing(value: Any) -> Any:

@@ -8,7 +8,7 @@ WRONG = {
          'it was accepted'),
         ([("high_c = proposed.get('high_c', self.get_parameter('high_c').value)",
            "high_c = self.get_parameter('high_c').value")], 1, 'it was accepted'),
-        # Acts in the judge: with the proposed values, which may still be refused, and with the stored, which are old.
+        # Acts in the judge: with the proposed values, which may still be rejected, and with the stored, which are old.
         ([('        return SetParametersResult(successful=True)',
            '        self.target_c = (low_c + high_c) / 2\n        return SetParametersResult(successful=True)')], 3,
          'a side effect of an on-set callback'),
@@ -27,7 +27,7 @@ WRONG = {
         ([('self.motor_percent = self', 'self.motor = self')], 2, 'it is `0`'),
     ],
     '5.2c': [
-        ([('dbeca', 'bdeca')], 3, 'called its pre-set callback, and then refused'),
+        ([('dbeca', 'bdeca')], 3, 'called its pre-set callback, and then rejected'),
         ([('dbeca', 'debca')], 3, 'never called its on-set callback'),
         ([('dbeca', 'dbcea')], 3, 'still held 100'),
         ([('dbeca', 'dbeac')], 3, 'held 150'),

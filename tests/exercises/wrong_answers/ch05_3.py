@@ -42,7 +42,7 @@ WRONG = {
          'nobody offers a service `/rovr/set_parameters_atomically`'),
         ([('self.client.call_async(request).add_done_callback(self.on_answer)', 'self.client.call(request)')], 0,
          'Use call_async()'),
-        ([('.add_done_callback(self.on_answer)', '')], 1, "`self.refusal` is `''`"),
+        ([('.add_done_callback(self.on_answer)', '')], 1, "`self.rejection` is `''`"),
         ([('future.result().result\n', 'future.result().results[0]\n')], 1, 'AttributeError'),
         ([('value=40', 'value=4')], 1, 'it holds 4 and 0.2'),
     ],

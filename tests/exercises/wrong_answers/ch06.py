@@ -15,7 +15,7 @@ WRONG = {
         ([("260': 'accepted'", "260': 'off the step'")], 7, 'something special about it'),
         ([("'off the step'", "'accepted'")], 7, 'count from 50'),
         ([("275': 'out of range'", "275': 'off the step'")], 7, 'the ends are looked at'),
-        ([("'refused by the node'", "'accepted'")], 7, 'one more is asked after it'),
+        ([("'rejected by the node'", "'accepted'")], 7, 'one more is asked after it'),
         ([("225.0': 'wrong type'", "225.0': 'accepted'")], 7, 'ROS converts nothing'),
         ([("7': 'read only'", "7': 'accepted'")], 7, 'does not look whether the value is another one'),
         ([("12': 'read only'", "12': 'out of range'")], 7, 'that check comes later'),

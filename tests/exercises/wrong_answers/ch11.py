@@ -30,7 +30,7 @@ WRONG = {
         ([('add_post_set_parameters_callback(self.react)', 'add_on_set_parameters_callback(self.react)'),
           ('speed + speed / acceleration', 'speed + speed / acceleration\n'
            '        return SetParametersResult(successful=True)')], 1, 'it is `14.0`'),
-        # Acts on the proposal, which may still be refused.
+        # Acts on the proposal, which may still be rejected.
         ([('add_post_set_parameters_callback(self.react)', 'add_on_set_parameters_callback(self.react)'),
           ('speed, acceleration = self.settings()\n',
            'speed, acceleration = self.settings()\n        new = {each.name: each.value for each in parameters}\n'

@@ -80,8 +80,8 @@ def accepted(trial: Trial) -> None:
             raise NoUse('settings of the robot itself', f'`{name}` is a setting of the world around it: the check '
                         'keeps the weather, the track and the wheels as they are')
     results = trial.client(trial.start(Patient)).set_parameters(trial.work)
-    refused = [result for result in results if not result.successful]
-    expect(not refused, 'no value is refused', ''.join(map(str, refused[:1])))
+    rejected = [result for result in results if not result.successful]
+    expect(not rejected, 'no value is rejected', ''.join(map(str, rejected[:1])))
 
 
 @park.require(f'it pulls away at {COLD_C} °C', see=OWN)

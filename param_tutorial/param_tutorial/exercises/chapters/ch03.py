@@ -56,7 +56,7 @@ def halves(trial: Trial) -> None:
     expect_answer(trial, 'brightness_percent', 62.5, 'accepted')
 
 
-@mend.require('`brightness_percent` refuses 120.0', see=DESCRIPTOR)
+@mend.require('`brightness_percent` rejects 120.0', see=DESCRIPTOR)
 def percent(trial: Trial) -> None:
     expect_answer(trial, 'brightness_percent', 120.0, 'out of range',
                   'What is said in a description is enforced by nobody, and an `integer_range` holds for integers only')

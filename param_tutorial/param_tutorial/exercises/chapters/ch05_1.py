@@ -15,7 +15,7 @@ from param_tutorial.parameters import values
 
 CHAPTER = '05_1_from_the_command_line'
 SPELLING = 'Break it: which type did you mean?'
-REFUSALS = 'Break it: refusals and mistakes'
+REFUSALS = 'Break it: rejections and mistakes'
 
 
 class Gripper(Node):
@@ -75,7 +75,7 @@ for each in GOALS:
 
 foresee = Exercise('5.1b', 'Predict what the robot holds', CHAPTER, DICTIONARY, hints=(
     'Two questions for each line: what does YAML make of the word, and does the robot take a value of that type?',
-    'A robot that refuses keeps the value it has. `%ros2 param describe` shows types and limits.',
+    'A robot that rejects keeps the value it has. `%ros2 param describe` shows types and limits.',
     'The table in the section “Break it: which type did you mean?” shows what YAML 1.1 makes of `off` and `12:30`.'))
 
 
@@ -89,16 +89,16 @@ def require_foresight(words: str, because: Mapping[object, str], see: str = SPEL
 
 
 require_foresight('max_speed_rpm 12:30', {
-    100: 'It was not refused: YAML 1.1 counts in sixties', 12.5: 'A time of day becomes an integer',
-    '12:30': 'It would have been refused as a text; YAML 1.1 reads a number'})
+    100: 'It was not rejected: YAML 1.1 counts in sixties', 12.5: 'A time of day becomes an integer',
+    '12:30': 'It would have been rejected as a text; YAML 1.1 reads a number'})
 require_foresight('enable_safety_mode off', {
-    True: 'It was not refused: YAML 1.1 has more words for false', 'off': 'A boolean never holds a text'})
+    True: 'It was not rejected: YAML 1.1 has more words for false', 'off': 'A boolean never holds a text'})
 require_foresight('max_acceleration_mps2 1', {
-    1.0: 'ROS converts nothing: an integer is refused, and the old value stays'})
+    1.0: 'ROS converts nothing: an integer is rejected, and the old value stays'})
 require_foresight('max_acceleration_mps2 2.0', {0.5: 'The ends of a range belong to it'}, REFUSALS)
 require_foresight('robot_name 007', {
-    '007': 'YAML reads a number, so it was refused, and the old value stays',
-    7: 'A text never holds a number: it is refused, and the old value stays'})
+    '007': 'YAML reads a number, so it was rejected, and the old value stays',
+    7: 'A text never holds a number: it is rejected, and the old value stays'})
 
 
 order = Exercise('5.1c', 'Put the words in order', CHAPTER, TEXT, hints=(

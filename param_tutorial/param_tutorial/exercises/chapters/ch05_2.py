@@ -5,7 +5,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import expect_accepted, expect_follows, expect_left_alone, expect_refused
+from param_tutorial.exercises.expectations import expect_accepted, expect_follows, expect_left_alone, expect_rejected
 from param_tutorial.exercises.trial import NoUse, Trial, expect
 
 CHAPTER = '05_2_with_a_callback'
@@ -23,18 +23,18 @@ judge = Exercise('5.2a', 'Judge and act', CHAPTER, NODE_CLASS, node_name='heater
     'In post-set everything is stored: read both with `get_parameter`, and set `self.target_c` to their middle.'))
 
 
-@judge.require('a lower limit that is not below the upper one is refused, with a reason', see=JUDGE)
+@judge.require('a lower limit that is not below the upper one is rejected, with a reason', see=JUDGE)
 def order(trial: Trial) -> None:
     heater = trial.start()
     for bad in ({'low_c': 25}, {'low_c': 22}, {'high_c': 10}):
-        expect_refused(trial, heater, bad)
+        expect_rejected(trial, heater, bad)
     expect_accepted(trial, heater, {'low_c': 20})
 
 
 @judge.require('both limits in one request are judged together', see=JUDGE)
 def together(trial: Trial) -> None:
     heater = trial.start()
-    expect_refused(trial, heater, {'low_c': 21, 'high_c': 19})
+    expect_rejected(trial, heater, {'low_c': 21, 'high_c': 19})
     expect_accepted(trial, heater, {'low_c': 25, 'high_c': 30},
                     '. Each proposed limit has to be held against the other proposed one, not against the stored one')
 
@@ -44,7 +44,7 @@ def follows(trial: Trial) -> None:
     expect_follows(trial, 'target_c', [({'low_c': 10}, 16), ({'low_c': 25, 'high_c': 30}, 27.5)])
 
 
-@judge.require('nothing is acted upon that is refused in the end', see=TOO_EARLY)
+@judge.require('nothing is acted upon that is rejected in the end', see=TOO_EARLY)
 def acts_late(trial: Trial) -> None:
     heater = expect_follows(trial, 'target_c', [({'low_c': 10}, 16)])
     expect_left_alone(trial, heater, 'target_c', {'low_c': 12})
@@ -70,8 +70,8 @@ def accepts(trial: Trial) -> None:
 def judges_each(trial: Trial) -> None:
     door = trial.start()
     expect_accepted(trial, door, {'open_percent': 50, 'force_percent': 60})
-    expect_refused(trial, door, {'open_percent': 50, 'force_percent': 150})
-    expect_refused(trial, door, {'force_percent': -1, 'open_percent': 50})
+    expect_rejected(trial, door, {'open_percent': 50, 'force_percent': 150})
+    expect_rejected(trial, door, {'force_percent': -1, 'open_percent': 50})
 
 
 @hunt.require('the motor follows what is stored, and only that', see=ACT)
@@ -141,9 +141,9 @@ def require_order(position: int, sentence: str, proof: str) -> None:
 
 
 require_order(0, 'what may come before type, range and lock are checked',
-              'set to 900, beyond its range, a node called its pre-set callback, and then refused')
+              'set to 900, beyond its range, a node called its pre-set callback, and then rejected')
 require_order(1, 'what may come only after that',
-              'set to 900, beyond its range, a node refused and never called its on-set callback')
+              'set to 900, beyond its range, a node rejected and never called its on-set callback')
 require_order(2, 'what comes before the value is stored',
               'set from 100 to 150, a node still held 100 while its on-set callback ran')
 require_order(3, 'what comes after that',

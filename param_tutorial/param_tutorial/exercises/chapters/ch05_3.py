@@ -70,20 +70,20 @@ def both(trial: Trial) -> None:
                lambda: f'it holds {" and ".join(map(str, client.get_parameters(NEW).values()))}')
 
 
-@supervise.require('`self.refusal` is the reason of a rover that refuses', see=HOW)
+@supervise.require('`self.rejection` is the reason of a rover that rejects', see=HOW)
 def reason(trial: Trial) -> None:
     _, supervisor = slow_down(trial, StubbornRover)
-    trial.wait(lambda: 'out of range' in str(supervisor.refusal), 'the reason is in `self.refusal`',
-               lambda: f'`self.refusal` is `{supervisor.refusal!r}`')
+    trial.wait(lambda: 'out of range' in str(supervisor.rejection), 'the reason is in `self.rejection`',
+               lambda: f'`self.rejection` is `{supervisor.rejection!r}`')
 
 
-@supervise.require('both are set or neither: a rover that refuses one keeps the other', see=ATOMIC)
+@supervise.require('both are set or neither: a rover that rejects one keeps the other', see=ATOMIC)
 def neither(trial: Trial) -> None:
     both(trial)
     rover, supervisor = slow_down(trial, StubbornRover)
-    trial.wait(lambda: supervisor.refusal, 'the answer has come', lambda: 'there is no reason in `self.refusal`')
+    trial.wait(lambda: supervisor.rejection, 'the answer has come', lambda: 'there is no reason in `self.rejection`')
     kept = trial.client(rover).get_parameters(OLD)
-    expect(kept == OLD, 'the rover keeps 100 rpm when it refuses the acceleration',
+    expect(kept == OLD, 'the rover keeps 100 rpm when it rejects the acceleration',
            f'it drives at {kept["max_speed_rpm"]} rpm. `set_parameters` decides each parameter for itself')
 
 
@@ -108,14 +108,14 @@ def answer_to(trial: Trial, *parameters: Parameter) -> tuple[object, dict[str, s
     return given, {each.name: result.reason for each, result in zip(parameters, results) if not result.successful}
 
 
-@read.require('one refusal among three: its name, and the reason', see=HOW)
+@read.require('one rejection among three: its name, and the reason', see=HOW)
 def one(trial: Trial) -> None:
     given, true = answer_to(trial, Parameter('max_speed_rpm', value=50), Parameter('max_acceleration_mps2', value=9.0),
                             Parameter('use_sim_time', value=False))
     expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')
 
 
-@read.require('two refusals: both of them', see=ONE_BY_ONE)
+@read.require('two rejections: both of them', see=ONE_BY_ONE)
 def two(trial: Trial) -> None:
     given, true = answer_to(trial, Parameter('max_speed_rpm', value='fast'), Parameter('use_sim_time', value=False),
                             Parameter('max_acceleration_mps2', value=9.0))
@@ -123,7 +123,7 @@ def two(trial: Trial) -> None:
         '. Does it return before the loop has ended?' if given else ''))
 
 
-@read.require('no refusal: an empty dictionary', see=HOW)
+@read.require('no rejection: an empty dictionary', see=HOW)
 def none(trial: Trial) -> None:
     given, true = answer_to(trial, Parameter('max_speed_rpm', value=50))
     expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')

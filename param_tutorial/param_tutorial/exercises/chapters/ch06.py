@@ -1,4 +1,4 @@
-"""Exercises of chapter 6: write descriptors, foresee refusals, and mend what nobody checks."""
+"""Exercises of chapter 6: write descriptors, foresee rejections, and mend what nobody checks."""
 
 import ast
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ LOCK = 'Change it: the lock'
 FREE = 'Change it: a free type'
 ARRAYS = 'Arrays'
 SHARED = 'Break it: one descriptor for two'
-ORDER = 'Who refuses, and in which order?'
+ORDER = 'Who rejects, and in which order?'
 
 
 def expect_answers(trial: Trial, name: str, kind: str, *new: object, because: str = '') -> None:
@@ -97,7 +97,7 @@ class Oven(Node):
         return SetParametersResult(successful=not too_hot, reason='the door gets too hot')
 
 
-foresee = Exercise('6b', 'Predict who refuses', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('6b', 'Predict who rejects', CHAPTER, DICTIONARY, hints=(
     'Go through the checks in their order: declared, read-only, type, range, step, on-set callbacks. The first that '
     'fails gives the answer its kind.',
     'Both ends of a range are valid. A range looks only at values of its own kind.',
@@ -127,7 +127,7 @@ require_foresight('target_c = 225', {
     'accepted': 'All that the descriptor says is met, and one more is asked after it',
     'off the step': '50 and seven steps of 25 are 225'})
 require_foresight('target_c = 225.0', {
-    'refused by the node': 'The callback was not asked: another check comes before it',
+    'rejected by the node': 'The callback was not asked: another check comes before it',
     'accepted': 'ROS converts nothing'})
 require_foresight('serial = 7', {
     'accepted': 'The lock does not look whether the value is another one'}, LOCK)

@@ -102,7 +102,7 @@ foresee = Exercise('7.1b', 'Predict what comes back', CHAPTER, DICTIONARY, hints
     'Then: what does the reader see in what stands there?',
     'For rcl `n` is a boolean and `2e3` a number, and quotes are respected. `load` reads as YAML 1.1 does, twice, and '
     'the quotes are gone after the first time.',
-    'Of an empty list rcl makes a parameter that is declared and has no value: `None`. What is refused leaves the old '
+    'Of an empty list rcl makes a parameter that is declared and has no value: `None`. What is rejected leaves the old '
     'value.'))
 
 
@@ -134,21 +134,21 @@ def require_load(text: str, because: Mapping[object, str], see: str = SECOND) ->
 require_start('n', {
     'n': 'The command wrote it without quotes, and rcl has more words for false than YAML 1.1'})
 require_load('n', {
-    False: 'To this reader it is a text, twice', 'old': 'It was not refused: to this reader it is a text'})
+    False: 'To this reader it is a text, twice', 'old': 'It was not rejected: to this reader it is a text'})
 require_start('no', {
     False: 'The command has put quotes around this one, and rcl respects them'})
 require_load('no', {
-    'no': 'Quotes do not survive the first of its two readings', False: 'A boolean is refused where a text is wanted'})
+    'no': 'Quotes do not survive the first of its two readings', False: 'A boolean is rejected where a text is wanted'})
 require_start('2e3', {
     '2e3': 'Without a dot it is no number to YAML 1.1, so no quotes were put, and rcl sees one',
     2000: 'It is a double'})
 require_load('2e3', {
-    'old': 'It was not refused: YAML 1.1 wants a dot in a number', 2000.0: 'YAML 1.1 wants a dot in a number'})
+    'old': 'It was not rejected: YAML 1.1 wants a dot in a number', 2000.0: 'YAML 1.1 wants a dot in a number'})
 require_start('[]', {
     (): 'rcl cannot tell the type of a list without elements', ('dock',): 'The default has been taken away'}, NO_FILE)
 require_load('[]', {
     (): 'An empty list is a boolean array to this reader, and the node wants texts',
-    None: 'Nothing is taken away here: what is refused leaves the old value'}, NO_FILE)
+    None: 'Nothing is taken away here: what is rejected leaves the old value'}, NO_FILE)
 
 
 order = Exercise('7.1c', 'Put a file in order', CHAPTER, TEXT, hints=(

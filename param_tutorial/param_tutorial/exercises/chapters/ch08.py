@@ -14,7 +14,7 @@ from param_tutorial.exercises.expectations import (
     expect_declared,
     expect_follows,
     expect_left_alone,
-    expect_refused,
+    expect_rejected,
 )
 from param_tutorial.exercises.trial import NoUse, Trial, expect
 from param_tutorial.parameters.values import DOUBLE
@@ -54,17 +54,17 @@ def grouped(trial: Trial) -> None:
                f'it is of type {each.type.label}: the default decides, whatever the descriptor says')
 
 
-@repair.require('values outside of 0 to 2 and 0 to 1 are refused by a range', see=DESCRIBE)
+@repair.require('values outside of 0 to 2 and 0 to 1 are rejected by a range', see=DESCRIBE)
 def limited(trial: Trial) -> None:
     conveyor = trial.start()
     for name, highest in ((SPEED, 2.0), (GAP, 1.0)):
         expect_accepted(trial, conveyor, {name: highest})
         for bad in (-0.5, highest + 0.5):
-            expect_refused(trial, conveyor, {name: bad})
+            expect_rejected(trial, conveyor, {name: bad})
         limits = trial.client(conveyor).describe_parameter(name).range
         found = limits and (limits.from_value, limits.to_value)
         expect(found == (0.0, highest), f'the descriptor of `{name}` has a range from 0.0 to {highest}',
-               f'it has {"no range" if found is None else found}: a callback refuses, but no panel can know')
+               f'it has {"no range" if found is None else found}: a callback rejects, but no panel can know')
 
 
 @repair.require('the serial number is fixed, and each parameter is described', see=DESCRIBE)
@@ -77,14 +77,14 @@ def described(trial: Trial) -> None:
     expect(not silent, 'a description for each', f'there is none for {", ".join(f"`{name}`" for name in silent)}')
 
 
-@repair.require('above 1 m/s a gap below 0.3 m is refused, with a reason', see=JUDGE)
+@repair.require('above 1 m/s a gap below 0.3 m is rejected, with a reason', see=JUDGE)
 def judges(trial: Trial) -> None:
     conveyor = trial.start()
-    expect_refused(trial, conveyor, {SPEED: 1.5, GAP: 0.1})
+    expect_rejected(trial, conveyor, {SPEED: 1.5, GAP: 0.1})
     expect_accepted(trial, conveyor, {SPEED: 1.0, GAP: 0.1})
-    expect_refused(trial, conveyor, {SPEED: 1.5})
+    expect_rejected(trial, conveyor, {SPEED: 1.5})
     expect_accepted(trial, conveyor, {SPEED: 1.5, GAP: 0.3}, '. Both are proposed together, so judge them together')
-    expect_refused(trial, conveyor, {GAP: 0.2})
+    expect_rejected(trial, conveyor, {GAP: 0.2})
 
 
 @repair.require('the motor follows what is stored, and only that', see=JUDGE)
@@ -135,8 +135,8 @@ def belt(follows: int) -> type[Belt]:
 find = Exercise('8b', 'Which practice would have prevented it?', CHAPTER, DICTIONARY, hints=(
     'Write a number from 1 to 7 in place of the dots. A wrong guess costs nothing: the check tries it out.',
     'Each complaint belongs to another practice, and 5 and 6 are not among them.',
-    'Ask of each: when did it hurt? At the start, at a wrong value, at a refusal, in a list, or at a knob that should '
-    'not be there?'))
+    'Ask of each: when did it hurt? At the start, at a wrong value, at a rejection, in a list, or at a knob that '
+    'should not be there?'))
 
 # Does again what a complaint is about, with a belt, and returns how that went; nothing if all was well.
 Reenact = Callable[[Trial, type[Belt]], str]
@@ -182,7 +182,7 @@ def takes_everything(trial: Trial, belt_class: type[Belt]) -> str:
     return 'it accepted 50.0 m/s' if client.set_parameter('speed_mps', 50.0).successful else ''
 
 
-@require_practice('My request was refused, and the belt sped up all the same.')
+@require_practice('My request was rejected, and the belt sped up all the same.')
 def acts_on_proposals(trial: Trial, belt_class: type[Belt]) -> str:
     node = started(trial, belt_class)
     gain = next(name for name in ('kp', 'controller.kp') if node.has_parameter(name))
@@ -237,7 +237,7 @@ def fan_limited(trial: Trial) -> None:
     for good in (0.0, 1.0):
         expect_accepted(trial, fan, {FAN_SPEED: good})
     for bad in (-0.5, 1.5):
-        expect_refused(trial, fan, {FAN_SPEED: bad})
+        expect_rejected(trial, fan, {FAN_SPEED: bad})
     limits = trial.client(fan).describe_parameter(FAN_SPEED).range
     found = limits and (limits.from_value, limits.to_value)
     expect(found == (0.0, 1.0), 'the descriptor has a range from 0.0 to 1.0',

@@ -118,7 +118,7 @@ class Drive(Node):
 
 foresee = Exercise('9b', 'What will it hold?', CHAPTER, DICTIONARY, hints=(
     'Three questions, in this order: is the name declared, is the type the declared one, is the value in the range?',
-    'A node that refuses keeps what it has, and nothing is bent. A name that nobody declared does not come to be.',
+    'A node that rejects keeps what it has, and nothing is bent. A name that nobody declared does not come to be.',
     'Integers have 64 bits now. And values live in the node, so they end with it.'))
 
 
@@ -141,7 +141,7 @@ require_foresight('gains/kp = 2.0', {
     2.0: 'Only what was declared exists, and a slash is not a dot',
     0.5: 'A slash is not a dot: that is another name, and nobody declared it'}, NAMES, name='gains/kp', value=2.0)
 require_foresight('max_speed_rpm = 900', {
-    300: '`dynamic_reconfigure` would have bent it. ROS 2 refuses, and the old value stays',
+    300: '`dynamic_reconfigure` would have bent it. ROS 2 rejects, and the old value stays',
     900: 'There is a range, and the node sees to it'}, RULES, name='max_speed_rpm', value=900)
 require_foresight('ticks = 3000000000', {
     0: 'It is an integer, and there is no range. Only XML-RPC ended at 32 bits'}, TYPES, name='ticks', value=3000000000)

@@ -152,7 +152,7 @@ def burst(trial: Trial) -> None:
 
 count = Exercise('10.1b', 'How many messages?', CHAPTER, DICTIONARY, hints=(
     'An event tells of what was stored at one go. `set_parameters` stores its parameters one by one.',
-    'What is refused is not stored. Which part of a request is refused along with one parameter of it?',
+    'What is rejected is not stored. Which part of a request is rejected along with one parameter of it?',
     'The table in the section “Change it: what is told, and how often” has most of the numbers.'))
 
 
@@ -191,10 +191,10 @@ require_count('set_parameters with three parameters', lambda trial, rover: trial
 require_count('set_parameters_atomically with three parameters',
               lambda trial, rover: trial.client(rover).set_parameters_atomically(THREE),
               {3: 'It stores them at one go, and tells of them at one go'})
-require_count('set_parameters with two, of which one is refused',
+require_count('set_parameters with two, of which one is rejected',
               lambda trial, rover: trial.client(rover).set_parameters(TWO),
-              {0: 'Each is decided for itself: the other one is stored', 2: 'What is refused is not told'})
-require_count('set_parameters_atomically with two, of which one is refused',
+              {0: 'Each is decided for itself: the other one is stored', 2: 'What is rejected is not told'})
+require_count('set_parameters_atomically with two, of which one is rejected',
               lambda trial, rover: trial.client(rover).set_parameters_atomically(TWO),
               {1: 'All or nothing: no parameter of the request is stored'})
 require_count('the value that it has already', lambda trial, rover: trial.client(rover).set_parameter('speed', 1),

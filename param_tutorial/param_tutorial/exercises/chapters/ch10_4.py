@@ -6,7 +6,7 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_accepted, expect_refused
+from param_tutorial.exercises.expectations import expect_accepted, expect_rejected
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.rules import Rules
 
@@ -29,14 +29,14 @@ rules = Exercise('10.4a', 'State the rules', CHAPTER, NODE_CLASS, node_name='dro
 def call_sign(trial: Trial) -> None:
     drone = trial.start()
     for bad in ('abc', 'AB', 'ABCD', ''):
-        expect_refused(trial, drone, {'call_sign': bad})
+        expect_rejected(trial, drone, {'call_sign': bad})
     expect_accepted(trial, drone, {'call_sign': 'XYZ'})
 
 
 @rules.require('there are three modes', see=KINDS)
 def mode(trial: Trial) -> None:
     drone = trial.start()
-    expect_refused(trial, drone, {'mode': 'loop'})
+    expect_rejected(trial, drone, {'mode': 'loop'})
     for good in ('track', 'land', 'hover'):
         expect_accepted(trial, drone, {'mode': good})
 
@@ -45,7 +45,7 @@ def mode(trial: Trial) -> None:
 def order(trial: Trial) -> None:
     drone = trial.start()
     for bad in ({'land_percent': 30}, {'home_percent': 5}, {'land_percent': 25, 'home_percent': 20}):
-        expect_refused(trial, drone, bad)
+        expect_rejected(trial, drone, bad)
     expect_accepted(trial, drone, {'land_percent': 50, 'home_percent': 60})
 
 
@@ -90,15 +90,15 @@ def old_overrides(trial: Trial) -> None:
     wagon = trial.start(ros_args=['-p', 'width:=600', '-p', 'plate:=W-7'])
     expect_values(trial, wagon, {'width_mm': 600, 'plate_number': 'W-7'},
                   'with the overrides `width:=600` and `plate:=W-7`')
-    refused = trial.client(wagon).set_parameter('plate_number', 'W-8')
-    expect(not refused.successful, '`plate_number` is read-only', 'it could be set')
+    rejected = trial.client(wagon).set_parameter('plate_number', 'W-8')
+    expect(not rejected.successful, '`plate_number` is read-only', 'it could be set')
 
 
-@rename.require('two names with two values, in one request, are refused', see=ALIASES)
+@rename.require('two names with two values, in one request, are rejected', see=ALIASES)
 def contradiction(trial: Trial) -> None:
     wagon = trial.start()
     expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'at first')
-    expect_refused(trial, wagon, {'width': 1, 'width_mm': 2})
+    expect_rejected(trial, wagon, {'width': 1, 'width_mm': 2})
 
 
 factory = Exercise('10.4c', 'Factory settings', CHAPTER, FUNCTION, hints=(
@@ -110,7 +110,7 @@ factory = Exercise('10.4c', 'Factory settings', CHAPTER, FUNCTION, hints=(
 
 
 class Lamp(Node):
-    """What is to be brought back: in order, locked, and with a rule that refuses some ways back."""
+    """What is to be brought back: in order, locked, and with a rule that rejects some ways back."""
 
     def __init__(self) -> None:
         super().__init__('lamp')

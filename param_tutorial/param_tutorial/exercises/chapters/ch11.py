@@ -26,7 +26,7 @@ from param_tutorial.exercises.expectations import (
     expect_answer,
     expect_declared,
     expect_left_alone,
-    expect_refused,
+    expect_rejected,
 )
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
@@ -124,12 +124,12 @@ def start_cart(trial: Trial, *values: float, node_class: type[Node] | None = Non
     return cart
 
 
-@judge.require('values with which the cart could not stop within 2 m are refused, with a reason', see=JUDGE)
+@judge.require('values with which the cart could not stop within 2 m are rejected, with a reason', see=JUDGE)
 def sight(trial: Trial) -> None:
     cart = start_cart(trial)
     expect_accepted(trial, cart, {'max_speed_mps': 1.4}, '. 1.4 m/s and 0.5 m/s² make 1.96 m')
     for bad in ({'max_speed_mps': 2.0}, {'max_acceleration_mps2': 0.4}):
-        expect_refused(trial, cart, bad)
+        expect_rejected(trial, cart, bad)
 
 
 @judge.require('both in one request are judged together', see=JUDGE)
@@ -137,7 +137,7 @@ def together(trial: Trial) -> None:
     cart = start_cart(trial)
     expect_accepted(trial, cart, settings(2.0, 1.0),
                     '. The proposed speed has to be held against the proposed acceleration, and 2.0 m are just allowed')
-    expect_refused(trial, cart, settings(2.0, 0.9))
+    expect_rejected(trial, cart, settings(2.0, 0.9))
 
 
 @judge.require('a cart that is given such values at its start does not start', see=JUDGE)
@@ -181,7 +181,7 @@ def follows(trial: Trial) -> None:
     expect_trip(cart, 2.0, 1.0, 'once 2.0 m/s and 1.0 m/s² are stored')
 
 
-@act.require('it stays as it is when a change is refused in the end', see=JUDGE)
+@act.require('it stays as it is when a change is rejected in the end', see=JUDGE)
 def acts_late(trial: Trial) -> None:
     cart = start_cart(trial, node_class=derive(WithSecondJudge, trial.work))
     expect_accepted(trial, cart, {'max_speed_mps': 1.2})
@@ -340,7 +340,7 @@ def with_the_file(trial: Trial) -> None:
 tune = Exercise('11f', 'Tune it', CHAPTER, FUNCTION, hints=(
     'Solve `12 / v + v / a = 8` for `a`. Which `v` makes it smallest?',
     '`a = v² / (8 v − 12)`. It falls as `v` rises, up to 3 m/s. The range of the speed ends before that.',
-    'Both together or not at all: with the old acceleration the new speed would be refused. '
+    'Both together or not at all: with the old acceleration the new speed would be rejected. '
     '`client.set_parameters_atomically({...})` sends one request.'))
 GOAL_SEC = 8.0
 GENTLEST_MPS2 = 1.0

@@ -10,7 +10,7 @@ RECALLS = (
         wrong('1: the value was not set', 'The command did its work: it asked, and it brought back the answer. A '
               'script has to read that answer.'),
         right('0', 'The command did its work: it asked, and it brought back the answer.')),
-           chapter='5.1', section='Break it: refusals and mistakes'),
+           chapter='5.1', section='Break it: rejections and mistakes'),
     Recall('5.2-r2', "A node keeps `speed = self.get_parameter('max_speed_rpm')`. Later somebody changes the "
            'parameter. What is `speed.value`?', (
         right('the old value', 'The object keeps the value of the moment when it was taken.'),

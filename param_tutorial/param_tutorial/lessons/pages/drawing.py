@@ -160,7 +160,7 @@ def _row(row: Row, name: str) -> str:
                     f'aria-label="{label}, slider" aria-valuetext="{html.escape(row["text"])}">')
     kind = ' rec-quiet' if row['quiet'] else ''
     kind += ' rec-locked' if row['locked'] else ''
-    message = (f'<span class="rec-refused"><b>Not taken:</b> {html.escape(row["message"])}</span>'
+    message = (f'<span class="rec-rejected"><b>Rejected:</b> {html.escape(row["message"])}</span>'
                if row['message'] else '')
     return (f'<div class="rec-row{kind}" {data}>'
             f'<div class="rec-line"><label for="{name}">{label}</label>{control}</div>'

@@ -1,7 +1,7 @@
 """ros2 launch: start what a launch file describes, and end it all with Ctrl+C.
 
 ``launch`` and ``launch_ros`` are not on PyPI. This reads the same files, as far as they keep to what the lessons use,
-and starts the programs with the same ``--ros-args``; everything else is refused by its name.
+and starts the programs with the same ``--ros-args``; everything else is rejected by its name.
 
     verb         the command: which file, with which arguments
     reading      runs a launch file, with stand-ins for the modules that it imports

@@ -1,7 +1,7 @@
 /* What makes a lesson's page answer: it looks up what the node said when the page was made. It works nothing out.
 
    A panel's controls hold the values that the node confirmed. A hand's change is looked up among the recorded answers;
-   one that was refused, or never asked for, springs back, with the reason beside the control. */
+   one that was rejected, or never asked for, springs back, with the reason beside the control. */
 'use strict';
 
 (() => {
@@ -143,7 +143,7 @@
       }
       if ('reason' in answer) {
         this.show(this.text);
-        this.say('rec-refused', 'Not taken:', answer.reason);
+        this.say('rec-rejected', 'Rejected:', answer.reason);
       } else {
         this.show(answer.value);
         const others = Object.keys(this.panel.changed).filter(name => name !== this.name);
