@@ -30,14 +30,14 @@ OUTSIDE = """() => [...document.querySelectorAll('.param-panel')].flatMap(panel 
 
 @pytest.fixture(scope='module')
 def server(tmp_path_factory):
-    """Give a server without notebooks, and a browser."""
+    """Return a server without notebooks, and a browser."""
     with Lab(tmp_path_factory.mktemp('lab'), []) as lab, chromium() as browser:
         yield lab, browser
 
 
 @pytest.fixture
 def open_notebook(server):
-    """Give a function that opens a fresh copy of a notebook; afterwards the browser must not have complained."""
+    """Return a function that opens a fresh copy of a notebook; afterwards the browser must not have complained."""
     lab, browser = server
     pages = []
 
@@ -55,7 +55,7 @@ def open_notebook(server):
 
 @pytest.fixture
 def open_lesson(open_notebook, tmp_path):
-    """Give a server, and a page with the small notebook on which all cells have run."""
+    """Return a server, and a page with the small notebook on which all cells have run."""
     lab, page = open_notebook(lesson.write(tmp_path / 'lesson.ipynb'))
     page.run_all()
     return lab, page
@@ -63,7 +63,7 @@ def open_lesson(open_notebook, tmp_path):
 
 @pytest.fixture
 def open_chapter(open_notebook, tmp_path):
-    """Give a server, and a page with a chapter on which all cells have run."""
+    """Return a server, and a page with a chapter on which all cells have run."""
     lab, page = open_notebook(CHAPTER)
     page.run_all()
     return lab, page
@@ -78,13 +78,13 @@ def terminal(lab, *words):
 
 
 def value(lab, name):
-    """Give a parameter's value as the node in the kernel has it: a process of its own would take a second for that."""
+    """Return a parameter's value as the node in the kernel has it: a process of its own would take a second for that."""
     client = f"__import__('param_tutorial').ParameterClient({NODE!r})"
     return ast.literal_eval(lab.ask_kernel(f'{client}.get_parameter({name!r})'))
 
 
 def position(page):
-    """Give the value of max_acceleration_mps2 at which its slider stands: it counts hundredths from 0.01."""
+    """Return the value of max_acceleration_mps2 at which its slider stands: it counts hundredths from 0.01."""
     return round(0.01 + 0.01 * float(page.handle('max_acceleration_mps2').get_attribute('aria-valuenow')), 2)
 
 

@@ -28,7 +28,7 @@ RUNNING = '() => document.getAnimations().filter(each => /^robot-/.test(each.ani
 
 @pytest.fixture(scope='module')
 def opened(browser, tmp_path_factory):
-    """Give a server on the notebook, and a page with it."""
+    """Return a server on the notebook, and a page with it."""
     folder = tmp_path_factory.mktemp('robot')
     with Lab(folder / 'lab', [lesson.write(folder / 'robot.ipynb', CELLS)]) as lab:
         yield lab, LabPage(lab, browser, 'robot.ipynb')
@@ -36,7 +36,7 @@ def opened(browser, tmp_path_factory):
 
 @pytest.fixture
 def open_robot(opened):
-    """Give the server and the page, on which running the cells has made a new robot."""
+    """Return the server and the page, on which running the cells has made a new robot."""
     _, page = opened
     page.page.emulate_media(reduced_motion='no-preference')
     page.run_all()

@@ -131,7 +131,7 @@ def made(tmp_path_factory):
 
 @pytest.fixture
 def page(made, browser, request):
-    """Give a chapter's page, from the disk; nothing may be requested elsewhere, or complained of."""
+    """Return a chapter's page, from the disk; nothing may be requested elsewhere, or complained of."""
     with open_page(browser, (made.target / request.param).as_uri()) as page:
         yield page
 

@@ -49,7 +49,7 @@ def imports_of(module: str) -> Iterator[str]:
 
 @pytest.fixture(scope='module')
 def arrows() -> dict[str, list[str]]:
-    """Give what each file of the package imports of it."""
+    """Return what each file of the package imports of it."""
     return {module: sorted(set(imports_of(module))) for module in FILES}
 
 

@@ -322,7 +322,7 @@ def test_a_node_that_crashes_takes_no_other_ones_parameters_along(ros, client, t
 
 @pytest.fixture
 def events(ros):
-    """Give a list of the messages on /parameter_events that concern /robot, as (new, changed, deleted)."""
+    """Return a list of the messages on /parameter_events that concern /robot, as (new, changed, deleted)."""
     heard = []
 
     def hear(event):

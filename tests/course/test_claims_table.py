@@ -24,7 +24,7 @@ class Row(NamedTuple):
 
 
 def rows():
-    """Give (id, Row) for each line of the tables."""
+    """Return (id, Row) for each line of the tables."""
     for line in (NOTEBOOKS / 'claims.md').read_text().splitlines():
         if re.match(r'\| A\d', line):
             identifier, claim, verdict, proofs = (each.strip() for each in line[2:].removesuffix('|').split(' | '))
@@ -35,7 +35,7 @@ TABLE = dict(rows())
 
 
 def sections(path):
-    """Give the cells of a notebook by the heading under which they stand."""
+    """Return the cells of a notebook by the heading under which they stand."""
     found, heading = {}, ''
     for cell in nbformat.read(path, as_version=4).cells:
         if cell.cell_type == 'markdown':

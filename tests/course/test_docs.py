@@ -19,13 +19,13 @@ QUESTION_CHARACTERS = 72
 
 
 def rows(path):
-    """Give the chapters in the tables of a Markdown page: {file: (title, question, minutes, objectives or '')}."""
+    """Return the chapters in the tables of a Markdown page: {file: (title, question, minutes, objectives or '')}."""
     return {name: (title, question, int(minutes), objectives)
             for title, name, question, minutes, objectives in ROW.findall(path.read_text())}
 
 
 def opening(name):
-    """Give the first cell of a chapter."""
+    """Return the first cell of a chapter."""
     return CHAPTERS[name].cells[0].source
 
 

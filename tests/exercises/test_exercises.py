@@ -31,12 +31,12 @@ from tests.support.paths import NOTEBOOKS
 
 @functools.cache
 def notebook(number, folder=''):
-    """Give the cells of the chapter that holds an exercise, or of its solutions."""
+    """Return the cells of the chapter that holds an exercise, or of its solutions."""
     return nbformat.read(NOTEBOOKS / folder / Path(EXERCISES[number].solutions).name, as_version=4).cells
 
 
 def cell(number, kind):
-    """Give a cell of an exercise: its 'exercise' and 'check' in the chapter, or its 'solution'."""
+    """Return a cell of an exercise: its 'exercise' and 'check' in the chapter, or its 'solution'."""
     cells = notebook(number, 'solutions' if kind == 'solution' else '')
     found, = (each for each in cells if each.id == f'{kind}-{number.replace(".", "-")}')
     return found
@@ -67,7 +67,7 @@ def blank(number):
 
 
 def solution(number, *replacements):
-    """Give a solution, with some of its words replaced by others."""
+    """Return a solution, with some of its words replaced by others."""
     source = cell(number, 'solution').source
     for old, new in replacements:
         assert old in source, f'the solution of {number} has changed: {old!r} is not in it'
@@ -76,7 +76,7 @@ def solution(number, *replacements):
 
 
 def not_yet(result):
-    """Give what stands at the requirements that are not met."""
+    """Return what stands at the requirements that are not met."""
     return {finding.sentence: finding.happened for finding in result.findings if finding.done is not True}
 
 
@@ -128,7 +128,7 @@ def test_there_is_a_wrong_answer_for_every_exercise():
 
 
 def own_names(ros):
-    """Give the nodes in the graph that can come from here; another process's may be there as well."""
+    """Return the nodes in the graph that can come from here; another process's may be there as well."""
     return [name for name in ros.services.node_names(hidden=True)
             if name.startswith(f'{trial.CORNER}/') or name in ('/rover', '/gripper', '/heater')]
 

@@ -79,7 +79,7 @@ def process(source, *arguments):
 
 @pytest.fixture
 def remote_node():
-    """Give a process with a SimpleParamNode called /remote, which tells when it spins."""
+    """Return a process with a SimpleParamNode called /remote, which tells when it spins."""
     child = process('''
         import rclpy
         from rclpy.executors import ExternalShutdownException

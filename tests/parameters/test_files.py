@@ -37,7 +37,7 @@ class Reader(Node):
 
 
 def rcl_reads(ros, text, node='/lab/reader'):
-    """Give what a real node makes of a parameter file; None if it refuses to start."""
+    """Return what a real node makes of a parameter file; None if it refuses to start."""
     namespace, _, name = node.rpartition('/')
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
         file.write(text if isinstance(text, bytes) else text.encode())
@@ -53,7 +53,7 @@ def rcl_reads(ros, text, node='/lab/reader'):
 
 
 def we_read(text, node='/lab/reader'):
-    """Give what ``read`` makes of a text; None if it rejects."""
+    """Return what ``read`` makes of a text; None if it rejects."""
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
         file.write(text if isinstance(text, bytes) else text.encode())
         file.flush()

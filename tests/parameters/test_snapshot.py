@@ -36,7 +36,7 @@ OWN = {'use_sim_time': False, 'start_type_description_service': True}
 
 @pytest.fixture
 def dozing(ros):
-    """Give a node that is there and that nobody spins."""
+    """Return a node that is there and that nobody spins."""
     node = Node('dozing')
     yield node
     node.destroy_node()

@@ -25,7 +25,7 @@ def classes(picture):
 
 
 def rests(picture):
-    """Give the place and the text of each card."""
+    """Return the place and the text of each card."""
     return {''.join(card.itertext()): card.get('style') for card in picture.iter('g')
             if 'translate' in card.get('style', '')}
 

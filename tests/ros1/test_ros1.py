@@ -37,7 +37,7 @@ def needs_ros1(tmp_path_factory):
 
 @pytest.fixture
 def scene_file(tmp_path):
-    """Give a function that writes a recording of one scene."""
+    """Return a function that writes a recording of one scene."""
     def write(steps):
         path = tmp_path / 'recording.txt'
         path.write_text(f'a head\n\n== a scene\n{steps}\n')

@@ -61,7 +61,7 @@ def launch(*words, in_notebook=True):
 
 
 def arguments(node, context):
-    """Give what stands after --ros-args, and the content of the parameter files among it."""
+    """Return what stands after --ros-args, and the content of the parameter files among it."""
     words = node.command(['program'], context)
     assert words[:1] == ['program']
     after = words[words.index('--ros-args') + 1:]

@@ -58,7 +58,7 @@ def start_process(ros):
 
 
 def program_of(name):
-    """Give the command line of a program with one node, which says when it is ready and ends when it is told to."""
+    """Return the command line of a program with one node, which says when it is ready and ends when it is told to."""
     return sys.executable, '-c', f'''
 import signal, rclpy
 from rclpy.node import Node

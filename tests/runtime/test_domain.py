@@ -16,7 +16,7 @@ CHOOSE = 'import os; from param_tutorial.runtime import domain; print(domain.cho
 
 
 def nothing_chosen():
-    """Give the environment of somebody who has chosen neither a domain nor a network."""
+    """Return the environment of somebody who has chosen neither a domain nor a network."""
     return {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
 
 

@@ -17,7 +17,7 @@ from param_tutorial.ros2 import command
 
 @pytest.fixture
 def haunted(ros, monkeypatch):
-    """Give an executor whose rmw lists a ghost, and one with the name of the robot."""
+    """Return an executor whose rmw lists a ghost, and one with the name of the robot."""
     listed = ros.tool_node.get_node_names_and_namespaces
     monkeypatch.setattr(ros.tool_node, 'get_node_names_and_namespaces',
                         lambda: [('ghost', '/'), ('simple_param_node', '/'), *listed()])

@@ -90,7 +90,7 @@ class Lab:
                 '--LabApp.extension_manager=readonly', *self._options()]
 
     def _options(self) -> list[str]:
-        """Give what a test needs and a learner doesn't."""
+        """Return what a test needs and a learner doesn't."""
         return ['--no-browser', '--ip=127.0.0.1', '--port=0', f'--IdentityProvider.token={self.token}',
                 '--LabApp.expose_app_in_browser=True']
 
@@ -127,11 +127,11 @@ class Lab:
         return None
 
     def log(self) -> str:
-        """Give what the server printed."""
+        """Return what the server printed."""
         return (self._folder / 'server.log').read_text()
 
     def kernels(self) -> list[dict]:
-        """Give the server's word on its kernels."""
+        """Return the server's word on its kernels."""
         with urllib.request.urlopen(f'{self.url}api/kernels?token={self.token}', timeout=20) as answer:
             return json.load(answer)
 
@@ -143,7 +143,7 @@ class Lab:
             urllib.request.urlopen(request, timeout=TIMEOUT_SEC).close()
 
     def ask_kernel(self, expression: str) -> str:
-        """Give the repr of an expression in the one kernel, past the browser."""
+        """Return the repr of an expression in the one kernel, past the browser."""
         kernel, = self.kernels()
         client = BlockingKernelClient(
             connection_file=str(self._folder / 'runtime' / f'kernel-{kernel["id"]}.json'))
@@ -159,7 +159,7 @@ class Lab:
         return answer['data']['text/plain']
 
     def ros_environment(self) -> dict[str, str]:
-        """Give the environment of a process that shall meet the kernel's nodes."""
+        """Return the environment of a process that shall meet the kernel's nodes."""
         environment = ast.literal_eval(self.ask_kernel("dict(__import__('os').environ)"))
         return {**self._environment, **{name: value for name, value in environment.items()
                                         if name.startswith(('ROS_', 'FASTRTPS_'))}}

@@ -41,7 +41,7 @@ def pytest_runtest_teardown(item: pytest.Item) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_makereport() -> None:
-    """Give no report when this process ends: a test that waited for one of those that are killed may have come to its
+    """Report nothing when this process ends: a test that waited for one of those that are killed may have come to its
     end by that, and would count as passed."""
     if _ending.is_set():
         threading.Event().wait()

@@ -30,7 +30,7 @@ COUNT = '''milliseconds => new Promise(done => {
 
 
 def measure() -> dict[str, float]:
-    """Give the frames in which the robot has moved, per second, and processor time in percent of one core.
+    """Return the frames in which the robot has moved, per second, and processor time in percent of one core.
 
     The browser's is that of all its processes, which without a graphics card draw on the processor.
     """

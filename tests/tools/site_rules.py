@@ -37,7 +37,7 @@ def open_page(browser, address, *, scheme='light', width=1280):
 
 
 def check_page(page):
-    """Give what keeps somebody from using a page, in words."""
+    """Return what keeps somebody from using a page, in words."""
     # What is closed would not be looked at.
     page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
     # Without preload axe fetches no style sheets, which a page on a disk may not do.

@@ -36,7 +36,7 @@ def shows(view, words):
 
 
 def markup(view):
-    """Give what the browser draws: the picture, and the figures."""
+    """Return what the browser draws: the picture, and the figures."""
     return [each.value for each in view.children[1:]]
 
 

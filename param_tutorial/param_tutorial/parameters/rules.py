@@ -184,7 +184,7 @@ class Rules:
     # ---------------------------------------------------------------------------------------------------
 
     def _type_of(self, name: str) -> values.ParameterType | None:
-        """Give the type of a parameter, None if it may be any."""
+        """Return the type of a parameter, None if it may be any."""
         if not isinstance(name, str):
             raise RuleError(f'cannot state a rule for {name!r}, which is no name of a parameter')
         if not self._node.has_parameter(name):
@@ -245,5 +245,5 @@ class Rules:
 
 
 def _listed(things: Any) -> list[Any]:
-    """Give several things as a list, an empty one where they are none; a text is one thing and not its letters."""
+    """Return several things as a list, an empty one where they are none; a text is one thing and not its letters."""
     return list(things) if isinstance(things, Iterable) and not isinstance(things, (str, bytes)) else []
