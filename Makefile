@@ -2,10 +2,10 @@
 # PYTHON=python3.12 chooses the interpreter; ARGS="…" is handed to JupyterLab or pytest.
 
 # Someone who works with ROS has sourced a setup.bash. Its Python packages and libraries must not mix with those in
-# .venv, which are of another build. PATH stays, so the genuine `ros2` is still found; whoever starts it gives it back
-# what is taken away here.
+# .venv, which are of another build. PATH stays, so the genuine `ros2` is still found; what starts it gives it back what
+# is taken away here.
 unexport PYTHONPATH PYTHONHOME LD_LIBRARY_PATH _ROS_WHEELS_BOOTSTRAP_COMPLETE
-# Whoever wants no bytecode beside their own files may have it in this folder, where all of it is git-ignored: the tests
+# Someone who wants no bytecode beside their own files may have it in this folder, where all of it is git-ignored: the tests
 # start hundreds of processes, and each would compile everything anew.
 unexport PYTHONDONTWRITEBYTECODE
 
@@ -67,8 +67,9 @@ lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=06
 bench: setup-all  ## run the benchmarks
 	@$(VENV) -m tests.tools.bench $(ARGS)
 
-lint: setup-all  ## check code and notebooks without running them
+lint: setup-all  ## check code, notebooks and spelling without running them
 	@$(VENV) -m ruff check .
+	@$(VENV) -m codespell_lib --dictionary - --dictionary environment/words.txt
 	@$(VENV) -m mypy
 	@$(VENV) -m tests.tools.notebook_lint notebooks
 

@@ -62,7 +62,7 @@ def count_changes(page):
 
 
 def front_m(page):
-    """Measure where the robot's front is, in metres from the start line."""
+    """Measure where the robot's front is, in meters from the start line."""
     scene = page.page.locator('.robot-scene').bounding_box()
     return (page.page.evaluate(FRONT_PX) - scene['x']) / scene['width'] * (0.8 + 4.0 + 0.35) - 0.8
 

@@ -22,16 +22,16 @@ def shell():
 
 
 def test_it_remembers_folder_and_environment(shell):
-    assert shell.run('mkdir -p ws/src; cd ws; export COLOUR=red') == ''
-    assert shell.run('pwd; echo $COLOUR') == '~/ws\nred'
+    assert shell.run('mkdir -p ws/src; cd ws; export COLOR=red') == ''
+    assert shell.run('pwd; echo $COLOR') == '~/ws\nred'
     assert shell.folder() == shell.home / 'ws'
-    assert shell.environment()['COLOUR'] == 'red'
+    assert shell.environment()['COLOR'] == 'red'
 
 
 def test_a_second_shell_shares_the_home_folder_and_nothing_else(shell):
-    shell.run('export COLOUR=red; touch here')
+    shell.run('export COLOR=red; touch here')
     second = Shell(beside=shell)
-    assert second.run('ls; echo ${COLOUR:-none}') == 'here\nnone'
+    assert second.run('ls; echo ${COLOR:-none}') == 'here\nnone'
     second.close()
     assert shell.home.is_dir()
 

@@ -159,7 +159,7 @@ class Lab:
         return answer['data']['text/plain']
 
     def ros_environment(self) -> dict[str, str]:
-        """Return the environment of a process that shall meet the kernel's nodes."""
+        """Return the environment of a process that is to meet the kernel's nodes."""
         environment = ast.literal_eval(self.ask_kernel("dict(__import__('os').environ)"))
         return {**self._environment, **{name: value for name, value in environment.items()
                                         if name.startswith(('ROS_', 'FASTRTPS_'))}}

@@ -110,7 +110,7 @@ def output_texts(cell: Any) -> Iterator[str]:
 def check_execution(code: list[tuple[int, Any]]) -> Found:
     not_run = [number for number, cell in code if cell.execution_count is None]
     if not_run:
-        # One message is enough: whoever mends it runs them all.
+        # One message is enough: running the notebook once runs them all.
         others = f', nor were {len(not_run) - 1} others' if len(not_run) > 1 else ''
         yield not_run[0], f'was not run{others}: use Restart Kernel and Run All Cells, and save.'
         return

@@ -1,6 +1,6 @@
 """How smoothly the robot moves in JupyterLab, and what that costs: `python -m tests.tools.robot_bench`.
 
-``measure()`` gives the figures to whoever makes a table of them.
+``measure()`` gives the figures to the caller, who makes a table of them.
 """
 
 import tempfile

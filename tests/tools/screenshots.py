@@ -45,7 +45,7 @@ def main() -> None:
     parser.add_argument('folder', nargs='?', type=Path, default=Path('build/screenshots'))
     parser.add_argument('--look', action='append', choices=LOOKS, help='by default all')
     parser.add_argument('--scale', type=float, default=1.0, help='pixels of the picture for each of the page')
-    parser.add_argument('--scroll-to', default='.param-panel', help='a CSS selector that shall be in the picture')
+    parser.add_argument('--scroll-to', default='.param-panel', help='a CSS selector that should be in the picture')
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     looks = options.look or list(LOOKS)

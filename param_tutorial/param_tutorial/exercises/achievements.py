@@ -30,7 +30,7 @@ class Chapter(NamedTuple):
     """Its questions about earlier chapters."""
     predictions: Sequence[Prediction]
     praise: str
-    """A sentence for whoever has solved it."""
+    """A sentence for the learner who has solved it."""
 
 
 class ChapterProgress(Answer):

@@ -115,7 +115,7 @@ class Todo(NamedTuple):
     watch: bool = False
     """Go on calling ``begin_showing`` now and then, to see what becomes late."""
     ended: bool = False
-    """A request has ended: whoever waits for answers should look again."""
+    """A request has ended: a thread that waits for answers should look again."""
 
 
 NOTHING = Todo()

@@ -30,7 +30,7 @@ from param_tutorial.runtime import rclpy_private
 _NUMBERS = (values.INTEGER, values.DOUBLE, values.INTEGER_ARRAY, values.DOUBLE_ARRAY)
 _TEXTS = (values.STRING, values.STRING_ARRAY)
 _ARRAYS = tuple(each for each in values.TYPES if each.is_array)
-# Of a step. 3 * 0.1 is 0.30000000000000004, and whoever sends it means 0.3.
+# Of a step. 3 * 0.1 is 0.30000000000000004, and the sender means 0.3.
 _TOLERANCE = Fraction(1, 10**6)
 _NUMBER = r'[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?'
 # How much of a value a reason repeats.

@@ -25,7 +25,7 @@ class MessageTraffic:
         """
         self._sender, self._changes = sender, tuple(changes)
         tells = sorted({*tells, *([sender] if sender else [])})
-        # Whoever has something to say is never left out.
+        # A node that sends something is never left out.
         self._tells = sorted(sorted(tells, key=lambda each: each != sender)[:_MOST_ROWS])
         self._listens = dict(sorted(listens.items())[:_MOST_ROWS])
 

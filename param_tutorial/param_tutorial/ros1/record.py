@@ -56,7 +56,7 @@ class Step:
     """Something that was typed or done, and what came of it."""
 
     prompt: str
-    """Who: ``/robot>>>`` a node, ``master>>>`` the master, ``$`` a shell, ``!`` whoever does what is said."""
+    """Who: ``/robot>>>`` a node, ``master>>>`` the master, ``$`` a shell, ``!`` the one who does what it says."""
     typed: str
     answer: str = ''
     """Empty where nothing was printed, which in ROS 1 means: done."""

@@ -42,7 +42,7 @@ INTERRUPT_TIMEOUT_SEC = 3.0
 _NOTICE_TIMEOUT_SEC = 2.0
 # A callback that has kept the thread for so long, when a request is not answered in time, is why.
 _BUSY_SEC = 2.0
-# How long whoever needs the thread waits at least, even if a callback has kept it for long already.
+# How long a caller that needs the thread waits at least, even if a callback has kept it for long already.
 _LEAST_PATIENCE_SEC = 0.3
 # How long rclpy waits in a cell for what has no time limit of its own.
 WAIT_LIMIT_SEC = 3.0

@@ -99,7 +99,7 @@ class _Input:
 class Guard:
     """Watches over what code in one thread prints, and keeps it from asking.
 
-    Whoever captures output replaces sys.stdout, and Jupyter replaces input() for each cell. So the guard looks after
+    Code that captures output replaces sys.stdout, and Jupyter replaces input() for each cell. So the guard looks after
     its post each time before such code runs.
     """
 

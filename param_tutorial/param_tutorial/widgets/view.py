@@ -35,7 +35,7 @@ class View(widgets.VBox):
 
     def __init__(self, parts: Iterable[widgets.Widget], css_class: str):
         self._closed = False
-        # Held by whoever writes to the widgets.
+        # Held by the thread that writes to the widgets.
         self._drawing = threading.RLock()
         self._on_close: list[Callable[[View], object]] = []
         super().__init__(list(parts))

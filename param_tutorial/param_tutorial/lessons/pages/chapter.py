@@ -12,7 +12,7 @@ from param_tutorial.lessons.pages import drawing
 from param_tutorial.lessons.recording.recorded import Recordings
 from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets
 
-# Where the site keeps the notebooks for whoever wants to run them.
+# Where the site keeps the notebooks for readers who want to run them.
 NOTEBOOKS = 'notebooks'
 # In what a cell has put out.
 _HREF = re.compile(r'<a href="(\w+)\.ipynb">(.*?)</a>', re.DOTALL)

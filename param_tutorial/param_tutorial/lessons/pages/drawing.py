@@ -174,7 +174,7 @@ def _packed(facts: dict[str, Any]) -> str:
 
 
 def code(source: str) -> str:
-    """Return Python code as HTML, in the colours of the page."""
+    """Return Python code as HTML, in the colors of the page."""
     html: str = highlight(source, get_lexer_by_name('ipython3'), HtmlFormatter(cssclass='highlight'))
     return html.replace('<pre>', '<pre tabindex="0">', 1)
 
