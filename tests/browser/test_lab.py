@@ -78,7 +78,7 @@ def terminal(lab, *words):
 
 
 def value(lab, name):
-    """Return a parameter's value as the node in the kernel has it: a process of its own would take a second for that."""
+    """Return a parameter's value as the node in the kernel has it, faster than a process of its own could."""
     client = f"__import__('param_tutorial').ParameterClient({NODE!r})"
     return ast.literal_eval(lab.ask_kernel(f'{client}.get_parameter({name!r})'))
 
