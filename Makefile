@@ -51,6 +51,9 @@ test-fast: setup-all  ## run the tests that take seconds in all, while you edit
 test-pythons: setup-all  ## run the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
 	@$(VENV) -m tests.tools.pythons $(ARGS)
 
+test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
+	@$(VENV) -m tests.tools.beside_ros $(ARGS)
+
 play: setup-all  ## play with each chapter between its cells, and look whether they still say the truth
 	@$(VENV) -W ignore -m tests.tools.play $(ARGS)
 
@@ -88,4 +91,4 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class test test-fast test-pythons play stranger html lesson bench lint lock clean
+.PHONY: help setup setup-all lab reset reset-progress class test test-fast test-pythons test-beside-ros play stranger html lesson bench lint lock clean

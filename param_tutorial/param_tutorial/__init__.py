@@ -22,6 +22,11 @@ node, ``ParameterPanel`` shows them as controls. The rooms of the package, top t
 import importlib
 from typing import Any
 
+from param_tutorial.runtime import surroundings
+
+# Whatever is imported next may be rclpy, or import it.
+surroundings.drop_missing_middleware()
+
 # Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
 _HOMES = {
     'Aliases': 'parameters.aliases',

@@ -15,11 +15,11 @@ from IPython.core.interactiveshell import InteractiveShell
 from IPython.utils.capture import capture_output
 
 import param_tutorial
-from param_tutorial import ParameterClient, wait_until
+from param_tutorial import ParameterClient, Terminal, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook import magics
 from param_tutorial.ros2 import genuine
-from param_tutorial.runtime import domain
+from param_tutorial.runtime import domain, surroundings
 
 
 @pytest.fixture(scope='module')
@@ -236,6 +236,59 @@ def test_the_genuine_command_may_not_block_the_cell_either(cell_with_genuine):
     assert 'Terminal' in stderr
 
 
+@pytest.mark.parametrize('line', ['launch demo demo_launch.py --show-args', 'run --help', 'launch -h'])
+def test_the_genuine_command_runs_what_ends_by_itself(cell_with_genuine, line):
+    stdout, _, status = cell_with_genuine(f'%ros2 {line}')
+    assert (stdout, status) == (f'genuine {line}\n', 7)
+
+
+def test_the_courses_own_nodes_are_started_by_its_own_command(cell_with_genuine, tmp_path):
+    """Nobody has built the package, so the genuine command would not find it."""
+    stdout, _, status = cell_with_genuine('%ros2 launch param_tutorial argument_param_launch.py --show-args')
+    assert ("'robot_name':" in stdout, status) == (True, 0)
+    theirs, ours = tmp_path / 'theirs_launch.py', tmp_path / 'ours_launch.py'
+    theirs.write_text("Node(package='demo', executable='talker')")
+    ours.write_text("Node(package='param_tutorial', executable='simple_param_node')")
+    assert genuine.runs(['launch', str(theirs)])
+    assert not genuine.runs(['launch', str(ours)])
+    assert not genuine.runs(['run', '--prefix', 'nice', 'param_tutorial', 'simple_param_node'])
+    assert genuine.runs(['param', 'list', '/param_tutorial'])
+
+
+def test_an_old_build_of_the_course_is_not_found(tmp_path, monkeypatch, fake_ros2):
+    """In the user's own workspace, which a .bashrc has sourced."""
+    spaces = [tmp_path / 'isolated' / 'param_tutorial', tmp_path / 'merged']
+    for space in spaces:
+        marker = space / 'share' / 'ament_index' / 'resource_index' / 'packages' / 'param_tutorial'
+        marker.parent.mkdir(parents=True)
+        marker.touch()
+    monkeypatch.setenv('AMENT_PREFIX_PATH', os.pathsep.join([*map(str, spaces), str(fake_ros2.parents[1])]))
+    monkeypatch.setenv('COLCON_PREFIX_PATH', os.pathsep.join([str(tmp_path / 'isolated'), str(tmp_path / 'other')]))
+    surroundings.drop_old_builds()
+    assert os.environ['AMENT_PREFIX_PATH'] == str(fake_ros2.parents[1])
+    assert os.environ['COLCON_PREFIX_PATH'] == str(tmp_path / 'other')
+
+
+@pytest.mark.slow
+def test_a_terminal_starts_them_too(ros, cell_with_genuine):
+    terminal = Terminal('ros2 run param_tutorial simple_param_node')
+    assert 'max_speed_rpm: 100' in terminal.read(until='max_speed_rpm')
+    assert terminal.interrupt() == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(('chosen', 'said'), [('', 'genuine daemon stop\n'), ('7', '')], ids=['claimed', 'chosen'])
+def test_the_daemon_of_a_claimed_domain_ends_with_the_kernel(fake_ros2, tmp_path, chosen, said):
+    fake_ros2.write_text(f'#!/bin/sh\necho genuine "$@" >> {tmp_path}/log\n')
+    source = ('from param_tutorial.ros2 import genuine; from param_tutorial.runtime import domain; domain.choose(); '
+              'genuine.command(["param", "list"])')
+    environment = {**domain.environment_without_domain(), **({'ROS_DOMAIN_ID': chosen} if chosen else {})}
+    environment.pop('PARAM_TUTORIAL_ROS2', None)
+    subprocess.run([sys.executable, '-c', source], env=environment, check=True)
+    log = tmp_path / 'log'
+    assert (log.read_text() if log.exists() else '') == said
+
+
 def test_the_advice_beside_a_rejected_run_leaves_the_other_nodes_alone(cell, ros, node):
     _, advice, _ = cell('%ros2 run param_tutorial cart_node')
     assert re.search(r'\bros\.add\(', advice)
@@ -268,6 +321,11 @@ def test_python_packages_of_the_sourced_ros_are_found_again(fake_ros2, monkeypat
     monkeypatch.setenv('PYTHONPATH', '/ours')
     monkeypatch.setenv('LD_LIBRARY_PATH', '/ours')
     assert genuine.environment()['PYTHONPATH'] == str(packages)
+    # As `colcon build --symlink-install` leaves it.
+    hook = fake_ros2.parents[1] / 'share' / 'lift' / 'hook' / 'pythonpath_develop.dsv'
+    hook.parent.mkdir(parents=True)
+    hook.write_text('prepend-non-duplicate;PYTHONPATH;/ws/build/lift')
+    assert genuine.environment()['PYTHONPATH'] == f'/ws/build/lift{os.pathsep}{packages}'
     monkeypatch.delenv('AMENT_PREFIX_PATH')
     assert not {'PYTHONPATH', 'LD_LIBRARY_PATH'} & genuine.environment().keys()
 

@@ -10,7 +10,7 @@ import psutil
 import pytest
 
 from param_tutorial.errors import ExecutorError
-from param_tutorial.runtime import domain
+from param_tutorial.runtime import domain, surroundings
 
 CHOOSE = 'import os; from param_tutorial.runtime import domain; print(domain.choose(), os.environ.get("{0}"))'
 
@@ -98,3 +98,31 @@ def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant
         os.close(descriptor)
         with pytest.raises(ExecutorError, match='are in use on this machine'):
             domain._claim_free_domain()
+
+
+@pytest.mark.slow
+def test_what_the_user_has_set_for_a_robots_network_does_not_part_processes_here():
+    source = ('import param_tutorial, subprocess, sys\n'
+              'from rclpy.node import Node\n'
+              'param_tutorial.start().add(Node, "here")\n'
+              'print(subprocess.check_output([sys.executable, "-m", "param_tutorial", "node", "list"], text=True))')
+    # Each of them alone keeps the second process from finding the node, or either from starting.
+    others = {'ROS_DISCOVERY_SERVER': '192.0.2.1:11811', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF',
+              'ROS_SECURITY_ENABLE': 'true', 'ROS_SECURITY_STRATEGY': 'Enforce', 'ROS_LOCALHOST_ONLY': '1',
+              'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'}
+    done = subprocess.run([sys.executable, '-c', source], env={**nothing_chosen(), **others}, capture_output=True,
+                          text=True, timeout=120, check=False)
+    assert done.stdout.split() == ['/here'], done.stderr
+    # Said once, and by nobody but this.
+    assert done.stderr == ('RMW_IMPLEMENTATION is rmw_cyclonedds_cpp, which this Python does not have: continuing with '
+                           'the default.\n')
+
+
+def test_a_middleware_that_is_here_or_that_another_ros_has_is_kept(monkeypatch, tmp_path, capsys):
+    monkeypatch.setenv('RMW_IMPLEMENTATION', 'rmw_fastrtps_cpp')
+    surroundings.drop_missing_middleware()
+    monkeypatch.setenv('RMW_IMPLEMENTATION', 'rmw_zenoh_cpp')
+    monkeypatch.setattr(sys, 'prefix', str(tmp_path))  # a Python without libraries of ROS
+    surroundings.drop_missing_middleware()
+    assert os.environ['RMW_IMPLEMENTATION'] == 'rmw_zenoh_cpp'
+    assert capsys.readouterr().err == ''

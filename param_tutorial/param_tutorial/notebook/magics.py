@@ -180,6 +180,11 @@ def _parse(line: str) -> _Command:
     return _Command(rest[1:] if rest[:1] == ['ros2'] else rest, target[0] if target else None, operators == ['>>'])
 
 
+# Options of `ros2 run` and `ros2 launch` that start nothing.
+_ENDS_BY_ITSELF = frozenset({'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print',
+                             '--print-description'})
+
+
 def _run(command: _Command) -> int:
     """Run a command and return its exit status."""
     with interruptible(), ExitStack() as stack:
@@ -189,10 +194,10 @@ def _run(command: _Command) -> int:
             output = stack.enter_context(path.open('a' if command.append else 'w', encoding='utf-8'))
         streams = _Streams(output, sys.stderr)
         try:
-            if genuine.path() is None:
+            if not genuine.runs(command.words):
                 return embedded.main(command.words, stdout=streams.stdout, stderr=streams.stderr,
                                  get_executor=stage.current, in_notebook=True)
-            if command.words[0] in ('run', 'launch'):
+            if command.words[0] in ('run', 'launch') and _ENDS_BY_ITSELF.isdisjoint(command.words):
                 streams.stderr.write(f'{keeps_busy(command.words)}\n')
                 return 1
             return _run_genuine(command.words, streams)
@@ -231,9 +236,10 @@ class _Stream:
 def _run_genuine(words: list[str], streams: _Streams) -> int:
     """Run the installed command, show what it prints as it comes, and pass an interrupt on."""
     domain.choose()
+    command, environment = genuine.command(words)
     process = subprocess.Popen(
-        [*genuine.words(), *words], env=genuine.environment(), stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+        command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        start_new_session=True)
     with process, handed_to(process.pid), selectors.DefaultSelector() as selector:
         assert process.stdout and process.stderr  # both are pipes
         for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):

@@ -20,10 +20,12 @@ from tempfile import TemporaryDirectory
 from param_tutorial.errors import ShellError
 from param_tutorial.notebook.interrupts import handed_to, interruptible
 from param_tutorial.ros2 import genuine
-from param_tutorial.runtime import domain
+from param_tutorial.runtime import domain, surroundings
 
-# The learner's own settings would change what commands do and print: git's name and address, colcon's defaults.
-_NOT_PASSED_ON = re.compile(r'^(PYTHON.*|GIT_.*|COLCON_.*|BASH_ENV|ENV|BASH_FUNC_.*|PROMPT_COMMAND|PS[0-4])$')
+# The learner's own settings would change what commands do and print: git's name and address, colcon's defaults, how
+# nodes log.
+_NOT_PASSED_ON = re.compile(
+    r'^(PYTHON.*|GIT_.*|COLCON_.*|RCUTILS_.*|BASH_ENV|ENV|BASH_FUNC_.*|PROMPT_COMMAND|PS[0-4])$')
 # [0.52s] after a package, [0.523s] before a warning, and [0.52s, exited with code 1].
 _SECONDS = r'(?:\d+min )?\d+(?:\.\d+)?s'
 _TIME_TAKEN = re.compile(rf'^\[{_SECONDS}\] | \[{_SECONDS}\]$|(?<=\[){_SECONDS}, ', re.MULTILINE)
@@ -48,6 +50,7 @@ class Shell:
         :raises FileNotFoundError: there is no bash.
         """
         domain.choose()
+        surroundings.drop_old_builds()
         self._beside = beside  # so that the home folder stays as long as anybody lives in it
         if beside:
             folder = None
@@ -71,15 +74,16 @@ class Shell:
         # Ctrl+C ends the command and not the shell.
         self.run('trap : INT')
         if genuine.path() is None:
-            self.run(f'ros2() {{ {shlex.join(genuine.words())} "$@"; }}')
+            self.run(f'ros2() {{ {shlex.join(genuine.embedded_words())} "$@"; }}')
 
     def _first_environment(self) -> dict[str, str]:
         outer = dict(os.environ) if genuine.path() is None else genuine.environment()
         passed_on = {name: value for name, value in outer.items() if not _NOT_PASSED_ON.match(name)}
-        if genuine.path() is None:
-            # Where colcon was installed with this Python, and the nodes that it builds find this Python's rclpy.
-            passed_on['PATH'] = os.pathsep.join([str(Path(sys.executable).parent), passed_on.get('PATH', os.defpath)])
-        elif 'PYTHONPATH' in outer:
+        # Where colcon was installed with this Python. First, so that the nodes that it builds find this Python's rclpy;
+        # beside a genuine ROS, theirs is its own, and this colcon stands in for one that is missing.
+        path = [str(Path(sys.executable).parent), passed_on.get('PATH', os.defpath)]
+        passed_on['PATH'] = os.pathsep.join(path if genuine.path() is None else reversed(path))
+        if genuine.path() is not None and 'PYTHONPATH' in outer:
             passed_on['PYTHONPATH'] = outer['PYTHONPATH']
         # As on a machine on which nothing has been built yet, `ros2 run` finds no package.
         return {**passed_on, 'PARAM_TUTORIAL_OWN_NODES': '0', 'HOME': str(self.home), 'USER': 'learner',

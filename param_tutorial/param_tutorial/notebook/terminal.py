@@ -19,7 +19,7 @@ from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
-from param_tutorial.runtime import domain, stage
+from param_tutorial.runtime import domain, stage, surroundings
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
 _LOG_FORMAT = '[{severity}] [{name}]: {message}'
@@ -47,6 +47,7 @@ class Terminal:
         :raises FileNotFoundError: there is no such command.
         """
         domain.choose()
+        surroundings.drop_old_builds()
         self.command = command
         for earlier in list(_open):
             if earlier.command == command and earlier.is_running:
@@ -55,17 +56,20 @@ class Terminal:
         self._read = 0
         self._changed = threading.Condition()
         arguments = shlex.split(command)
-        environment = dict(os.environ) if shell is None else shell.environment()
-        if arguments[0] == 'ros2':
-            arguments[:1] = genuine.words()
-            if shell is None and genuine.path() is not None:
-                environment = genuine.environment()
-        folder = None if shell is None else shell.folder()
+        environment, folder = dict(os.environ), None
+        if shell is not None:
+            environment, folder = shell.environment(), shell.folder()
+            if arguments[0] == 'ros2':
+                installed = genuine.path()
+                arguments[:1] = [installed] if installed else genuine.embedded_words()
+        elif arguments[0] == 'ros2':
+            arguments, environment = genuine.command(arguments[1:])
         with interruptible():
             self._process = subprocess.Popen(
                 arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                 text=True, errors='replace', start_new_session=True, cwd=folder,
-                env={**environment, 'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1'})
+                env={**{name: value for name, value in environment.items() if not name.startswith('RCUTILS_')},
+                     'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1'})
         self._reader = threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True)
         self._reader.start()
         _open.add(self)

@@ -1,9 +1,17 @@
 """The genuine ``ros2``, where ROS is installed, and what stands for it elsewhere."""
 
+import atexit
+import contextlib
+import functools
 import os
 import shutil
+import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
+
+from param_tutorial.ros2 import index
+from param_tutorial.runtime import domain
 
 # What this process's own rclpy needs and another build of it must not find, and what `make` keeps away for the
 # same reason.
@@ -13,6 +21,7 @@ _OURS = ('PYTHONPATH', 'PYTHONHOME', 'LD_LIBRARY_PATH', '_ROS_WHEELS_BOOTSTRAP_C
 # which puts it in front: the folder of the course's own is named, and for this one process only.
 _EMBEDDED = ('import sys; sys.path.insert(0, sys.argv.pop(1)); '
              'from param_tutorial.__main__ import main; sys.exit(main())')
+_STOP_DAEMON_SEC = 10.0
 
 
 def path() -> str | None:
@@ -20,23 +29,74 @@ def path() -> str | None:
     return None if os.environ.get('PARAM_TUTORIAL_ROS2') == 'embedded' else shutil.which('ros2')
 
 
-def words() -> list[str]:
-    """Return what stands for ``ros2`` on a command line: the genuine one, or else the embedded one."""
-    genuine = path()
-    if genuine is not None:
-        return [genuine]
+def runs(words: Sequence[str]) -> bool:
+    """True if the genuine command, and not the embedded one, is to run these words after ``ros2``.
+
+    The course's own nodes are started by the course's own command. Nobody has built them, so the genuine one does not
+    find them; and if somebody has, the build is for ROS's Python and holds what the package was then.
+    """
+    return path() is not None and not (words[:1] in (['run'], ['launch']) and any(map(_is_ours, words[1:])))
+
+
+def _is_ours(word: str) -> bool:
+    """True for the course's package, and for a launch file that names it."""
+    if word == index.PACKAGE:
+        return True
+    with contextlib.suppress(OSError, ValueError):
+        return word.endswith('.py') and index.PACKAGE in Path(word).read_text(encoding='utf-8')
+    return False
+
+
+def embedded_words() -> list[str]:
+    """Return what stands for ``ros2`` on the command line of a process, to start the embedded one."""
     return [sys.executable, '-c', _EMBEDDED, str(Path(__file__).parents[2])]
 
 
+def command(words: Sequence[str]) -> tuple[list[str], dict[str, str]]:
+    """Return the command line for these words after ``ros2``, and the environment in which it works."""
+    genuine = path()
+    if genuine is None or not runs(words):
+        return [*embedded_words(), *words], dict(os.environ)
+    _stop_daemon_in_the_end()
+    return [genuine, *words], environment()
+
+
 def environment() -> dict[str, str]:
-    """Return the environment in which it works: this one's, with its own Python packages and libraries."""
+    """Return the environment in which the genuine command works: this one's, with its own packages and libraries."""
     result = {name: value for name, value in os.environ.items() if name not in _OURS}
     sourced = [Path(each) for each in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if each]
-    packages = [each for prefix in sourced for pattern in (
-        'lib/python3*/site-packages', 'local/lib/python3*/dist-packages') for each in sorted(prefix.glob(pattern))]
+    packages = [each for prefix in sourced for each in _python_packages(prefix)]
     libraries = [prefix / 'lib' for prefix in sourced if (prefix / 'lib').is_dir()]
     if packages:
         result['PYTHONPATH'] = os.pathsep.join(map(str, packages))
     if libraries:
         result['LD_LIBRARY_PATH'] = os.pathsep.join(map(str, libraries))
     return result
+
+
+def _python_packages(prefix: Path) -> list[Path]:
+    """Return the folders that sourcing an install space puts on PYTHONPATH."""
+    # `colcon build --symlink-install` leaves a package in its build folder, which only this hook names.
+    hooks = sorted(prefix.glob('share/*/hook/pythonpath_develop.dsv'))
+    developed = [Path(folder) for hook in hooks for line in hook.read_text().splitlines()
+                 for action, name, folder in [line.split(';')] if name == 'PYTHONPATH']
+    installed = [each for pattern in ('lib/python3*/site-packages', 'local/lib/python3*/dist-packages')
+                 for each in sorted(prefix.glob(pattern))]
+    return [*developed, *installed]
+
+
+@functools.cache
+def _stop_daemon_in_the_end() -> None:
+    """Let the daemon that the genuine command starts in this process's own ROS domain end with this process.
+
+    It would stay for two hours, holding the domain and 68 MB. In a domain that the user chose, it is the user's.
+    """
+    if domain.is_claimed():
+        atexit.register(_stop_daemon)
+
+
+def _stop_daemon() -> None:
+    if genuine := path():
+        with contextlib.suppress(OSError, subprocess.TimeoutExpired):
+            subprocess.run([genuine, 'daemon', 'stop'], env=environment(), stdin=subprocess.DEVNULL,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=_STOP_DAEMON_SEC)

@@ -10,6 +10,7 @@ import socket
 from pathlib import Path
 
 from param_tutorial.errors import ExecutorError
+from param_tutorial.runtime import surroundings
 
 # Above 101 the ports of a domain reach into Linux's ephemeral range, and 0 is what everybody else is in.
 DOMAIN_IDS = range(1, 102)
@@ -24,15 +25,18 @@ def choose() -> int:
     """Return the ROS domain of this process and put it into its environment.
 
     The domain that the user chose with ROS_DOMAIN_ID, on the network that the user chose; otherwise one
-    that no other process on this machine has claimed, limited to this host. Processes that this one starts
+    that no other process on this machine has claimed, limited to this host, and without the settings that
+    are for a network. Processes that this one starts
     inherit both, so that ``ros2`` in a subprocess finds the same nodes. Asking again gives the same answer.
 
     :raises ExecutorError: ROS_DOMAIN_ID is no domain, or all domains are taken.
     """
     global _claim
     chosen = os.environ.get('ROS_DOMAIN_ID')
-    if _claim is not None and chosen == str(_claim[0]):
+    if _claim is not None and is_claimed():
         return _claim[0]
+    if not chosen:
+        surroundings.drop_networks()
     # Fast DDS 2.14 knows this name only; from 3.0 on it is FASTDDS_DEFAULT_PROFILES_FILE.
     if not os.environ.get('FASTRTPS_DEFAULT_PROFILES_FILE'):
         own_network = chosen or os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE')
@@ -47,6 +51,11 @@ def choose() -> int:
     # LOCALHOST would listen on all interfaces, and add shared memory to whatever a profile says.
     os.environ.setdefault('ROS_AUTOMATIC_DISCOVERY_RANGE', 'SYSTEM_DEFAULT' if _on_loopback() else 'LOCALHOST')
     return _claim[0]
+
+
+def is_claimed() -> bool:
+    """True if this process has claimed the ROS domain in its environment, and neither the user nor a parent has."""
+    return _claim is not None and os.environ.get('ROS_DOMAIN_ID') == str(_claim[0])
 
 
 def environment_without_domain() -> dict[str, str]:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from param_tutorial.errors import ExecutorError
 from param_tutorial.pictures.diagrams import NodeGraph
-from param_tutorial.runtime import graph
+from param_tutorial.runtime import graph, surroundings
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.listeners import Listeners
 
@@ -40,6 +40,7 @@ def start() -> BackgroundExecutor:
                     raise
         if _current is not None:
             _current.stop()
+        surroundings.drop_old_builds()
         started = _current = BackgroundExecutor()
     _change_listeners.call()
     return started
