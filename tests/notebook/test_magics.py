@@ -315,15 +315,19 @@ def test_an_interrupt_is_passed_on_to_the_genuine_command(cell_with_genuine, tmp
     assert status == 7
 
 
-def test_python_packages_of_the_sourced_ros_are_found_again(fake_ros2, monkeypatch):
+def test_python_packages_of_the_sourced_ros_are_found_again(fake_ros2, tmp_path, monkeypatch):
     packages = fake_ros2.parents[1] / 'lib' / 'python3.12' / 'site-packages'
     packages.mkdir(parents=True)
     monkeypatch.setenv('PYTHONPATH', '/ours')
     monkeypatch.setenv('LD_LIBRARY_PATH', '/ours')
     assert genuine.environment()['PYTHONPATH'] == str(packages)
     # As `colcon build --symlink-install` leaves it.
-    hook = fake_ros2.parents[1] / 'share' / 'lift' / 'hook' / 'pythonpath_develop.dsv'
-    hook.parent.mkdir(parents=True)
+    listed = fake_ros2.parents[1] / 'share' / 'lift' / 'package.dsv'
+    hook = tmp_path / 'build' / 'lift' / 'share' / 'lift' / 'hook' / 'pythonpath_develop.dsv'
+    for path in (listed, hook):
+        path.parent.mkdir(parents=True)
+    listed.write_text('source;share/lift/hook/ament_prefix_path.dsv\n'
+                      'source;../build/lift/share/lift/hook/pythonpath_develop.dsv\n')
     hook.write_text('prepend-non-duplicate;PYTHONPATH;/ws/build/lift')
     assert genuine.environment()['PYTHONPATH'] == f'/ws/build/lift{os.pathsep}{packages}'
     monkeypatch.delenv('AMENT_PREFIX_PATH')

@@ -76,10 +76,11 @@ def environment() -> dict[str, str]:
 
 def _python_packages(prefix: Path) -> list[Path]:
     """Return the folders that sourcing an install space puts on PYTHONPATH."""
-    # `colcon build --symlink-install` leaves a package in its build folder, which only this hook names.
-    hooks = sorted(prefix.glob('share/*/hook/pythonpath_develop.dsv'))
-    developed = [Path(folder) for hook in hooks for line in hook.read_text().splitlines()
-                 for action, name, folder in [line.split(';')] if name == 'PYTHONPATH']
+    # `colcon build --symlink-install` leaves a package in its build folder, as a hook in that folder says.
+    hooks = [(prefix / line.partition(';')[2]).resolve() for listed in sorted(prefix.glob('share/*/package.dsv'))
+             for line in listed.read_text().splitlines() if line.endswith('/pythonpath_develop.dsv')]
+    developed = [Path(line.rpartition(';')[2]) for hook in hooks if hook.exists()
+                 for line in hook.read_text().splitlines() if ';PYTHONPATH;' in line]
     installed = [each for pattern in ('lib/python3*/site-packages', 'local/lib/python3*/dist-packages')
                  for each in sorted(prefix.glob(pattern))]
     return [*developed, *installed]
