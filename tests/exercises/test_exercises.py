@@ -21,6 +21,7 @@ from param_tutorial import ParameterClient, exercises
 from param_tutorial.errors import ExecutorError
 from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06, ch07_3, ch11
+from param_tutorial.exercises.exercise import DICTIONARY, Exercise
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
 from param_tutorial.runtime import stage
@@ -241,6 +242,19 @@ def test_a_callback_that_keeps_the_executor_for_good_is_told(ros, monkeypatch):
     result = exercises.check('5.2a', solution('5.2a'))
     assert result.findings[0].happened == 'restart the kernel'
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried', 'not tried']
+
+
+@pytest.mark.parametrize(('given', 'happened'), [
+    ('200', "it does not say `'200'`, of type string: to ROS the type is part of the value"),
+    (200.0, 'it does not say `200.0`, of type double: to ROS the type is part of the value'),
+    ('a lot', "it does not say `'a lot'`"),
+    (201, 'it does not say `201`'),
+])
+def test_a_prediction_of_another_type_is_told_so(ros, given, happened):
+    exercise = Exercise('0a', 'Predict', '01_what_are_parameters', DICTIONARY, ('Think.',))
+    exercise.require_prediction('the speed', see='See it', because={})(lambda trial: 200)
+    assert exercise.check({'the speed': given}).findings[0].happened == happened
+    assert exercise.check({'the speed': 200}).done
 
 
 class WaitsInConstructor(Node):

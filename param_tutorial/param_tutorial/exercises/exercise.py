@@ -109,6 +109,8 @@ class Exercise:
                               if values.same(list(wrong) if isinstance(wrong, tuple) else wrong, given)), '')
                 if not truth:
                     truth.append(find_out(trial))
+                if not words and _only_the_type_differs(truth[0], given):
+                    words = f', of type {values.type_of(given).label}: to ROS the type is part of the value'
                 expect(values.same(truth[0], given), 'what the node says when the check asks it',
                        f'it does not say `{given!r}`{words}')
             return find_out
@@ -218,6 +220,13 @@ def _examine(requirement: Requirement, trial: Trial) -> None:
 def _finding(requirement: Requirement, error: NotYet) -> Finding:
     return Finding(requirement.sentence, False, _without_corner(error.expected), _without_corner(error.happened),
                    requirement.see)
+
+
+def _only_the_type_differs(truth: Any, given: Any) -> bool:
+    """True for 200.0 or '200' in place of 200."""
+    if not isinstance(given, (bool, int, float, str)) or type(given) is type(truth):
+        return False
+    return bool(given == truth) or str(given).lower() == str(truth).lower()
 
 
 def _without_corner(text: str) -> str:
