@@ -68,7 +68,7 @@ def test_a_learner_starts_comes_back_and_gets_a_new_version(tmp_path):
         expect(names).to_have_text([CHAPTER, 'index.md'])
 
         # A chapter without answers and numbers, that JupyterLab trusts.
-        page.get_by_role('link', name='Begin with chapter 1').click()
+        page.get_by_role('link', name='Start with chapter 1').click()
         expect(page.get_by_role('heading', name='A lesson')).to_be_visible()
         wait_for_kernel(page)
         assert page.evaluate(CELLS) == [[None, 0, True]] * 4
@@ -81,7 +81,7 @@ def test_a_learner_starts_comes_back_and_gets_a_new_version(tmp_path):
         execute(page, 'docmanager:save')
         execute(page, 'application:close')
         expect(page.locator('.picture')).to_have_count(0)
-        page.get_by_role('link', name='Begin with chapter 1').click()
+        page.get_by_role('link', name='Start with chapter 1').click()
         expect_picture(page)
         # A page that gets no word of the kernel's widgets in 4 s gives up on them until it is loaded again: so it is in
         # ipywidgets, and on a busy machine 4 s are short.

@@ -18,19 +18,18 @@ _TEXT = '''# Mastering ROS 2 Parameters with Python
 
 ## The lessons
 
-Each lesson asks one question, and lets a real node of ROS 2 Jazzy answer it. Nothing is told that is not shown beside
-it.
+Each lesson asks one question and lets a real ROS 2 Jazzy node answer it. Everything it says, it shows.
 
 {chapters}
 
 ## How to read them
 
-**Here, without installing anything.** No node runs in these pages. Every answer of a panel, and every drive of a robot,
-was recorded from the real one when the page was made; where nothing was recorded, the page says so. Your changes stay
-in the page and are gone when you close it.
+**Here, without installing anything.** No node runs in these pages. Every answer of a panel and every drive of a robot
+was recorded from the real one when the page was built. If something was not recorded, the page says so. Your changes
+stay in the page and are gone when you close it.
 
-**In JupyterLab, with a living robot.** Each lesson begins with a link to its notebook. The course brings a panel, a
-terminal and the real rclpy, on any Linux with Python; `make lab` starts it, and nobody needs to install ROS.
+**In JupyterLab, with a live robot.** Each lesson starts with a link to its notebook. The course brings a panel, a
+terminal and the real rclpy to any Linux machine with Python. `make lab` starts it; you don't need to install ROS.
 
 ## When they ran
 
@@ -91,4 +90,4 @@ def _provenance_text(facts: dict[str, str]) -> str:
         return f'The lessons of this site ran {ran}. Every output was compared with the one stored in its notebook.'
     state = f'as of {facts["date"]} (`{facts["commit"]}`{" " + facts["changed"] if facts["changed"] else ""})'
     return (f'The lessons of this site ran from start to end {state}, {ran}. Every output was compared with the one '
-            f'stored in its notebook; a difference would have stopped the making of this page.')
+            f'stored in its notebook; a difference would have stopped the build.')
