@@ -48,6 +48,12 @@ def expect_result(client: ParameterClient, name: str, value: object, kind: str, 
            f'{result}' + (f'. {because}' if result.successful else ''))
 
 
+def expect_answers(client: ParameterClient, name: str, kind: str, *new: object, because: str = '') -> None:
+    """Expect the node's answer to each of some values, set one after the other, to be of a kind; as above."""
+    for value in new:
+        expect_result(client, name, value, kind, because)
+
+
 def expect_service(trial: Trial, client: Client) -> None:
     """Expect a client of the learner's to find its service.
 
