@@ -2,7 +2,7 @@
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import client_for, expect_answers, expect_declared
-from param_tutorial.exercises.trial import NotYet, Trial, expect
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import DOUBLE, INTEGER
@@ -31,6 +31,19 @@ def _format(low: float, high: float, step: float) -> str:
     return f'a range from `{low!r}` to `{high!r}`' + (f' in steps of `{step!r}`' if step else ', in any steps')
 
 
+def start_without_gaps(trial: Trial, name: str) -> ParameterClient:
+    """Start the learner's node as ``client_for`` does, and name a gap that was left.
+
+    :raises NoUse: the node does not start.
+    """
+    try:
+        return client_for(trial, name)
+    except NoStart as error:
+        if 'ellipsis' in error.happened.casefold():
+            raise NoUse('a value in the place of each `...`', 'a `...` is still there') from None
+        raise
+
+
 fill = Exercise('6.1a', 'Fill the gaps', CHAPTER, NODE_CLASS, node_name='valve', hints=(
     'The list 0, 25, 50, 75, 100 tells you both ends and the step.',
     'The second range has a type of its own, `FloatingPointRange`, with the same three fields. Leave out the step, or '
@@ -40,7 +53,7 @@ fill = Exercise('6.1a', 'Fill the gaps', CHAPTER, NODE_CLASS, node_name='valve',
 
 @fill.require('`opening_percent` takes 0, 25, 50, 75 and 100, and nothing else', see=LIMITS)
 def opening(trial: Trial) -> None:
-    client = client_for(trial, 'opening_percent')
+    client = start_without_gaps(trial, 'opening_percent')
     expect_answers(client, 'opening_percent', 'accepted', 0, 25, 50, 75, 100)
     expect_answers(client, 'opening_percent', 'out of range', -25, 125, -1, 101)
     expect_answers(client, 'opening_percent', 'off the step', 5, 10, 20, 99)

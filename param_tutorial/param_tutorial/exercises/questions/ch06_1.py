@@ -47,14 +47,30 @@ PREDICTIONS = (
               'million, and 2.0001 is beyond it.'),
         wrong('It stores 2.0 both times', 'A node never moves a value to the limit. It accepts 2.000001 as it is, and '
               'rejects 2.0001.'))),
-    Prediction('6.1-4', '`gain` has the default `1` and a range of doubles up to 1.0. `speeds` is a list of integers, '
+    Prediction('6.1-4', 'The range goes from -0.3 to 0.3 in steps of 0.1, and the default is 0.0. What happens when '
+               'the node starts?', (
+        wrong('It starts with 0.0, which is three steps up', 'Three steps up lead to 5.551115123125783e-17. That is '
+              'not 0.0, and at 0.0 the tolerance leaves no room.'),
+        wrong('It starts with -0.3, the nearest end', 'A node never moves a value. It rejects the default, and does '
+              'not start.'),
+        right('It does not start: 0.0 is not a valid step', 'Doubles miss 0.0 by 5.551115123125783e-17, and at 0.0 '
+              'the tolerance leaves no room.'))),
+    Prediction('6.1-5', '`gain` has the default `1` and a range of doubles up to 1.0. `speeds` is a list of integers, '
                'with a range of integers up to 10. We set `gain` to 900 and `speeds` to [5, 900]. Which does the node '
                'reject?', (
         wrong('both', 'Neither. rclpy ignores a range of doubles for an integer, and any range for an array.'),
         wrong('gain', '`1` is an integer, and rclpy ignores a range of doubles for an integer.'),
         wrong('speeds', 'rclpy ignores a range on an array; it does not compare the elements.'),
         right('neither', 'rclpy ignores a range of the wrong kind, and any range on an array. Nothing warns you.'))),
-    Prediction('6.1-5', 'Both parameters share one descriptor, without a range or a lock. How does the node answer if '
+    Prediction('6.1-6', 'The range is `FloatingPointRange(from_value=0, to_value=16)`, with integers for its ends. '
+               'What does the node do with it?', (
+        wrong('It does not start', 'A message does not check its fields, unless you ask it to.'),
+        wrong('It ignores the range', 'The range is of the right kind, and 16.5 is out of range.'),
+        wrong('It enforces 0 to 16, and describes 0.0 to 16.0', 'It enforces 0 to 16. But what it describes ends at '
+              'almost nothing: nobody has made doubles of the integers.'),
+        right('It enforces 0 to 16, and describes something else', 'Python compares the integers well enough, but '
+              'the message is sent as if they were doubles.'))),
+    Prediction('6.1-7', 'Both parameters share one descriptor, without a range or a lock. How does the node answer if '
                'you set `wheel_count`, 4, to 6?', (
         wrong('It accepts it', 'The second declaration has written *string* into the shared descriptor, so 6 has '
               'the wrong type now.'),

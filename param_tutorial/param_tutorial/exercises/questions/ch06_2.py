@@ -37,13 +37,18 @@ PREDICTIONS = (
               'in.'),
         wrong('the declaration fails', 'The node starts without a word. It has a byte array, and that shows only when '
               'somebody sets it.'))),
-    Prediction('6.2-3', '`serial` is read-only, an integer from 0 to 100 in steps of 10. You set it to 905. Which of '
+    Prediction('6.2-3', 'The constructor sets `waypoints` to an empty list, after its declaration. This node starts '
+               'with `-p waypoints:="[dock, door]"`. What does `waypoints` hold?', (
+        wrong('dock and door', 'They were there after the declaration, and the next line replaced them.'),
+        right('an empty list', 'The override arrives with the declaration, and the next line replaces it.'),
+        wrong('nothing: the node does not start', 'Both are lists of strings, so no check rejects either.'))),
+    Prediction('6.2-4', '`serial` is read-only, an integer from 0 to 100 in steps of 10. You set it to 905. Which of '
                'the three reasons does the node give?', (
         right('It is read-only', 'The lock is checked before the range, and only the first failure is named.'),
         wrong('It is out of range', 'It is, and rclpy would have said so, but it checks the lock before the range.'),
         wrong('It is no valid step', 'The step is checked last, and only the first failure is named.'),
         wrong('It names all three', 'rclpy stops at the first check that fails.'))),
-    Prediction('6.2-4', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a '
+    Prediction('6.2-5', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a '
                'speed of 180. How many of them reach the callback with the branches?', (
         right('2', '1.5 and 180. The range and the lock reject the other two before any callback is called.'),
         wrong('3', 'Two. The lock rejects the serial number before any callback is called, and the range the 5.0.'),
