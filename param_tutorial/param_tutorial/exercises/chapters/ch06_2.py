@@ -156,7 +156,7 @@ def tag(trial: Trial) -> None:
     expect_answers(client, 'tag', 'accepted', 'night', 7, 0.5, True, [0.5, 1.5], ['day', 'night'])
     result = client.delete_parameter('tag')
     expect(result.successful, '`tag` can be deleted', f'{result}')
-    expect_started_with(trial, 'tag', '3', 3)
+    expect_started_with(trial, 'tag', 'night', 'night')
 
 
 @describe.require('`crop_px` takes a list of integers, also an empty one, and has no value yet', see=ARRAYS)
