@@ -21,7 +21,7 @@ _GAP = 'a value in place of each `...`', 'a `...` is still there'
 def start(trial: Trial, name: str) -> ParameterClient:
     """Start the learner's node, and expect it to have a parameter with a descriptor that can be sent.
 
-    rclpy doesn't look at the fields of a descriptor: it sends an integer in place of a double as garbage, and never answers
+    rclpy looks at no field of a descriptor: it sends an integer in place of a double as garbage, and never answers
     with a double in place of an integer.
 
     :raises NoUse: the node does not start.
