@@ -55,13 +55,14 @@ PREDICTIONS = (
               'not start.'),
         right('It does not start: 0.0 is not a valid step', 'Doubles miss 0.0 by 5.551115123125783e-17, and at 0.0 '
               'the tolerance leaves no room.'))),
-    Prediction('6.1-5', '`gain` has the default `1` and a range of doubles up to 1.0. `speeds` is a list of integers, '
-               'with a range of integers up to 10. We set `gain` to 900 and `speeds` to [5, 900]. Which does the node '
-               'reject?', (
-        wrong('both', 'Neither. rclpy ignores a range of doubles for an integer, and any range for an array.'),
-        wrong('gain', '`1` is an integer, and rclpy ignores a range of doubles for an integer.'),
+    Prediction('6.1-5', '`gain` has the default `1` and a range of doubles up to 1.0. `reach_m` has the default `0.5` '
+               'and a range of integers up to 10. `speeds` is a list of integers, with a range of integers up to '
+               '10. We set them to 900, 900.0 and [5, 900]. Which does the node reject?', (
+        wrong('all three', 'None. rclpy ignores a range of the wrong kind, and any range on an array.'),
+        wrong('gain and reach_m', '`1` is an integer and `0.5` a double, and each has a range of the other kind.'),
         wrong('speeds', 'rclpy ignores a range on an array; it does not compare the elements.'),
-        right('neither', 'rclpy ignores a range of the wrong kind, and any range on an array. Nothing warns you.'))),
+        right('none of them', 'rclpy ignores a range of the wrong kind, and any range on an array. Nothing warns '
+              'you.'))),
     Prediction('6.1-6', 'The range is `FloatingPointRange(from_value=0, to_value=16)`, with integers for its ends. '
                'What does the node do with it?', (
         wrong('It does not start', 'A message does not check its fields, unless you ask it to.'),
