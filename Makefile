@@ -28,8 +28,8 @@ setup-all:  ## the same, with what tests, website and lint need as well
 lab: setup  ## start JupyterLab on your own copies of the chapters, after the set-up if needed
 	@$(VENV) environment/lab.py $(ARGS)
 
-reset: setup  ## make your copy of one chapter fresh again, and keep what was there: make reset CHAPTER=06
-	@test -n "$(CHAPTER)" || { echo "Which one? make reset CHAPTER=06" >&2; exit 1; }
+reset: setup  ## make your copy of one chapter fresh again, and keep what was there: make reset CHAPTER=08
+	@test -n "$(CHAPTER)" || { echo "Which one? make reset CHAPTER=08" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.learner "$(CHAPTER)" $(ARGS)
 
 # The file is in my_lessons/, and so is what is kept of it.
@@ -63,8 +63,8 @@ stranger: setup-all  ## the same in the real JupyterLab, by mouse and keyboard, 
 html: setup-all  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.lessons $(ARGS)
 
-lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=06
-	@test -n "$(CHAPTER)" || { echo "Which one? make lesson CHAPTER=06" >&2; exit 1; }
+lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
+	@test -n "$(CHAPTER)" || { echo "Which one? make lesson CHAPTER=08" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.lessons --lesson "$(CHAPTER)" $(ARGS)
 
 bench: setup-all  ## run the benchmarks

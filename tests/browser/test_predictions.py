@@ -15,7 +15,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
 
 CHAPTER = '03_declaring.ipynb'
 CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.predict('3-1')", "print('decided')",
-         'And a value:', "exercises.predict('6-2')", "print('decided too')",
+         'And a value:', "exercises.predict('6.1-2')", "print('decided too')",
          'What is solved:', "exercises.progress('3')", 'The next one solves it:',
          "from param_tutorial.progress.record import own\n\n"
          "for number in ('3a', '3b', '3c'):\n    own().add_solved(number)",
@@ -74,7 +74,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         assert lab_page.errors == []
     remembered = json.loads((lab.copies / 'progress.json').read_text())
     assert list(remembered['solved']) == ['3a', '3b', '3c']
-    assert {number: each['right'] for number, each in remembered['predicted'].items()} == {'3-1': False, '6-2': True}
+    assert {number: each['right'] for number, each in remembered['predicted'].items()} == {'3-1': False, '6.1-2': True}
 
     # The next start: the page has a tick, and the file is what it was.
     with lab, chromium() as browser:

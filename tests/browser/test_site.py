@@ -77,8 +77,8 @@ heater = ros.add(Heater)''',
     "panel = ParameterPanel('/heater')\npanel",
     "display(LogView(node='/heater'), EventView())",
     'Two predictions, one to choose and one to type:',
-    "from param_tutorial import exercises\n\nexercises.predict('6-1')",
-    "exercises.predict('6-2')",
+    "from param_tutorial import exercises\n\nexercises.predict('6.1-1')",
+    "exercises.predict('6.1-2')",
     'What a hand does later does not show above:',
     "panel['low_c'].value = 19\npanel.settle()\npanel['low_c'].value",
     '## Next\n\nA table, and a link to [the other one](2_robot.ipynb), and to [none](9_none.ipynb).\n\n'
@@ -295,7 +295,7 @@ def test_a_prediction_by_keyboard(page):
     expect(form.get_by_role('status')).to_contain_text('Right. 85 is off the step too')
     expect(form.get_by_role('radio').first).to_be_disabled()
     expect(commit).to_be_hidden()
-    expect(page.get_by_text("exercises.predict('6-1')")).to_have_count(0)
+    expect(page.get_by_text("exercises.predict('6.1-1')")).to_have_count(0)
 
 
 @limits

@@ -20,7 +20,7 @@ import param_tutorial
 from param_tutorial import ParameterClient, exercises
 from param_tutorial.errors import ExecutorError
 from param_tutorial.exercises import EXERCISES, trial
-from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06, ch07_3, ch11
+from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06_2, ch07_3, ch11
 from param_tutorial.exercises.exercise import DICTIONARY, Exercise
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
@@ -435,7 +435,7 @@ def test_an_exercise_leads_to_sections_that_exist(number):
     assert len(EXERCISES[number].hints) >= 2
 
 
-@pytest.mark.parametrize('number', ['4b', '5.1b', '6b', '7.1b', '7.2b', '7.3a'])
+@pytest.mark.parametrize('number', ['4b', '5.1b', '6.2a', '7.1b', '7.2b', '7.3a'])
 def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
     assert [f'`{question}`' for question in blank(number)] == [
         requirement.sentence for requirement in EXERCISES[number].requirements]
@@ -491,8 +491,8 @@ def test_the_story_in_the_chapter_is_the_one_that_the_check_runs():
 
 
 def test_the_oven_in_the_chapter_is_the_one_that_the_check_asks():
-    shown = [each.source for each in notebook('6b') if each.source.startswith('class Oven')]
-    assert [without_annotations(each) for each in shown] == [without_annotations(inspect.getsource(ch06.Oven))]
+    shown = [each.source for each in notebook('6.2a') if each.source.startswith('class Oven')]
+    assert [without_annotations(each) for each in shown] == [without_annotations(inspect.getsource(ch06_2.Oven))]
 
 
 def without_annotations(source):

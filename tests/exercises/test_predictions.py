@@ -214,19 +214,19 @@ def test_what_could_not_be_remembered_is_said():
 
 def test_predict_remembers_in_the_learners_file(monkeypatch, tmp_path):
     monkeypatch.setenv(record.VARIABLE, str(tmp_path / 'progress.json'))
-    first = PREDICTIONS['6-1'].choices[0]
-    answered(exercises.predict('6-1'), first.text)
-    assert record.own().read()[0].predicted['6-1'].choice == first.text
+    first = PREDICTIONS['6.1-1'].choices[0]
+    answered(exercises.predict('6.1-1'), first.text)
+    assert record.own().read()[0].predicted['6.1-1'].choice == first.text
 
 
 def test_predict_writes_nothing_without_the_variable(monkeypatch, tmp_path):
     monkeypatch.delenv(record.VARIABLE, raising=False)
     monkeypatch.chdir(tmp_path)
-    answered(exercises.predict('6-2'), '5')
+    answered(exercises.predict('6.1-2'), '5')
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize('number', ['6-99', '', 7])
+@pytest.mark.parametrize('number', ['6.1-99', '', 7])
 def test_a_prediction_that_there_is_not(number):
     assert 'There is no prediction' in repr(exercises.predict(number))
 

@@ -33,7 +33,7 @@ def test_one_row_for_each_student_and_bad_files_are_named(folder, capsys):
     assert header == ['student', *CHAPTERS, 'all', 'predicted', 'right']
     assert [row[0] for row in rows] == ['ada', 'Bob', 'group']
     ada = dict(zip(header, rows[0]))
-    assert (ada['3'], ada['5.2'], ada['6']) == ('3/3', '1/3', '0/3')
+    assert (ada['3'], ada['5.2'], ada['6.1']) == ('3/3', '1/3', '0/3')
     questions = len(PREDICTIONS) + len(RECALLS)
     assert (ada['all'], ada['predicted'], ada['right']) == (f'4/{len(EXERCISES)}', f'2/{questions}', '1')
     assert dict(zip(header, rows[1]))['11'] == '1/6'

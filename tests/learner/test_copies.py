@@ -294,6 +294,16 @@ def test_a_chapter_is_made_fresh_again_and_what_was_there_is_kept(copies, chapte
     assert backups(copies, SECOND) == [before]
 
 
+def test_the_copy_of_a_chapter_that_was_divided_stays_as_it_is(course, copies):
+    (copies.folder / FIRST).write_text((copies.folder / FIRST).read_text().replace('speed = 1', 'speed = 2'))
+    mine = (copies.folder / FIRST).read_bytes()
+    (course / 'notebooks' / FIRST).unlink()
+    write_chapter(course / 'notebooks' / '01_1_half.ipynb')
+    assert copies.deliver() == []
+    assert (copies.folder / FIRST).read_bytes() == mine
+    assert (copies.folder / '01_1_half.ipynb').exists()
+
+
 def test_a_fresh_chapter_is_left_as_it_is(copies):
     assert copies.reset('1') == f'my_lessons/{FIRST} is fresh already.'
     assert backups(copies) == []
@@ -320,7 +330,7 @@ def test_make_reset_says_which_chapter_it_wants():
     done = subprocess.run(['make', '--no-print-directory', '-o', 'setup', 'reset'], cwd=ROOT, capture_output=True,
                           text=True, timeout=DEADLINE_SEC)
     assert done.returncode != 0
-    assert done.stderr.splitlines()[0] == 'Which one? make reset CHAPTER=06'
+    assert done.stderr.splitlines()[0] == 'Which one? make reset CHAPTER=08'
 
 
 # What goes wrong on the way

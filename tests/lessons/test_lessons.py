@@ -68,10 +68,10 @@ def test_a_chapter_that_cannot_be_read(tmp_path):
 def test_what_a_chapter_speaks_of():
     notebook = new_notebook(cells=[new_code_cell("panel['speed'].value = -7\nx = [1, 2.5]\ny = 'Rex'"),
                                    new_code_cell('%magic no python 12'), new_markdown_cell('99'),
-                                   new_code_cell("from x import exercises\n\nexercises.predict('6-1')")])
+                                   new_code_cell("from x import exercises\n\nexercises.predict('6.1-1')")])
     found = run.literals_of(notebook)
     assert -7 in found and [1, 2.5] in found and 'Rex' in found
-    assert 12 not in found and 99 not in found and '6-1' not in found
+    assert 12 not in found and 99 not in found and '6.1-1' not in found
 
 
 # -- recording ----------------------------------------------------------------------------------------------

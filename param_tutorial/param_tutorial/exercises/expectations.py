@@ -45,7 +45,13 @@ def expect_result(client: ParameterClient, name: str, value: object, kind: str, 
     """Expect the answer of a node that is there already; as above."""
     result = client.set_parameter(name, value)
     expect(result.kind == kind, f'`{name} = {value!r}` is {"" if kind == "accepted" else "rejected: "}{kind}',
-           f'{result}' + (f'. {because}' if result.successful else ''))
+           f'{result}' + (f'. {because}' if because and result.successful else ''))
+
+
+def expect_answers(client: ParameterClient, name: str, kind: str, *new: object, because: str = '') -> None:
+    """Expect the node's answer to each of some values, set one after the other, to be of a kind; as above."""
+    for value in new:
+        expect_result(client, name, value, kind, because)
 
 
 def expect_service(trial: Trial, client: Client) -> None:

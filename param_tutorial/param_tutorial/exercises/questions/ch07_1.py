@@ -12,7 +12,7 @@ RECALLS = (
         right('It accepts', 'A range of the wrong kind is ignored.'),
         wrong('It has never started: the descriptor is wrong', 'rclpy does not compare the kind of a range with '
               'the type. It ignores the range without a word.')),
-           chapter='6', section='Change it: limits and steps'),
+           chapter='6.1', section='Change it: limits and steps'),
     Recall('7.1-r2', 'The parameter `label` is a string. What do you type after `ros2 param set /gripper label`, '
            'so that it becomes the text 42?', (
         wrong('42', 'YAML reads a number, and the node rejects it.'),

@@ -17,7 +17,7 @@ RECALLS = (
               'look up the other value itself.'),
         right('when the value has the wrong type', 'The type is checked first, and the callback never sees such '
               'a value.')),
-           chapter='6', section='Who rejects, and in which order?'),
+           chapter='6.2', section='Who rejects, and in which order?'),
 )
 
 PREDICTIONS = (

@@ -1,0 +1,171 @@
+"""Exercises of chapter 6.2: predict who rejects, mend declarations that say something else, and lock and free your
+own."""
+
+import ast
+from collections.abc import Mapping
+from typing import Any
+
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, SetParametersResult
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
+from param_tutorial.exercises.expectations import client_for, expect_answers, expect_declared
+from param_tutorial.exercises.trial import Trial, expect
+from param_tutorial.parameters import values
+from param_tutorial.parameters.values import DOUBLE_ARRAY, INTEGER_ARRAY, STRING
+
+CHAPTER = '06_2_locks_types_and_order'
+LOCK = 'Change it: the lock'
+FREE = 'Change it: a free type'
+ARRAYS = 'Arrays'
+EMPTY = 'Build it: an array that starts empty'
+ORDER = 'Who rejects, and in which order?'
+
+
+def expect_started_with(trial: Trial, name: str, word: str, value: object) -> None:
+    """Expect a parameter to have a value after the start with an override."""
+    found = trial.client(trial.start(ros_args=['-p', f'{name}:={word}'])).get_parameter(name)
+    expect(values.same(found, value), f'`{name}` is `{value!r}` after a start with `-p {name}:="{word}"`',
+           f'it is `{found!r}`')
+
+
+class Oven(Node):
+    """Bakes between 50 and 260 °C, and never at 225."""
+
+    def __init__(self) -> None:
+        super().__init__('oven')
+        self.declare_parameter('target_c', 100, ParameterDescriptor(
+            integer_range=[IntegerRange(from_value=50, to_value=260, step=25)]))
+        self.declare_parameter('serial', 7, ParameterDescriptor(
+            integer_range=[IntegerRange(from_value=0, to_value=9, step=1)], read_only=True))
+        self.declare_parameter('gain', 1, ParameterDescriptor(
+            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=2.0)]))
+        self.add_on_set_parameters_callback(self.judge)
+
+    def judge(self, parameters: list[Parameter]) -> SetParametersResult:
+        """At 225 °C the door gets too hot."""
+        too_hot = any(each.name == 'target_c' and each.value == 225 for each in parameters)
+        return SetParametersResult(successful=not too_hot, reason='the door gets too hot')
+
+
+foresee = Exercise('6.2a', 'Predict who rejects', CHAPTER, DICTIONARY, hints=(
+    'Go through the checks in their order: declared, read-only, type, range, step, on-set callbacks. The first that '
+    'fails decides the kind.',
+    'Both ends of a range are valid. A range only counts for values of its own kind.',
+    'Count the steps from 50: 75, 100, 125, and so on. Which of the requested values are among them, and which is an '
+    'end?'))
+
+
+def require_foresight(request: str, because: Mapping[object, str], see: str = ORDER) -> None:
+    """Add the requirement to know the kind of the oven's answer to a request.
+
+    :param request: As 'name = value'.
+    """
+    name, value = request.split(' = ')
+
+    @foresee.require_prediction(request, see=see, because=because)
+    def answers(trial: Trial) -> Any:
+        return trial.client(trial.start(Oven)).set_parameter(name, ast.literal_eval(value)).kind
+
+
+_SPELLING: dict[object, str] = {'read-only': 'The word for this kind has no hyphen: `read only`'}
+
+require_foresight('target_c = 260', {
+    'off the step': 'No step leads there, and yet there is something special about it',
+    'out of range': 'The ends belong to a range'})
+require_foresight('target_c = 110', {
+    'accepted': 'The steps are 25 wide, and count from 50', 'out of range': 'It is between the ends'})
+require_foresight('target_c = 275', {
+    'off the step': 'rclpy looks at the ends before it counts steps'})
+require_foresight('target_c = 225', {
+    'accepted': 'The descriptor has nothing against it. Who is asked after the descriptor?',
+    'off the step': '50 and seven steps of 25 are 225'})
+require_foresight('target_c = 225.0', {
+    'rejected by the node': 'The callback was not called: another check comes before it',
+    'accepted': 'ROS converts nothing'})
+require_foresight('serial = 7', {
+    'accepted': 'The lock does not compare the new value with the old one', **_SPELLING}, LOCK)
+require_foresight('serial = 12', {
+    'out of range': 'It is out of range too, and that check comes later', 'accepted': 'It is locked', **_SPELLING})
+require_foresight('gain = 50', {
+    'out of range': 'The default is written without a dot. Which type does the range belong to?',
+    'wrong type': 'Which type does the default have?'})
+
+
+mend = Exercise('6.2b', 'Mend three declarations', CHAPTER, NODE_CLASS, node_name='hoist', hints=(
+    'Ask the hoist as it is: `ParameterClient(ros.add(Hoist)).describe_parameters()`. Compare what it says with the '
+    'three sentences above.',
+    'A description enforces nothing; the lock is a field of the descriptor, `read_only`. A parameter keeps its type '
+    'unless its descriptor says otherwise.',
+    'Declare `stops_m` with its type, `Parameter.Type.DOUBLE_ARRAY`. If it has no value then, set it to '
+    "`Parameter('stops_m', Parameter.Type.DOUBLE_ARRAY, [])`."))
+
+
+@mend.require('`serial` is `H-01` and read-only, and a start with `-p serial:=H-07` gives another', see=LOCK)
+def serial(trial: Trial) -> None:
+    expect_declared(trial, 'serial', STRING, 'H-01')
+    expect_answers(client_for(trial, 'serial'), 'serial', 'read only', 'H-02', 'H-01',
+                   because='A description enforces nothing; `read_only` does')
+    expect_started_with(trial, 'serial', 'H-07', 'H-07')
+
+
+@mend.require('`label` starts as `north`, takes any string and nothing else, and cannot be deleted', see=FREE)
+def label(trial: Trial) -> None:
+    client = client_for(trial, 'label')
+    found = client.get_parameter('label')
+    expect(found == 'north', "`label` starts as `'north'`", f'it is `{found!r}`')
+    expect_answers(client, 'label', 'accepted', 'south', '7', '')
+    for other in (7, 0.5, True, ['south']):
+        result = client.set_parameter('label', other)
+        expect(not result.successful, f'`label = {other!r}` is rejected', f'{result}. Its type is free')
+    result = client.delete_parameter('label')
+    expect(not result.successful, '`label` cannot be deleted', 'it was deleted')
+
+
+@mend.require('`stops_m` takes a list of doubles, also an empty one, and is empty at the start', see=EMPTY)
+def stops(trial: Trial) -> None:
+    expect_declared(trial, 'stops_m', DOUBLE_ARRAY, [])
+    client = client_for(trial, 'stops_m')
+    expect_answers(client, 'stops_m', 'accepted', [2.5, 10.0], [0.0], [])
+    expect_answers(client, 'stops_m', 'wrong type', ['dock'], [1, 2], because='With a free type everything goes in')
+    expect_started_with(trial, 'stops_m', '[1.5, 2.5]', [1.5, 2.5])
+
+
+describe = Exercise('6.2c', 'Lock, free and leave open', CHAPTER, NODE_CLASS, node_name='camera', hints=(
+    'Two of the three need a `ParameterDescriptor`, each with one field. Ask the node what it makes of them: '
+    '`ParameterClient(ros.add(Camera)).describe_parameters()`.',
+    'The two fields are `read_only` and `dynamic_typing`.',
+    'A parameter that has a type and no value yet is declared with the type in place of the default: '
+    '`Parameter.Type.INTEGER_ARRAY`.'))
+
+
+@describe.require('`sensor` is `IMX219` and read-only, and a start with `-p sensor:=IMX477` gives another', see=LOCK)
+def sensor(trial: Trial) -> None:
+    expect_declared(trial, 'sensor', STRING, 'IMX219')
+    expect_answers(client_for(trial, 'sensor'), 'sensor', 'read only', 'IMX477', 'IMX219',
+                   because='The lock is a field of the descriptor, `read_only`')
+    expect_started_with(trial, 'sensor', 'IMX477', 'IMX477')
+
+
+@describe.require('`tag` starts as `day`, takes a value of any type, and can be deleted', see=FREE)
+def tag(trial: Trial) -> None:
+    client = client_for(trial, 'tag')
+    found = client.get_parameter('tag')
+    expect(found == 'day', "`tag` starts as `'day'`", f'it is `{found!r}`')
+    expect_answers(client, 'tag', 'accepted', 'night', 7, 0.5, True, [0.5, 1.5], ['day', 'night'])
+    result = client.delete_parameter('tag')
+    expect(result.successful, '`tag` can be deleted', f'{result}')
+    expect_started_with(trial, 'tag', 'night', 'night')
+
+
+@describe.require('`crop_px` takes a list of integers, also an empty one, and has no value yet', see=ARRAYS)
+def crop(trial: Trial) -> None:
+    expect_declared(trial, 'crop_px', INTEGER_ARRAY, None)
+    client = client_for(trial, 'crop_px')
+    expect_answers(client, 'crop_px', 'accepted', [0, 0, 640, 480], [5], [])
+    expect_answers(client, 'crop_px', 'wrong type', [0.5], ['left'], 7, because='With a free type everything goes in')
+    expect_started_with(trial, 'crop_px', '[1, 2]', [1, 2])
+
+
+EXERCISES = (foresee, mend, describe)

@@ -1,0 +1,57 @@
+"""Predictions of chapter 6.2: locks, free types, arrays, and the order of the checks."""
+
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+
+SOLVED = 'Nobody gets 110 °C past you any more, and you know which check to blame.'
+
+RECALLS = (
+    Recall('6.2-r1', 'A parameter has the default `1` and a range of doubles, 0.0 to 1.0. You set it to 900. How does '
+           'the node answer?', (
+        right('It accepts', '`1` is an integer, and rclpy ignores a range of doubles for an integer.'),
+        wrong('It rejects: out of range', 'A range only counts for values of its own kind, and `1` is an integer.'),
+        wrong('It rejects: wrong type', 'The default made it an integer, and 900 is one.')),
+           chapter='6.1', section='Break it: a range that nobody looks at'),
+    Recall('6.2-r2', 'A value has the wrong type. Does the node call its on-set callback?', (
+        right('No', 'rclpy checks the type before it calls the on-set callbacks.'),
+        wrong('Yes, and the callback has to check the type', 'rclpy has checked it before. A comparison of types in '
+              'the callback never finds anything.'),
+        wrong('Yes, with the value converted', 'rclpy converts nothing, and rejects the value before any on-set '
+              'callback.')),
+           chapter='5.2', section='The callback ladder'),
+)
+
+PREDICTIONS = (
+    Prediction('6.2-1', '`serial_number` is read-only, and its default is GR-0042. This gripper starts with '
+               '`-p serial_number:=GR-0043`. What is its serial number?', (
+        wrong('GR-0042: the parameter is read-only', 'The lock begins with the declaration. The override takes the '
+              'place of the default before that.'),
+        right('GR-0043', 'The override takes the place of the default, and only then is the parameter locked.'),
+        wrong('none: the node does not start', 'An override of a read-only parameter is allowed; it is how each '
+              'gripper gets its own number.'))),
+    Prediction('6.2-2', 'The default of `waypoints` is the empty list `[]`. Which type does rclpy choose?', (
+        wrong('none: it takes any list', 'Each parameter has a type, unless it is dynamically typed. This one is a '
+              'byte array.'),
+        wrong('string array', 'Nothing in an empty list says *string*. rclpy takes the first array type that fits, '
+              'which is the byte array.'),
+        right('byte array', 'It is the first array type that an empty list fits, and no string or number will ever go '
+              'in.'),
+        wrong('the declaration fails', 'The node starts without a word. It has a byte array, and that shows only when '
+              'somebody sets it.'))),
+    Prediction('6.2-3', 'The constructor sets `waypoints` to an empty list, after its declaration. This node starts '
+               'with `-p waypoints:="[dock, door]"`. What does `waypoints` hold?', (
+        wrong('dock and door', 'They were there after the declaration, and the next line replaced them.'),
+        right('an empty list', 'The override arrives with the declaration, and the next line replaces it.'),
+        wrong('nothing: the node does not start', 'Both are lists of strings, so no check rejects either.'))),
+    Prediction('6.2-4', '`serial` is read-only, an integer from 0 to 100 in steps of 10. You set it to 905. Which of '
+               'the three reasons does the node give?', (
+        right('It is read-only', 'The lock is checked before the range, and only the first failure is named.'),
+        wrong('It is out of range', 'It is, and rclpy would have said so, but it checks the lock before the range.'),
+        wrong('It is no valid step', 'The step is checked last, and only the first failure is named.'),
+        wrong('It names all three', 'rclpy stops at the first check that fails.'))),
+    Prediction('6.2-5', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a '
+               'speed of 180. How many of them reach the callback with the branches?', (
+        right('2', '1.5 and 180. The range and the lock reject the other two before any callback is called.'),
+        wrong('3', 'Two. The lock rejects the serial number before any callback is called, and the range the 5.0.'),
+        wrong('4', 'Two. The callback comes last, and rclpy rejects 5.0 and the serial number before it.')),
+        otherwise='Two reach it: 1.5 and 180. The range and the lock reject the others before any callback is called.'),
+)

@@ -1,0 +1,94 @@
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 6.1."""
+
+_VALVE = 'integer_range=[IntegerRange(from_value=0, to_value=100, step=25)]'
+_PRESSURE = 'floating_point_range=[FloatingPointRange(from_value=0.0, to_value=6.0)]'
+_EXPOSURE = 'integer_range=[IntegerRange(from_value=100, to_value=10000, step=100)]'
+_GAIN = 'floating_point_range=[FloatingPointRange(from_value=0.0, to_value=16.0)]'
+_SHARED = ("        self.declare_parameter('rope_m'", "        meters = self.meters()\n"
+           "        self.declare_parameter('rope_m'")
+
+WRONG = {
+    '6.1a': [
+        ([('step=25', 'step=20')], 1, 'opening_percent = 25 (off the step)'),
+        ([('step=25', 'step=5')], 1, '/valve accepted opening_percent = 5'),
+        ([(', step=25', '')], 1, '/valve accepted opening_percent = 5'),
+        ([('from_value=0, to_value=100', 'from_value=1, to_value=100')], 0, 'its constructor did not get to its end'),
+        ([('to_value=100', 'to_value=125')], 1, '/valve accepted opening_percent = 125'),
+        ([("'pressure_bar', 2.5", "'pressure_bar', 2")], 1, 'it starts at `2`'),
+        ([("'pressure_bar', 2.5", "'pressure_bar', 0.0")], 1, 'it starts at `0.0`'),
+        ([('to_value=6.0)', 'to_value=6.0, step=0.5)')], 1, 'pressure_bar = 0.001 (off the step)'),
+        ([('from_value=0.0, to_value=6.0', 'from_value=0, to_value=6')], 1, "must be of type 'float'"),
+        ([(_PRESSURE, 'integer_range=[IntegerRange(from_value=0, to_value=6)]')], 1, 'accepted pressure_bar = -0.001'),
+        # A range of integers with the ends of doubles: the node never describes it.
+        ([(_PRESSURE, 'integer_range=[IntegerRange(from_value=0.0, to_value=6.0)]')], 1, "must be of type 'int'"),
+        ([('to_value=6.0', 'to_value=60.0')], 1, 'accepted pressure_bar = 6.001'),
+        ([('step=25', 'step=...')], 1, 'a `...` is still there'),
+    ],
+    '6.1b': [
+        ([("'rope_m', 10.0", "'rope_m', 10")], 1, 'it starts at `10`'),
+        ([_SHARED, ("'rope_m', 10.0, self.meters()", "'rope_m', 10.0, meters"), ('0.0, self.meters()', '0.0, meters')],
+         1, 'a later declaration has overwritten it'),
+        # The same, with the other one declared last.
+        ([_SHARED, ("'rope_m', 10.0, self.meters()", "'hook_m', 0.0, meters"),
+          ("'hook_m', 0.0, self.meters()", "'rope_m', 10.0, meters")], 1, 'it names `rope_m`'),
+        ([('0.0, self.meters()', '0.0')], 1, 'Does it have a range?'),
+        ([('FloatingPointRange(from_value=0.0, to_value=30.0)', 'FloatingPointRange(from_value=0, to_value=30)')], 1,
+         "must be of type 'float'"),
+        ([('floating_point_range=[FloatingPointRange(from_value=0.0, to_value=30.0)]',
+           'integer_range=[IntegerRange(from_value=0, to_value=30)]')], 1, 'Does it have a range?'),
+        ([('to_value=30.0', 'to_value=31.0')], 1, 'Does it have a range?'),
+        ([('to_value=30.0', 'to_value=30.0, step=0.5')], 1, '(off the step)'),
+        ([("'hook_m', 0.0", "'hook_m', 10.0")], 1, 'it starts at `10.0`'),
+        ([('ParameterDescriptor(floating', 'ParameterDescriptor(dynamic_typing=True, floating')], 1,
+         'accepted rope_m = 20'),
+        ([("'hook_m', 0.0", "'hook', 0.0")], 1, 'none of that name'),
+    ],
+    '6.1c': [
+        ([(', step=100', '')], 1, 'The step is the third field'),
+        ([('step=100', 'step=200')], 1, 'exposure_us = 200 (off the step)'),
+        ([('step=100', 'step=300')], 0, 'is not a valid step'),
+        ([('from_value=100', 'from_value=0')], 1, 'exposure_us = 0. The limits of an integer'),
+        ([('to_value=10000', 'to_value=10100')], 1, 'accepted exposure_us = 10100'),
+        ([(_EXPOSURE, "additional_constraints='100 to 10000'")], 1, 'The limits of an integer belong'),
+        ([("'exposure_us', 500", "'exposure_us', 500.0")], 1, 'it starts at `500.0`'),
+        ([("'exposure_us', 500", "'exposure_us', 100")], 1, 'it starts at `100`'),
+        ([("'gain', 1.0", "'gain', 1")], 1, 'it starts at `1`'),
+        ([('FloatingPointRange(from_value=0.0, to_value=16.0)', 'FloatingPointRange(from_value=0, to_value=16)')], 1,
+         "must be of type 'float'"),
+        ([(_GAIN, "description='0 to 16'")], 1, 'The limits of a double'),
+        ([('to_value=16.0', 'to_value=16.0, step=0.1')], 1, '(off the step)'),
+        ([('to_value=16.0', 'to_value=16.5')], 1, 'accepted gain = 16.001'),
+        ([("'gain', 1.0", "'gain', Parameter.Type.DOUBLE"),
+          ('class', 'from rclpy.parameter import Parameter\n\nclass')], 1, 'it has no value'),
+    ],
+}
+
+RIGHT = {
+    '6.1a': [
+        [('from_value=0, to_value=100', 'from_value=100, to_value=0')],
+        [('to_value=6.0', 'to_value=6.0, step=0.0')],
+        [("'pressure_bar', 2.5, ParameterDescriptor(", "'pressure_bar', 5 / 2, descriptor=ParameterDescriptor("),
+         ('to_value=6.0', 'to_value=float(6)')],
+    ],
+    '6.1b': [
+        [_SHARED, ("'rope_m', 10.0, self.meters()", "'rope_m', 10.0, copy.deepcopy(meters)"),
+         ('0.0, self.meters()', '0.0, meters'), ('class Winch', 'import copy\n\n\nclass Winch')],
+        # One range, two descriptors.
+        [_SHARED, ("'rope_m', 10.0, self.meters()",
+                   "'rope_m', 10.0, ParameterDescriptor(floating_point_range=meters.floating_point_range)"),
+         ('0.0, self.meters()', '0.0, ParameterDescriptor(floating_point_range=meters.floating_point_range)')],
+        [("        self.declare_parameter('rope_m', 10.0, self.meters())\n"
+          "        self.declare_parameter('hook_m', 0.0, self.meters())\n",
+          "        self.declare_parameters('', [(name, start, self.meters()) for name, start in (('rope_m', 10.0), "
+          "('hook_m', 0.0))])\n")],
+        [('from_value=0.0, to_value=30.0', 'from_value=30.0, to_value=0.0')],
+    ],
+    '6.1c': [
+        [('from_value=100, to_value=10000', 'from_value=10000, to_value=100')],
+        [('to_value=16.0', 'to_value=16.0, step=0.0'), ("'gain', 1.0, Pa", "'gain', 1.0, descriptor=Pa")],
+        [("'gain', 1.0, ParameterDescriptor(", "'gain', 1.0, ParameterDescriptor(\n"
+          "            description='Amplification.', additional_constraints='Below 8 in daylight.',")],
+        [("        self.declare_parameter('gain', 1.0", "        self.declare_parameter('gain', 2.0)\n"
+          "        self.undeclare_parameter('gain')\n        self.declare_parameter('gain', 1.0")],
+    ],
+}
