@@ -9,7 +9,8 @@ WRONG = {
         ([('return {', 'print({'), ('_parameters}', '_parameters})')],
          0, 'the function returns `None`'),
         ([('{parameter.name: parameter_value_to_python(parameter.value)',
-           '{parameter.name: str(parameter_value_to_python(parameter.value))')], 0, "the function returns `{'speed': '7'}`"),
+           '{parameter.name: str(parameter_value_to_python(parameter.value))')],
+         0, "the function returns `{'speed': '7'}`"),
         ([('{parameter.name: parameter_value_to_python(parameter.value)',
            '[(parameter.name, parameter_value_to_python(parameter.value))'), ('_parameters}', '_parameters]')],
          0, "the function returns `[('speed', 7)]`"),
@@ -72,17 +73,19 @@ WRONG = {
         ([('self.pages = []', 'self.pages, self.now = [], []'),
           ("                self.pages.append(('changed', parameter.name, parameter_value_to_python(parameter.value)))",
            "                self.now[:] = [parameter_value_to_python(parameter.value)]\n"
-           "                self.pages.append(('changed', parameter.name, self.now))")], 2, "there is `('changed', 'speed', ["),
+           "                self.pages.append(('changed', parameter.name, self.now))")],
+         2, "there is `('changed', 'speed', ["),
         ([('        if event.node', '        self.pages.clear()\n        if event.node')], 0, 'there are none'),
         ([('        if event.node', "        __import__('rclpy').spin_once(self)\n        if event.node")], 0,
          'raised'),
-        ([('        if event.node', '        while True:\n            pass\n        if event.node')], 0, 'this callback did not return'),
+        ([('        if event.node', '        while True:\n            pass\n        if event.node')],
+         0, 'this callback did not return'),
         # Too late: the subscription is made when somebody calls for it.
         ([('        self.create_subscription(', '\n    def begin(self):\n        self.create_subscription(')], 0,
          'it does not'),
     ],
     '10.1b': [
-        ([("with three parameters': 3", "with three parameters': 1")], 6, 'It stores one after the other, and publishes each'),
+        ([("with three parameters': 3", "with three parameters': 1")], 6, 'one after the other, and publishes each'),
         ([("atomically with three parameters': 1", "atomically with three parameters': 3")], 6, 'in one go'),
         ([("set_parameters with two, of which one is rejected': 1",
            "set_parameters with two, of which one is rejected': 0")], 6, 'it stores the other one'),
@@ -113,9 +116,9 @@ RIGHT = {
         # As short as the burst, and no shorter.
         [('self.write, qos_profile_parameter_events', 'self.write, 200')],
         [("self.create_subscription(ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events)",
-          "from rclpy.parameter_event_handler import ParameterEventHandler\n"
-          "        self.handler = ParameterEventHandler(self)\n"
-          "        self.handler.add_parameter_event_callback(self.write)")],
+          'from rclpy.parameter_event_handler import ParameterEventHandler\n'
+          '        self.handler = ParameterEventHandler(self)\n'
+          '        self.handler.add_parameter_event_callback(self.write)')],
         [("self.create_subscription(ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events)",
           "from rclpy.parameter_client import AsyncParameterClient\n"
           "        AsyncParameterClient(self, '/rover').on_parameter_event(self.write)")],
