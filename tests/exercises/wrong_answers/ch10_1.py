@@ -80,6 +80,9 @@ WRONG = {
          'raised'),
         ([('        if event.node', '        while True:\n            pass\n        if event.node')],
          0, 'this callback did not return'),
+        # Waits in the callback.
+        ([('        if event.node', "        __import__('time').sleep(1)\n        if event.node")], 0,
+         'it waits, and keeps the executor busy meanwhile'),
         # Too late: the subscription is made when somebody calls for it.
         ([('        self.create_subscription(', '\n    def begin(self):\n        self.create_subscription(')], 0,
          'it does not'),
@@ -113,6 +116,7 @@ RIGHT = {
         [("'/parameter_events', self.write", "'parameter_events', self.write")],
         [("ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events",
           "msg_type=ParameterEvent, topic='/parameter_events', callback=self.write, qos_profile=500")],
+        [('def write', 'async def write'), ("event.node == '/rover'", "event.node.lstrip('/') == 'rover'")],
         # As short as the burst, and no shorter.
         [('self.write, qos_profile_parameter_events', 'self.write, 200')],
         [("self.create_subscription(ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events)",

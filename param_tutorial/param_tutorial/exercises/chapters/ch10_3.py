@@ -194,7 +194,7 @@ def rate(trial: Trial) -> None:
 @write.require('it knows both controllers, each of the type `pid_controller/PidController`', see=FILE)
 def types(trial: Trial) -> None:
     for name in JOINTS:
-        # The spawner sets the one at the manager to the one in the controller's own block.
+        # The spawner sets the manager's parameter to the `type` in the controller's own block.
         found = held(trial, name).get('type', held(trial, MANAGER).get(f'{name}.type'))
         expect(found is not None, f'a `type` for `{name}`', 'there is none')
         expect(values.same(found, KIND), f'the type of `{name}` is `{KIND!r}`', f'it is `{found!r}`')
@@ -204,8 +204,8 @@ def require_controller(name: str, joint: str, p: float) -> None:
     """Add the requirement that a controller starts with its joint and its gains."""
     wanted: dict[str, Any] = {
         'dof_names': [joint], 'command_interface': 'effort', 'reference_and_state_interfaces': ['velocity']}
-    gains: dict[str, Any] = {'p': p, 'i': 0.4, 'u_clamp_max': 1.0, 'u_clamp_min': -1.0,
-             'antiwindup_strategy': 'conditional_integration'}
+    gains: dict[str, Any] = {
+        'p': p, 'i': 0.4, 'u_clamp_max': 1.0, 'u_clamp_min': -1.0, 'antiwindup_strategy': 'conditional_integration'}
     wanted |= {f'gains.{joint}.{gain}': value for gain, value in gains.items()}
 
     @write.require(f'`{name}` starts with `{joint}` and its gains', see=FILE)
