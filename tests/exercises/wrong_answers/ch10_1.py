@@ -56,7 +56,8 @@ WRONG = {
            "                self.pages.append(('deleted', parameter.name, None))", '')], 3,
          "the pages are `[('new', 'lamp', 2), ('changed', 'lamp', 3), ('new', 'target', 2.5)]`"),
         # One of several parameters in an event.
-        ([('in event.changed_parameters', 'in event.changed_parameters[:1]')], 3, "[('changed', 'speed', 7), ('new', 'lamp', 0)]"),
+        ([('in event.changed_parameters', 'in event.changed_parameters[:1]')], 3,
+         "[('changed', 'speed', 7), ('new', 'lamp', 0)]"),
         ([("('changed', parameter.name, parameter_value_to_python(parameter.value))",
            "('changed', parameter.name, str(parameter_value_to_python(parameter.value)))")], 3,
          "there is `('changed', 'speed', '7')`"),
