@@ -11,6 +11,7 @@ from rclpy.node import Node
 
 import param_tutorial
 from param_tutorial import ParameterClient
+from param_tutorial.exercises.chapters import ch10_3
 from param_tutorial.nodes.pid_controller_node import STRATEGIES, Gains, Motor, PidControllerNode, simulate
 from param_tutorial.parameters import files
 from tests.support.paths import CONFIG
@@ -221,6 +222,14 @@ def test_each_joint_has_gains_of_its_own(ros):
     robot = ros.add(PidControllerNode, ros_args=['-p', 'dof_names:=[left, right]', '-p', 'gains.right.p:=0.4'])
     assert robot.response() == robot.response('left') == respond(Gains(0.1))
     assert robot.response('right') == respond(Gains(0.4))
+
+
+def test_each_name_that_is_not_of_the_simulation_is_one_of_the_real_controller(controller, client):
+    names = {name for name in client.list_parameters() if not name.startswith('simulation.')}
+    of_every_node = {'use_sim_time', 'start_type_description_service'}
+    assert names - of_every_node <= {
+        *ch10_3.OF_THE_CONTROLLER, *(f'gains.wheel_joint.{each}' for each in ch10_3.OF_A_JOINT)}
+    assert set(ch10_3.REQUIRED) <= names
 
 
 # -- the files -------------------------------------------------------------------------------------------

@@ -95,8 +95,8 @@ def client_in_corner(node: Node | str) -> ParameterClient:
 
 
 def derive(mixin: type[NodeT], node_class: type[Node]) -> type[NodeT]:
-    """Return a class of nodes like another one, with the methods of a mixin in front."""
-    return type(mixin.__name__, (mixin, node_class), {})
+    """Return a class of nodes like another one, by its name, with the methods of a mixin in front."""
+    return type(node_class.__name__, (mixin, node_class), {})
 
 
 class WithSecondJudge(Node):

@@ -1,6 +1,6 @@
-"""A node that tells of every parameter that changes in any node: a listener on /parameter_events.
+"""A node that logs the parameter changes of all nodes: a listener on /parameter_events.
 
-Run it alone with ``ros2 run param_tutorial param_event_monitor`` beside any other nodes.
+Run it by itself with ``ros2 run param_tutorial param_event_monitor`` beside any other nodes.
 """
 
 import rclpy
@@ -16,12 +16,12 @@ class ParamEventMonitor(Node):
 
     def __init__(self) -> None:
         super().__init__('param_event_monitor')
-        # The profile of those who publish: with a shorter queue the oldest events of a burst would be lost.
+        # The publishers' own profile: a shorter queue would lose the oldest events of a burst.
         self.create_subscription(ParameterEvent, '/parameter_events', self.report, qos_profile_parameter_events)
         self.get_logger().info('ParamEventMonitor has been started.')
 
     def report(self, event: ParameterEvent) -> None:
-        """Log what an event tells of, a line for each parameter."""
+        """Log a line for each parameter in an event."""
         for parameter in event.new_parameters:
             self.get_logger().info(f'{event.node}: new {self.format_parameter(parameter)}')
         for parameter in event.changed_parameters:
@@ -31,7 +31,7 @@ class ParamEventMonitor(Node):
 
     @staticmethod
     def format_parameter(parameter: Parameter) -> str:
-        """Return the name and the value of a parameter message as text."""
+        """Return the name and the value of a parameter message as a string."""
         return f'{parameter.name} = {parameter_value_to_python(parameter.value)!r}'
 
 
@@ -41,7 +41,7 @@ def main(args: list[str] | None = None) -> None:
         rclpy.init(args=args)
         rclpy.spin(ParamEventMonitor())
     except (KeyboardInterrupt, ExternalShutdownException):
-        # rclpy's signal handler is shutting the context down; a second shutdown here would meet the first.
+        # rclpy's signal handler is already shutting the context down; a second shutdown would collide with it.
         pass
 
 

@@ -1,12 +1,13 @@
-"""A PID controller that turns a simulated wheel, with the parameters of ros2_control's pid_controller.
+"""A PID controller that turns a simulated wheel, with the most important parameters of ros2_control's pid_controller.
 
-Run it alone with ``ros2 run param_tutorial pid_controller_node``, or under a controller's own name and with its part
+Run it by itself with ``ros2 run param_tutorial pid_controller_node``, or under a controller's name and with its part
 of a parameter file: ``--ros-args -r __node:=wheel_controller --params-file config/clawbot_controllers.yaml``.
 
 ``dof_names``, ``command_interface``, ``reference_and_state_interfaces`` and the names below ``gains.<joint>`` are
 those of pid_controller in Jazzy, and the arithmetic is that of control_toolbox::Pid there
-(https://control.ros.org/jazzy/doc/ros2_controllers/pid_controller/doc/userdoc.html). What ros2_control takes from
-elsewhere, the reference from a topic and the joint from the hardware, stands below ``simulation``. SI units.
+(https://control.ros.org/jazzy/doc/ros2_controllers/pid_controller/doc/userdoc.html). Unlike the real one, this node
+has defaults that work without a file, ranges, and a rule for clamps that cross. The parameters below ``simulation``
+replace what ros2_control gets from elsewhere: the reference from a topic, the joint from the hardware. SI units.
 """
 
 import math
@@ -22,15 +23,15 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 STRATEGIES = ('none', 'back_calculation', 'conditional_integration')
-# The speed has settled where it stays this near to its final value, as a part of the reference.
+# The speed has settled when it stays this close to its final value, as a fraction of the reference.
 SETTLING_BAND = 0.02
-# Whoever enters the band only in this last part of the time may be passing through.
+# A curve that enters the band only in this last part of the time may be passing through.
 _TAIL = 0.1
 
 
 @dataclass(frozen=True)
 class Gains:
-    """What a PID controller does about the error of one joint. ``gains.<joint>`` holds the same names."""
+    """How a PID controller answers the error of one joint. ``gains.<joint>`` holds the same names."""
 
     p: float = 0.0
     """N m for each rad/s of error."""
@@ -44,11 +45,11 @@ class Gains:
     antiwindup_strategy: str = 'none'
     """One of STRATEGIES."""
     tracking_time_constant: float = 0.0
-    """How fast back_calculation takes the integral back, in s; 0 for a value that suits the gains."""
+    """How fast back_calculation reduces the integral, in s; 0 for a value that suits the gains."""
 
     @property
     def tracking_sec(self) -> float:
-        """The time constant that is used, chosen like control_toolbox does; infinite where nothing is integrated."""
+        """The time constant in use, chosen as in control_toolbox; infinite if nothing is integrated."""
         if not self.i:
             return math.inf
         return self.tracking_time_constant or (math.sqrt(self.d / self.i) if self.d else self.p / self.i) or math.inf
@@ -56,28 +57,28 @@ class Gains:
 
 @dataclass(frozen=True)
 class Motor:
-    """A wheel and what turns it: ``inertia * acceleration = torque - friction * speed``."""
+    """A wheel and its motor: ``inertia * acceleration = torque - friction * speed``."""
 
     inertia: float = 0.02
     """In kg m^2."""
     friction: float = 0.04
     """In N m s/rad."""
     lag_sec: float = 0.1
-    """How late the torque follows the command: the time constant of a first-order lag."""
+    """How far the torque lags behind the command: the time constant of a first-order lag."""
     max_torque: float = 2.0
-    """What it can do in either direction, in N m, whatever it is told."""
+    """The most it can do in either direction, in N m, whatever the command."""
 
 
 @dataclass(frozen=True)
 class Figures:
-    """What people say of a step response. Speeds in rad/s."""
+    """The usual figures of a step response. Speeds in rad/s."""
 
     final: float
     """The speed at the end."""
     steady_state_error: float
-    """What is missing from the reference at the end; negative if it is too fast."""
+    """How much is missing from the reference at the end; negative if the wheel is too fast."""
     settling_sec: float | None
-    """Since when it has stayed within SETTLING_BAND; None if it has not settled, and then the next two say nothing."""
+    """When it entered SETTLING_BAND for good; None if it has not settled, as are the next two then."""
     rise_sec: float | None
     """From a tenth of the final speed to nine tenths."""
     overshoot_percent: float | None
@@ -94,15 +95,15 @@ class Figures:
 
 @dataclass(frozen=True)
 class StepResponse:
-    """How a wheel at rest answers when it is asked for a speed."""
+    """How a wheel at rest responds to a request for a speed."""
 
     reference: float
     """In rad/s."""
     period_sec: float
     speeds: tuple[float, ...]
-    """In rad/s, one for each period, from the moment of the step on."""
+    """In rad/s, one for each period, from the moment of the step."""
     torques: tuple[float, ...]
-    """The command in the period that follows, in N m; one less than speeds."""
+    """The command in the following period, in N m; one fewer than speeds."""
 
     @property
     def points(self) -> list[tuple[float, float]]:
@@ -130,16 +131,16 @@ class StepResponse:
 
 
 def simulate(gains: Gains, motor: Motor, reference: float, *, rate_hz: int, duration_sec: float) -> StepResponse:
-    """Ask a wheel at rest for a speed, and let the controller see to it.
+    """Return how a wheel at rest gets to a speed under the controller.
 
-    The controller computes a command in each period and the motor holds it until the next. Within a period the
-    motion has a closed form, so nothing is lost in the steps: the same numbers come out on every machine.
+    The controller computes a command in each period, and the motor holds it until the next. Within a period the
+    motion has a closed form, so the steps lose nothing: every machine gets the same numbers.
 
     :param reference: The speed, in rad/s, above 0.
     :param rate_hz: Periods in a second.
     """
     period = 1 / rate_hz
-    # The torque's deviation from what is commanded dies away with the lag, the speed's with inertia / friction.
+    # The torque's deviation from the command decays with the lag, the speed's with inertia / friction.
     kept_torque = math.exp(-period / motor.lag_sec) if motor.lag_sec else 0.0
     kept_speed = math.exp(-period * motor.friction / motor.inertia)
     # What a deviation of 1 N m adds to the speed meanwhile; the two time constants may be equal.
@@ -154,7 +155,7 @@ def simulate(gains: Gains, motor: Motor, reference: float, *, rate_hz: int, dura
         wanted = gains.p * error + integral + gains.d * (error - last_error) / period
         last_error = error
         command = min(max(wanted, gains.u_clamp_min), gains.u_clamp_max)
-        # As in control_toolbox, the integral follows the command that was given, not the one that is to come.
+        # As in control_toolbox, the integral follows the command just given, not the next one.
         if gains.antiwindup_strategy == 'back_calculation':
             integral += period * (gains.i * error + (command - wanted) / tracking_sec)
         elif gains.antiwindup_strategy == 'none' or command == wanted or error * wanted <= 0:
@@ -169,10 +170,10 @@ def simulate(gains: Gains, motor: Motor, reference: float, *, rate_hz: int, dura
 
 
 def response_of(parameters: Mapping[str, Any], joint: str) -> StepResponse:
-    """Simulate a joint of a node that has these parameters.
+    """Return the step response of a joint of a node with these parameters.
 
     :param parameters: Names and values, as the node below declares them.
-    :raises KeyError: one that is needed is missing.
+    :raises KeyError: a parameter is missing.
     """
     gains = Gains(**{name: parameters[f'gains.{joint}.{name}'] for name in Gains.__dataclass_fields__})
     motor = Motor(inertia=parameters['simulation.inertia_kgm2'], friction=parameters['simulation.friction_nms'],
@@ -182,17 +183,17 @@ def response_of(parameters: Mapping[str, Any], joint: str) -> StepResponse:
 
 
 class PidControllerNode(Node):
-    """A controller for one or more wheels. Whenever its parameters change, the wheels start anew from rest."""
+    """A controller for one or more wheels. When its parameters change, the wheels start again from rest."""
 
     def __init__(self) -> None:
-        """:raises InvalidParameterValueException: it is started with values that it would reject later."""
+        """:raises InvalidParameterValueException: it starts with values that it would reject later."""
         super().__init__('pid_controller_node')
-        # ros2_control reads these when it configures a controller, and never again.
+        # ros2_control declares these read-only too: a controller depends on them from its configuration on.
         self.declare_parameter('dof_names', ['wheel_joint'], _described('The joints it controls.', read_only=True))
         self.declare_parameter('command_interface', 'effort', _described(
             'What it commands to each joint.', read_only=True))
         self.declare_parameter('reference_and_state_interfaces', ['velocity'], _described(
-            'What it is asked for, and what it measures.', read_only=True))
+            'What its reference is, and what it measures.', read_only=True))
         self.declare_parameter('update_rate', 100, ParameterDescriptor(
             description='How often it computes a command, in Hz.', read_only=True,
             integer_range=[IntegerRange(from_value=10, to_value=1000)]))
@@ -201,7 +202,7 @@ class PidControllerNode(Node):
             self._declare_gains(f'gains.{joint}')
         self._declare_simulation()
 
-        # The callback is not asked about overrides: they are in place when it is registered.
+        # The callback does not see overrides: they are in place before it is registered.
         result = self.validate([])
         if not result.successful:
             raise InvalidParameterValueException('gains', 'gains', result.reason)
@@ -212,10 +213,10 @@ class PidControllerNode(Node):
         self.apply([])
 
     def _read_joints(self) -> list[str]:
-        # An empty list in a parameter file has no type for rcl, and arrives as no value at all.
+        # To rcl an empty list in a parameter file has no type, so it arrives as no value at all.
         joints = list(self.get_parameter_or('dof_names').value or [])
         if not joints or len(set(joints)) < len(joints):
-            raise InvalidParameterValueException('dof_names', joints, 'it has to name a joint, and none twice')
+            raise InvalidParameterValueException('dof_names', joints, 'it must name a joint, and none twice')
         return joints
 
     def _declare_gains(self, prefix: str) -> None:
@@ -228,16 +229,16 @@ class PidControllerNode(Node):
         self.declare_parameter(f'{prefix}.antiwindup_strategy', 'none', _described(
             f'What keeps the integral from growing while the command is clamped: {", ".join(STRATEGIES)}.'))
         self.declare_parameter(f'{prefix}.tracking_time_constant', 0.0, _described(
-            'How fast back_calculation works, in s; 0 for a value that suits the gains.', 0.0, 10.0))
+            'How fast back_calculation reduces the integral, in s; 0 for a value that suits the gains.', 0.0, 10.0))
 
     def _declare_simulation(self) -> None:
         for name, value, bottom, top, text in (
-                ('reference_rad_per_sec', 10.0, 0.1, 40.0, 'The speed that is asked for, in rad/s.'),
+                ('reference_rad_per_sec', 10.0, 0.1, 40.0, 'The requested speed, in rad/s.'),
                 ('duration_sec', 3.0, 0.5, 10.0, 'How long it is watched, in s.'),
                 ('inertia_kgm2', Motor.inertia, 0.005, 0.2, 'Moment of inertia of wheel and load, in kg m^2.'),
                 ('friction_nms', Motor.friction, 0.005, 0.5, 'Friction, in N m s/rad.'),
-                ('lag_sec', Motor.lag_sec, 0.0, 0.5, 'How late the torque follows the command, in s.'),
-                ('max_torque_nm', Motor.max_torque, 0.1, 10.0, 'What the motor can do at most, in N m.')):
+                ('lag_sec', Motor.lag_sec, 0.0, 0.5, 'How far the torque lags behind the command, in s.'),
+                ('max_torque_nm', Motor.max_torque, 0.1, 10.0, 'The most that the motor can do, in N m.')):
             self.declare_parameter(f'simulation.{name}', value, _described(text, bottom, top))
 
     def _values(self) -> dict[str, Any]:
@@ -246,13 +247,13 @@ class PidControllerNode(Node):
         return {name: parameter.value for name, parameter in parameters.items()}
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Return whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
+        """Accept or reject the proposed parameters as a whole; change nothing. The ranges do the rest."""
         values = self._values()
         values.update((parameter.name, parameter.value) for parameter in parameters)
         for joint in self.joints:
             prefix = f'gains.{joint}'
             low, high = values[f'{prefix}.u_clamp_min'], values[f'{prefix}.u_clamp_max']
-            # Asked this way round NaN is rejected as well: with it every comparison is false.
+            # Written this way, the rule rejects NaN too: every comparison with NaN is false.
             if not low < high:
                 return SetParametersResult(successful=False, reason=(
                     f'{prefix}.u_clamp_min = {low} must be less than u_clamp_max = {high}'))
@@ -263,7 +264,7 @@ class PidControllerNode(Node):
         return SetParametersResult(successful=True)
 
     def apply(self, _: list[Parameter]) -> None:
-        """Put parameters that have been stored to use: let each wheel start from rest, and tell how it went."""
+        """Use the stored parameters: start each wheel from rest, and log its figures."""
         values = self._values()
         for joint in self.joints:
             response = response_of(values, joint)
@@ -292,7 +293,7 @@ def main(args: list[str] | None = None) -> None:
         rclpy.init(args=args)
         rclpy.spin(PidControllerNode())
     except (KeyboardInterrupt, ExternalShutdownException):
-        # rclpy's signal handler is shutting the context down; a second shutdown here would meet the first.
+        # rclpy's signal handler is already shutting the context down; a second shutdown would collide with it.
         pass
 
 

@@ -2,15 +2,32 @@
 
 WRONG = {
     '10.1c': [
-        ([('changed_parameters', 'new_parameters')], 0, 'it gives `{}`'),
-        ([('parameter_value_to_python(parameter.value)', 'parameter.value')], 0, "it gives `{'speed':"),
+        # The same dictionary each time: what has been in it stays in it.
+        ([('    return {', '    changes.seen = getattr(changes, "seen", {})\n    changes.seen |= {'),
+          ('event.changed_parameters}', 'event.changed_parameters}\n    return changes.seen')],
+         0, "the function returns `{'speed': 7, 'last': 2}`"),
+        ([('return {', 'print({'), ('_parameters}', '_parameters})')],
+         0, 'the function returns `None`'),
+        ([('{parameter.name: parameter_value_to_python(parameter.value)',
+           '{parameter.name: str(parameter_value_to_python(parameter.value))')],
+         0, "the function returns `{'speed': '7'}`"),
+        ([('{parameter.name: parameter_value_to_python(parameter.value)',
+           '[(parameter.name, parameter_value_to_python(parameter.value))'), ('_parameters}', '_parameters]')],
+         0, "the function returns `[('speed', 7)]`"),
+        ([('def changes', 'async def changes')], 0, 'a call returns a coroutine'),
+        ([('event.changed_parameters', 'event.changed_parameters + event.deleted_parameters')],
+         2, "the function returns `{'lamp': None}`"),
+        ([('    return {', '    while not event.new_parameters:\n        pass\n    return {')],
+         0, 'it had not come to an end after'),
+        ([('changed_parameters', 'new_parameters')], 0, 'the function returns `{}`'),
+        ([('parameter_value_to_python(parameter.value)', 'parameter.value')], 0, "the function returns `{'speed':"),
         ([('parameter_value_to_python(parameter.value)', 'parameter.value.integer_value')],
-         2, "it gives `{'speed': 7, 'offset': 0, 'label': 0, 'gains': 0,"),
+         2, "the function returns `{'speed': 7, 'offset': 0, 'label': 0, 'gains': 0,"),
         ([('parameter.name', 'parameter')], 0, "TypeError: unhashable type: 'Parameter'"),
         ([('event.changed_parameters', 'event')], 0, "TypeError: 'ParameterEvent' object is not iterable"),
         ([('event.changed_parameters', 'event.changed_parameters + event.new_parameters')],
-         2, "it gives `{'lamp': 0}`"),
-        ([('event.changed_parameters', 'event.changed_parameters[:1]')], 2, "it gives `{'speed': 7}`"),
+         2, "the function returns `{'lamp': 0}`"),
+        ([('event.changed_parameters', 'event.changed_parameters[:1]')], 2, "the function returns `{'speed': 7}`"),
         ([('parameter_value_to_python(parameter.value)', 'parameter_value_to_python(parameter)')],
          0, "AttributeError: 'Parameter' object has no attribute 'type'"),
         ([('changed_parameters', 'removed_parameters')],
@@ -21,28 +38,66 @@ WRONG = {
         # The chain of the article.
         ([('parameter_value_to_python(parameter.value)',
            'parameter.value.string_value or parameter.value.integer_value or parameter.value.double_value '
-           'or parameter.value.bool_value')], 2, "there is `('changed', 'offset', False)`"),
-        # Raises an exception at each event.
-        ([('event.deleted_parameters', 'event.removed_parameters')], 1,
+           'or parameter.value.bool_value')], 3, "there is `('changed', 'offset', False)`"),
+        # Raises an exception at each event: reported once, by name.
+        ([('event.deleted_parameters', 'event.removed_parameters')], 0,
          "the subscription callback write of /journal raised AttributeError: 'ParameterEvent' object has no attribute "
          "'removed_parameters'"),
-        ([('self.write, qos_profile_parameter_events', 'self.write, 10')], 3, '10 of the speeds are in it'),
-        ([("if event.node == '/rover':", "if event.node == 'rover':")], 0, 'the pages are `[]`'),
-        ([("if event.node == '/rover':", 'if event.node:')], 3, "('changed', 'speed', 3), ('changed', 'speed', 5)"),
+        ([("if event.node == '/rover':", "self.pagse\n        if event.node == '/rover':")], 0,
+         'the subscription callback write of /journal raised AttributeError'),
+        ([('self.write, qos_profile_parameter_events', 'self.write, 10')], 3, 'there are 10'),
+        ([("if event.node == '/rover':", "if event.node == 'rover':")], 0, 'there are none'),
+        ([("if event.node == '/rover':", 'if event.node:')], 3, "('changed', 'speed', 3), "),
+        ([("if event.node == '/rover':", "if event.node.endswith('/rover'):")], 3, "('changed', 'speed', 4)"),
+        ([("if event.node == '/rover':", "if event.node.startswith('/rover'):")], 3, "('changed', 'speed', 3)"),
         ([("'deleted', parameter.name, None", "'deleted', parameter.name, parameter.name")], 3,
          "there is `('deleted', 'lamp', 'lamp')`"),
+        ([('            for parameter in event.deleted_parameters:\n'
+           "                self.pages.append(('deleted', parameter.name, None))", '')], 3,
+         "the pages are `[('new', 'lamp', 2), ('changed', 'lamp', 3), ('new', 'target', 2.5)]`"),
+        # One of several parameters in an event.
+        ([('in event.changed_parameters', 'in event.changed_parameters[:1]')], 3,
+         "[('changed', 'speed', 7), ('new', 'lamp', 0)]"),
+        ([("('changed', parameter.name, parameter_value_to_python(parameter.value))",
+           "('changed', parameter.name, str(parameter_value_to_python(parameter.value)))")], 3,
+         "there is `('changed', 'speed', '7')`"),
+        ([("('changed', parameter.name, parameter_value_to_python(parameter.value))",
+           "['changed', parameter.name, parameter_value_to_python(parameter.value)]")], 3, "[['changed', 'speed', 7]"),
         ([("'/parameter_events'", "'/parameter_event'")], 0, 'it does not'),
+        ([('self.pages = []', 'self.page = []'), ('self.pages.append', 'self.page.append')], 0, 'it has none'),
+        ([('self.write, qos_profile_parameter_events',
+           "self.write, __import__('rclpy').qos.QoSProfile(depth=1000, durability=1)")], 0, 'they do not'),
+        # The message in place of its value.
+        ([("('changed', parameter.name, parameter_value_to_python(parameter.value))",
+           "('changed', parameter.name, parameter.value)")], 3, "there is `('changed', 'speed', rcl_interfaces.msg"),
+        # One shared list, whose last entry is written into each page.
+        ([('self.pages = []', 'self.pages, self.now = [], []'),
+          ("                self.pages.append(('changed', parameter.name, parameter_value_to_python(parameter.value)))",
+           "                self.now[:] = [parameter_value_to_python(parameter.value)]\n"
+           "                self.pages.append(('changed', parameter.name, self.now))")],
+         2, "there is `('changed', 'speed', ["),
+        ([('        if event.node', '        self.pages.clear()\n        if event.node')], 0, 'there are none'),
+        ([('        if event.node', "        __import__('rclpy').spin_once(self)\n        if event.node")], 0,
+         'raised'),
+        ([('        if event.node', '        while True:\n            pass\n        if event.node')],
+         0, 'this callback did not return'),
+        # Waits in the callback.
+        ([('        if event.node', "        __import__('time').sleep(1)\n        if event.node")], 0,
+         'it waits, and keeps the executor busy meanwhile'),
+        # Too late: the subscription is made when somebody calls for it.
+        ([('        self.create_subscription(', '\n    def begin(self):\n        self.create_subscription(')], 0,
+         'it does not'),
     ],
     '10.1b': [
-        ([("with three parameters': 3", "with three parameters': 1")], 6, 'It stores one after the other'),
-        ([("atomically with three parameters': 1", "atomically with three parameters': 3")], 6, 'at one go'),
+        ([("with three parameters': 3", "with three parameters': 1")], 6, 'one after the other, and publishes each'),
+        ([("atomically with three parameters': 1", "atomically with three parameters': 3")], 6, 'in one go'),
         ([("set_parameters with two, of which one is rejected': 1",
-           "set_parameters with two, of which one is rejected': 0")], 6, 'the other one is stored'),
+           "set_parameters with two, of which one is rejected': 0")], 6, 'it stores the other one'),
         ([("atomically with two, of which one is rejected': 0", "atomically with two, of which one is rejected': 1")],
          6, 'All or nothing'),
         ([("already': 1", "already': 0")], 6, 'A node does not compare'),
         ([("two parameters': 2", "two parameters': 1")], 6, 'It declares one after the other'),
-        ([("undeclare_parameter': 0", "undeclare_parameter': 1")], 6, 'Nobody is told'),
+        ([("undeclare_parameter': 0", "undeclare_parameter': 1")], 6, 'The only deletion that is published'),
     ],
 }
 
@@ -56,5 +111,36 @@ RIGHT = {
          ('parameter_value_to_python(parameter.value)', 'Parameter.from_parameter_msg(parameter).value')],
         [('parameter in event', 'parameter in list(event'),
          ('changed_parameters}', 'changed_parameters)}')],
+    ],
+    '10.1a': [
+        # A relative name, keywords, and a profile of one's own.
+        [("'/parameter_events', self.write", "'parameter_events', self.write")],
+        [("ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events",
+          "msg_type=ParameterEvent, topic='/parameter_events', callback=self.write, qos_profile=500")],
+        [('def write', 'async def write'), ("event.node == '/rover'", "event.node.lstrip('/') == 'rover'")],
+        # As short as the burst, and no shorter.
+        [('self.write, qos_profile_parameter_events', 'self.write, 200')],
+        [("self.create_subscription(ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events)",
+          'from rclpy.parameter_event_handler import ParameterEventHandler\n'
+          '        self.handler = ParameterEventHandler(self)\n'
+          '        self.handler.add_parameter_event_callback(self.write)')],
+        [("self.create_subscription(ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events)",
+          "from rclpy.parameter_client import AsyncParameterClient\n"
+          "        AsyncParameterClient(self, '/rover').on_parameter_event(self.write)")],
+        # Writes down later what it hears, and reads the values in another way.
+        [('self.write, qos_profile_parameter_events)',
+          'self.hear, qos_profile_parameter_events)\n'
+          '        self.heard = []\n'
+          '        self.create_timer(0.1, self.write_all)\n\n'
+          '    def hear(self, event):\n'
+          '        self.heard.append(event)\n\n'
+          '    def write_all(self):\n'
+          '        while self.heard:\n'
+          '            self.write(self.heard.pop(0))'),
+         ('parameter_value_to_python(parameter.value)',
+          "__import__('rclpy').parameter.Parameter.from_parameter_msg(parameter).value")],
+        [("                self.pages.append(('new', parameter.name, parameter_value_to_python(parameter.value)))",
+          "                self.pages = [*self.pages, ('new', parameter.name, "
+          "parameter_value_to_python(parameter.value))]")],
     ],
 }

@@ -1,16 +1,16 @@
-"""Predictions of chapter 10.1: what is told, to whom, and what is not."""
+"""Predictions of chapter 10.1: what is published, to whom, and what is not."""
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
 SOLVED = 'You listen first and ask afterwards, and your copy stays true.'
 
 RECALLS = (
-    Recall('10.1-r1', 'A node sets its motor in a post-set callback. Somebody sends a speed that the node '
+    Recall('10.1-r1', 'A node sets its motor in a post-set callback. A client requests a speed that the node '
            'rejects. What does the post-set callback do?', (
-        right('It is not called', 'It is called with what has been stored, and nothing has.'),
-        wrong('It is called with the old speed', 'It is called with what has been stored, and a rejected request '
-              'stores nothing.'),
-        wrong('It is called, and has to look at the result', 'It is called only after all values were accepted '
+        right('It is not called', 'A post-set callback gets what has been stored, and nothing has.'),
+        wrong('It is called with the old speed', 'A post-set callback gets what has been stored, and a rejected '
+              'request stores nothing.'),
+        wrong('It is called, and has to look at the result', 'It is called only after all values have been accepted '
               'and stored.')),
            chapter='5.2', section='The callback ladder'),
     Recall('10.1-r2', 'A callback sends a request to another node and then blocks until the answer comes, under '
@@ -23,40 +23,47 @@ RECALLS = (
 )
 
 PREDICTIONS = (
-    Prediction('10.1-1', 'The robot rejects a speed of -1. What do the listeners hear of it?', (
-        wrong('an event with -1', 'An event tells what was stored, and nothing was.'),
+    Prediction('10.1-1', 'The robot rejects a speed of -1. What do the listeners hear?', (
+        wrong('an event with -1', 'An event reports what was stored, and nothing was.'),
         wrong('an event with the old value', 'A node publishes when it stores a value. Here it stored none, not even '
               'the old one again.'),
-        right('nothing', 'No value stored, no event. Only the one who asked gets an answer.'))),
-    Prediction('10.1-2', 'The speed is set to 0. What does the monitor print, with its chain of `or`?', (
-        wrong('0', 'The chain passes over whatever Python does not count as true, and 0 is not true.'),
-        right('False', '0 does not count as true, so the chain runs through to its last field, `bool_value`.'),
-        wrong('0.0', 'The chain does pass over the integer 0. But it passes over 0.0 as well, and ends with '
-              '`bool_value`.'))),
+        right('nothing', 'Nothing stored, no event. Only the client gets an answer.'))),
+    Prediction('10.1-2', 'The speed is set to 0. What does the monitor log, with its chain of `or`?', (
+        wrong('0', 'The chain skips every field that is false in Python, and 0 is false.'),
+        right('False', '0 is false in Python, so the chain runs through to its last field, `bool_value`.'),
+        wrong('0.0', 'The chain does skip the integer 0. But it skips 0.0 as well, and ends with `bool_value`.'))),
     Prediction('10.1-3', 'Three parameters are set one by one, and then to the same values again, in one atomic '
                'request. How many messages are there in all?', (
-        right('4', 'Three for the three, and one for the atomic request, though its values are not new.'),
-        wrong('3', 'One more: a node does not compare. The atomic request is told, though its values are not new.'),
+        right('4', 'Three for the first three, and one for the atomic request, although its values are not new.'),
+        wrong('3', 'One more: a node does not compare. The atomic request makes an event, although its values are '
+              'not new.'),
         wrong('6', 'The atomic request makes one event for all three.'),
-        wrong('2', 'The first three are set one by one, and each makes an event of its own.')),
-        otherwise='There are four: three for the three, and one for the atomic request.'),
+        wrong('2', 'The first three are set one by one, and each makes its own event.')),
+        otherwise='There are four: three for the first three, and one for the atomic request.'),
     Prediction('10.1-4', "The node calls `undeclare_parameter('x')`. What do the listeners hear?", (
         wrong('an event with x in its list of deleted parameters', 'That list is for dynamic parameters that were set '
-              'to nothing. `undeclare_parameter` tells nobody.'),
-        wrong('an event with x in its list of changed parameters', '`undeclare_parameter` tells nobody, in none of the '
-              'three lists.'),
-        right('nothing', '`undeclare_parameter` tells nobody, and a listener goes on to believe in the '
+              'to nothing. `undeclare_parameter` publishes no event.'),
+        wrong('an event with x in its list of changed parameters', '`undeclare_parameter` publishes no event, so '
+              'x is in none of the three lists.'),
+        right('nothing', '`undeclare_parameter` publishes no event, and a listener keeps believing in the '
               'parameter.'))),
     Prediction('10.1-5', 'The topic is reliable. 200 events come while nobody can look at them. How many does the '
                'listener with a depth of 10 get?', (
-        wrong('200: the topic is reliable', 'Reliable means that they were delivered. The queue was too short to keep '
+        wrong('200: the topic is reliable', 'Reliable means that they were delivered. The queue was too short to hold '
               'them.'),
         wrong('the first 10', 'A full queue drops its oldest message to make room for the next one.'),
         right('the last 10', 'A queue of ten keeps the newest ten. That the topic is reliable does not help.'))),
-    Prediction('10.1-6', 'A listener comes after 200 changes of the speed, and then the gain is set once. What does it '
-               'hear?', (
-        wrong('the last speed, and the gain', 'The topic is volatile: a message goes to those who listen at that '
-              'moment, and is then forgotten.'),
-        right('the gain', 'The topic is volatile. What was before, a listener has to ask for.'),
-        wrong('all 201', 'The topic is volatile: nothing is kept for those who come later.'))),
+    Prediction('10.1-6', 'A listener arrives after 200 changes of the speed, and then the gain is set once. What does '
+               'it hear?', (
+        wrong('the last speed, and the gain', 'The topic is volatile: a message goes to those who are listening at '
+              'that moment, and is then forgotten.'),
+        right('the gain', 'The topic is volatile. For what came before, a listener has to ask.'),
+        wrong('all 201', 'The topic is volatile: nothing is kept for those who subscribe later.'))),
+    Prediction('10.1-7', 'A parameter callback is registered for `note`. The arm declares `note`, and then `note` is '
+               'deleted. How often is the callback called?', (
+        wrong('twice', 'The handler looks for the name among the new and the changed parameters, and not among the '
+              'deleted ones.'),
+        right('once', 'It hears of the declaration. The handler never looks for the name among the deleted '
+              'parameters.'),
+        wrong('never', 'A declaration is an event too: `note` is new.'))),
 )

@@ -11,7 +11,7 @@ RECALLS = (
               'about each parameter alone.'),
         right('three', 'The node decides about each parameter alone, and reports each one alone.'),
         wrong('none: events are for declarations', 'A change of a value is reported too.')),
-           chapter='10.1', section='Change it: what is told, and how often'),
+           chapter='10.1', section='Change it: what is published, and how often'),
     Recall('10.2-r2', 'The answer of `set_parameters` is a list of results. How do you know which result belongs '
            'to which parameter?', (
         wrong('Each result has a name', 'A result has `successful` and `reason`, and no name.'),

@@ -9,7 +9,7 @@ RECALLS = (
         right('none', 'Nothing has changed, so there is nothing to report.'),
         wrong('one, with the old value', 'Events report what has changed, and nothing has.'),
         wrong('one, with the reason', 'The reason goes to the caller alone, in the answer.')),
-           chapter='10.1', section='Change it: what is told, and how often'),
+           chapter='10.1', section='Change it: what is published, and how often'),
     Recall('10.4-r2', 'A node keeps a rule for two parameters in an on-set callback. When is it not asked?', (
         wrong('when the value comes from a terminal', 'Whoever asks, the callback is called: the service is the '
               'same.'),
