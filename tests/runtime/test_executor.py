@@ -562,6 +562,27 @@ def test_a_callback_is_as_its_author_wrote_it(ros):
     assert inspect.iscoroutinefunction(timer.callback)
 
 
+def test_an_async_subscription_callback_runs_and_may_await(ros, capfd):
+    """Rclpy 7.1.6's EventsExecutor would drop it without a word."""
+    class Follower(Speed):
+        def __init__(self):
+            super().__init__('follower')
+            self.client = self.create_client(GetParameters, '/speed/get_parameters')
+            self.heard = []
+            self.create_subscription(ParameterEvent, '/parameter_events', self.hear, 10)
+
+        async def hear(self, event):
+            if event.node == '/speed':
+                answer = await self.client.call_async(GetParameters.Request(names=['rpm']))
+                self.heard.append(answer.values[0].integer_value)
+                raise ValueError('enough')
+
+    follower, node = ros.add(Follower), ros.add(Speed)
+    ParameterClient(node).set_parameter('rpm', 2)
+    param_tutorial.wait_until(lambda: 2 in follower.heard and ros.failures, 'the callback to hear of it')
+    assert 'The subscription callback hear of /follower raised an exception' in capfd.readouterr().err
+
+
 # What keeps a thread for good: asleep in a lock, or awake and catching everything.
 STUCK = '''
     import sys, threading, time, param_tutorial

@@ -160,8 +160,10 @@ class _Hooks(Node):
 
     def create_subscription(self, msg_type: Any, topic: str, callback: Any, *args: Any, **options: Any
                             ) -> Subscription:
-        return super().create_subscription(
-            msg_type, topic, self._watched('subscription', callback), *args, **options)
+        watched = self._watched('subscription', callback)
+        if inspect.iscoroutinefunction(watched):
+            watched = self._as_task(watched)
+        return super().create_subscription(msg_type, topic, watched, *args, **options)
 
     def create_service(self, srv_type: Any, srv_name: str, callback: Any, *args: Any, **options: Any) -> Service:
         is_rclpys = isinstance(getattr(callback, '__self__', None), ParameterService)
@@ -181,6 +183,14 @@ class _Hooks(Node):
             return function  # rclpy says what is wrong with it
         return self.host_of_node.callback_watch.around(
             Callback(self, self.get_fully_qualified_name(), kind, function, parameter_service))
+
+    def _as_task(self, function: Any) -> Any:
+        """Return a function that begins an ``async def`` callback: rclpy 7.1.6's EventsExecutor drops a subscription's."""
+        @functools.wraps(function)
+        def begin(*args: Any) -> None:
+            if self.executor is not None:
+                self.executor.create_task(function, *args)
+        return begin
 
     @property
     def executor(self) -> Executor | None:
