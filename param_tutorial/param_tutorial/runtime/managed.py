@@ -185,7 +185,7 @@ class _Hooks(Node):
             Callback(self, self.get_fully_qualified_name(), kind, function, parameter_service))
 
     def _as_task(self, function: Any) -> Any:
-        """Return a function that begins an ``async def`` callback: rclpy 7.1.6's EventsExecutor drops a subscription's."""
+        """Return a function that begins an ``async def`` callback, which rclpy 7.1.6 drops for a subscription."""
         @functools.wraps(function)
         def begin(*args: Any) -> None:
             if self.executor is not None:
