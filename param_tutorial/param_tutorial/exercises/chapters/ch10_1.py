@@ -62,7 +62,7 @@ class InTheCorner(Node):
         def hear(message: Any) -> None:
             with self._noted(message) as is_heard:
                 if is_heard and inspect.iscoroutine(begun := callback(message)):
-                    # The executor of rclpy that the stage uses never runs an `async def` for a message.
+                    # A journal has nothing to await, so the coroutine runs to its end at once.
                     with contextlib.suppress(StopIteration):
                         begun.send(None)
 
