@@ -91,7 +91,8 @@ RIGHT = {
     '4a': [
         [(_RETURN, "limit = self.get_parameter('max_speed_rpm').get_parameter_value().integer_value\n"
                    '        return limit if wanted_rpm > limit else wanted_rpm')],
-        [(_RETURN, "limit, = self.get_parameters(['max_speed_rpm'])\n        return sorted([wanted_rpm, limit.value])[0]")],
+        [(_RETURN, "limit, = self.get_parameters(['max_speed_rpm'])\n"
+                   '        return sorted([wanted_rpm, limit.value])[0]')],
         [(_DECLARED, f"{_DECLARED}        self.rpm = self.get_parameter('max_speed_rpm').value\n"
                      '        self.add_post_set_parameters_callback(self.keep)\n\n'
                      '    def keep(self, parameters):\n'
