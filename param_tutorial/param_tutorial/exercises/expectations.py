@@ -141,7 +141,8 @@ def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because
     if result.reason == _INVALID_TYPE:
         because = '. An on-set callback has to return a `SetParametersResult`, whatever happens in it'
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-    expect(result.successful, f'{asked} is accepted', f'it was rejected: {result.reason}{because}')
+    expect(result.successful, f'{asked} is accepted',
+           (f'it was rejected: {result.reason}' if result.reason else 'it was rejected without a reason') + because)
 
 
 def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[str, object], object]]

@@ -45,13 +45,13 @@ WRONG = {
         ([(_REACT, _REACT.replace(' / 2', ' // 2'))], 3, 'it is `27`'),
         ([(_REACT, 'low_c, high_c = [p.value for p in parameters] or (18, 22)\n'
                    '        self.target_c = (low_c + high_c) / 2')],
-         1, 'ValueError: not enough values to unpack'),
+         0, 'ValueError: not enough values to unpack'),
         ([('self.target_c = (', 'self.target = (')], 2, 'it is `None`'),
         # Acts too late.
         ([(_REGISTER_REACT, '        self.create_timer(30.0, lambda: self.react([]))\n')], 3, 'it is `20.0`'),
-        ([(_ACCEPTED, '        return True')], 1, 'has to return a `SetParametersResult`'),
+        ([(_ACCEPTED, '        return True')], 0, 'has to return a `SetParametersResult`'),
         ([(_REJECTED, 'return False')], 3, 'the reason is rclpy’s own'),
-        ([(_ACCEPTED, '')], 1, 'has to return a `SetParametersResult`'),
+        ([(_ACCEPTED, '')], 0, 'has to return a `SetParametersResult`'),
         ([(_REJECTED, "raise ValueError('not below')")], 3, 'ValueError: not below'),
     ],
     '5.2b': [

@@ -28,8 +28,10 @@ def expect_limited(trial: Trial, wheel: Any, wanted_rpm: int, allowed_rpm: int, 
     """Expect what the method returns for a wanted speed.
 
     :param wrong: What to think of, for values that it may return instead.
-    :raises NoUse: the method raises an exception, as it would in the other requirements.
+    :raises NoUse: there is no such method, or it raises an exception, as it would in the other requirements.
     """
+    if not callable(getattr(wheel, 'limited', None)):
+        raise NoUse('a method `limited`', 'the wheel has none')
     try:
         given = trial.call(f'`limited({wanted_rpm})`', wheel.limited, wanted_rpm)
     except NotYet as error:

@@ -1,14 +1,16 @@
 """Exercises of chapter 5.2: judge and act, hunt faults, and put a change in order."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
+from param_tutorial.errors import CallbackError
 from param_tutorial.exercises.exercise import NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_accepted, expect_follows, expect_left_alone, expect_rejected
-from param_tutorial.exercises.trial import NoUse, Trial, expect
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 
 CHAPTER = '05_2_with_a_callback'
 JUDGE = 'Build it: a callback that judges'
@@ -27,12 +29,26 @@ judge = Exercise('5.2a', 'Judge and act', CHAPTER, NODE_CLASS, node_name='heater
     'the same once at the end of the constructor.'))
 
 
+def expect_working(trial: Trial, node: Node, new: Mapping[str, object]) -> None:
+    """Expect a request that breaks no rule to be accepted.
+
+    :raises NoUse: it is not, which would come to light in each requirement.
+    """
+    try:
+        expect_accepted(trial, node, new)
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
+    except CallbackError as error:
+        raise NoUse('an answer', describe_error(error)) from None
+
+
 @judge.require('a lower limit that is not below the upper one is rejected, with a reason', see=JUDGE)
 def order(trial: Trial) -> None:
     heater = trial.start()
+    for good in ({'low_c': 20}, {'high_c': 23}, {'low_c': 18}, {'high_c': 22}):
+        expect_working(trial, heater, good)
     for bad in ({'low_c': 25}, {'low_c': 22}, {'high_c': 10}, {'high_c': 18}):
         expect_rejected(trial, heater, bad)
-    expect_accepted(trial, heater, {'low_c': 20})
     # Other limits are stored now, and each request is judged by them.
     expect_accepted(trial, heater, {'high_c': 40})
     expect_accepted(trial, heater, {'low_c': 39}, '. What counts is the limit that is stored at that moment')
