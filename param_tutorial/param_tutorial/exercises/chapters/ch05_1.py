@@ -41,7 +41,9 @@ def split(line: str) -> list[str]:
 
 def type_in(trial: Trial, node: Node, words: str) -> str:
     """Type ``ros2 param set NODE`` and some words, as in a terminal, and return what it prints."""
-    return trial.ros2('param', 'set', f'{CORNER}/{node.get_name()}', *split(words))
+    own = ['param', 'set', f'{CORNER}/{node.get_name()}', *split(words)]
+    answer: str = trial.call(f'`{words}`', trial.ros2, *own)
+    return answer
 
 
 spell = Exercise('5.1a', 'Spell six values', CHAPTER, DICTIONARY, hints=(
@@ -55,8 +57,8 @@ spell = Exercise('5.1a', 'Spell six values', CHAPTER, DICTIONARY, hints=(
 # Parameter, the value it should hold, and what to think of if YAML reads another type in the word.
 GOALS = (
     ('speed_mps', 1.0, 'A double needs a dot'),
-    ('tolerance_m', 0.001, 'A number with an exponent needs a dot and a sign'),
-    ('retries', 10, 'An integer has digits only, no dot, no exponent and no quotes'),
+    ('tolerance_m', 0.001, 'A double needs a dot, and with an exponent also a sign'),
+    ('retries', 10, 'An integer is written with digits only'),
     ('label', '42', 'A string that looks like a number needs two pairs of quotes, one for the shell and one for YAML'),
     ('mode', 'off', 'To YAML 1.1 this word means false, unless two pairs of quotes make it a string'),
     ('weights', [1.0, 2.5], 'A list has brackets, and all its elements need the same type'),
@@ -149,7 +151,8 @@ class Typed(NamedTuple):
 
 def typed(trial: Trial) -> tuple[Gripper, list[Typed]]:
     """Type the learner's lines, and return the gripper with what they printed."""
-    lines = trial.work.replace('\\\n', ' ').strip().splitlines()
+    lines = [command for line in trial.work.replace('\\\n', ' ').strip().splitlines()
+             for command in re.split(r'\s*(?:;|&&)\s*', line)]  # no quoted word of this exercise has one of these
     if not lines:
         raise NoUse('three commands', 'there is none')
     gripper = trial.start(Gripper)
@@ -165,7 +168,7 @@ def typed(trial: Trial) -> tuple[Gripper, list[Typed]]:
             printed = f'{words[0]}: command not found'
         elif words[1:2] == ['param']:
             own = [f'{CORNER}/gripper' if word in ('/gripper', 'gripper') else word for word in words[1:]]
-            printed = trial.ros2(*own)
+            printed = trial.call(f'`{line}`', trial.ros2, *own)  # a long --timeout has an end here
         else:
             printed = f'after `ros2`, `{" ".join(words[1:2])}` is not `param`'
         result.append(Typed(line, printed))
@@ -181,9 +184,11 @@ def expect_printed(lines: list[Typed], verb: str, pattern: str, expected: str) -
 
 
 def _complaint(lines: list[Typed], verb: str) -> str:
-    own = [each for each in lines if verb in each.line.split()]
-    if not own:
+    own = [each for each in lines if verb in each.line.split() and 'successful' not in each.printed]
+    if not any(verb in each.line.split() for each in lines):
         return f'; there is no `{verb}` in your lines'
+    if not own:
+        return ''
     # Of a usage error, the last line says what is wrong.
     return f'; the terminal says: {own[0].printed.splitlines()[-1].strip()}' if own[0].printed else ''
 
