@@ -269,6 +269,20 @@ def test_a_callback_that_raises_answers_at_once_with_its_exception(client, capfd
     assert client.set_parameter('limits.high', 7).successful
 
 
+# Chapter 5.2 says so: of the exceptions in a callback, rclpy catches this one.
+def test_a_callback_that_reads_an_undeclared_parameter_is_a_rejection(ros):
+    class ReadsUndeclared(Node):
+        def __init__(self):
+            super().__init__('reads_undeclared')
+            self.declare_parameter('speed', 100)
+            self.add_on_set_parameters_callback(lambda _: self.get_parameter('nowhere'))
+
+    client = ParameterClient(ros.add(ReadsUndeclared))
+    result = client.set_parameter('speed', 150)
+    assert (result.successful, result.reason) == (False, 'Invalid access to undeclared parameter(s): nowhere')
+    assert client.get_parameter('speed') == 100
+
+
 def test_a_malformed_request_does_not_end_the_node(client, ros):
     request = SetParameters.Request(parameters=[ParameterMessage(name='count', value=ParameterValue(type=77))])
     with pytest.raises(CallbackError, match='77'):

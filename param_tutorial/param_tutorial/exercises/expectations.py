@@ -66,6 +66,8 @@ def expect_service(trial: Trial, client: Client) -> None:
         raise NoUse(error.expected, error.happened) from None
 
 
+# rclpy's words if an on-set callback returns something else than a SetParametersResult.
+_INVALID_TYPE = 'Callback returned an invalid type'
 # What an exception in the learner's lines names in place of a file.
 _LINES = '<your lines>'
 
@@ -134,15 +136,19 @@ def expect_rejected(trial: Trial, node: Node, new: Mapping[str, object]) -> None
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
     expect(not result.successful, f'{asked} is rejected', 'it was accepted')
     expect(result.reason.strip(), f'{asked} is rejected with a reason', 'it was rejected, and the reason is empty')
+    expect(result.reason != _INVALID_TYPE, f'{asked} is rejected with a reason',
+           f'it was rejected, but the reason is rclpy’s own, “{_INVALID_TYPE}”: an on-set callback has to return a '
+           '`SetParametersResult`')
 
 
 def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because: str = '') -> None:
     """Expect a request, as a whole, to be accepted."""
     result = trial.client(node).set_parameters_atomically(new)[0]
-    if result.reason == 'Callback returned an invalid type':  # rclpy's words for whatever else is returned
+    if result.reason == _INVALID_TYPE:
         because = '. An on-set callback has to return a `SetParametersResult`, whatever happens in it'
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-    expect(result.successful, f'{asked} is accepted', f'it was rejected: {result.reason}{because}')
+    expect(result.successful, f'{asked} is accepted',
+           (f'it was rejected: {result.reason}' if result.reason else 'it was rejected without a reason') + because)
 
 
 def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[str, object], object]]

@@ -1,30 +1,84 @@
-"""Wrong answers that people give to the exercises of chapter 5.2."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 5.2."""
+
+# Lines of the solutions, which the answers replace.
+_REGISTER_JUDGE = '        self.add_on_set_parameters_callback(self.validate)\n'
+_REGISTER_REACT = '        self.add_post_set_parameters_callback(self.react)\n'
+_AT_THE_START = '        self.react([])  # for the values that the heater starts with\n'
+_ACCEPTED = '        return SetParametersResult(successful=True)'
+_REJECTED = "return SetParametersResult(successful=False, reason=f'{low_c} is not below {high_c}')"
+_LOW = "low_c = proposed.get('low_c', self.get_parameter('low_c').value)"
+_HIGH = "high_c = proposed.get('high_c', self.get_parameter('high_c').value)"
+_PROPOSED = 'proposed = {parameter.name: parameter.value for parameter in parameters}'
+_REACT = "self.target_c = (self.get_parameter('low_c').value + self.get_parameter('high_c').value) / 2"
+_EACH = 'for parameter in parameters:\n'
+_MOTOR = "        self.motor_percent = self.get_parameter('open_percent').value"
+_MOTOR_REACT = f'def react(self, parameters):\n{_MOTOR}'
 
 WRONG = {
     '5.2a': [
-        ([('self.add_on_set_parameters_callback(self.validate)\n', '\n')], 2, 'it was accepted'),
-        ([("reason=f'{low_c} is not below {high_c}'", "reason=''")], 2, 'the reason is empty'),
-        ([("proposed.get('low_c', self.get_parameter('low_c').value)", "self.get_parameter('low_c').value")], 2,
-         'it was accepted'),
-        ([("high_c = proposed.get('high_c', self.get_parameter('high_c').value)",
-           "high_c = self.get_parameter('high_c').value")], 1, 'it was accepted'),
+        ([(_REGISTER_JUDGE, '')], 3, 'it was accepted'),
+        ([("reason=f'{low_c} is not below {high_c}'", "reason=''")], 3, 'the reason is empty'),
+        ([('low_c >= high_c', 'low_c > high_c')], 3, 'it was accepted'),
+        ([(_LOW, "low_c = self.get_parameter('low_c').value")], 2, 'it was accepted'),
+        ([(_HIGH, "high_c = self.get_parameter('high_c').value")], 3, 'it was accepted'),
+        ([(_PROPOSED, 'proposed = {parameters[0].name: parameters[0].value}')], 3, 'it was accepted'),  # one of two
+        ([("self.get_parameter('low_c').value)\n", '18)\n'), ("self.get_parameter('high_c').value)\n", '22)\n')],
+         4, 'the limit that is stored at that moment'),  # held against the defaults
         # Acts in the judge: with the proposed values, which may still be rejected, and with the stored, which are old.
-        ([('        return SetParametersResult(successful=True)',
-           '        self.target_c = (low_c + high_c) / 2\n        return SetParametersResult(successful=True)')], 3,
+        ([(_ACCEPTED, f'        self.target_c = (low_c + high_c) / 2\n{_ACCEPTED}')], 4,
          'a side effect of an on-set callback'),
         ([('add_post_set_parameters_callback(self.react)', 'add_on_set_parameters_callback(self.judge_late)'),
+          (_AT_THE_START, '        self.judge_late([])\n'),
           ('def react(self, parameters):', 'def judge_late(self, parameters):'),
-          ('.value) / 2', '.value) / 2\n        return SetParametersResult(successful=True)')], 2, 'it is `20.0`'),
-        ([('return SetParametersResult(successful=True)', 'return True')], 0, 'has to return a `SetParametersResult`'),
+          ('.value) / 2', '.value) / 2\n        return SetParametersResult(successful=True)')], 3, 'it is `20.0`'),
+        # Acts in time, with what it noted in the judge.
+        ([(_ACCEPTED, f'        self.noted = (low_c + high_c) / 2\n{_ACCEPTED}'),
+          (_AT_THE_START, '        self.noted = 20\n        self.react([])\n'), (_REACT, 'self.target_c = self.noted')],
+         4, 'That is the middle of the defaults'),
+        ([(_ACCEPTED, f'        self.noted.update(proposed)\n{_ACCEPTED}'),
+          (_AT_THE_START, "        self.noted = {n: self.get_parameter(n).value for n in ('low_c', 'high_c')}\n"
+                          f'{_AT_THE_START}'),
+          (_REACT, "self.target_c = (self.noted['low_c'] + self.noted['high_c']) / 2")], 4,
+         'a value that was rejected has come through'),
+        ([(_AT_THE_START, '        self.target_c = 20\n')], 4, 'That is the middle of the defaults'),
+        ([(_REGISTER_REACT, '')], 3, 'it is `20.0`'),
+        ([(_REACT, _REACT.replace(' / 2', ' // 2'))], 3, 'it is `27`'),
+        ([(_REACT, 'low_c, high_c = [p.value for p in parameters] or (18, 22)\n'
+                   '        self.target_c = (low_c + high_c) / 2')],
+         0, 'ValueError: not enough values to unpack'),
+        ([('self.target_c = (', 'self.target = (')], 2, 'it is `None`'),
+        # Acts too late.
+        ([(_REGISTER_REACT, '        self.create_timer(30.0, lambda: self.react([]))\n')], 3, 'it is `20.0`'),
+        ([(_ACCEPTED, '        return True')], 0, 'has to return a `SetParametersResult`'),
+        ([(_REJECTED, 'return False')], 3, 'the reason is rclpy’s own'),
+        ([(_ACCEPTED, '')], 0, 'has to return a `SetParametersResult`'),
+        ([(_REJECTED, "raise ValueError('not below')")], 3, 'ValueError: not below'),
     ],
     '5.2b': [
-        ([('for parameter in parameters:\n', 'for parameter in parameters[:1]:\n')], 2, 'it was accepted'),
-        ([("reason=f'{parameter.value} is not a percentage'", "reason=''")], 2, 'the reason is empty'),
-        ([('        return SetParametersResult(successful=True)',
-           "        self.motor_percent = {p.name: p.value for p in parameters}.get('open_percent', 50)\n"
-           '        return SetParametersResult(successful=True)')], 2,
-         'a side effect of an on-set callback'),
-        ([('self.motor_percent = self', 'self.motor = self')], 2, 'it is `0`'),
+        ([(_EACH, _EACH.replace('parameters:', 'parameters[:1]:'))], 2, 'it was accepted'),
+        ([("reason=f'{parameter.value} is not a percentage'", "reason=''")], 1, 'the reason is empty'),
+        ([('0 <= parameter.value <= 100', '0 < parameter.value <= 100')], 1, 'it was rejected: 0 is not a percentage'),
+        ([('0 <= parameter.value <= 100', '0 <= parameter.value < 100')], 2, '100 is not a percentage'),
+        ([('if not 0', "if parameter.name == 'open_percent' and not 0")], 1, 'it was accepted'),
+        ([(_ACCEPTED, f'    {_ACCEPTED}')], 2, 'it was accepted'),  # returns in the loop
+        ([(_ACCEPTED, "        self.motor_percent = {p.name: p.value for p in parameters}.get('open_percent', 50)\n"
+                      f'{_ACCEPTED}')], 2, 'a side effect of an on-set callback'),
+        ([(_MOTOR, '        self.motor_percent = parameters[0].value if parameters else 0')], 0,
+         "NameError: name 'parameters'"),
+        ([(_MOTOR_REACT,
+           'def react(self, parameters):\n        self.motor_percent = parameters[0].value\n')], 2, 'it is `20`'),
+        ([(_MOTOR_REACT,
+           'def react(self, parameters):\n        for parameter in parameters:\n'
+           '            self.motor_percent = parameter.value\n')], 2, 'it is `20`'),
+        ([(f'{_MOTOR}\n{_REGISTER_JUDGE}', f'        self.motor_percent = 0\n{_REGISTER_JUDGE}')], 2,
+         'it is `0`'),
+        ([(_REGISTER_REACT, '')], 2, 'it is `0`'),
+        ([('self.motor_percent = self', 'self.motor = self')], 2, 'it is `None`'),
+        ([('            if not', '            from rcl_interfaces.msg import ParameterType\n'
+           '            if parameter.type_ != ParameterType.PARAMETER_INTEGER:\n'
+           "                return SetParametersResult(successful=False, reason='not an integer')\n"
+           '            if not')], 0, 'look at what the comparison compares'),
+        ([(_REGISTER_JUDGE, '')], 1, 'it was accepted'),
     ],
     '5.2c': [
         ([('dbeca', 'bdeca')], 3, 'called its pre-set callback, and then rejected'),
@@ -32,5 +86,58 @@ WRONG = {
         ([('dbeca', 'dbcea')], 3, 'still held 100'),
         ([('dbeca', 'dbeac')], 3, 'held 150'),
         ([('dbeca', 'dbec')], 0, "your order is 'dbec'"),
+        ([('dbeca', 'acebd')], 0, 'held 150'),
+        ([('dbeca', 'dbecaa')], 0, "your order is 'dbecaa'"),
+    ],
+}
+
+RIGHT = {
+    '5.2a': [
+        # The judge is registered first, and knows that it is asked by the declarations too.
+        [(f'{_REGISTER_JUDGE}{_REGISTER_REACT}', _REGISTER_REACT),
+         ("        self.declare_parameter('low_c', 18)\n",
+          f"{_REGISTER_JUDGE}        self.declare_parameter('low_c', 18)\n"),
+         ("self.get_parameter('low_c').value)\n", "self.get_parameter_or('low_c', Parameter('', value=-99)).value)\n"),
+         ("self.get_parameter('high_c').value)\n", "self.get_parameter_or('high_c', Parameter('', value=99)).value)\n"),
+         ('class Heater', 'from rclpy.parameter import Parameter\n\n\nclass Heater')],
+        # target_c is worked out when somebody looks at it.
+        [(_REGISTER_REACT, ''), (_AT_THE_START, ''),
+         ('    def react(self, parameters):\n        self.target_c =',
+          '    @property\n    def target_c(self):\n        return')],
+        # It judges before anything is checked; an empty list is a rejection.
+        [('add_on_set_parameters_callback(self.validate)', 'add_pre_set_parameters_callback(self.validate)'),
+         (_REJECTED, 'return []'), (_ACCEPTED, '        return parameters')],
+        [(_PROPOSED, 'proposed = {}\n        for parameter in parameters:\n'
+                     '            proposed[parameter.name] = parameter.get_parameter_value().integer_value'),
+         (f'            {_REJECTED}\n{_ACCEPTED}',
+          "            result = SetParametersResult()\n            result.reason = 'no'\n            return result\n"
+          f'{_ACCEPTED}')],
+        [(_REACT, "low, high = self.get_parameters(['low_c', 'high_c'])\n"
+                  '        self.target_c = low.value + (high.value - low.value) * 0.5')],
+    ],
+    '5.2b': [
+        # The right comparison of the types.
+        [('            if not', '            from rclpy.parameter import Parameter\n'
+          '            if parameter.type_ != Parameter.Type.INTEGER:\n'
+          "                return SetParametersResult(successful=False, reason='not an integer')\n"
+          '            if not')],
+        [('            if not', '            from rcl_interfaces.msg import ParameterType\n'
+          '            if parameter.type_.value != ParameterType.PARAMETER_INTEGER:\n'
+          "                return SetParametersResult(successful=False, reason='not an integer')\n"
+          '            if not')],
+        # A range in place of the callback.
+        [("'open_percent', 0)", "'open_percent', 0, PERCENT)"),
+         ("'force_percent', 50)", "'force_percent', 50, PERCENT)"),
+         ('class Door', 'from rcl_interfaces.msg import IntegerRange, ParameterDescriptor\n\n'
+          'PERCENT = ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=100, step=1)])\n\n\n'
+          'class Door'), (_REGISTER_JUDGE, '')],
+        [(_MOTOR_REACT,
+          "def react(self, parameters):\n        for parameter in parameters:\n"
+          "            if parameter.name == 'open_percent':\n                self.motor_percent = parameter.value\n")],
+    ],
+    '5.2c': [
+        [('dbeca', 'D, B, E, C, A')],
+        [('dbeca', 'd > b > e > c > a')],
+        [("'dbeca'", "'''d\nb\ne\nc\na'''")],
     ],
 }

@@ -4,7 +4,7 @@ becomes of them."""
 import re
 import shlex
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 from rclpy.node import Node
 
@@ -15,7 +15,7 @@ from param_tutorial.parameters import values
 
 CHAPTER = '05_1_from_the_command_line'
 SPELLING = 'Break it: which type did you mean?'
-REFUSALS = 'Break it: rejections and mistakes'
+REJECTIONS = 'Break it: rejections and mistakes'
 
 
 class Gripper(Node):
@@ -28,26 +28,61 @@ class Gripper(Node):
             ('weights', [0.5, 0.5])])
 
 
+def split(line: str) -> list[str]:
+    """Take a line apart as a shell does.
+
+    :raises NotYet: a shell could not, either.
+    """
+    try:
+        return shlex.split(line, comments=True)
+    except ValueError as error:
+        raise NotYet('words that a shell can take apart', f'`{line}`: {error}') from None
+
+
 def type_in(trial: Trial, node: Node, words: str) -> str:
     """Type ``ros2 param set NODE`` and some words, as in a terminal, and return what it prints."""
-    return trial.ros2('param', 'set', f'{CORNER}/{node.get_name()}', *shlex.split(words))
+    own = ['param', 'set', f'{CORNER}/{node.get_name()}', *split(words)]
+    answer: str = trial.call(f'`{words}`', trial.ros2, *own)
+    return answer
 
 
 spell = Exercise('5.1a', 'Spell six values', CHAPTER, DICTIONARY, hints=(
-    'Ask which type is wanted: a double wants its dot, an integer must not have one, a text that looks like '
-    'something else needs quotes.',
-    'The shell takes one pair of quotes away and YAML reads what is left: two pairs around a text, as in `"\'42\'"`.',
-    'YAML 1.1 wants a dot in a number with an exponent: `1.0e-3`. All elements of a list are of one type.'))
+    'Begin with the type: a double needs a dot, an integer must not have one, and a string that looks like something '
+    'else needs quotes.',
+    'The shell takes one pair of quotes away, and YAML reads what is left. So a string may need two pairs, as in '
+    '`"\'42\'"`.',
+    'In YAML 1.1, a number with an exponent needs a dot and a sign: `1.0e-3`. All elements of a list need the same '
+    'type.'))
 
-# Parameter, the value it should hold, and what to think of where another one comes out.
+# Parameter, the value it should hold, and what to think of if YAML reads another type in the word.
 GOALS = (
-    ('speed_mps', 1.0, 'A double wants its dot'),
-    ('tolerance_m', 0.001, 'Without a dot, YAML 1.1 takes a number with an exponent for a text'),
-    ('retries', 10, 'An integer must not have a dot, and no zero in front, which would make it octal'),
-    ('label', '42', 'A text that looks like a number needs two pairs of quotes, one for the shell and one for YAML'),
-    ('mode', 'off', 'To YAML 1.1 this word means false, unless two pairs of quotes make it a text'),
-    ('weights', [1.0, 2.5], 'All elements need one type; and where blanks are in it, the list needs quotes around it'),
+    ('speed_mps', 1.0, 'A double needs a dot'),
+    ('tolerance_m', 0.001, 'A double needs a dot, and with an exponent also a sign'),
+    ('retries', 10, 'An integer is written with digits only'),
+    ('label', '42', 'A string that looks like a number needs two pairs of quotes, one for the shell and one for YAML'),
+    ('mode', 'off', 'To YAML 1.1 this word means false, unless two pairs of quotes make it a string'),
+    ('weights', [1.0, 2.5], 'A list has brackets, and all its elements need the same type'),
 )
+
+
+def _complaint_about(name: str, word: str, goal: object, because: str) -> str:
+    """Return why a word has not become the goal.
+
+    :param because: What to think of if YAML reads another type in it.
+    """
+    words = split(word)
+    if not words:
+        return 'the shell finds nothing in it'
+    if words[0] in ('ros2', '%ros2', name):
+        return f'you wrote `{word}`. Write only what comes after the name of the parameter'
+    if len(words) > 1:
+        return (f'the shell makes {len(words)} words of it: {", ".join(f"`{each}`" for each in words)}. Quotes around '
+                'the whole keep it together')
+    value = values.parse(words[0])
+    if values.type_of(value) is not values.type_of(goal):
+        return f'to YAML, `{words[0]}` is the {values.type_of(value).label} `{value!r}`. {because}'
+    return f'to YAML, `{words[0]}` is `{value!r}`' + (
+        '. An integer that begins with 0 is octal' if isinstance(goal, int) and words[0].startswith('0') else '')
 
 
 def require_spelling(name: str, goal: object, because: str) -> None:
@@ -57,16 +92,13 @@ def require_spelling(name: str, goal: object, because: str) -> None:
     @spell.require(f'`{name}` becomes the {label} `{goal!r}`', see=SPELLING)
     def arrives(trial: Trial) -> None:
         word = trial.work.get(name)
-        expect(isinstance(word, str), 'a text, in quotes, as you would type it', f'there is `{word!r}`')
+        expect(isinstance(word, str), 'a Python string, with what you would type', f'there is `{word!r}`')
         expect(word.strip(), '', 'there is nothing to type yet')
         gripper = trial.start(Gripper)
-        try:
-            answer = type_in(trial, gripper, f'{name} {word}')
-        except ValueError as error:
-            raise NotYet('words that a shell can take apart', f'`{word}`: {error}') from None
+        type_in(trial, gripper, f'{name} {word}')
         holds = trial.client(gripper).get_parameter(name)
-        expect(values.same(holds, goal), f'`{name}` holds `{goal!r}`',
-               f'it holds `{holds!r}`, and the command said: {answer.splitlines()[0]}. {because}')
+        if not values.same(holds, goal):
+            raise NotYet(f'`{name}` holds `{goal!r}`', _complaint_about(name, word, goal, because))
 
 
 for each in GOALS:
@@ -74,9 +106,10 @@ for each in GOALS:
 
 
 foresee = Exercise('5.1b', 'Predict what the robot holds', CHAPTER, DICTIONARY, hints=(
-    'Two questions for each line: what does YAML make of the word, and does the robot take a value of that type?',
-    'A robot that rejects keeps the value it has. `%ros2 param describe` shows types and limits.',
-    'The table in the section “Break it: which type did you mean?” shows what YAML 1.1 makes of `off` and `12:30`.'))
+    'There are two questions for each line: what does YAML make of the word, and does the robot accept a value of '
+    'that type?',
+    'A robot that rejects a value keeps the one it has. `%ros2 param describe` shows types and limits.',
+    'The list in the section “Break it: which type did you mean?” shows what YAML 1.1 makes of `off` and `12:30`.'))
 
 
 def require_foresight(words: str, because: Mapping[object, str], see: str = SPELLING) -> None:
@@ -89,67 +122,94 @@ def require_foresight(words: str, because: Mapping[object, str], see: str = SPEL
 
 
 require_foresight('max_speed_rpm 12:30', {
-    100: 'It was not rejected: YAML 1.1 counts in sixties', 12.5: 'A time of day becomes an integer',
-    '12:30': 'It would have been rejected as a text; YAML 1.1 reads a number'})
+    100: 'The robot did not reject it: YAML 1.1 reads a number in base 60',
+    12.5: 'YAML 1.1 reads an integer in it', 12: 'YAML 1.1 does not stop at the colon',
+    '12:30': 'An integer parameter never holds a string; YAML 1.1 reads a number'})
 require_foresight('enable_safety_mode off', {
-    True: 'It was not rejected: YAML 1.1 has more words for false', 'off': 'A boolean never holds a text'})
+    True: 'The robot did not reject it: YAML 1.1 has more words for false',
+    'off': 'A boolean parameter never holds a string'})
 require_foresight('max_acceleration_mps2 1', {
-    1.0: 'ROS converts nothing: an integer is rejected, and the old value stays'})
-require_foresight('max_acceleration_mps2 2.0', {0.5: 'The ends of a range belong to it'}, REFUSALS)
+    1.0: 'The robot converts nothing: it rejects the integer, and the old value stays'})
+require_foresight('max_acceleration_mps2 2.0', {
+    0.5: 'The ends of a range belong to it, so the robot accepts this one', 2: 'The parameter is a double'}, REJECTIONS)
 require_foresight('robot_name 007', {
-    '007': 'YAML reads a number, so it was rejected, and the old value stays',
-    7: 'A text never holds a number: it is rejected, and the old value stays'})
+    '007': 'YAML reads a number, so the robot rejects it, and the old value stays',
+    7: 'A string parameter never holds a number: the robot rejects it, and the old value stays'})
 
 
 order = Exercise('5.1c', 'Put the words in order', CHAPTER, TEXT, hints=(
     'Each command begins with `ros2 param`, and then says what to do: `get`, `set` or `describe`.',
-    'After the verb comes the node, after the node the parameter, and with `set` the value at the end.'))
+    'After the verb comes the node, then the parameter, and with `set` the value at the end.'))
 
 
-def typed(trial: Trial) -> tuple[Gripper, str]:
-    """Type the learner's lines, and return the gripper with what was printed."""
-    if not trial.work.strip():
+class Typed(NamedTuple):
+    """A line of the learner's, and what it printed."""
+
+    line: str
+    printed: str
+
+
+def typed(trial: Trial) -> tuple[Gripper, list[Typed]]:
+    """Type the learner's lines, and return the gripper with what they printed."""
+    lines = [command for line in trial.work.replace('\\\n', ' ').strip().splitlines()
+             for command in re.split(r'\s*(?:;|&&)\s*', line)]  # no quoted word of this exercise has one of these
+    if not lines:
         raise NoUse('three commands', 'there is none')
     gripper = trial.start(Gripper)
-    printed = []
-    for line in trial.work.strip().splitlines():
+    result = []
+    for line in lines:
         try:
-            words = shlex.split(line, comments=True)
-        except ValueError as error:
-            raise NoUse('words that a shell can take apart', f'`{line}`: {error}') from None
-        if words and words[0].lstrip('%') != 'ros2':
-            printed.append(f'{words[0]}: command not found')
+            words = split(line)
+        except NotYet as error:
+            raise NoUse(error.expected, error.happened) from None
+        if not words:
+            continue
+        if words[0].lstrip('%') != 'ros2':
+            printed = f'{words[0]}: command not found'
         elif words[1:2] == ['param']:
             own = [f'{CORNER}/gripper' if word in ('/gripper', 'gripper') else word for word in words[1:]]
-            printed.append(trial.ros2(*own))
-        elif words:
-            printed.append(f'after `ros2`, `{" ".join(words[1:2])}` is not `param`')
-    return gripper, '\n'.join(printed)
+            printed = trial.call(f'`{line}`', trial.ros2, *own)  # a long --timeout has an end here
+        else:
+            printed = f'after `ros2`, `{" ".join(words[1:2])}` is not `param`'
+        result.append(Typed(line, printed))
+    return gripper, result
 
 
-def _complaint(said: str) -> str:
-    lines = [line for line in said.splitlines() if re.search('not found|error|invalid|failed|is not `param`', line)]
-    return f'; the terminal says: {lines[0].strip()}' if lines else ''
+def expect_printed(lines: list[Typed], verb: str, pattern: str, expected: str) -> None:
+    """Expect one of the lines to have printed something.
+
+    :param verb: What the line for it has in it; if it fails, its own message explains that best.
+    """
+    expect(any(re.search(pattern, each.printed) for each in lines), expected, f'it is not{_complaint(lines, verb)}')
+
+
+def _complaint(lines: list[Typed], verb: str) -> str:
+    own = [each for each in lines if verb in each.line.split() and 'successful' not in each.printed]
+    if not any(verb in each.line.split() for each in lines):
+        return f'; there is no `{verb}` in your lines'
+    if not own:
+        return ''
+    # Of a usage error, the last line says what is wrong.
+    return f'; the terminal says: {own[0].printed.splitlines()[-1].strip()}' if own[0].printed else ''
 
 
 @order.require('`retries` of the gripper becomes 5', see='Change it')
 def is_set(trial: Trial) -> None:
-    gripper, said = typed(trial)
+    gripper, lines = typed(trial)
     found = trial.client(gripper).get_parameter('retries')
-    expect(found == 5, '`retries` is `5`', f'it is `{found!r}`{_complaint(said)}')
+    expect(found == 5, '`retries` is `5`', f'it is `{found!r}`{_complaint(lines, "set")}')
 
 
 @order.require('the value of `mode` is printed', see='See it')
 def is_read(trial: Trial) -> None:
-    _, said = typed(trial)
-    expect(re.search(r'\bauto\b', said), 'the text `auto` is printed', f'it is not{_complaint(said)}')
+    _, lines = typed(trial)
+    expect_printed(lines, 'get', r'\bauto\b', 'its value `auto` is printed')
 
 
 @order.require('`speed_mps` is described, with its type', see='See it')
 def is_described(trial: Trial) -> None:
-    _, said = typed(trial)
-    expect(re.search(r'speed_mps\s+Type: double', said), 'the description of `speed_mps` is printed',
-           f'it is not{_complaint(said)}')
+    _, lines = typed(trial)
+    expect_printed(lines, 'describe', r'speed_mps\s+Type: double', 'the description of `speed_mps` is printed')
 
 
 EXERCISES = (order, spell, foresee)

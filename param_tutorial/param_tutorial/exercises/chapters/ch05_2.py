@@ -1,87 +1,156 @@
-"""Exercises of chapter 5.2: judge and act, hunt faults, and put a change into its order."""
+"""Exercises of chapter 5.2: judge and act, hunt faults, and put a change in order."""
+
+from collections.abc import Mapping
+from typing import Any
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
+from param_tutorial.errors import CallbackError
 from param_tutorial.exercises.exercise import NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_accepted, expect_follows, expect_left_alone, expect_rejected
-from param_tutorial.exercises.trial import NoUse, Trial, expect
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 
 CHAPTER = '05_2_with_a_callback'
 JUDGE = 'Build it: a callback that judges'
 TOO_EARLY = 'Break it: acting too early'
 ACT = 'Build it: a callback that acts'
 LADDER = 'The callback ladder'
+LIST = 'One by one, or all at once'
 
 
 judge = Exercise('5.2a', 'Judge and act', CHAPTER, NODE_CLASS, node_name='heater', hints=(
-    'Two callbacks: one registered with `add_on_set_parameters_callback`, which answers with a '
-    '`SetParametersResult`, and one with `add_post_set_parameters_callback`, which acts.',
+    'You need two callbacks: one registered with `add_on_set_parameters_callback`, which returns a '
+    '`SetParametersResult`, and one registered with `add_post_set_parameters_callback`, which acts.',
     'A request may hold one of the two limits, or both. Begin with the stored ones, and let the proposed ones '
     "replace them: `new = {p.name: p.value for p in parameters}`, then `new.get('low_c', stored)`.",
-    'In post-set everything is stored: read both with `get_parameter`, and set `self.target_c` to their middle.'))
+    'In post-set everything is stored: read both with `get_parameter`, and set `self.target_c` to their middle. Do '
+    'the same once at the end of the constructor.'))
+
+
+def expect_working(trial: Trial, node: Node, new: Mapping[str, object]) -> None:
+    """Expect a request that breaks no rule to be accepted.
+
+    :raises NoUse: it is not, which would come to light in each requirement.
+    """
+    try:
+        expect_accepted(trial, node, new)
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
+    except CallbackError as error:
+        raise NoUse('an answer', describe_error(error)) from None
 
 
 @judge.require('a lower limit that is not below the upper one is rejected, with a reason', see=JUDGE)
 def order(trial: Trial) -> None:
     heater = trial.start()
-    for bad in ({'low_c': 25}, {'low_c': 22}, {'high_c': 10}):
+    for good in ({'low_c': 20}, {'high_c': 23}, {'low_c': 18}, {'high_c': 22}):
+        expect_working(trial, heater, good)
+    for bad in ({'low_c': 25}, {'low_c': 22}, {'high_c': 10}, {'high_c': 18}):
         expect_rejected(trial, heater, bad)
-    expect_accepted(trial, heater, {'low_c': 20})
+    # Other limits are stored now, and each request is judged by them.
+    expect_accepted(trial, heater, {'high_c': 40})
+    expect_accepted(trial, heater, {'low_c': 39}, '. What counts is the limit that is stored at that moment')
+    expect_accepted(trial, heater, {'low_c': -5})
+    expect_accepted(trial, heater, {'high_c': -4}, '. What counts is the limit that is stored at that moment')
+    expect_rejected(trial, heater, {'low_c': 19})
 
 
-@judge.require('both limits in one request are judged together', see=JUDGE)
+_TOGETHER = '. Each proposed limit has to be compared with the other proposed one, not with the stored one'
+
+
+@judge.require('both limits in one request are judged together', see=LIST)
 def together(trial: Trial) -> None:
     heater = trial.start()
-    expect_rejected(trial, heater, {'low_c': 21, 'high_c': 19})
-    expect_accepted(trial, heater, {'low_c': 25, 'high_c': 30},
-                    '. Each proposed limit has to be held against the other proposed one, not against the stored one')
+    for names in (('low_c', 'high_c'), ('high_c', 'low_c')):
+        def both(low_c: int, high_c: int, names: tuple[str, str] = names) -> dict[str, int]:
+            return {name: {'low_c': low_c, 'high_c': high_c}[name] for name in names}
+
+        expect_rejected(trial, heater, both(21, 19))
+        expect_rejected(trial, heater, both(20, 20))
+        expect_accepted(trial, heater, both(25, 30), _TOGETHER)
+        expect_rejected(trial, heater, both(30, 25))
+        expect_accepted(trial, heater, both(5, 10), _TOGETHER)
+        expect_accepted(trial, heater, both(18, 22), _TOGETHER)
 
 
 @judge.require('`self.target_c` is the middle of both limits, as soon as they are stored', see=ACT)
 def follows(trial: Trial) -> None:
-    expect_follows(trial, 'target_c', [({'low_c': 10}, 16), ({'low_c': 25, 'high_c': 30}, 27.5)])
+    heater: Any = expect_follows(trial, 'target_c', [
+        ({'low_c': 10}, 16), ({'high_c': 30}, 20), ({'low_c': 25, 'high_c': 30}, 27.5),
+        ({'high_c': 12, 'low_c': -3}, 4.5)])
+    trial.client(heater).set_parameter('use_sim_time', False)  # rclpy calls both callbacks for this one, too
+    expect(heater.target_c == 4.5, '`self.target_c` stays `4.5` when another parameter is set',
+           f'it is `{heater.target_c!r}`')
+
+
+@judge.require('it is the middle from the start, also with an override', see=ACT)
+def starts_right(trial: Trial) -> None:
+    for override, middle in (('low_c:=10', 16), ('high_c:=41', 29.5), ('', 20)):
+        heater = trial.start(ros_args=['-p', override] if override else [])
+        found = getattr(heater, 'target_c', None)
+        expect(found == middle, f'`self.target_c` is `{middle}` after a start with '
+               + (f'`-p {override}`' if override else 'the defaults'), f'it is `{found!r}`'
+               + ('. That is the middle of the defaults' if found == 20 else ''))
 
 
 @judge.require('nothing is acted upon that is rejected in the end', see=TOO_EARLY)
 def acts_late(trial: Trial) -> None:
-    heater = expect_follows(trial, 'target_c', [({'low_c': 10}, 16)])
+    heater: Any = expect_follows(trial, 'target_c', [({'low_c': 10}, 16)])
     expect_left_alone(trial, heater, 'target_c', {'low_c': 12})
+    heater.rejects = False
+    expect_accepted(trial, heater, {'high_c': 30})
+    expect(heater.target_c == 20, '`self.target_c` is the middle of what is stored, `20`, after the next change',
+           f'it is `{heater.target_c!r}`: a value that was rejected has come through')
 
 
 hunt = Exercise('5.2b', 'Hunt three faults', CHAPTER, NODE_CLASS, node_name='door', hints=(
     "Put the door on the stage and ask it: `ParameterClient(ros.add(Door)).set_parameter('open_percent', 50)`. "
     'Then read its reason again.',
-    'One fault is a comparison that is never equal, one is a `return` that comes too soon, one acts on a proposal.',
-    'The declaration settles the type, so that check can go. `return` stands behind the loop. What moves the motor '
-    'goes into a post-set callback.'))
+    'One fault is a comparison that is never equal, one is a `return` that comes too soon, and one acts on a proposal.',
+    'The declaration fixes the type, so that check can go. The last `return` belongs after the loop. What moves the '
+    'motor belongs in a post-set callback.'))
 
 
-@hunt.require('a percentage is accepted', see=JUDGE)
+@hunt.require('a percentage is accepted, and everything else rejected with a reason', see=JUDGE)
 def accepts(trial: Trial) -> None:
     door = trial.start()
-    for value in (50, 0, 100):
-        expect_accepted(trial, door, {'open_percent': value},
-                        '. A member of `Parameter.Type` and a number of `ParameterType` are never equal')
+    for name in ('open_percent', 'force_percent'):
+        for value in (50, 0, 100):
+            result = trial.client(door).set_parameter(name, value)
+            expect(result.successful, f'`{name} = {value}` is accepted', f'it was rejected: {result.reason}' + (
+                f'. But {value} is one: look at what the comparison compares' if 'integer' in result.reason else ''))
+        for value in (101, -1, 1000):
+            expect_rejected(trial, door, {name: value})
 
 
-@hunt.require('every parameter of a request is judged', see=JUDGE)
+@hunt.require('every parameter of a request is judged', see=LIST)
 def judges_each(trial: Trial) -> None:
     door = trial.start()
     expect_accepted(trial, door, {'open_percent': 50, 'force_percent': 60})
-    expect_rejected(trial, door, {'open_percent': 50, 'force_percent': 150})
-    expect_rejected(trial, door, {'force_percent': -1, 'open_percent': 50})
+    for bad in ({'open_percent': 50, 'force_percent': 150}, {'force_percent': 50, 'open_percent': 150},
+                {'force_percent': -1, 'open_percent': 50}, {'open_percent': -1, 'force_percent': 50}):
+        expect_rejected(trial, door, bad)
 
 
-@hunt.require('the motor follows what is stored, and only that', see=ACT)
+@hunt.require('the motor follows what is stored, and only that, from the start', see=ACT)
 def motor(trial: Trial) -> None:
-    door = expect_follows(trial, 'motor_percent', [({'open_percent': 50}, 50), ({'force_percent': 20}, 50)])
+    door: Any = expect_follows(trial, 'motor_percent', [
+        ({'open_percent': 50}, 50), ({'force_percent': 20}, 50), ({'force_percent': 90, 'open_percent': 70}, 70),
+        ({'open_percent': 0, 'force_percent': 30}, 0), ({'open_percent': 40}, 40)])
     expect_left_alone(trial, door, 'motor_percent', {'open_percent': 80})
+    door.rejects = False
+    expect_accepted(trial, door, {'force_percent': 10})
+    expect(door.motor_percent == 40, '`self.motor_percent` is still `40` after the next change',
+           f'it is `{door.motor_percent!r}`: a value that was rejected has come through')
+    door = trial.start(ros_args=['-p', 'open_percent:=35'])
+    found = getattr(door, 'motor_percent', None)
+    expect(found == 35, '`self.motor_percent` is `35` after a start with `-p open_percent:=35`', f'it is `{found!r}`')
 
 
 class Ladder(Node):
-    """Notes which rung is reached, and what is stored at that moment."""
+    """Notes which rung a request reaches, and what is stored at that moment."""
 
     def __init__(self) -> None:
         super().__init__('ladder')
@@ -108,16 +177,15 @@ class Ladder(Node):
 
 
 put_in_order = Exercise('5.2c', 'Put a change in order', CHAPTER, TEXT, hints=(
-    'Which callback may still rewrite the request, which may only say no, and which comes when it is too late for '
-    'both?',
-    'An on-set callback never sees a value of the wrong type, and a pre-set callback does.',
-    'The last table of the section “The callback ladder” is the order.'))
+    'Which callback may still rewrite the request, which may only reject it, and which comes too late for both?',
+    'A value of the wrong type never gets to an on-set callback, but it does get to a pre-set callback.',
+    'The table in the section “The callback ladder” shows the order.'))
 
 
 def true_order(trial: Trial) -> list[str]:
-    """Let a node climb the ladder, and return the letters of the exercise in the order in which it did."""
+    """Let a node climb the ladder, and return the letters of the exercise in the order in which it did so."""
     ladder = trial.start(Ladder)
-    trial.client(ladder).set_parameter('speed', 900)  # beyond the range: what is reached comes before the checks
+    trial.client(ladder).set_parameter('speed', 900)  # beyond the range: what it reaches comes before the checks
     unchecked = [rung for rung, _ in ladder.notes]
     ladder.notes.clear()
     trial.client(ladder).set_parameter('speed', 150)
@@ -127,9 +195,9 @@ def true_order(trial: Trial) -> list[str]:
 
 
 def require_order(position: int, sentence: str, proof: str) -> None:
-    """Add the requirement that the letters at a position, and after it, are in their order.
+    """Add the requirement that the letter at a position stands before the next one.
 
-    :param proof: What the node shows to those who had it the other way round.
+    :param proof: What the node shows to a learner who had the two the other way round.
     """
     @put_in_order.require(sentence, see=LADDER)
     def in_order(trial: Trial) -> None:
@@ -140,13 +208,13 @@ def require_order(position: int, sentence: str, proof: str) -> None:
         expect(letters.index(first) < letters.index(second), f'`{first}` before `{second}`', proof)
 
 
-require_order(0, 'what may come before type, range and lock are checked',
-              'set to 900, beyond its range, a node called its pre-set callback, and then rejected')
-require_order(1, 'what may come only after that',
-              'set to 900, beyond its range, a node rejected and never called its on-set callback')
+require_order(0, 'what comes before rclpy checks read-only, type and range',
+              'when it was set to 900, beyond its range, a node called its pre-set callback, and then rejected it')
+require_order(1, 'what comes only after these checks',
+              'when it was set to 900, beyond its range, a node rejected it and never called its on-set callback')
 require_order(2, 'what comes before the value is stored',
-              'set from 100 to 150, a node still held 100 while its on-set callback ran')
+              'when it was set from 100 to 150, a node still held 100 while its on-set callback ran')
 require_order(3, 'what comes after that',
-              'set from 100 to 150, a node held 150 while its post-set callback ran')
+              'when it was set from 100 to 150, a node held 150 while its post-set callback ran')
 
 EXERCISES = (judge, hunt, put_in_order)

@@ -5,36 +5,52 @@ from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 SOLVED = 'You judge first and act later, and your motor never runs backwards by accident.'
 
 RECALLS = (
-    Recall('5.2-r1', 'A script types `ros2 param set`, and the node rejects the value. What is the exit status '
+    Recall('5.2-r1', 'A script runs `ros2 param set`, and the node rejects the value. What is the exit status '
            'of the command?', (
-        wrong('1: the value was not set', 'The command did its work: it asked, and it brought back the answer. A '
+        wrong('1: the value was not set', 'The command did its work: it sent the request and printed the answer. A '
               'script has to read that answer.'),
-        right('0', 'The command did its work: it asked, and it brought back the answer.')),
+        right('0', 'The command did its work: it sent the request and printed the answer.')),
            chapter='5.1', section='Break it: rejections and mistakes'),
     Recall('5.2-r2', "A node keeps `speed = self.get_parameter('max_speed_rpm')`. Later somebody changes the "
            'parameter. What is `speed.value`?', (
-        right('the old value', 'The object keeps the value of the moment when it was taken.'),
+        right('the old value', 'The object keeps the value that it had when the node took it.'),
         wrong('the new value', 'The object is not connected with the node. Ask again with `get_parameter`.')),
            chapter='4', section='An object and its value'),
 )
 
 PREDICTIONS = (
-    Prediction('5.2-1', 'The speed is 100, and 150 is being set. What does `get_parameter` return within the on-set '
+    Prediction('5.2-1', 'All four values are reasonable, and of the types that the robot declared. How many of the '
+               'four commands succeed?', (
+        wrong('all four', 'The comparison with `ParameterType` is never true, so the robot rejects each speed and each '
+              'acceleration.'),
+        wrong('three: 0.75 is too high an acceleration', 'The range ends at 2.0. It is the comparison of the types '
+              'that rejects 0.75, and 150 as well.'),
+        right('two', 'The callback rejects the speed and the acceleration: its comparisons are never true. The other '
+              'two pass, because it does not look at them.'),
+        wrong('none', 'The callback looks at the speed and the acceleration only. The other two commands succeed.'))),
+    Prediction('5.2-2', 'The speed is 100, and somebody sets 150. What does `get_parameter` return within the on-set '
                'callback?', (
-        wrong('150', 'While the on-set callback runs, nothing is stored. 150 is a proposal, and it may still be '
+        wrong('150', 'While the on-set callback runs, nothing is stored. 150 is a proposal, which may still be '
               'rejected.'),
         right('100', 'While the on-set callback runs, the old value is still the value.'),
-        wrong('an exception: the parameter is locked meanwhile', 'Nothing is locked. The callback reads the old value, '
-              'as everybody else does at that moment.'))),
-    Prediction('5.2-2', 'The newer callback set the motor to -20, and the older one then rejected -20. What do motor '
+        wrong('an exception: the parameter is locked meanwhile', 'Nothing is locked. The callback reads the old '
+              'value.'))),
+    Prediction('5.2-3', 'The newer callback set the motor to -20, and the older one then rejected -20. What do motor '
                'and parameter say?', (
-        wrong('motor 100, parameter 100: the rejection undoes both', 'rclpy undoes nothing that a callback has done. '
-              'It leaves the parameter as it was, and the motor turns.'),
-        right('motor -20, parameter 100', 'The parameter was never changed, and nobody takes back what the callback '
+        wrong('motor 100, parameter 100: the rejection undoes both', 'rclpy does not undo what a callback has done. '
+              'It leaves the parameter as it was, but the motor turns.'),
+        right('motor -20, parameter 100', 'The parameter never changed, and nobody takes back what the callback '
               'did to the motor.'),
-        wrong('motor -20, parameter -20: the first answer counts', 'One callback that says no is enough. The parameter '
-              'stays at 100.'))),
-    Prediction('5.2-3', 'The pre-set callback cuts the speed to 300 at most. A client asks for 900. What does the '
+        wrong('motor -20, parameter -20: the first answer counts', 'One rejection is enough. The parameter stays at '
+              '100.'))),
+    Prediction('5.2-4', 'The robot starts with `-p max_speed_rpm:=250`. Its constructor sets `motor_rpm` to 100, and '
+               'registers the post-set callback after the declaration. What do motor and parameter say?', (
+        wrong('motor 250, parameter 250', 'The callback was registered after the declaration, so nobody told the '
+              'motor about the override.'),
+        right('motor 100, parameter 250', 'The override took the place of the default when the parameter was declared. '
+              'The motor was set to 100 in the source.'),
+        wrong('motor 100, parameter 100', 'The override takes the place of the default, so the parameter says 250.'))),
+    Prediction('5.2-5', 'The pre-set callback cuts the speed to 300 at most. A client asks for 900. What does the '
                'on-set callback see?', (
         wrong('900, as the client asked', 'The pre-set callback comes first, and what it returns takes the place of '
               'the request.'),
@@ -42,28 +58,41 @@ PREDICTIONS = (
               'nothing is stored before on-set has agreed.'),
         wrong('300, and 300 is stored already', 'Nothing is stored before on-set has agreed. At that moment the '
               'parameter still says 100.'),
-        wrong('nothing: the request is rejected', 'A pre-set callback rejects only by returning an empty list. This '
+        wrong('nothing: the request is rejected', 'A pre-set callback rejects by returning an empty list. This '
               'one returns another value.'))),
-    Prediction('5.2-4', "A client asks for 'fast', a string, where an integer is declared. The pre-set callback calls "
+    Prediction('5.2-6', "A client asks for 'fast', a string, where an integer is declared. The pre-set callback calls "
                '`min(value, 300)`. What happens?', (
-        wrong('The node rejects it: wrong type', 'It would, a rung later. The type is checked after the pre-set '
+        wrong('The node rejects it: wrong type', 'It would, one rung later. rclpy checks the type after the pre-set '
               'callbacks, and this one fails before.'),
         wrong('It is cut to 300', "`min` can't compare a string with a number. It raises a `TypeError`."),
-        right('The callback raises an exception', 'In a pre-set callback no type has been checked yet, and `min` '
-              "can't compare a string with a number."))),
-    Prediction('5.2-5', 'The on-set callback returns `True` in place of a `SetParametersResult`. What becomes of the '
+        right('The callback raises an exception', "rclpy has not checked the type yet, and `min` can't compare a "
+              'string with a number.'))),
+    Prediction('5.2-7', 'This node registered its three callbacks, and then declared two parameters. Which callbacks '
+               'were called?', (
+        wrong('none: nobody has set anything', 'A declaration stores a value too. rclpy calls on-set before that, and '
+              'post-set after it.'),
+        wrong('all three', 'A declaration does not call pre-set callbacks: there is no request to rewrite.'),
+        right('on-set and post-set', 'A declaration calls both, for each parameter. It does not call pre-set.'),
+        wrong('on-set only', 'rclpy calls post-set too, after it has stored the value.'))),
+    Prediction('5.2-8', 'One `set_parameters` request holds two parameters. How often is the on-set callback '
+               'called?', (
+        wrong('once, with both', 'That would be an atomic request. `set_parameters` sets one parameter after the '
+              'other.'),
+        right('twice, with one each', '`set_parameters` sets one parameter after the other, and each climbs the '
+              'whole ladder.'))),
+    Prediction('5.2-9', 'The judge rejects negative speeds in its on-set callback, which it registered after the '
+               'declaration. We start it with `-p max_speed_rpm:=-20`. What is its speed?', (
+        wrong('100: the callback rejects the override', 'When the parameter is declared, the callback is not '
+              'registered yet, so rclpy does not call it.'),
+        wrong('There is none: the node does not start', 'It would not start if a range rejected the override. But the '
+              'callback is not registered yet when the parameter is declared.'),
+        right('-20', 'The override counts when the parameter is declared. The callback is registered after that.'))),
+    Prediction('5.2-10', 'The on-set callback returns `True` instead of a `SetParametersResult`. What becomes of the '
                'request?', (
-        wrong('It is accepted: True means yes', 'rclpy wants a `SetParametersResult` and nothing else. Whatever is '
-              'none counts as a no.'),
-        right('It is rejected', 'Whatever is no `SetParametersResult` counts as a no, which is the safe side.'),
+        wrong('It is accepted: True means yes', 'rclpy accepts only a `SetParametersResult`. It takes anything else as '
+              'a rejection.'),
+        right('It is rejected', 'rclpy takes anything but a `SetParametersResult` as a rejection, which is the safe '
+              'side.'),
         wrong('The node ends with an exception', 'rclpy foresees this mistake. It rejects the request, and says that '
               'the callback returned an invalid type.'))),
-    Prediction('5.2-6', 'The judge rejects negative speeds in its on-set callback, registered after the declaration. '
-               'We start it with `-p max_speed_rpm:=-20`. What is its speed?', (
-        wrong('100: the callback rejects the override', 'When the parameter is declared, the callback is not '
-              'registered yet. Nobody asks it.'),
-        wrong('There is none: the node does not start', 'It would not start if a range rejected the override. The '
-              'callback is not registered yet when the parameter is declared.'),
-        right('-20', 'The override counts when the parameter is declared, and the callback is registered only '
-              'after that.'))),
 )
