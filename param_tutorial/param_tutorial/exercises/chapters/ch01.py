@@ -187,8 +187,9 @@ def changed(trial: Trial) -> None:
     before = 25.0
     for rate, minutes in ((1.0, 10), (7.5, 0.5), (2.5, 2)):
         client.set_parameter(PARAMETER, rate).raise_for_reason()
-        expect_pumped(trial, node, minutes, rate, before)
-        before += rate * minutes
+        for _ in range(2):
+            expect_pumped(trial, node, minutes, rate, before)
+            before += rate * minutes
 
 
 order = Exercise('1c', 'Put a drive in order', CHAPTER, TEXT, hints=(

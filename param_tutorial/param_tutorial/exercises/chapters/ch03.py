@@ -88,9 +88,10 @@ def wheels(trial: Trial) -> None:
 @declare.require('nobody can change `wheels`', see=DESCRIPTOR)
 def wheels_locked(trial: Trial) -> None:
     _, client = start_with(trial, 'wheels', INTEGER)
+    before = client.get_parameter('wheels')
     for other in (4, 8, 0):
         client.set_parameter('wheels', other)
-        expect(client.get_parameter('wheels') == 6, f'`wheels = {other}` is rejected',
+        expect(client.get_parameter('wheels') == before, f'`wheels = {other}` is rejected',
                'the node accepted it. The field `read_only` of the descriptor locks a parameter')
 
 

@@ -44,8 +44,8 @@ PREDICTIONS = (
                '`ros2 param dump` write?', (
         wrong('speed_mps and stops', 'One request asks for all values, and rclpy returns none of them if one is not '
               'set.'),
-        wrong('all three, with null for the one that is not set', 'rclpy returns no value at all if one of those that you '
-              'ask for is not set.'),
+        wrong('all three, with null for the one that is not set', 'rclpy returns no value at all if one of those that '
+              'you ask for is not set.'),
         right('none of them', 'One parameter that is not set empties the whole answer, and with it the file.'))),
     Prediction('3-7', 'The description of `max_acceleration_mps2` says *Must be positive.* What does the node answer '
                'to -3.0?', (
