@@ -128,6 +128,12 @@ def test_there_is_a_wrong_answer_for_every_exercise():
     assert list(WRONG) == list(EXERCISES)
 
 
+def test_a_requirement_that_builds_on_one_that_is_not_met_is_not_tried(ros):
+    result = exercises.check('3a', solution('3a', ("'wheels', 6", "'wheels', '6'")))
+    assert [finding.word for finding in result.findings] == ['done', 'done', 'not yet', 'not tried']
+    assert not result.done
+
+
 def own_names(ros):
     """Return the nodes in the graph that can come from here; another process's may be there as well."""
     return [name for name in ros.services.node_names(hidden=True)

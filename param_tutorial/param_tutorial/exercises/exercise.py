@@ -11,6 +11,7 @@ from param_tutorial.errors import ExecutorError, NoAnswerError
 from param_tutorial.exercises.results import Answer, Finding, Hint, Result
 from param_tutorial.exercises.trial import (
     CORNER,
+    NotTried,
     NotYet,
     NoUse,
     Trial,
@@ -183,6 +184,8 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
             _examine(requirement, trial)
     except NoUse:
         raise
+    except NotTried:
+        return Finding(requirement.sentence, None)
     except NotYet as error:
         return _finding(requirement, error)
     except NoAnswerError as error:

@@ -55,6 +55,10 @@ class NoUse(NotYet):
     """Neither this requirement nor any further one can be tried out."""
 
 
+class NotTried(Exception):
+    """A requirement takes for granted what an earlier one has found wanting: the cause stands there, once."""
+
+
 class NoStart(NoUse):
     """A node does not get through its constructor."""
 

@@ -122,7 +122,7 @@ class Motion:
 def plan(position_m: float, velocity_mps: float, settings: Settings) -> Motion:
     """Work out how the robot moves from here until it is at rest.
 
-    It drives as fast as the settings allow: towards the place where the safety mode stops it, or into the wall.
+    It drives as fast as the settings allow: toward the place where the safety mode stops it, or into the wall.
 
     :param position_m: Where the robot's front is, from the start line.
     :param velocity_mps: How fast it is, never negative.
@@ -228,7 +228,7 @@ class ClawbotNode(Node):
         self.declare_parameter(
             'sensor_offset_meters', SENSOR_MOUNT_M,
             ParameterDescriptor(
-                description='How far the range sensor sits before the centre of the robot, in m.',
+                description='How far the range sensor sits before the center of the robot, in m.',
                 floating_point_range=[FloatingPointRange(from_value=-0.3, to_value=0.5)]))
         self.declare_parameter(
             'max_acceleration_mps2', 0.5,

@@ -28,7 +28,7 @@ class SimpleParamNode(Node):
             ParameterDescriptor(description='Stop in front of obstacles.'))
         self.declare_parameter(
             'sensor_offset_meters', 0.15,
-            ParameterDescriptor(description='Distance of the sensor from the centre of the robot in m.'))
+            ParameterDescriptor(description='Distance of the sensor from the center of the robot in m.'))
         self.declare_parameter(
             'max_acceleration_mps2', 0.5,
             ParameterDescriptor(

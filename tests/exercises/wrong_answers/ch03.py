@@ -1,5 +1,11 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 3."""
 
+RANGE = 'FloatingPointRange(from_value=0.0, to_value=2.0)'
+SPEED = f"""'max_speed_mps', 1.0, ParameterDescriptor(
+            floating_point_range=[{RANGE}]))"""
+WHEELS = "'wheels', 6, ParameterDescriptor(read_only=True))"
+SET_RESULT = "__import__('rcl_interfaces.msg').msg.SetParametersResult"
+
 WRONG = {
     '3c': [
         ([('90', '90.0')], 2, 'type double, value `90.0`'),
@@ -7,27 +13,42 @@ WRONG = {
         ([("'7'", '7')], 2, 'type integer, value `7`'),
         ([('90', '...')], 0, 'its constructor did not get to its end. TypeError: The'),
         ([('90', "'90'")], 2, "type string, value `'90'`"),
+        ([('90', 'Parameter.Type.INTEGER')], 2, 'type integer, no value'),
+        ([('90', '[90]')], 2, 'type integer array, value `[90]`'),
         ([('30.0', '30.5')], 2, 'type double, value `30.5`'),
         ([("'label'", "'lable'")], 2, 'the node has none of that name'),
         ([("'7'", "'7.0'")], 2, "type string, value `'7.0'`"),
         ([("'door'", "'doors'")], 3, 'it is called `doors`'),
     ],
     '3a': [
-        ([("'max_speed_mps', 1.0", "'max_speed_mps', 1")], 2, "expected 'Type.INTEGER' got 'Type.DOUBLE'"),
-        ([("'max_speed_mps', 1.0, ParameterDescriptor(\n            floating_point_range=[FloatingPointRange("
-           'from_value=0.0, to_value=2.0)]))', "'max_speed_mps', 1.0, ParameterDescriptor(description='0 to 2'))")],
-         3, 'A description is read by people only'),
+        ([("'max_speed_mps', 1.0", "'max_speed_mps', 1")], 2, 'type integer, value `1`'),
+        ([(SPEED, "'max_speed_mps', 1.0, ParameterDescriptor(description='0 to 2'))")], 3,
+         'A description is for people'),
+        ([(SPEED, "'max_speed_mps', 1.0)")], 3, 'Nothing limits it'),
+        ([('to_value=2.0', 'to_value=3.0')], 3, 'Its range goes from 0.0 to 3.0'),
+        ([('from_value=0.0, to_value=2.0', 'from_value=0, to_value=2')], 3, 'are floats, with a dot: `2.0`'),
+        ([('to_value=2.0', 'to_value=2.0, step=0.5')], 3, 'off the step'),
+        ([(SPEED, "'max_speed_mps', 1.0)\n        self.add_on_set_parameters_callback(lambda ps: "
+           f'{SET_RESULT}(successful=all(p.name == "wheels" or 0 <= p.value <= 2 for p in ps)))')], 3,
+         'the node starts with 3.0'),
         ([("'wheels', 6, ParameterDescriptor(read_only=True)", "'wheels', 6")], 3, '`read_only`'),
-        ([("'wheels', 6", "'wheels', '6'")], 3, "type string, value `'6'`"),
+        ([("'wheels', 6", "'wheels', '6'")], 2, "type string, value `'6'`"),
+        ([("'wheels', 6", "'wheels', 4")], 3, 'type integer, value `4`'),
         ([("'wheels'", "'weels'")], 2, 'none of that name'),
     ],
     '3b': [
-        ([('50.0', '50')], 2, 'Wrong parameter type'),
+        ([('50.0', '50')], 2, 'type integer, value `50`'),
         ([('FloatingPointRange(from_value=0.0', 'FloatingPointRange(from_value=-1000.0'), ('100.0)', '1000.0)')], 3,
-         'is enforced by nobody'),
+         'Its range goes from -1000.0 to 1000.0'),
+        ([('from_value=0.0, to_value=100.0', 'from_value=-0.5, to_value=100.0')], 3, 'Its range goes from -0.5'),
+        ([('to_value=100.0', 'to_value=100.0, step=1.0')], 3, 'off the step'),
+        ([('50.0', '5.0')], 3, 'type double, value `5.0`'),
         ([("'warm_white', True", "'warm_white', 1")], 3, 'type integer, value `1`'),
+        ([("'warm_white', True", "'warm_white', False")], 3, 'type boolean, value `False`'),
         ([('Parameter.Type.DOUBLE', 'None')], 0, 'its constructor did not get to its end'),
         ([('Parameter.Type.DOUBLE', '0.0')], 3, 'type double, value `0.0`'),
+        ([('Parameter.Type.DOUBLE', 'Parameter.Type.INTEGER')], 3, 'type integer, no value'),
+        ([('Parameter.Type.DOUBLE', 'Parameter.Type.DOUBLE, ParameterDescriptor(read_only=True)')], 3, 'read only'),
     ],
 }
 
@@ -40,5 +61,23 @@ RIGHT = {
         [("        self.declare_parameter('max_angle_deg', 90)\n"
           "        self.declare_parameter('speed_dps', 30.0)\n",
           "        self.declare_parameters('', [('max_angle_deg', 90), ('speed_dps', 30.0)])\n")],
+    ],
+    '3a': [
+        [('from_value=0.0, to_value=2.0', 'from_value=2.0, to_value=0.0')],
+        [('super().__init__', f'limits = ParameterDescriptor()\n        limits.floating_point_range.append({RANGE})\n'
+          '        super().__init__'),
+         (f'ParameterDescriptor(\n            floating_point_range=[{RANGE}])', 'limits')],
+        # A callback that is there before the declarations judges the start as well.
+        [("super().__init__('rover')", "super().__init__('rover')\n        self.add_on_set_parameters_callback("
+          f"lambda ps: {SET_RESULT}(successful=all(p.value == 6 if p.name == 'wheels' else 0 <= p.value <= 2 "
+          "for p in ps if p.name in ('wheels', 'max_speed_mps'))))"),
+         (SPEED, "'max_speed_mps', 1.0)"), (WHEELS, "'wheels', 6)")],
+    ],
+    '3b': [
+        [('to_value=100.0', 'to_value=100.0, step=0.5')],
+        [("'warm_white', True", "'warm_white', bool('true')")],
+        [("        self.declare_parameter('warm_white', True)\n        self.declare_parameter('calibration', "
+          'Parameter.Type.DOUBLE)', "        self.declare_parameters('', [('warm_white', True), ('calibration', "
+          'Parameter.Type.DOUBLE)])')],
     ],
 }

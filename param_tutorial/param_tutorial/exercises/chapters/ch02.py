@@ -1,5 +1,5 @@
-"""Exercises of chapter 2: order the lines of a terminal, mend a setup.py that is really built, and find a program
-as ``ros2 run`` does."""
+"""Exercises of chapter 2: put the lines of a terminal in order, mend a setup.py that is really built, and find a
+program as ``ros2 run`` does."""
 
 import functools
 import os
@@ -21,15 +21,19 @@ from param_tutorial.ros2.session import CommandFailed
 CHAPTER = '02_workspace'
 BUILD = 'Build it'
 SOURCE = 'Source it'
+OVERLAY = 'One workspace on top of another'
 COPY = 'Break it: a `setup.py` to copy'
 ENTRY = 'Build it: one line, in the right place'
 
 READY = 'The lift is ready.'
-MARKER = 'share/ament_index/resource_index/packages/lift'
+INDEX = 'share/ament_index/resource_index/packages'
+MARKER = f'{INDEX}/lift'
 PROGRAM = 'lib/lift/lift_node'
-OTHER_PROGRAM = 'lib/lift/door_node'
-# For a build; a slow machine takes a few seconds.
-TIME_LIMIT_SEC = 30.0
+# Another package, with two programs.
+CRANE = f'{INDEX}/crane', 'lib/crane/hook', 'lib/crane/arm'
+# A slow machine takes a few seconds.
+BUILD_LIMIT_SEC = 8.0
+LINES_LIMIT_SEC = 6.0
 
 # The package of the first exercise, apart from its setup.py.
 LIFT = {
@@ -42,21 +46,21 @@ LIFT = {
 
 
 class Built(NamedTuple):
-    """What became of a package."""
+    """The result of a build."""
 
     complaint: str
-    """The last line of what the build said, if it failed; else empty."""
+    """The last line that the build printed, if it failed; else empty."""
     installed: frozenset[str]
     """Each file in the install space."""
-    said: str
-    """What its program printed; or, if there is none, what ``ros2 run`` says."""
+    printed: str
+    """What its program printed; or, if there is none, what ``ros2 run`` prints."""
 
 
 @functools.lru_cache(maxsize=4)
 def build(setup: str) -> Built:
     """Build the package with a setup.py, in a scratch workspace, and run its program.
 
-    setuptools gets the words that colcon gives it. colcon itself takes five seconds, and writes a missing marker.
+    setuptools gets the arguments that colcon gives it. colcon itself takes five seconds, and writes a missing marker.
     """
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         root, install = Path(folder, 'src'), Path(folder, 'install')
@@ -64,11 +68,13 @@ def build(setup: str) -> Built:
             root.joinpath(name).parent.mkdir(parents=True, exist_ok=True)
             root.joinpath(name).write_text(text, encoding='utf-8')
         Path(folder, 'build').mkdir()
-        status, said = _run(['setup.py', '-q', 'egg_info', '--egg-base', '../build', 'build', '--build-base',
-                             '../build', 'install', '--prefix', '../install', '--record', '../build/record',
-                             '--single-version-externally-managed'], root)
+        # With --root, a `data_files` that begins with a slash stays in the scratch workspace, too.
+        status, printed = _run(['setup.py', '-q', 'egg_info', '--egg-base', '../build', 'build', '--build-base',
+                                '../build', 'install', '--root', folder, '--prefix', '/install', '--record',
+                                '../build/record', '--single-version-externally-managed'], root)
         if status:
-            return Built(said.strip().splitlines()[-1] if said.strip() else f'exit status {status}', frozenset(), '')
+            last = printed.strip().splitlines()[-1:] or [f'exit status {status}']
+            return Built(last[0], frozenset(), '')
         installed = frozenset(str(path.relative_to(install)) for path in install.rglob('*') if path.is_file())
         try:
             program, = find_program('lift', 'lift_node', {'AMENT_PREFIX_PATH': str(install)})
@@ -79,10 +85,10 @@ def build(setup: str) -> Built:
 
 
 def _run(words: list[str], folder: Path, **environment: str) -> tuple[int, str]:
-    """Run Python in a folder, and return its exit status and what it said."""
+    """Run Python in a folder, and return its exit status and what it printed."""
     passed_on = {name: value for name, value in os.environ.items() if not name.startswith('PYTHON')}
     done = subprocess.run([sys.executable, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, timeout=TIME_LIMIT_SEC,
+                          stderr=subprocess.STDOUT, text=True, timeout=BUILD_LIMIT_SEC,
                           env={**passed_on, 'PYTHONWARNINGS': 'ignore', 'PYTHONUTF8': '1', **environment})
     return done.returncode, done.stdout
 
@@ -95,7 +101,7 @@ def built(trial: Trial) -> Built:
     try:
         result = build(trial.work)
     except subprocess.TimeoutExpired:
-        raise NoUse('it comes to an end', f'it had not done so after {TIME_LIMIT_SEC:g} s') from None
+        raise NoUse('the build ends', f'it is still running after {BUILD_LIMIT_SEC:g} s') from None
     if result.complaint:
         raise NoUse('a build without an error', result.complaint)
     return result
@@ -104,24 +110,16 @@ def built(trial: Trial) -> Built:
 mend = Exercise('2a', 'Mend a `setup.py`', CHAPTER, TEXT, hints=(
     'Compare it, line by line, with the `setup.py` that `ros2 pkg create` writes: the section “Create it” shows one.',
     '`data_files` is a list of pairs: a folder in the install space, and the files that go there. The marker goes to '
-    '`share/ament_index/resource_index/packages`, and it lies in the folder `resource`.',
+    '`share/ament_index/resource_index/packages`. In the source, it is in the folder `resource`.',
     'An entry point is `name = package.module:function`. Here the module is `lift_node`, in the package `lift`.'))
 
 
 @mend.require('the package builds', see=COPY)
 def builds(trial: Trial) -> None:
     if not trial.work.strip():
-        raise NoUse('the text of a `setup.py`', 'there is nothing in it')
+        raise NoUse('the text of a `setup.py`', 'it is empty')
     if not built(trial).installed:
-        raise NoUse('something is installed', 'nothing is: does it call `setup(...)`?')
-
-
-@mend.require('the marker is where ROS looks for packages', see=BUILD)
-def marker(trial: Trial) -> None:
-    installed = built(trial).installed
-    shares = sorted(name for name in installed if name.startswith('share/'))
-    expect(MARKER in installed, f'`{MARKER}`', 'what is installed in `share` is '
-           + (', '.join(f'`{name}`' for name in shares) or 'nothing'))
+        raise NoUse('the build installs something', 'it installs nothing: does the file call `setup(...)`?')
 
 
 @mend.require('`package.xml` is in the share folder of the package', see=COPY)
@@ -129,106 +127,144 @@ def package_xml(trial: Trial) -> None:
     expect('share/lift/package.xml' in built(trial).installed, '`share/lift/package.xml`', 'it is not there')
 
 
+@mend.require('the marker is where ROS looks for packages', see=BUILD)
+def marker(trial: Trial) -> None:
+    installed = built(trial).installed
+    shares = sorted(name for name in installed if name.startswith('share/'))
+    if MARKER not in installed:
+        raise NoUse(f'`{MARKER}`', 'what is installed in `share` is '
+                    + (', '.join(f'`{name}`' for name in shares) or 'nothing'))
+
+
 @mend.require('there is an executable `lift_node`', see=ENTRY)
 def executable(trial: Trial) -> None:
     programs = sorted(name for name in built(trial).installed
                       if name.startswith(('lib/lift/', 'bin/')) and '.' not in name)
-    expect(PROGRAM in programs, f'`{PROGRAM}`',
-           'there is ' + (', '.join(f'`{name}`' for name in programs) or 'none'))
+    if PROGRAM not in programs:
+        raise NoUse(f'`{PROGRAM}`', 'there is ' + (', '.join(f'`{name}`' for name in programs) or 'none'))
 
 
 @mend.require('`ros2 run lift lift_node` starts it', see=ENTRY)
 def starts(trial: Trial) -> None:
-    said = built(trial).said
-    expect(said == READY, f'it says “{READY}”', said.splitlines()[-1] if said else 'it says nothing')
+    printed = built(trial).printed
+    expect(printed == READY, f'it prints “{READY}”', printed.splitlines()[-1] if printed else 'it prints nothing')
 
 
 find = Exercise('2b', 'Be `ros2 run`', CHAPTER, FUNCTION, hints=(
-    'Go through the prefixes in their order. Ask each whether the package’s marker is in it: '
+    'Go through the prefixes in their order. Check whether the package’s marker is in each: '
     '`(prefix / "share/ament_index/resource_index/packages" / package).exists()`.',
-    'The first prefix with the marker decides, and no other is looked at. The program is in its '
+    'The first prefix with the marker decides, and you look at no other. The program is in its '
     '`lib/package/program`, or nowhere.',
-    "Two sentences are to be given back as texts: `Package 'lift' not found` after the loop, and "
-    '`No executable found` in it.'))
+    'Return one of two sentences if there is no program: `No executable found` from inside the loop, and after it '
+    "`Package 'lift' not found`, with the name of the package."))
 
 
-def expect_finds(trial: Trial, spaces: Mapping[str, Sequence[str]], *, because: str = '') -> None:
-    """Expect the function to answer as ``ros2 run lift lift_node`` does.
+def find_in(trial: Trial, spaces: Mapping[str, Sequence[str]], package: str, program: str) -> tuple[str, str]:
+    """Return what the function answers, and what ``ros2 run`` does.
 
     :param spaces: For each install space, in the order of AMENT_PREFIX_PATH, the files in it.
     """
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         for space, names in spaces.items():
+            Path(folder, space).mkdir()
             for name in names:
                 path = Path(folder, space, name)
-                path.parent.mkdir(parents=True)
+                path.parent.mkdir(parents=True, exist_ok=True)
                 path.touch(0o755)
         prefixes = [Path(folder, space) for space in spaces]
         try:
-            wanted, = find_program('lift', 'lift_node', {'AMENT_PREFIX_PATH': os.pathsep.join(map(str, prefixes))})
+            right, = find_program(package, program, {'AMENT_PREFIX_PATH': os.pathsep.join(map(str, prefixes))})
         except CommandFailed as failure:
-            wanted = str(failure)
-        given = trial.call('your function', trial.work, 'lift', 'lift_node', prefixes)
-
-    def format_answer(answer: object) -> str:
-        return f'`{str(answer).replace(f"{folder}/", "")}`'
-
-    if not isinstance(given, (str, Path)):
-        raise NotYet('a path, or a text', f'it gives `{given!r}`')
-    expect(str(given) == wanted, f'{format_answer(wanted)}, as `ros2 run` says', f'{format_answer(given)}{because}')
+            right = str(failure)
+        given = trial.call('your function', trial.work, package, program, prefixes)
+    answer = str(given) if isinstance(given, (str, Path)) else repr(given)
+    return answer.replace(f'{folder}/', ''), right.replace(f'{folder}/', '')
 
 
-@find.require('a package without a marker is not found, whatever else is there', see=SOURCE)
+def expect_finds(trial: Trial, spaces: Mapping[str, Sequence[str]], package: str = 'lift',
+                 program: str = 'lift_node', *, wrong: Mapping[str, str] | None = None) -> None:
+    """Expect the function to answer as ``ros2 run`` does.
+
+    :param wrong: For wrong answers that one may well give, what to think of.
+    """
+    answer, right = find_in(trial, spaces, package, program)
+    because = (wrong or {}).get(answer, '')
+    expect(answer == right, f'`{right}`, as `ros2 run {package} {program}` says',
+           f'it returns `{answer}`' + (f'. {because}' if because else ''))
+
+
+@find.require('it finds a program that is there', see=BUILD)
+def found(trial: Trial) -> None:
+    try:
+        expect_finds(trial, {'first': (MARKER, PROGRAM)})
+    except NotYet as error:  # an answer that never finds anything meets no other requirement either
+        raise NoUse(error.expected, error.happened) from None
+    for program in ('hook', 'arm'):
+        expect_finds(trial, {'first': (*CRANE, MARKER, PROGRAM)}, 'crane', program)
+
+
+@find.require('it passes over an install space without the marker, whatever else is there', see=SOURCE)
 def no_marker(trial: Trial) -> None:
-    expect_finds(trial, {'first': (PROGRAM,)}, because='. Without the marker, ROS does not know of the package')
+    words = 'Without the marker, ROS does not know the package'
+    expect_finds(trial, {'first': (PROGRAM,)}, wrong={f'first/{PROGRAM}': words})
+    expect_finds(trial, {'first': (MARKER, 'lib/crane/hook')}, 'crane', 'hook', wrong={'first/lib/crane/hook': words})
+    expect_finds(trial, {'first': (PROGRAM,), 'second': (MARKER, PROGRAM)}, wrong={f'first/{PROGRAM}': words})
+    expect_finds(trial, {'first': CRANE, 'second': (), 'third': (MARKER, PROGRAM)})
     expect_finds(trial, {})
 
 
-@find.require('a program that is there is found', see=BUILD)
-def found(trial: Trial) -> None:
-    expect_finds(trial, {'first': (MARKER, PROGRAM)})
-    expect_finds(trial, {'first': (), 'second': (MARKER, PROGRAM)})
-
-
-@find.require('a package in which there is no such program is told apart', see=SOURCE)
+@find.require('it says so if the package is there and the program is not', see=SOURCE)
 def no_program(trial: Trial) -> None:
-    expect_finds(trial, {'first': (MARKER, OTHER_PROGRAM)})
+    expect_finds(trial, {'first': (MARKER, 'lib/lift/door_node')})
+    expect_finds(trial, {'first': (f'{INDEX}/crane', MARKER, PROGRAM)}, 'crane', 'hook')
 
 
-@find.require('of two install spaces with the package, the first one decides', see=SOURCE)
+@find.require('of two install spaces with the package, the first one decides', see=OVERLAY)
 def overlaid(trial: Trial) -> None:
-    expect_finds(trial, {'first': (MARKER, PROGRAM), 'second': (MARKER, PROGRAM)},
-                 because='. What was sourced last stands first, and hides the other')
-    expect_finds(trial, {'first': (MARKER, OTHER_PROGRAM), 'second': (MARKER, PROGRAM)},
-                 because='. `ros2` has found the package in `first`, and looks no further')
+    both = {'first': (MARKER, PROGRAM), 'second': (MARKER, PROGRAM)}
+    expect_finds(trial, both, wrong={f'second/{PROGRAM}': 'The overlay stands first, and hides the underlay'})
+    # What else it may answer here is the matter of the requirement above.
+    answer, right = find_in(trial, {'first': (MARKER, 'lib/lift/door_node'), 'second': (MARKER, PROGRAM)}, 'lift',
+                            'lift_node')
+    expect(answer != f'second/{PROGRAM}', f'`{right}`, as `ros2 run lift lift_node` says',
+           f'it returns `{answer}`. `ros2 run` finds the package in `first`, and looks no further')
 
 
 order = Exercise('2c', 'Put a terminal in order', CHAPTER, TEXT, hints=(
-    'Say for each line what has to be there before it: `source` needs a file that only a build writes.',
-    '`colcon build` builds the workspace that the terminal stands in, so the first line goes there. And `ros2 run` '
-    'finds only what the terminal has sourced.'))
+    'Ask of each line what it needs. `source`, for one, needs a file that only a build writes.',
+    '`colcon build` writes into the folder in which you call it, so the line that goes to the workspace comes first. '
+    'And `ros2 run` finds only what the terminal has sourced.'))
 
 WORKSPACE = 'ros2_ws'
-# What the build of the package would put into its workspace; a real one takes half a minute on a slow machine.
+# What the build of the package would put into its install space; a real one takes half a minute on a slow machine.
 BUILT = {
-    f'install/lift/{MARKER}': '',
-    f'install/lift/{PROGRAM}': f'#!/bin/sh\necho "{READY}"\n',
-    'install/setup.bash': f'export AMENT_PREFIX_PATH="$HOME/{WORKSPACE}/install/lift:$AMENT_PREFIX_PATH"\n',
+    f'lift/{MARKER}': '',
+    f'lift/{PROGRAM}': f'#!/bin/sh\necho started >> "$HOME/.started"\necho "{READY}"\n',
 }
-COLCON = """colcon() {
-    if [ "$1" = build ] && [ -d src/lift ]; then cp -r ~/.built/install . && echo 'Summary: 1 package finished'
-    else echo 'Summary: 0 packages finished'; fi
-}"""
+SETUP_FILES = 'setup.bash', 'setup.sh', 'local_setup.bash', 'local_setup.sh'
+# As the real one does, it builds what is anywhere below the folder in which it is called, and only what is selected.
+COLCON = f"""colcon() {{
+    if [ "$1" != build ]; then command colcon "$@"; return; fi
+    if [[ " $* " == *" --packages-select "* && " $* " != *" lift "* ]] || [ -z "$(find . -name package.xml)" ]; then
+        echo 'Summary: 0 packages finished'; return
+    fi
+    mkdir -p install build log; cp -r ~/.built/. install
+    for name in {' '.join(SETUP_FILES)}; do
+        echo "export AMENT_PREFIX_PATH=\\"$PWD/install/lift:\\$AMENT_PREFIX_PATH\\"" > install/$name
+    done
+    echo 'Summary: 1 package finished'
+}}"""
 
 
 class Typed(NamedTuple):
-    """What became of lines that were typed in a terminal."""
+    """The result of lines that were typed in a terminal."""
 
-    said: str
-    is_built: bool
-    """True if the package is in the install space of its workspace."""
+    printed: str
+    built_in: str | None
+    """The folder with the install space of the package, from the home folder; None if there is none."""
     is_sourced: bool
     """True if the terminal knows the package in the end."""
+    is_started: bool
 
 
 @functools.lru_cache(maxsize=4)
@@ -239,18 +275,23 @@ def type_lines(lines: str) -> Typed:
     """
     shell = Shell()
     try:
-        Path(shell.home, WORKSPACE, 'src', 'lift').mkdir(parents=True)
+        source = shell.home / WORKSPACE / 'src' / 'lift'
+        source.mkdir(parents=True)
+        (source / 'package.xml').write_text(LIFT['package.xml'], encoding='utf-8')
         for name, text in BUILT.items():
             path = Path(shell.home, '.built', name)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding='utf-8')
             path.chmod(0o755)
         shell.run(COLCON)
-        said = shell.run(lines, TIME_LIMIT_SEC)
+        printed = shell.run(lines, LINES_LIMIT_SEC)
         known = shell.environment().get('AMENT_PREFIX_PATH', '').split(os.pathsep)
-        install = Path(shell.home, WORKSPACE, 'install', 'lift')
-        return Typed(said, (install / MARKER).exists(),
-                     any(Path(prefix, MARKER).exists() for prefix in known if prefix))
+        spaces = sorted(path.parent.relative_to(shell.home) for path in shell.home.rglob('install')
+                        if (path / 'lift' / MARKER).exists())
+        in_place = [path for path in spaces if path == Path(WORKSPACE)]
+        return Typed(printed, str([*in_place, *spaces][0]) if spaces else None,
+                     any(Path(prefix, MARKER).exists() for prefix in known if prefix),
+                     (shell.home / '.started').exists())
     finally:
         shell.close()
 
@@ -271,25 +312,30 @@ def typed(trial: Trial) -> Typed:
 @order.require('the package is built, in its workspace', see=BUILD)
 def is_built(trial: Trial) -> None:
     done = typed(trial)
-    expect(done.is_built, f'`~/{WORKSPACE}/install/lift` is there', 'it is not' + (
-        '. `colcon build` builds what is in `src` of the folder in which the terminal stands'
-        if '0 packages' in done.said else ''))
+    if done.built_in != WORKSPACE:
+        happened = 'it is not there'
+        if done.built_in:
+            folder = '~' if done.built_in == '.' else f'~/{done.built_in}'
+            happened += f', but in `{folder}/install`: `colcon build` writes into the folder in which you call it'
+        elif '0 packages' in done.printed:
+            happened += ': `colcon build` has found no package that it should build'
+        raise NoUse(f'`~/{WORKSPACE}/install/lift`', happened)
 
 
 @order.require('the terminal knows the package', see=SOURCE)
 def is_sourced(trial: Trial) -> None:
     done = typed(trial)
-    expect(done.is_sourced, '`AMENT_PREFIX_PATH` of this terminal leads to the package', 'it does not' + (
-        '. A file can be sourced only when it is there' if 'setup.bash: No such file' in done.said else ''))
+    if not done.is_sourced:
+        raise NoUse('`AMENT_PREFIX_PATH` of this terminal leads to the package', 'it does not' + (
+            '. You can source a file only when it is there' if 'setup.bash: No such file' in done.printed else ''))
 
 
 @order.require('`ros2 run lift lift_node` starts the node', see=SOURCE)
 def is_running(trial: Trial) -> None:
-    said = typed(trial).said
-    lines = [line for line in said.splitlines()
-             if re.search('not found|No such file|No executable|0 packages', line)]
-    expect(READY in said, f'the node says “{READY}”', 'it does not say so' + (
-        f'; the terminal says `{lines[0].strip()}`' if lines else ''))
+    done = typed(trial)
+    complaints = [line.strip() for line in done.printed.splitlines() if re.search('not found|No executable', line)]
+    expect(done.is_started, f'the node starts, and prints “{READY}”', 'it does not start' + (
+        f'; the terminal says `{complaints[0]}`' if complaints else ''))
 
 
 EXERCISES = (order, mend, find)

@@ -1,8 +1,13 @@
 """Exercises of chapter 3: fill in defaults, declare parameters, and mend declarations."""
 
+from typing import Any
+
+from rcl_interfaces.msg import ParameterDescriptor
+
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_answer, expect_declared
-from param_tutorial.exercises.trial import Trial
+from param_tutorial.exercises.expectations import expect_declared, expect_result
+from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect
+from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
 
 CHAPTER = '03_declaring'
@@ -11,27 +16,68 @@ DESCRIPTOR = 'Build it: the descriptor'
 WHO_DECIDES = 'Who decides the type?'
 
 
+def start_with(trial: Trial, name: str, wanted: ParameterType) -> tuple[Any, ParameterClient]:
+    """Start the learner's node, which has a parameter of a type.
+
+    :raises NotTried: it has not, as an earlier requirement says.
+    """
+    node = trial.start()
+    client = trial.client(node)
+    if name not in client.list_parameters() or client.describe_parameter(name).type is not wanted:
+        raise NotTried
+    return node, client
+
+
+def expect_limits(trial: Trial, name: str, low: float, high: float, *between: float) -> None:
+    """Expect a double to stay within two ends, in whatever way the node sees to it, and its description to agree."""
+    node, client = start_with(trial, name, DOUBLE)
+    for value in (low, high, *between):
+        expect_result(client, name, value, 'accepted')
+    for beyond in (low - 0.01, high + 0.5, low - 1000.0, high + 0.01, high + 1000.0):
+        client.set_parameter(name, beyond)
+        stored = client.get_parameter(name)
+        expect(stored is not None and low <= stored <= high, f'`{name} = {beyond!r}` is rejected',
+               f'the node accepted it. {_what_limits(node.describe_parameter(name))}')
+    if described := client.describe_parameter(name).range:
+        expect((described.from_value, described.to_value) == (low, high),
+               f'the node describes the range as {low} to {high}',
+               f'it describes it as {described.from_value} to {described.to_value}. The ends of a '
+               f'`FloatingPointRange` are floats, with a dot: `{high}`')
+    try:
+        start = trial.client(trial.start(ros_args=['-p', f'{name}:={high + 1}'])).get_parameter(name)
+    except NoStart:
+        return
+    expect(start is not None and low <= start <= high, f'a start with `-p {name}:={high + 1}` is rejected too',
+           f'the node starts with {start}')
+
+
+def _what_limits(descriptor: ParameterDescriptor) -> str:
+    if ranges := descriptor.floating_point_range:
+        return f'Its range goes from {ranges[0].from_value} to {ranges[0].to_value}'
+    if descriptor.integer_range:
+        return 'An `integer_range` limits integers; a double needs a `floating_point_range`'
+    if descriptor.description or descriptor.additional_constraints:
+        return 'A description is for people, and nothing enforces it'
+    return 'Nothing limits it yet'
+
+
 declare = Exercise('3a', 'Declare a rover', CHAPTER, NODE_CLASS, node_name='rover', hints=(
     'Each parameter takes one line `self.declare_parameter(name, default, descriptor)`, and the default decides its '
     'type. The section “Build it: one declaration, one type” shows the first two arguments.',
     'In Python `1` is an `int` and `1.0` a `float`. A double takes its range from a `FloatingPointRange`, in a list: '
-    '`ParameterDescriptor(floating_point_range=[...])`.',
-    'The descriptor has a field `read_only`. It is `False` unless you say `read_only=True`.'))
+    '`ParameterDescriptor(floating_point_range=[...])`. Both ends of it are floats, too.',
+    'The descriptor has a field `read_only`. It is `False` unless you write `read_only=True`.'))
 
 
-@declare.require('`max_speed_mps` is a double and starts at one metre per second', see=TYPE)
+@declare.require('`max_speed_mps` is a double and starts at one meter per second', see=TYPE)
 def speed(trial: Trial) -> None:
     expect_declared(trial, 'max_speed_mps', DOUBLE, 1.0)
 
 
-@declare.require('`max_speed_mps` goes from 0.0 to 2.0, both ends included, and the node sees to it', see=DESCRIPTOR)
+@declare.require('`max_speed_mps` can be anything from 0.0 to 2.0, both ends included, and nothing else',
+                 see=DESCRIPTOR)
 def speed_range(trial: Trial) -> None:
-    because = ('A description is read by people only, an `integer_range` by integers only: a double has its '
-               '`floating_point_range`')
-    for end in (0.0, 2.0):
-        expect_answer(trial, 'max_speed_mps', end, 'accepted')
-    for beyond in (-0.5, 2.5):
-        expect_answer(trial, 'max_speed_mps', beyond, 'out of range', because)
+    expect_limits(trial, 'max_speed_mps', 0.0, 2.0, 0.01, 1.37)
 
 
 @declare.require('`wheels` is an integer, and it is 6', see=TYPE)
@@ -41,25 +87,33 @@ def wheels(trial: Trial) -> None:
 
 @declare.require('nobody can change `wheels`', see=DESCRIPTOR)
 def wheels_locked(trial: Trial) -> None:
-    expect_answer(trial, 'wheels', 4, 'read only', 'A lock is a field of the descriptor, `read_only`')
+    _, client = start_with(trial, 'wheels', INTEGER)
+    before = client.get_parameter('wheels')
+    for other in (4, 8, 0):
+        client.set_parameter('wheels', other)
+        expect(client.get_parameter('wheels') == before, f'`wheels = {other}` is rejected',
+               'the node accepted it. The field `read_only` of the descriptor locks a parameter')
 
 
 mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
     'Ask the lamp as it is: `ParameterClient(ros.add(Lamp)).describe_parameters()` shows the type of each parameter.',
-    'A descriptor cannot choose a type, and a description limits nothing. The default is what decides, and a range '
-    'is what limits.',
-    'The type can stand in the default’s place: `Parameter.Type.DOUBLE`. The parameter then has no value yet.'))
+    'A descriptor cannot choose a type, and a description limits nothing. The default decides the type, and a range '
+    'sets the limits.',
+    'You can give the type in place of the default: `Parameter.Type.DOUBLE`. The parameter then has no value yet.'))
 
 
-@mend.require('`brightness_percent` takes 62.5', see=WHO_DECIDES)
+@mend.require('`brightness_percent` is a double that starts at 50.0, and it takes halves', see=WHO_DECIDES)
 def halves(trial: Trial) -> None:
-    expect_answer(trial, 'brightness_percent', 62.5, 'accepted')
+    expect_declared(trial, 'brightness_percent', DOUBLE, 50.0)
+    _, client = start_with(trial, 'brightness_percent', DOUBLE)
+    for half in (62.5, 0.5):
+        expect_result(client, 'brightness_percent', half, 'accepted')
 
 
-@mend.require('`brightness_percent` rejects 120.0', see=DESCRIPTOR)
+@mend.require('`brightness_percent` can be 0.0 to 100.0, both ends included, and nothing below or above',
+              see=DESCRIPTOR)
 def percent(trial: Trial) -> None:
-    expect_answer(trial, 'brightness_percent', 120.0, 'out of range',
-                  'What is said in a description is enforced by nobody, and an `integer_range` holds for integers only')
+    expect_limits(trial, 'brightness_percent', 0.0, 100.0)
 
 
 @mend.require('`warm_white` is a boolean, and it is on', see=TYPE)
@@ -70,11 +124,14 @@ def warm_white(trial: Trial) -> None:
 @mend.require('`calibration` is a double that has no value until somebody sets one', see=WHO_DECIDES)
 def calibration(trial: Trial) -> None:
     expect_declared(trial, 'calibration', DOUBLE, None)
+    _, client = start_with(trial, 'calibration', DOUBLE)
+    for value in (0.98, -12.5):
+        expect_result(client, 'calibration', value, 'accepted')
 
 
 fill = Exercise('3c', 'Fill three gaps', CHAPTER, NODE_CLASS, node_name='door', hints=(
-    'The default decides the type: how does Python write an integer, a float and a text?',
-    'A double needs its dot, and a text its quotes: without them, 7 is a number.'))
+    'The default decides the type: how does Python write an integer, a float, and a string?',
+    'A double needs its dot, and a string its quotes: without them, 7 is a number.'))
 
 
 def require_gap(name: str, wanted: ParameterType, value: object) -> None:

@@ -9,37 +9,51 @@ RECALLS = ()
 PREDICTIONS = (
     Prediction('2-1', 'The build has succeeded, and `install` holds the package. What does '
                '`ros2 run param_tutorial …` say in this terminal?', (
-        wrong('It starts the node', 'There is no node in the package yet, and the terminal does not even know of the '
+        wrong('It starts the node', 'There is no node in the package yet, and this terminal does not even know of the '
               'package.'),
-        right('The package is not found', 'A package that is built is not found yet: this terminal was never told '
-              'where to look.'),
-        wrong('The package is found, but no executable', 'That will be the second answer. For now the terminal does '
+        right('The package is not found', 'The package is built, but nobody has told this terminal where to look.'),
+        wrong('The package is found, but no executable', 'That will be the second answer. So far, this terminal does '
               'not know where to look for packages.'))),
-    Prediction('2-2', 'The first terminal has sourced the workspace. The second is in the same folder, and has not. '
-               'What does `ros2 run` say there?', (
-        wrong('The same as in the first: the workspace is known now', 'Sourcing changes the environment of one '
+    Prediction('2-2', 'The second terminal has sourced the workspace. The first one built the package, and has not '
+               'sourced anything. What does `ros2 run` say there now?', (
+        wrong('The same as in the second: the workspace is known now', 'Sourcing changes the environment of one '
               'terminal. Nothing is registered for the others.'),
-        right('The package is not found', 'Sourcing changes the environment of one terminal, and of what it starts.'),
-        wrong('It is found, because this is the folder of the workspace', '`ros2 run` does not look at the folder in '
-              'which you are. It searches `AMENT_PREFIX_PATH`.'))),
+        right('The package is not found', 'Sourcing changes the environment of one terminal, and of what you start '
+              'from it.'),
+        wrong('It is found, because it was built here', 'A build writes files. It changes nothing in the environment '
+              'of its terminal.'))),
     Prediction('2-3', 'The last line of `data_files` asks for a file `param_tutorial` beside `setup.py`, where there '
                'is only a folder of that name. What does colcon say?', (
-        wrong('It copies the folder', 'An entry of `data_files` names files. The folder is no regular file, and the '
-              'build ends.'),
-        wrong('It builds, with a warning', 'There is a warning too, and it is about the marker. The missing file is an '
+        wrong('It copies the folder', 'An entry of `data_files` names files. A folder is not a regular file, and the '
+              'build fails.'),
+        wrong('It builds, with a warning', 'There is a warning too, but it is about the marker. The missing file is an '
               'error.'),
-        right('The build fails', "`can't copy`: setuptools finds no such file, and the build ends."))),
+        right('The build fails', "`can't copy`: setuptools finds no such file, and the build fails."))),
     Prediction('2-4', 'The source says *second version* now, and nothing else was done. Which version starts?', (
-        right('the first', '`ros2 run` starts the copy in the install space, and the build that makes the copy has '
-              'not been run.'),
-        wrong('the second', 'What runs is the copy in the install space, not the file that you edit. The copy is made '
-              'by a build.'),
-        wrong('none: ROS notices that the build is out of date', 'Nobody compares the two files. The old copy starts, '
+        right('the first', '`ros2 run` starts the copy in the install space, and no build has renewed that copy.'),
+        wrong('the second', 'What runs is the copy in the install space, not the file that you edit. A build makes the '
+              'copy.'),
+        wrong('none: ROS notices that the build is out of date', 'Nothing compares the two files. The old copy starts, '
               'without a warning.'))),
-    Prediction('2-5', 'The workspace was built with `--symlink-install`. The source says *third version* now, and '
-               'nothing was built since. Which version starts?', (
-        wrong('the second', 'That would be a copy. With `--symlink-install` Python is led back to the source.'),
-        right('the third', 'There is no copy. Python is led back to the source, as it is when the node starts.'),
-        wrong('none: the link is out of date', 'A link leads to a place, not to a version. It finds whatever stands '
-              'there now.'))),
+    Prediction('2-5', 'You want to build only the package that you have edited, and type `colcon build '
+               '--packages-select simple_param_node`. What does colcon do?', (
+        wrong('It builds the package that contains the node', 'colcon knows packages, not nodes or executables. No '
+              'package has this name, so nothing is built.'),
+        wrong('It fails: there is no package of that name', 'It only warns. The exit status is 0, so a script that '
+              'runs it goes on as if all were well.'),
+        right('It builds nothing, and reports success', 'No package has this name. colcon warns, finishes 0 packages, '
+              'and exits with 0.'))),
+    Prediction('2-6', 'The workspace was built with `--symlink-install`. Since then the node has got its words from a '
+               'new file, *third version*, and nothing was built. Which version starts?', (
+        wrong('the second', 'That would be a copy. With `--symlink-install`, Python is led back to the source.'),
+        right('the third', 'There is no copy. The link leads to the folder in `src`, with all that is in it.'),
+        wrong('none: the new file has no link yet', 'The link leads to the folder, not to single files. What you put '
+              'into the folder is found.'))),
+    Prediction('2-7', 'The list has the overlay first and its underlay after it. Which version starts?', (
+        right('the fourth, from the overlay', 'The first folder in the list that has the package decides, and that is '
+              'the overlay.'),
+        wrong('the third, from the underlay', 'The underlay was sourced first, but it stands last in the list. The '
+              'search ends at the first folder that has the package.'),
+        wrong('none: the package exists twice', 'Nothing counts the packages. The search ends at the first folder that '
+              'has one of this name.'))),
 )

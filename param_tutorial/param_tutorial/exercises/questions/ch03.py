@@ -2,27 +2,27 @@
 
 from param_tutorial.exercises.prediction import Prediction, right, wrong
 
-SOLVED = 'Two nodes declared as they were meant, and no default will surprise you again.'
+SOLVED = 'Your nodes declare what they mean, and no default will surprise you again.'
 
 RECALLS = ()
 
 PREDICTIONS = (
     Prediction('3-1', 'The node never declared `robot_name`. What does it get when it asks itself for the value?', (
-        wrong('None: there is no value', 'A parameter without a declaration is not an empty parameter. It does not '
+        wrong('None: there is no value', 'A parameter that is not declared is not an empty parameter. It does not '
               'exist, and `get_parameter` raises an exception.'),
         right('an exception', '`get_parameter` raises `ParameterNotDeclaredException`: the name does not exist.'),
-        wrong("'Clawbot': the other node has declared the name", 'Parameters belong to one node each. What another '
-              'node declares is no business of this one.'))),
+        wrong("'Clawbot': the other node has declared the name", 'A parameter belongs to one node. What another node '
+              'declares makes no difference to this one.'))),
     Prediction('3-2', 'The parameter is a double, 0.15. What does the node answer to the whole number `1`?', (
-        wrong('It accepts it, and stores 1.0', 'Python would convert; ROS never does. `1` is an integer, and the node '
+        wrong('It accepts it, and stores 1.0', 'Python would convert; ROS does not. `1` is an integer, and the node '
               'expects a double.'),
         wrong('It accepts it, and the parameter is an integer from now on', 'The default has decided the type for '
               "good. Later values don't change it."),
-        right('It rejects it', 'An integer is not a double, and ROS converts nothing. The next cell but this one adds '
-              'a dot.'))),
+        right('It rejects it', 'An integer is not a double, and ROS does not convert. The next cell but one adds a '
+              'dot.'))),
     Prediction('3-3', 'The constructor declares `robot_name` a second time, with another default. What happens?', (
-        wrong('The second default replaces the first', 'To declare is to create, not to set. A name that exists '
-              "can't be created again."),
+        wrong('The second default replaces the first', 'To declare is to create, not to set. You cannot create a name '
+              'that exists.'),
         wrong('The second declaration is ignored', 'rclpy does not ignore it. It raises '
               '`ParameterAlreadyDeclaredException`.'),
         right('The constructor fails', 'rclpy raises `ParameterAlreadyDeclaredException`, and there is no such '
@@ -30,22 +30,28 @@ PREDICTIONS = (
     Prediction('3-4', 'The range is 0 to 100, and the default is 120. What does the node do when it starts?', (
         wrong('It starts with 120: a range checks later changes', 'A range is enforced from the first value on, and '
               'the default is the first value.'),
-        wrong('It starts with 100, the nearest valid value', 'rclpy never corrects a value. It accepts one or rejects '
-              'it.'),
+        wrong('It starts with 100, the nearest valid value', 'A range does not correct a value. The node takes it or '
+              'rejects it.'),
         right('It does not start', 'The declaration raises `InvalidParameterValueException`: the default is out of '
               'range.'))),
     Prediction('3-5', 'The descriptor says integer, and the default is 0.5. Which type does `gain` get?', (
-        wrong('integer: that is what the field is for', 'On declaring, rclpy overwrites the field `type` with the '
-              'type of the default.'),
+        wrong('integer: that is what the field is for', 'When you declare a parameter, rclpy overwrites the field '
+              '`type` with the type of the default.'),
         right('double', 'The default decides. rclpy overwrites the field `type`, without a warning.'),
         wrong('none: the declaration fails', 'It looks like a contradiction, but nothing compares the two. rclpy '
               'overwrites the field.'))),
-    Prediction('3-6', 'The description of `max_acceleration_mps2` says *Must be positive.* What does the node answer '
+    Prediction('3-6', '`speed_mps` is 0.5, `stops` is empty, and `closed_doors` is not set. Which of them does '
+               '`ros2 param dump` write?', (
+        wrong('speed_mps and stops', 'One request asks for all values, and rclpy returns none of them if one is not '
+              'set.'),
+        wrong('all three, with null for the one that is not set', 'rclpy returns no value at all if one of those that '
+              'you ask for is not set.'),
+        right('none of them', 'One parameter that is not set empties the whole answer, and with it the file.'))),
+    Prediction('3-7', 'The description of `max_acceleration_mps2` says *Must be positive.* What does the node answer '
                'to -3.0?', (
-        wrong('It rejects it', 'A description is a text for people. Without a range or a callback, nothing enforces '
-              'it.'),
+        wrong('It rejects it', 'A description is for people. Without a range or a callback, nothing enforces it.'),
         wrong('It accepts it, with a warning', 'The node does not read its own descriptions, so it has nothing to '
-              'warn of.'),
+              'warn about.'),
         right('It accepts it', 'The sentence is for people. What the node should enforce has to be a range or a '
               'callback.'))),
 )
