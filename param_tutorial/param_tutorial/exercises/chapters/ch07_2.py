@@ -13,8 +13,8 @@ from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.notebook.terminal import Terminal
-from param_tutorial.ros2.launch.description import Context
 from param_tutorial.ros2.launch.reading import load_description
+from param_tutorial.ros2.launch.substitutions import Context
 from param_tutorial.ros2.launch.verb import programs
 
 CHAPTER = '07_2_launch_files'

@@ -5,6 +5,8 @@ and starts the programs with the same ``--ros-args``; everything else is rejecte
 
     verb         the command: which file, with which arguments
     reading      runs a launch file, with stand-ins for the modules that it imports
-    description  the classes of launch and launch_ros, and the command lines that they stand for
+    description  the actions of launch and launch_ros, and the command lines that they stand for
+    values       what a launch file may give to a parameter
+    substitutions  strings that are known only when the launch file is carried out
     processes    the programs while they run: their output, their end, Ctrl+C
 """
