@@ -513,3 +513,26 @@ the end'''
     page = result._repr_html_()
     for text in ('not yet', '<code>a</code> &lt; <code>b</code>', '&lt;b&gt;', '<b>done</b>', '<b>not tried</b>'):
         assert text in page
+
+
+def test_in_the_corner_a_parameter_file_names_its_nodes_however_it_is_written():
+    for text, expected in (
+            ('/a: {x: 1}\nb:\n  /c: 1\n', f'{trial.CORNER}/a: {{x: 1}}\n{trial.CORNER}/b:\n  /c: 1\n'),
+            ('  "/a": 1\n  \'b\': 1', f'  "{trial.CORNER}/a": 1\n  \'{trial.CORNER}/b\': 1'),
+            ('{/a: {/x: 1}, /*/b: 1}', f'{{{trial.CORNER}/a: {{/x: 1}}, {trial.CORNER}/*/b: 1}}'),
+            ('# ü\n---\n/a: 1', f'# ü\n---\n{trial.CORNER}/a: 1')):
+        assert trial._in_corner(text) == expected
+    for text in ('/**: 1', '**/a: 1', f'{trial.CORNER}/a: 1', '/a: [', '', 'a', '- /a', '/a: 1\n---\n/b: 1'):
+        assert trial._in_corner(text) == text
+
+
+def test_a_prediction_of_another_type_is_told_what_it_is(ros):
+    for given, word in (("'180'", 'In quotes it is a string'), ('180.0', 'Written like this, it is a double'),
+                        ('True', 'Written like this, it is a boolean')):
+        result = exercises.check('7.2b', solution('7.2b', ("config]': 180", f"config]': {given}")))
+        assert not_yet(result)['`parameters=[config]`'].endswith(word)
+
+
+def test_what_depends_on_a_requirement_that_is_not_met_is_not_tried(ros):
+    result = exercises.check('7.3b', solution('7.3b', ('/lab/', '/store/')))
+    assert [finding.word for finding in result.findings] == ['done', 'not yet', 'not yet', 'not tried', 'not tried']

@@ -11,6 +11,7 @@ from param_tutorial.errors import ExecutorError, NoAnswerError
 from param_tutorial.exercises.results import Answer, Finding, Hint, Result
 from param_tutorial.exercises.trial import (
     CORNER,
+    NotTried,
     NotYet,
     NoUse,
     Trial,
@@ -110,7 +111,7 @@ class Exercise:
                 if not truth:
                     truth.append(find_out(trial))
                 expect(values.same(truth[0], given), 'what the node says when the check asks it',
-                       f'it does not say `{given!r}`{words}')
+                       f'it does not say `{given!r}`{words or _of_another_type(given, truth[0])}')
             return find_out
         return add
 
@@ -171,6 +172,16 @@ class Exercise:
         return result
 
 
+def _of_another_type(given: Any, truth: Any) -> str:
+    """Say what a prediction is, if that is not the kind of value that the node holds."""
+    if isinstance(given, str) and not isinstance(truth, str):
+        return '. In quotes it is a string'
+    kinds = {bool: 'a boolean', int: 'an integer', float: 'a double'}
+    if type(given) in kinds and type(truth) in kinds and type(given) is not type(truth):
+        return f'. Written like this, it is {kinds[type(given)]}'
+    return ''
+
+
 def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     """Try out one requirement, with a stage that is then as before.
 
@@ -181,6 +192,8 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
             _examine(requirement, trial)
     except NoUse:
         raise
+    except NotTried:
+        return Finding(requirement.sentence, None)
     except NotYet as error:
         return _finding(requirement, error)
     except NoAnswerError as error:

@@ -35,6 +35,15 @@ PREDICTIONS = (
         right('The text 42', 'With `value_type=str` the text of the command line stays a text.'),
         wrong('Clawbot: a number is no name, so the default stays', 'A launch never falls back to a default. It hands '
               'on what was given, here as a text.'))),
+    Prediction('7.2-6', '`SetParameter` gives 50 rpm. Anna comes before it, Berta after it, and the third robot, after '
+               'both, also has the file with 180 rpm. How many of the three start with 50?', (
+        right('1', 'Only Berta. Anna comes too early, and the file covers the value for the third robot.'),
+        wrong('2', 'The file covers the value for the third robot: `SetParameter` comes before everything in '
+              '`parameters`.'),
+        wrong('3', 'Anna comes before `SetParameter`, and it reaches only what comes after it. The file covers the '
+              'value for the third robot.'),
+        wrong('0', 'Berta does: she comes after `SetParameter`, and nothing covers the value for her.')),
+        otherwise='One: Berta. Anna comes too early, and the file covers the value for the third robot.'),
     Prediction('7.2-3', 'The folder `launch/` lies in the package in `src`, the `setup.py` does not mention it, and '
                'the build has succeeded. What does `ros2 launch` say?', (
         wrong('It starts the robot', '`ros2 launch` looks into the install space only, and nothing has installed the '

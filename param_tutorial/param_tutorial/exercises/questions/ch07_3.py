@@ -13,7 +13,7 @@ RECALLS = (
               'for, and that is not `berta`.'),
         wrong('The launch ends with an error', 'The file can be read, so there is no error. It is for somebody '
               'else, and is passed over in silence.')),
-           chapter='7.2', section='Break it: a file for somebody else'),
+           chapter='7.2', section='Break it: a file for another node'),
     Recall('7.3-r2', 'A node declares the string `serial_number`. In its parameter file stands `serial_number: '
            '0042`, without quotes. How does the node start?', (
         wrong("with the string '0042'", 'To rcl `0042` without quotes is a number, whatever the node has '

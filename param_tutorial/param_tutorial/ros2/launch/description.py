@@ -149,7 +149,7 @@ class Node:
         if self.package is None:
             raise LaunchFailed(f"the course's own ros2 launch needs package= for a Node. {FULL_INSTALLATION}")
         if self.parameters is not None and not isinstance(self.parameters, list):
-            raise LaunchFailed(f"'Node' expected 'parameters' to be a list, but got {self.parameters!r} of type "
+            raise LaunchFailed(f"'Node' expected 'parameters' to be a list, but got a value of type "
                                f"'{type(self.parameters).__name__}'")
 
     def command(self, program: list[str], context: Context) -> list[str]:
