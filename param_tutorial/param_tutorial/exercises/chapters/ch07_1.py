@@ -11,6 +11,7 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
+from param_tutorial.exercises.expectations import expect_text
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 
@@ -20,15 +21,6 @@ BACK = 'Load it back'
 LOOKS_LIKE = 'Break it: strings that look like something else'
 SECOND = 'Break it: the second reader'
 NO_FILE = 'Break it: what no file can hold'
-
-
-def expect_text(trial: Trial) -> None:
-    """Expect the learner to have written something.
-
-    :raises NoUse: nothing is there.
-    """
-    if not trial.work.strip():
-        raise NoUse('the text of a parameter file', 'there is nothing in it yet')
 
 
 def expect_block(trial: Trial, full_name: str) -> None:

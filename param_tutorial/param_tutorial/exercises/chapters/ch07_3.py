@@ -6,8 +6,8 @@ from typing import Any
 
 from rclpy.node import Node
 
-from param_tutorial.exercises.chapters.ch07_1 import expect_text
 from param_tutorial.exercises.exercise import DICTIONARY, LIST, TEXT, Exercise
+from param_tutorial.exercises.expectations import expect_text
 from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect
 
 CHAPTER = '07_3_overrides'

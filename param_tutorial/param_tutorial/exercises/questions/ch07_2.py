@@ -35,7 +35,7 @@ PREDICTIONS = (
         right('The string 42', 'With `value_type=str`, what you typed stays a string.'),
         wrong('Clawbot: a number is no name, so the default stays', 'A launch passes on what you gave it, here as a '
               'string. It does not fall back to the default.'))),
-    Prediction('7.2-6', '`SetParameter` gives 50 rpm. Anna comes before it, Berta after it, and the third robot, after '
+    Prediction('7.2-3', '`SetParameter` gives 50 rpm. Anna comes before it, Berta after it, and the third robot, after '
                'both, also has the file with 180 rpm. How many of the three start with 50?', (
         right('1', 'Only Berta. Anna comes too early, and the file covers the value for the third robot.'),
         wrong('2', 'The file covers the value for the third robot: `SetParameter` comes before everything in '
@@ -44,7 +44,7 @@ PREDICTIONS = (
               'the third robot.'),
         wrong('0', 'Berta does: she comes after `SetParameter`, and nothing covers the value for her.')),
         otherwise='One: Berta. Anna comes too early, and the file covers the value for the third robot.'),
-    Prediction('7.2-3', 'The folder `launch/` is in the package in `src`, the `setup.py` does not mention it, and the '
+    Prediction('7.2-4', 'The folder `launch/` is in the package in `src`, the `setup.py` does not mention it, and the '
                'build has succeeded. What does `ros2 launch` do?', (
         wrong('It starts the robot', '`ros2 launch` looks only in the install space, and nothing has installed the '
               'file there.'),
@@ -52,14 +52,14 @@ PREDICTIONS = (
               'lists.'),
         wrong('It starts the robot, without its parameters', 'Without the launch file it can start nothing, and that '
               'file is not in the install space.'))),
-    Prediction('7.2-4', 'The launch file is installed now, but the parameter file that it names is not. Does the robot '
+    Prediction('7.2-5', 'The launch file is installed now, but the parameter file that it names is not. Does the robot '
                'start?', (
         wrong('No: a file is missing', 'To a launch, a missing parameter file is a warning, not an error.'),
         right('Yes, with its defaults', 'A missing parameter file is a warning, one line above the others. The robot '
               'drives with its defaults.'),
         wrong('Yes, with the values of the file in src', 'Nothing looks in `src`. The file is not in the install '
               'space, so nobody reads its values.'))),
-    Prediction('7.2-5', 'The first line of the file is `/simple_param_node:`, and it names the robot AlphaClaw. A node '
+    Prediction('7.2-6', 'The first line of the file is `/simple_param_node:`, and it names the robot AlphaClaw. A node '
                'called `other_robot` starts with it. What is its name afterwards?', (
         wrong('AlphaClaw: it was given the file', 'A file is for the node that it names. It holds nothing for this '
               'one.'),

@@ -37,7 +37,7 @@ PREDICTIONS = (
         wrong('2', 'More: in four lines. The last one loses only where a source for every node follows the file for '
               'this node, and another one for every node precedes both.')),
         otherwise='In four. `-p` comes last and loses in the third line, and `all.yaml` in the fifth.'),
-    Prediction('7.3-6', "`parameters=[{'robot_name': 'Berta'}, config, {'max_speed_rpm': 200, …}]`: the file is for "
+    Prediction('7.3-3', "`parameters=[{'robot_name': 'Berta'}, config, {'max_speed_rpm': 200, …}]`: the file is for "
                '`/simple_param_node` and says 180 rpm, and the default is 100. What is the speed?', (
         wrong('200', 'The first dictionary has opened the block `/**`. The last one goes into the same block, and the '
               "file's block comes after it."),
@@ -45,21 +45,21 @@ PREDICTIONS = (
               'it.'),
         wrong('100', 'The file does reach the robot: its name and the first line of the file are the same.')),
         otherwise='180. Both dictionaries are one block, which the first one opened, so the block of the file wins.'),
-    Prediction('7.3-3', 'The first line of `robot.yaml` is `/robot`, and it gives the speed 200. The robot starts in '
+    Prediction('7.3-4', 'The first line of `robot.yaml` is `/robot`, and it gives the speed 200. The robot starts in '
                'the namespace `/lab`. What is its speed?', (
         wrong('200: its name is still robot', 'A file names a node by its fully qualified name, and that is '
               '`/lab/robot` now.'),
         right('100', 'The fully qualified name is `/lab/robot`, the file is for `/robot`, and nothing tells you.'),
         wrong('There is none: no node takes the file, so the start fails', 'A file that reaches no node is not an '
               'error. The robot starts with its default.'))),
-    Prediction('7.3-4', 'A file says `sped: 200`, a typo, and `turbo: true`, which the node no longer declares. What '
+    Prediction('7.3-5', 'A file says `sped: 200`, a typo, and `turbo: true`, which the node no longer declares. What '
                'do you see at the start?', (
         wrong('an error: there are no such parameters', 'An override waits until its parameter is declared. If that '
               'never happens, nothing happens.'),
         wrong('a warning with both names', 'There is no warning. The node keeps the overrides aside without a word.'),
         right('nothing', 'An override waits until its parameter is declared. If that never happens, nothing tells '
               'you.'))),
-    Prediction('7.3-5', 'The file still says `sped: 200`. Which of the two options turns it into a parameter?', (
+    Prediction('7.3-6', 'The file still says `sped: 200`. Which of the two options turns it into a parameter?', (
         wrong('allow_undeclared_parameters', 'It lets others *set* what was not declared. For overrides it does '
               'nothing.'),
         right('automatically_declare_parameters_from_overrides', 'It declares every override that reaches the node, '
