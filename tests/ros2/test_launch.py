@@ -368,6 +368,14 @@ def test_choices_must_hold_the_default_and_must_not_be_empty():
     assert DeclareLaunchArgument('x', default_value=given('y'), choices=['a'])
 
 
+def test_a_default_is_a_string_and_may_be_empty(context):
+    for default in (90, True, [90], Path('x')):
+        with pytest.raises(LaunchFailed, match='where a string or a substitution belongs'):
+            DeclareLaunchArgument('n', default_value=default)
+    DeclareLaunchArgument('n', default_value='').declare(context)
+    assert values_of({'n': given('n')}, context) == {'n': ''}
+
+
 def test_set_parameter_reaches_the_nodes_after_it_before_their_own_parameters(launch_file, context):
     found = load_description(launch_file("""
         Node(package='param_tutorial', executable='simple_param_node'),

@@ -22,6 +22,7 @@ from param_tutorial.ros2.launch.substitutions import (
     FindPackageShare,
     LaunchConfiguration,
     LaunchFailed,
+    expect_string,
     perform,
 )
 from param_tutorial.ros2.launch.values import flat, parameter_value
@@ -41,6 +42,8 @@ class DeclareLaunchArgument:
 
     def __init__(self, name: str, *, default_value: Any = None, description: str | None = None,
                  choices: list[str] | None = None):
+        if default_value is not None:
+            expect_string(default_value)
         if choices is not None and not choices:
             raise LaunchFailed('Provided choices arg is empty. Use None to ignore the choice list.')
         if choices is not None and isinstance(default_value, str) and default_value not in choices:

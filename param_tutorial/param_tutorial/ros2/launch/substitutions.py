@@ -107,17 +107,24 @@ def is_substitution(value: Any) -> bool:
         and any(isinstance(part, Substitution) for part in value))
 
 
+def expect_string(value: Any) -> None:
+    """Expect what ``perform`` takes: a string, a substitution, or several of them in a row.
+
+    :raises LaunchFailed: it is something else.
+    """
+    parts = value if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)) else (value,)
+    if not all(isinstance(part, (str, Substitution)) for part in parts):
+        raise LaunchFailed(f'the launch file has {value!r} where a string or a substitution belongs')
+
+
 def perform(value: Any, context: Context) -> str:
-    """Return the string that something stands for: a string, a substitution, or several of them in a row."""
+    """Return the string that something stands for."""
+    expect_string(value)
     if isinstance(value, str):
         return value
     if isinstance(value, Substitution):
         return value.perform(context)
-    if isinstance(value, Iterable) and not isinstance(value, (bytes, Mapping)):
-        parts = list(value)
-        if all(isinstance(part, (str, Substitution)) for part in parts):
-            return ''.join(perform(part, context) for part in parts)
-    raise LaunchFailed(f'the launch file has {value!r} where a string or a substitution belongs')
+    return ''.join(perform(part, context) for part in value)
 
 
 def describe(value: Any) -> str:
