@@ -1,4 +1,4 @@
-"""Start the robot as whoever starts it wishes: add robot_name:=Berta or max_speed_rpm:=60 to the command."""
+"""Start the robot with values of your choice: add robot_name:=Berta or max_speed_rpm:=60 to the command."""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
@@ -8,7 +8,7 @@ from launch_ros.parameter_descriptions import ParameterValue
 
 
 def generate_launch_description():
-    """Describe the arguments, and what is to be started with them."""
+    """Describe the arguments, and what to start with them."""
     return LaunchDescription([
         DeclareLaunchArgument('robot_name', default_value='Clawbot', description='Name of the robot.'),
         DeclareLaunchArgument('max_speed_rpm', default_value='100', description='Maximum wheel speed in rpm.'),
@@ -18,7 +18,7 @@ def generate_launch_description():
             name='simple_param_node',
             output='screen',
             parameters=[{
-                # What comes from a command line is text, and is read as YAML; a name shall stay text, be it 42.
+                # A launch reads the string of an argument as YAML. A name must stay a string, even 42.
                 'robot_name': ParameterValue(LaunchConfiguration('robot_name'), value_type=str),
                 'max_speed_rpm': LaunchConfiguration('max_speed_rpm'),
             }],

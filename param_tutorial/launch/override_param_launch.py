@@ -1,4 +1,4 @@
-"""Start the robot with a file, and with values that stand here and come after it: the last one wins."""
+"""Start the robot with a file, and with values in the launch file that come after it."""
 
 import os
 
@@ -8,7 +8,7 @@ from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    """Describe what is to be started."""
+    """Describe what to start."""
     share = get_package_share_directory('param_tutorial')
     return LaunchDescription([
         Node(

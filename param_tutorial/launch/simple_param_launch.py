@@ -8,7 +8,7 @@ from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    """Describe what is to be started; nothing has been started when this returns."""
+    """Describe what to start. Nothing has been started when this returns."""
     share = get_package_share_directory('param_tutorial')
     return LaunchDescription([
         Node(

@@ -251,9 +251,8 @@ def test_a_callback_that_keeps_the_executor_for_good_is_told(ros, monkeypatch):
 
 
 @pytest.mark.parametrize(('given', 'happened'), [
-    ('200', "it does not say `'200'`, of type string: to ROS the type is part of the value"),
-    (200.0, 'it does not say `200.0`, of type double: to ROS the type is part of the value'),
-    ('a lot', "it does not say `'a lot'`"),
+    ('200', "it does not say `'200'`. In quotes it is a string"),
+    (200.0, 'it does not say `200.0`. Written like this, it is a double'),
     (201, 'it does not say `201`'),
 ])
 def test_a_prediction_of_another_type_is_told_so(ros, given, happened):
@@ -533,3 +532,26 @@ the end'''
     page = result._repr_html_()
     for text in ('not yet', '<code>a</code> &lt; <code>b</code>', '&lt;b&gt;', '<b>done</b>', '<b>not tried</b>'):
         assert text in page
+
+
+def test_in_the_corner_a_parameter_file_names_its_nodes_however_it_is_written():
+    for text, expected in (
+            ('/a: {x: 1}\nb:\n  /c: 1\n', f'{trial.CORNER}/a: {{x: 1}}\n{trial.CORNER}/b:\n  /c: 1\n'),
+            ('  "/a": 1\n  \'b\': 1', f'  "{trial.CORNER}/a": 1\n  \'{trial.CORNER}/b\': 1'),
+            ('{/a: {/x: 1}, /*/b: 1}', f'{{{trial.CORNER}/a: {{/x: 1}}, {trial.CORNER}/*/b: 1}}'),
+            ('# ü\n---\n/a: 1', f'# ü\n---\n{trial.CORNER}/a: 1')):
+        assert trial._in_corner(text) == expected
+    for text in ('/**: 1', '**/a: 1', f'{trial.CORNER}/a: 1', '/a: [', '', 'a', '- /a', '/a: 1\n---\n/b: 1'):
+        assert trial._in_corner(text) == text
+
+
+def test_a_prediction_of_another_type_is_told_what_it_is(ros):
+    for given, word in (("'180'", 'In quotes it is a string'), ('180.0', 'Written like this, it is a double'),
+                        ('True', 'Written like this, it is a boolean')):
+        result = exercises.check('7.2b', solution('7.2b', ("config]': 180", f"config]': {given}")))
+        assert not_yet(result)['`parameters=[config]`'].endswith(word)
+
+
+def test_what_depends_on_a_requirement_that_is_not_met_is_not_tried(ros):
+    result = exercises.check('7.3b', solution('7.3b', ('/lab/', '/store/')))
+    assert [finding.word for finding in result.findings] == ['done', 'not yet', 'not yet', 'not tried', 'not tried']

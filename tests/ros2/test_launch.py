@@ -3,19 +3,32 @@
 import io
 import itertools
 import os
+import re
 import signal
 import subprocess
 import sys
 from pathlib import Path
+from typing import List  # noqa: UP035  # as launch files write it
 
 import psutil
 import pytest
 import yaml
+from rclpy.node import Node as RclNode
 
 from param_tutorial import ParameterClient, Terminal, wait_until
 from param_tutorial.ros2 import command
-from param_tutorial.ros2.launch.description import Context, LaunchFailed, Node
+from param_tutorial.ros2.launch.description import (
+    DeclareLaunchArgument,
+    LaunchDescription,
+    Node,
+    ParameterFile,
+    SetParameter,
+)
+from param_tutorial.ros2.launch.processes import Launcher, Program
 from param_tutorial.ros2.launch.reading import MODULES, load_description
+from param_tutorial.ros2.launch.substitutions import Context, LaunchConfiguration, LaunchFailed
+from param_tutorial.ros2.launch.values import ParameterValue
+from param_tutorial.ros2.launch.verb import programs
 from tests.support.paths import ROOT
 
 FILES = sorted((ROOT / 'param_tutorial' / 'launch').glob('*.py'))
@@ -32,6 +45,8 @@ from launch_ros.substitutions import FindPackageShare
 def generate_launch_description():
     return LaunchDescription([
 '''
+# launch knows this one, and not list[int].
+INTS = List[int]  # noqa: UP006
 
 
 @pytest.fixture
@@ -133,7 +148,8 @@ def test_modules_that_were_there_before_are_there_again(launch_file, monkeypatch
     ('import launch.event_handlers', r'has no module launch\.event_handlers'),
     ('import launch\nlaunch.LaunchService', r'has no launch\.LaunchService'),
     ('from launch_ros.actions import Node\nNode(package="p", executable="e", respawn=True)', "'respawn'"),
-    ('from launch import LaunchDescription\nLaunchDescription([1])', 'takes Node and DeclareLaunchArgument here'),
+    ('from launch import LaunchDescription\nLaunchDescription([1])',
+     'takes Node, DeclareLaunchArgument and SetParameter here'),
 ])
 def test_what_only_a_full_installation_has_is_rejected_by_name(launch_file, text, why):
     path = launch_file('', head=f'{text}\ndef generate_launch_description():\n    return ([')
@@ -212,10 +228,224 @@ def test_a_parameter_file_that_is_missing_is_a_warning_only(context):
     assert context.warnings == ['Parameter file path is not a file: /nowhere/x.yaml']
 
 
-@pytest.mark.parametrize('value', [None, [], [1, 'a'], {1, 2}])
+@pytest.mark.parametrize('value', [None, [], [1, 'a'], [True, 1], {1, 2}, [[1, 2]], [None], Path('x')])
 def test_what_cannot_be_a_parameter(context, value):
-    with pytest.raises(LaunchFailed, match='cannot be the value of a parameter'):
-        Node(package='p', executable='e', parameters=[{'x': value}]).command(['program'], context)
+    with pytest.raises(LaunchFailed, match=r'cannot be the value of a parameter|a string or a substitution belongs'):
+        values_of({'x': value}, context)
+
+
+# What launch_ros makes of values, as measured with the genuine one (launch 3.4.3, launch_ros 0.26.6).
+
+
+def values_of(parameters, context):
+    """Give what a node is told to start with."""
+    _, files = arguments(Node(package='p', executable='e', parameters=[parameters]), context)
+    return files[0]['/**']['ros__parameters']
+
+
+def given(name):
+    return LaunchConfiguration(name)
+
+
+@pytest.mark.parametrize(('text', 'value'), [
+    ('', ''), ('60', 60), ('on', True), ('1e5', '1e5'), ('1.0e+5', 1e5), ('"42"', '42'), ('[1, 2]', [1, 2]),
+    ('[1, true]', [1, True]), ("['a', 'b']", ['a', 'b'])])
+def test_the_string_of_an_argument_is_read_as_yaml(context, text, value):
+    context.arguments['n'] = text
+    assert values_of({'n': given('n')}, context) == {'n': value}
+
+
+@pytest.mark.parametrize('text', ['null', '~', '2026-01-31', '2026-02-31', '{a: b}', '[1, a]', '[]', '[true, 1]',
+                                  'a: b: c', '@x'])
+def test_a_string_that_yaml_makes_no_parameter_of_is_an_error_that_says_how_to_keep_it(context, text):
+    context.arguments['n'] = text
+    with pytest.raises(LaunchFailed, match=r'(?s)^n is .*ParameterValue\(\.\.\., value_type=str\) keeps it a string'):
+        values_of({'n': given('n')}, context)
+    assert values_of({'n': ParameterValue(given('n'), value_type=str)}, context) == {'n': text}
+
+
+def test_a_list_that_holds_a_list_with_a_substitution_is_a_list_and_one_of_strings_and_substitutions_is_one(context):
+    context.arguments['x'] = 'a'
+    assert values_of({
+        'two': [given('x'), [given('x'), '_b']], 'one': [given('x'), '_b'], 'texts': ['1', ['2', given('x')]],
+        'numbers': [[given('speed')], 5], 'bools': [True, False]}, context) == {
+        'two': ['a', 'a_b'], 'one': 'a_b', 'texts': ['1', '2a'], 'numbers': [60, 5], 'bools': [True, False]}
+
+
+def test_bytes_are_written_in_base64_and_are_a_string_to_rcl(context, ros):
+    node = Node(package='p', executable='e', parameters=[{'x': b'ab'}])
+    words = node.command(['program'], context)
+    taken = ros.add(RclNode, 'trip', automatically_declare_parameters_from_overrides=True, ros_args=words[2:])
+    assert taken.get_parameter('x').value.strip() == 'YWI='
+
+
+@pytest.mark.parametrize(('text', 'value_type', 'value'), [
+    ('1', bool, True), ('0', bool, False), ('yes', bool, True), ('60', int, 60), ('60', float, 60.0),
+    ('1e5', float, 1e5), ('42', str, '42'), ('', str, ''), ('[1, 2]', INTS, [1, 2]), ('1.0', None, 1.0), ('', None, ''),
+    ('[]', None, [])])
+def test_a_parameter_value_turns_the_string_of_a_substitution_into_its_type(context, text, value_type, value):
+    context.arguments['n'] = text
+    found = ParameterValue(given('n'), value_type=value_type).evaluate(context)
+    assert (type(found), found) == (type(value), value)
+
+
+@pytest.mark.parametrize(('text', 'value_type'), [
+    ('2', bool), ('fast', int), ('1.5', int), ('0x10', int), ('fast', float), ('1', INTS), ('[1, a]', INTS),
+    ('null', None), ('{a: b}', None), ('@x', bool)])
+def test_a_string_of_another_type_is_an_error(context, text, value_type):
+    context.arguments['n'] = text
+    with pytest.raises(LaunchFailed, match='was given where the launch file wants a value of type'):
+        ParameterValue(given('n'), value_type=value_type).evaluate(context)
+
+
+def test_a_parameter_value_of_python_values_must_have_its_type(context):
+    assert ParameterValue(True, value_type=int).evaluate(context) is True  # a bool is an int to Python
+    assert ParameterValue([given('speed'), 5], value_type=INTS).evaluate(context) == [60, 5]
+    assert ParameterValue([1, 2.5]).evaluate(context) == [1.0, 2.5]
+    for value, value_type in ((42, str), ('42', int), (1, float), ([1], int), (None, None), ({}, None), (1, dict),
+                              (1, list[int])):
+        with pytest.raises(LaunchFailed):
+            ParameterValue(value, value_type=value_type)
+
+
+def test_parameters_that_are_no_list_are_rejected_when_the_node_is_made():
+    for parameters in (({'x': 1},), {'x': 1}, 'x.yaml'):
+        with pytest.raises(LaunchFailed, match="expected 'parameters' to be a list"):
+            Node(package='p', executable='e', parameters=parameters)
+    assert Node(package='p', executable='e', parameters=None)
+
+
+@pytest.mark.parametrize(('names', 'why'), [
+    ({'name': 'bad name'}, "Invalid node name: .*: 'bad name'"), ({'name': ''}, 'must not be empty'),
+    ({'namespace': 'bad space'}, "Invalid namespace: .*: '/bad space'"), ({'namespace': '//lab'}, 'Invalid namespace')])
+def test_a_name_that_no_node_can_have_is_an_error(context, names, why):
+    with pytest.raises(LaunchFailed, match=why):
+        Node(package='p', executable='e', **names).command(['program'], context)
+
+
+@pytest.mark.parametrize(('namespace', 'full'), [('lab', '/lab'), ('/lab/', '/lab'), ('', '/'), ('/', '/')])
+def test_an_empty_namespace_is_the_root_and_names_the_node(context, namespace, full):
+    node = Node(package='p', executable='e', name='n', namespace=namespace, parameters=[{'x': 1}])
+    after, files = arguments(node, context)
+    assert after[:4] == ['-r', '__node:=n', '-r', f'__ns:={full}']
+    assert list(files[0]) == [f'{full.rstrip("/")}/n']
+
+
+@pytest.mark.parametrize(('output', 'streams'), [
+    ('screen', (True, True)), ('both', (True, True)), ('full', (True, True)), ('log', (False, True)),
+    ('own_log', (False, False)), ({'stdout': 'screen', 'stderr': 'log'}, (True, False)),
+    ({'stdout': {'log'}, 'stderr': {'screen', 'log'}}, (False, True)), ({'both': 'screen'}, (True, True)),
+    ({}, (False, False)),
+])
+def test_which_streams_are_shown(context, output, streams):
+    assert Node(package='p', executable='e', output=output).streams_on_screen(context) == streams
+
+
+@pytest.mark.parametrize(('output', 'why'), [
+    ('everywhere', 'everywhere is not a valid standard output config'), ({'stdin': 'log'}, 'not a valid output source'),
+    ({'stdout': 'printer'}, 'printer is not a valid output destination')])
+def test_an_output_that_is_none(context, output, why):
+    with pytest.raises(LaunchFailed, match=why):
+        Node(package='p', executable='e', output=output).streams_on_screen(context)
+
+
+@pytest.mark.slow
+def test_a_stream_that_only_goes_to_a_log_is_not_on_the_screen(launch_file, capfd):
+    program = launch_file('', name='x').parent / 'both_streams'
+    program.write_text('#!/bin/sh\necho to stdout\necho to stderr >&2\n')
+    launcher = Launcher(sys.stdout)
+    launcher.run([Program(['sh', str(program)], 'x', True, False)])
+    shown = capfd.readouterr().out
+    assert '[x-1] to stdout' in shown
+    assert 'to stderr' not in shown
+
+
+def test_choices_must_hold_the_default_and_must_not_be_empty():
+    with pytest.raises(LaunchFailed, match='Provided default_value "c" is not in provided choices'):
+        DeclareLaunchArgument('x', default_value='c', choices=['a', 'b'])
+    with pytest.raises(LaunchFailed, match='Provided choices arg is empty'):
+        DeclareLaunchArgument('x', choices=[])
+    assert DeclareLaunchArgument('x', default_value=given('y'), choices=['a'])
+
+
+def test_a_default_is_a_string_and_may_be_empty(context):
+    for default in (90, True, [90], Path('x')):
+        with pytest.raises(LaunchFailed, match='where a string or a substitution belongs'):
+            DeclareLaunchArgument('n', default_value=default)
+    DeclareLaunchArgument('n', default_value='').declare(context)
+    assert values_of({'n': given('n')}, context) == {'n': ''}
+
+
+def test_set_parameter_reaches_the_nodes_after_it_before_their_own_parameters(launch_file, context):
+    found = load_description(launch_file("""
+        Node(package='param_tutorial', executable='simple_param_node'),
+        SetParameter('use_sim_time', True), SetParameter(name='names', value=['a', 'b']),
+        SetParameter('n', {'speed': LaunchConfiguration('speed')}),
+        Node(package='param_tutorial', executable='simple_param_node', parameters=[{'x': 1}])""",
+        HEAD.replace('import Node', 'import Node, SetParameter')))
+    before, after = (each.command[each.command.index('--ros-args') + 1:] for each in programs(found, context))
+    assert before == []
+    assert after[:-1] == ['-p', 'use_sim_time:=True', '-p', "names:=('a', 'b')", '-p', 'n.speed:=60', '--params-file']
+
+
+def test_with_set_parameter_a_file_for_the_node_beats_the_dictionary_after_it(context, tmp_path, ros):
+    path = tmp_path / 'exact.yaml'
+    path.write_text('/trip: {ros__parameters: {speed: 180}}')
+    node = Node(package='p', executable='e', parameters=[path, {'speed': 200}])
+
+    def speed():
+        words = node.command(['program'], context)[2:]
+        return ros.add(RclNode, 'trip', automatically_declare_parameters_from_overrides=True,
+                       ros_args=words).get_parameter('speed').value
+
+    assert speed() == 200
+    SetParameter('fleet', 'north').set(context)
+    assert speed() == 180
+
+
+def test_a_parameter_file_with_substitutions(context, tmp_path):
+    path = tmp_path / 'with.yaml'
+    path.write_text("/**: {ros__parameters: {speed: $(var speed), name: '$(var name)', "
+                    "share: $(find-pkg-share param_tutorial)/config, price: 5$, escaped: \\$(var speed)}}")
+    node = Node(package='p', executable='e', parameters=[ParameterFile(path, allow_substs=True)])
+    _, files = arguments(node, context)
+    found = files[0]['/**']['ros__parameters']
+    assert Path(found.pop('share'), 'clawbot_config.yaml').is_file()
+    assert found == {'speed': 60, 'name': '42', 'price': '5$', 'escaped': '$(var speed)'}
+    after, _ = arguments(Node(package='p', executable='e', parameters=[ParameterFile(path)]), context)
+    assert after == ['--params-file', str(path)]
+
+
+@pytest.mark.parametrize(('text', 'why'), [
+    ('x: $(eval 1 + 1)', r'(?s)not \$\(eval 1 \+ 1\).*environment/README.md'),
+    ('x: $(env HOME)', r'not \$\(env HOME\)'),
+    ('x: $(var speed', r'not \$\(var speed'), ('x: $(var nobody)', "'nobody' does not exist"),
+    ('x: [$(var name)', 'not a valid yaml file')])
+def test_a_substitution_in_a_file_that_cannot_be_carried_out_is_named(context, tmp_path, text, why):
+    path = tmp_path / 'with.yaml'
+    path.write_text(text)
+    with pytest.raises(LaunchFailed, match=why):
+        ParameterFile(path, allow_substs=True).evaluate(context)
+
+
+def test_a_file_with_substitutions_that_is_missing_is_an_error(context):
+    with pytest.raises(LaunchFailed, match=r'No such file or directory: /nowhere/x\.yaml'):
+        ParameterFile('/nowhere/x.yaml', allow_substs=True).evaluate(context)
+    with pytest.raises(LaunchFailed, match='allow_substs'):
+        ParameterFile('x.yaml', allow_substs='yes')
+
+
+@pytest.mark.parametrize('node', [
+    {'executable': 5}, {'executable': Path('x')}, {'executable': [['e']]}, {'parameters': [5]}])
+def test_what_is_no_string_where_one_belongs(context, node):
+    with pytest.raises(LaunchFailed, match='where a string or a substitution belongs'):
+        programs(LaunchDescription([
+            Node(**{'package': 'param_tutorial', 'executable': 'simple_param_node', **node})]), context)
+
+
+def test_a_node_without_a_package_is_rejected_by_name():
+    with pytest.raises(LaunchFailed, match=r'needs package= for a Node\. .*environment/README.md'):
+        Node(executable='ls')
 
 
 # -- the command ----------------------------------------------------------------------------------------------------
@@ -234,9 +464,14 @@ def test_arguments_are_shown_and_checked(launch_file):
     'robot':
         no description given
 """, '', 0)
+    twice = launch_file("DeclareLaunchArgument('a', default_value='1'), DeclareLaunchArgument('b'), "
+                        "DeclareLaunchArgument('a', default_value='2')", name='twice_launch.py')
+    assert re.findall(r"    '.':|default: '.'", launch('--show-args', twice)[0]) == [
+        "    'a':", "default: '1'", "    'b':"]
     for words, why in ((['mode:=wild', 'robot:=x'], 'provided value "wild" is not valid'),
                        ([], 'Required launch argument "robot" was not provided'),
-                       (['fast'], "malformed launch argument 'fast'")):
+                       (['fast'], "malformed launch argument 'fast'"),
+                       (['robot:='], "malformed launch argument 'robot:='")):
         _, err, status = launch(path, *words, in_notebook=False)
         assert status == 1
         assert why in err
@@ -250,6 +485,22 @@ def test_mistakes_have_a_sentence(launch_file):
     path = launch_file("        Node(package='param_tutorial', executable='nope')")
     assert launch(path, in_notebook=False)[1:] == (
         '[ERROR] [launch]: Caught exception in launch (see debug for traceback): No executable found\n', 1)
+
+
+def test_a_launch_file_is_found_at_any_depth_and_must_be_the_only_one_of_its_name(tmp_path, monkeypatch):
+    share = tmp_path / 'share/deep'
+    marker = tmp_path / 'share/ament_index/resource_index/packages/deep'
+    folders = share / 'launch/robots/arm', share / 'launch'
+    for folder in (*folders, marker.parent):
+        folder.mkdir(parents=True, exist_ok=True)
+    marker.touch()
+    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+    (folders[0] / 'x_launch.py').write_text(HEAD + '    ])\n')
+    assert launch('--show-args', 'deep', 'x_launch.py')[1:] == ('', 0)
+    (folders[1] / 'x_launch.py').write_text(HEAD + '    ])\n')
+    _, err, status = launch('--show-args', 'deep', 'x_launch.py')
+    assert status == 1
+    assert f"file 'x_launch.py' was found more than once in the share directory of package 'deep': ['{share}" in err
 
 
 @pytest.mark.slow

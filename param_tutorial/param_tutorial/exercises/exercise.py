@@ -110,10 +110,8 @@ class Exercise:
                               if values.same(list(wrong) if isinstance(wrong, tuple) else wrong, given)), '')
                 if not truth:
                     truth.append(find_out(trial))
-                if not words and _only_the_type_differs(truth[0], given):
-                    words = f', of type {values.type_of(given).label}: to ROS the type is part of the value'
                 expect(values.same(truth[0], given), 'what the node says when the check asks it',
-                       f'it does not say `{given!r}`{words}')
+                       f'it does not say `{given!r}`{words or _of_another_type(given, truth[0])}')
             return find_out
         return add
 
@@ -174,6 +172,16 @@ class Exercise:
         return result
 
 
+def _of_another_type(given: Any, truth: Any) -> str:
+    """Say what a prediction is, if that is not the kind of value that the node holds."""
+    if isinstance(given, str) and not isinstance(truth, str):
+        return '. In quotes it is a string'
+    kinds = {bool: 'a boolean', int: 'an integer', float: 'a double'}
+    if type(given) in kinds and type(truth) in kinds and type(given) is not type(truth):
+        return f'. Written like this, it is {kinds[type(given)]}'
+    return ''
+
+
 def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     """Try out one requirement, with a stage that is then as before.
 
@@ -223,13 +231,6 @@ def _examine(requirement: Requirement, trial: Trial) -> None:
 def _finding(requirement: Requirement, error: NotYet) -> Finding:
     return Finding(requirement.sentence, False, _without_corner(error.expected), _without_corner(error.happened),
                    requirement.see)
-
-
-def _only_the_type_differs(truth: Any, given: Any) -> bool:
-    """True for 200.0 or '200' in place of 200."""
-    if not isinstance(given, (bool, int, float, str)) or type(given) is type(truth):
-        return False
-    return bool(given == truth) or str(given).lower() == str(truth).lower()
 
 
 def _without_corner(text: str) -> str:

@@ -172,3 +172,12 @@ def expect_left_alone(trial: Trial, node: WithSecondJudge, attribute: str, new: 
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
     expect(after == before, f'`self.{attribute}` stays `{before!r}` when a second judge rejects {asked}',
            f'it became `{after!r}`: that is a side effect of an on-set callback, which has only a proposal')
+
+
+def expect_text(trial: Trial) -> None:
+    """Expect the learner to have written something into a parameter file.
+
+    :raises NoUse: nothing is there.
+    """
+    if not trial.work.strip():
+        raise NoUse('the text of a parameter file', 'there is nothing in it yet')

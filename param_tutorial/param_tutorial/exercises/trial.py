@@ -13,6 +13,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any, TypeVar, overload
 
+import yaml
 from rclpy.node import Node
 
 from param_tutorial.errors import CallbackError, ExecutorError, ParameterToolError, StuckError, WaitTimeoutError
@@ -36,10 +37,9 @@ _SHORT_TIME_LIMIT_SEC = 1.0
 
 # What rclpy raises for a parameter file, with rcl's own words in it.
 _NOT_A_PARAMETER_FILE = re.compile(r"Couldn't parse params file: .*? Error: (.*?), at \S+:\d+", re.DOTALL)
-# The name of a node, or a pattern, at the beginning of a line: the first level of a parameter file. What begins with
-# /** reaches the corner as it is, and /** itself must stay one block with that of `-p`; a dump of a node in the corner
-# names it already.
-_NODE_KEY = re.compile(rf'^(["\']?)(?!/?\*\*|{CORNER}/)/?(?=[\w*])', re.MULTILINE)
+# The beginning of a node's name, or of a pattern. What begins with /** reaches the corner as it is, and /** itself must
+# stay one block with that of `-p`; a dump of a node in the corner names it already.
+_NODE_KEY = re.compile(rf'(["\']?)(?!/?\*\*|{CORNER}/)/?(?=[\w*])')
 
 
 class NotYet(Exception):
@@ -276,7 +276,17 @@ def _time_limit() -> Iterator[None]:
 
 def _in_corner(text: str) -> str:
     """Let a parameter file mean the nodes in the corner, in place of those of the same names."""
-    return _NODE_KEY.sub(rf'\1{CORNER}/', text)
+    # libyaml is what rcl uses, too; PyYAML's own parser differs from it in corners.
+    loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
+    try:
+        top = yaml.compose(text, Loader=loader)
+    except yaml.YAMLError:
+        return text  # rcl says what is wrong with it
+    if isinstance(top, yaml.MappingNode):
+        for key, _ in reversed(top.value):
+            if match := _NODE_KEY.match(text, key.start_mark.index):
+                text = f'{text[:match.start()]}{match[1]}{CORNER}/{text[match.end():]}'
+    return text
 
 
 def describe_error(error: BaseException) -> str:

@@ -1,6 +1,7 @@
-"""Exercises of chapter 7.1: order the lines of a parameter file, write a parameter file by hand, and foresee what
-comes back of a dump."""
+"""Exercises of chapter 7.1: order the lines of a parameter file, write a parameter file by hand, and predict what
+comes back from a dump."""
 
+import re
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,15 +11,39 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
+from param_tutorial.exercises.expectations import expect_text
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 
 CHAPTER = '07_1_saving'
 FORMAT = 'The format'
 BACK = 'Load it back'
-LOOKS_LIKE = 'Break it: texts that look like something else'
+LOOKS_LIKE = 'Break it: strings that look like something else'
 SECOND = 'Break it: the second reader'
 NO_FILE = 'Break it: what no file can hold'
+
+
+def expect_block(trial: Trial, full_name: str) -> None:
+    """Expect the learner's file to hold something for a node.
+
+    :raises NoUse: it holds nothing for it, so nothing that follows would say more.
+    """
+    expect_text(trial)
+    namespace, _, name = full_name.rpartition('/')
+
+    class Finder(Node):
+        def __init__(self) -> None:
+            super().__init__(name, automatically_declare_parameters_from_overrides=True)
+
+    try:
+        finder = trial.start_with_files(Finder, {'work.yaml': trial.work}, '--params-file', 'work.yaml',
+                                        namespace=namespace)
+    except NoStart:  # an empty array, for example: something has been found
+        return
+    # Two that every node has.
+    if not set(trial.client(finder).list_parameters()) - {'use_sim_time', 'start_type_description_service'}:
+        raise NoUse(f'a block for `{full_name}`', 'the file has nothing for this node. Whom does its first line name?')
+
 
 # Of the recorder that the learner writes a file for: each default, and the value that it should start with.
 GOALS = {
@@ -28,6 +53,16 @@ GOALS = {
     'gains.kp': (1.0, 1.5),
     'channels': (['left'], ['1', '2']),
     'serial_number': ('R-000', '0042'),
+}
+# What a value of the wrong type comes from, by the type that the recorder wants and the one that rcl has found.
+CAUSES = {
+    ('STRING', 'BOOL'): 'To rcl this word is a boolean, unless it is in quotes',
+    ('STRING', 'INTEGER'): 'A string that looks like a number needs quotes',
+    ('STRING', 'DOUBLE'): 'A string that looks like a number needs quotes',
+    ('DOUBLE', 'INTEGER'): 'A double needs its dot, in a file too',
+    ('DOUBLE', 'STRING'): 'In quotes it is a string',
+    ('STRING_ARRAY', 'INTEGER_ARRAY'): 'Each element that looks like a number needs quotes of its own',
+    ('STRING_ARRAY', 'STRING'): 'This is one string. A list has brackets, or a dash before each element',
 }
 
 
@@ -42,36 +77,42 @@ def recorder(name: str) -> type[Node]:
 
 
 write = Exercise('7.1a', 'Write a file by hand', CHAPTER, TEXT, hints=(
-    'Let a node write it: `ParameterClient(...).dump()` of a node with such values shows the form, and its quotes.',
-    'The first line is the full name of the node, with a colon. The second is `ros__parameters:`, two blanks further '
-    'in, and the parameters stand another two blanks further in. A dot in a name makes a level more.',
-    'To rcl `1.10` and `0042` are numbers and `on` is true: such texts need quotes. The double wants its dot.'))
+    'Let a node write it: `ParameterClient(...).dump()` of a node with values like these shows you the form and the '
+    'quotes.',
+    'The first line is the fully qualified name of the node and a colon. The second line is `ros__parameters:`, '
+    'indented by two spaces, and the parameters are indented by four. A dot in a name adds a level.',
+    'To rcl, `1.10` and `0042` are numbers and `on` is true, so these strings need quotes. The double needs its dot.'))
 
 
-def require_value(name: str, because: str, see: str) -> None:
+@write.require('rcl can read the file, and it is for `/lab/recorder`', see=FORMAT)
+def reaches_recorder(trial: Trial) -> None:
+    expect_block(trial, '/lab/recorder')
+
+
+def require_value(name: str, see: str) -> None:
     """Add the requirement that the recorder starts with a value."""
-    goal = GOALS[name][1]
+    default, goal = GOALS[name]
 
     @write.require(f'`{name}` starts as the {values.type_of(goal).label} `{goal!r}`', see=see)
     def starts(trial: Trial) -> None:
-        if not trial.work.strip():
-            raise NoUse('the text of a parameter file', 'there is nothing in it yet')
         try:
             node = trial.start_with_files(recorder(name), {'recorder.yaml': trial.work},
                                           '--params-file', 'recorder.yaml', namespace='/lab')
-        except NoStart as error:  # the others may be better
-            raise NotYet(error.expected, f'{error.happened}. {because}') from None
+        except NoStart as error:  # the other values may be right
+            types = re.search(r"of type '(\w+)', expecting type '(\w+)'", error.happened)
+            cause = CAUSES.get((types[2], types[1]), '') if types else ''
+            raise NotYet(error.expected, error.happened + (f'. {cause}' if cause else '')) from None
         found = trial.client(node).get_parameter(name)
-        expect(values.same(found, goal), f'`{goal!r}`', f'it is `{found!r}`' + (
-            ', the default: the file does not reach it' if values.same(found, GOALS[name][0]) else f'. {because}'))
+        expect(values.same(found, goal), f'`{goal!r}`', 'it has no value' if found is None else f'it is `{found!r}`' + (
+            f', the default: the file has no `{name}`' if values.same(found, default) else ''))
 
 
-require_value('version', 'A text that looks like a number needs quotes', LOOKS_LIKE)
-require_value('mode', 'To rcl this word is a boolean, unless it stands in quotes', LOOKS_LIKE)
-require_value('rate_hz', 'A double wants its dot, in a file too', FORMAT)
-require_value('gains.kp', 'A double wants its dot, in a file too', FORMAT)
-require_value('channels', 'Each element that looks like a number needs quotes of its own', FORMAT)
-require_value('serial_number', 'A text that looks like a number needs quotes', BACK)
+require_value('version', LOOKS_LIKE)
+require_value('mode', LOOKS_LIKE)
+require_value('rate_hz', FORMAT)
+require_value('gains.kp', FORMAT)
+require_value('channels', FORMAT)
+require_value('serial_number', BACK)
 
 
 def holder(name: str, **declared: object) -> type[Node]:
@@ -98,18 +139,18 @@ def dumped(trial: Trial, text: str) -> str:
 
 
 foresee = Exercise('7.1b', 'Predict what comes back', CHAPTER, DICTIONARY, hints=(
-    'First: does the command put quotes around it? It does so where YAML 1.1 would see something else in the text. '
-    'Then: what does the reader see in what stands there?',
-    'For rcl `n` is a boolean and `2e3` a number, and quotes are respected. `load` reads as YAML 1.1 does, twice, and '
-    'the quotes are gone after the first time.',
-    'Of an empty list rcl makes a parameter that is declared and has no value: `None`. What is rejected leaves the old '
-    'value.'))
+    'Does the command put quotes around the string? It does if YAML 1.1 would take it for something else. Then ask '
+    'what the reader makes of what is written there.',
+    'To rcl, `n` is a boolean and `2e3` is a number, and a string in quotes stays a string. `load` reads by the rules '
+    'of YAML 1.1, twice, and the first reading removes the quotes.',
+    'rcl makes an empty array a parameter that is declared and has no value: `None`. If a node rejects a value, the '
+    'old one stays.'))
 
 
 def require_start(text: str, because: Mapping[object, str], see: str = LOOKS_LIKE) -> None:
     """Add the requirement to know what a node holds that is started with a dump of a value.
 
-    :param text: The value; '[]' stands for the list.
+    :param text: The value; '[]' stands for the array.
     """
     @foresee.require_prediction(f'{text}: --params-file', see=see, because=because)
     def holds(trial: Trial) -> Any:
@@ -131,54 +172,66 @@ def require_load(text: str, because: Mapping[object, str], see: str = SECOND) ->
         return trial.client(node).get_parameter('value')
 
 
+EXPONENT = 'In YAML 1.1 an exponent needs a dot and a sign, so this is a string'
+
 require_start('n', {
-    'n': 'The command wrote it without quotes, and rcl has more words for false than YAML 1.1'})
+    'n': 'The command wrote it without quotes, and rcl has more words for false than YAML 1.1 has'})
 require_load('n', {
-    False: 'To this reader it is a text, twice', 'old': 'It was not rejected: to this reader it is a text'})
+    False: 'To this reader it is a string, both times', 'old': 'The node accepts it: to this reader it is a string'})
 require_start('no', {
-    False: 'The command has put quotes around this one, and rcl respects them'})
+    False: 'The command puts quotes around this one, and rcl respects them'})
 require_load('no', {
-    'no': 'Quotes do not survive the first of its two readings', False: 'A boolean is rejected where a text is wanted'})
+    'no': 'Quotes do not survive the first of the two readings', False: 'The node rejects a boolean'})
 require_start('2e3', {
-    '2e3': 'Without a dot it is no number to YAML 1.1, so no quotes were put, and rcl sees one',
-    2000: 'It is a double'})
-require_load('2e3', {
-    'old': 'It was not rejected: YAML 1.1 wants a dot in a number', 2000.0: 'YAML 1.1 wants a dot in a number'})
+    '2e3': f'{EXPONENT}, and the command writes no quotes. rcl takes it for a number', 2000: 'It is a double'})
+require_load('2e3', {'old': f'The node accepts it. {EXPONENT}', 2000.0: EXPONENT})
 require_start('[]', {
-    (): 'rcl cannot tell the type of a list without elements', ('dock',): 'The default has been taken away'}, NO_FILE)
+    (): 'rcl cannot tell the type of an array without elements', ('dock',): 'The file takes the default away'}, NO_FILE)
 require_load('[]', {
-    (): 'An empty list is a boolean array to this reader, and the node wants texts',
-    None: 'Nothing is taken away here: what is rejected leaves the old value'}, NO_FILE)
+    (): 'To this reader an empty array is one of booleans, and the node wants strings',
+    None: 'What the node rejects takes nothing away'}, NO_FILE)
 
 
 order = Exercise('7.1c', 'Put a file in order', CHAPTER, TEXT, hints=(
-    'The indentation is right: each line belongs to the nearest line above it that stands further left.',
-    'The node stands at the left, below it `ros__parameters:`, and below that the parameters. A dot in a name makes a '
-    'level more: `color.red` is `red` below `color`.'))
+    'The indentation is right: each line belongs to the nearest line above it that is indented less.',
+    'The node is at the left margin, below it `ros__parameters`, and below that the parameters. A dot in a name adds a '
+    'level: `color.red` is `red` below `color`.'))
+LAMP: dict[str, tuple[Any, Any]] = {'brightness_percent': (100, 60), 'color.red': (1.0, 0.5)}
 
 
-class Lamp(Node):
-    """The lamp that the file is for."""
+def lamp(*names: str) -> type[Node]:
+    """Derive the lamp that the file is for, with some of its parameters."""
+    class Lamp(Node):
+        def __init__(self) -> None:
+            super().__init__('lamp')
+            for name in names:
+                self.declare_parameter(name, LAMP[name][0])
 
-    def __init__(self) -> None:
-        super().__init__('lamp')
-        self.declare_parameters('', [('brightness_percent', 100), ('color.red', 1.0)])
+    return Lamp
 
 
-def require_lamp(name: str, value: object) -> None:
+@order.require('rcl can read the file, and it is for `/lamp`', see=FORMAT)
+def reaches_lamp(trial: Trial) -> None:
+    expect_block(trial, '/lamp')
+
+
+def require_lamp(name: str) -> None:
     """Add the requirement that the lamp starts with a value."""
-    @order.require(f'the lamp starts with `{name}` of `{value!r}`', see=FORMAT)
+    default, value = LAMP[name]
+
+    @order.require(f'the lamp starts with a `{name}` of `{value!r}`', see=FORMAT)
     def starts(trial: Trial) -> None:
-        if not trial.work.strip():
-            raise NoUse('the text of a parameter file', 'there is nothing in it')
-        lamp = trial.start_with_files(Lamp, {'lamp.yaml': trial.work}, '--params-file', 'lamp.yaml')
-        found = trial.client(lamp).get_parameter(name)
+        try:
+            node = trial.start_with_files(lamp(name), {'lamp.yaml': trial.work}, '--params-file', 'lamp.yaml')
+        except NoStart as error:  # the other value may be right
+            raise NotYet(error.expected, error.happened) from None
+        found = trial.client(node).get_parameter(name)
         expect(values.same(found, value), f'`{value!r}`', f'it is `{found!r}`' + (
-            ', the default: the file has no value for it' if found in (100, 1.0) else ''))
+            f', the default: the file has no `{name}`' if values.same(found, default) else ''))
 
 
-require_lamp('brightness_percent', 60)
-require_lamp('color.red', 0.5)
+for each in LAMP:
+    require_lamp(each)
 
 
 EXERCISES = (order, write, foresee)

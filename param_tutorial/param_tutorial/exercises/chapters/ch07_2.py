@@ -1,39 +1,70 @@
-"""Exercises of chapter 7.2: fill in what a launch file says, complete a launch file, and foresee what a robot
-starts with."""
+"""Exercises of chapter 7.2: fill in what a launch file says, complete a launch file, and predict what a robot starts
+with."""
 
+import ast
 import itertools
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+
+import yaml
 
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.notebook.terminal import Terminal
-from param_tutorial.ros2.launch.description import Context
+from param_tutorial.ros2.index import share_folder_of
 from param_tutorial.ros2.launch.reading import load_description
+from param_tutorial.ros2.launch.substitutions import Context, LaunchFailed
 from param_tutorial.ros2.launch.verb import programs
 
 CHAPTER = '07_2_launch_files'
+SEE = 'See it'
 READ = 'Read it'
 VALUES = 'Change it: values in the launch file'
 ARGUMENTS = 'Change it: arguments'
 NOT_INSTALLED = 'Break it: the file that was not installed'
-SOMEBODY_ELSE = 'Break it: a file for somebody else'
+SOMEBODY_ELSE = 'Break it: a file for another node'
 FILE_NAME = 'my_launch.py'
+_BEFORE_A_CAUSE = '[ERROR] [launch]: Caught exception in launch (see debug for traceback): '
 
 
-def launched(trial: Trial, text: str, **arguments: str) -> SimpleParamNode:
-    """Put on the stage, in the corner, what a launch file starts, with the words that ``ros2 launch`` gives it.
+class Reckless(SimpleParamNode):
+    """The robot with its safety mode off by default, which tells a mode that is set from one that is left alone."""
+
+    def declare_parameter(self, name: str, value: Any = None, *args: Any, **options: Any) -> Any:
+        return super().declare_parameter(name, False if name == 'enable_safety_mode' else value, *args, **options)
+
+
+class Launched(NamedTuple):
+    """What a launch file starts."""
+
+    words: list[str]
+    """What follows ``--ros-args``; a parameter file by its name in ``files``."""
+    files: dict[str, str]
+    """The text of each parameter file."""
+
+    def start(self, trial: Trial, node_class: type[SimpleParamNode] = SimpleParamNode) -> SimpleParamNode:
+        """Put the robot on the stage, in the corner.
+
+        :raises NoStart: it does not start.
+        """
+        namespace = next((word.partition(':=')[2] for word in self.words if word.startswith('__ns:=')), '')
+        return trial.start_with_files(node_class, self.files, *self.words, namespace=namespace.rstrip('/'))
+
+
+def launch(trial: Trial, text: str, **arguments: str) -> Launched:
+    """Work out what ``ros2 launch`` would start.
 
     :param text: Of the launch file; it has to start the robot, and nothing else.
     :param arguments: Of the launch file.
-    :raises NoUse: it cannot be carried out.
-    :raises NotYet: it starts something else.
+    :raises NoUse: it cannot be carried out, or starts something else.
     """
+    if gaps := _gaps(text):
+        raise NoUse('something in place of each `...`', f'still missing: {", ".join(gaps)}')
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         path = Path(folder, FILE_NAME)
         path.write_text(text, encoding='utf-8')
@@ -41,69 +72,104 @@ def launched(trial: Trial, text: str, **arguments: str) -> SimpleParamNode:
             found = trial.call('the launch file', lambda: programs(
                 load_description(path), Context(dict(arguments), Path(folder), warn=lambda _: None)))
         except NotYet as error:
-            raise NoUse(error.expected, error.happened.replace(f'{folder}/', '')) from None
-        expect(len(found) == 1, 'one node is started', f'there are {len(found)}')
-        program, = found
-        expect(program.name == 'simple_param_node', 'the robot, `simple_param_node`', f'`{program.name}` is started')
-        words = program.command[program.command.index('--ros-args') + 1:]
-        namespace = next((word.partition(':=')[2] for word in words if word.startswith('__ns:=')), '')
-        files = {word: Path(word).read_text(encoding='utf-8') for option, word in itertools.pairwise(words)
-                 if option == '--params-file'}
-        names = {word: f'{position}.yaml' for position, word in enumerate(files)}
-        return trial.start_with_files(
-            SimpleParamNode, {names[word]: content for word, content in files.items()},
-            *(names.get(word, word) for word in words), namespace=namespace)
+            raise NoUse('a launch file that `ros2 launch` can carry out',
+                        error.happened.replace(f'{folder}/', '').removeprefix(f'{LaunchFailed.__name__}: ')
+                        .removeprefix(_BEFORE_A_CAUSE)) from None
+        if [program.name for program in found] != ['simple_param_node']:
+            names = ', '.join(f'`{program.name}`' for program in found) or 'nothing'
+            raise NoUse('a launch file that starts the robot, `simple_param_node`, once', f'it starts {names}')
+        command = found[0].command
+        words = command[command.index('--ros-args') + 1:]
+        paths = [word for option, word in itertools.pairwise(words) if option == '--params-file']
+        short = {path: f'{position}.yaml' for position, path in enumerate(paths)}
+        return Launched([short.get(word, word) for word in words],
+                        {name: Path(path).read_text(encoding='utf-8') for path, name in short.items()})
+
+
+def _gaps(text: str) -> list[str]:
+    """Return the arguments, and the keys of dictionaries, whose value is still an ellipsis."""
+    try:
+        nodes = list(ast.walk(ast.parse(text)))
+    except (SyntaxError, ValueError):
+        return []  # reading the launch file says so
+    pairs = [(each.arg, each.value) for each in nodes if isinstance(each, ast.keyword)]
+    for each in nodes:
+        if isinstance(each, ast.Dict):
+            pairs += [(getattr(key, 'value', None), value) for key, value in zip(each.keys, each.values, strict=True)]
+    return [f'`{name}`' for name, value in pairs if isinstance(value, ast.Constant) and value.value is ...]
 
 
 complete = Exercise('7.2a', 'Complete a launch file', CHAPTER, TEXT, hints=(
-    '`parameters` is a list. First the file, then what stands above it: the chapter’s three launch files have all that '
-    'you need, and `print((launch_files / "argument_param_launch.py").read_text())` shows one of them whole.',
+    '`parameters` is a list: first the file, then what covers it. The chapter’s three launch files contain all that '
+    'you need. `print((launch_files / "argument_param_launch.py").read_text())` shows one of them.',
     'The file: `PathJoinSubstitution([FindPackageShare("param_tutorial"), "config", "clawbot_config.yaml"])`. The '
-    'values: a dictionary behind it, in which `LaunchConfiguration("max_speed_rpm")` stands for what was given.',
-    'An argument is announced with `DeclareLaunchArgument(name, default_value=...)`, before the node. A text that may '
-    'look like a number: `ParameterValue(LaunchConfiguration("serial"), value_type=str)`.'))
+    'values: a dictionary after it, in which `LaunchConfiguration("max_speed_rpm")` stands for the argument.',
+    'Declare each argument before the node: `DeclareLaunchArgument(name, default_value=...)`. To keep a string that '
+    'may look like a number: `ParameterValue(LaunchConfiguration("serial"), value_type=str)`.'))
+
+
+def starts(trial: Trial, node_class: type[SimpleParamNode] = SimpleParamNode, **arguments: str) -> SimpleParamNode:
+    """Start the robot of the learner's launch file."""
+    words = ''.join(f' {argument}:={given}' for argument, given in arguments.items())
+    try:
+        return launch(trial, trial.work, **arguments).start(trial, node_class)
+    except NoStart as error:
+        if not arguments:
+            raise  # what dies without arguments dies in each requirement
+        raise NotYet(f'the robot starts with `{words.strip()}`',
+                     f'{error.happened}. A launch reads the string of an argument as YAML') from None
 
 
 def expect_holds(trial: Trial, name: str, value: object, because: str, **arguments: str) -> None:
     """Expect the robot to start with a value."""
     words = ' '.join(f'{argument}:={given}' for argument, given in arguments.items())
-    with_words = f' with `{words}`' if words else ' without arguments'
-    try:
-        node = launched(trial, trial.work, **arguments)
-    except NoStart as error:  # the other requirements may be met
-        raise NotYet(error.expected, f'{error.happened}. {because}') from None
-    found = node.get_parameter(name).value
-    expect(found == value, f'`{name}` is `{value!r}`{with_words}', f'it is `{found!r}`. {because}')
+    found = starts(trial, SimpleParamNode, **arguments).get_parameter(name).value
+    expect(type(found) is type(value) and found == value,
+           f'`{name}` is `{value!r}`' + (f' with `{words}`' if words else ' without arguments'),
+           f'it is `{found!r}`. {because}')
 
 
-@complete.require('the robot has the name from `clawbot_config.yaml`', see=READ)
+@complete.require('the robot starts, and has its name from `clawbot_config.yaml`', see=READ)
 def file_arrives(trial: Trial) -> None:
-    expect_holds(trial, 'robot_name', 'AlphaClaw', 'Is the file in `parameters`, and is it for this node?')
+    config = yaml.safe_load((share_folder_of('param_tutorial') / 'config' / 'clawbot_config.yaml').read_text())
+    starts(trial)
+    found = launch(trial, trial.work)
+    expect(config in [yaml.safe_load(text) for text in found.files.values()], 'the file in `parameters`',
+           'it is not there. Is its path right?')
+    expect_holds(trial, 'robot_name', 'AlphaClaw', 'Is the file for a node of this name, and does nothing cover it?')
 
 
-@complete.require('its safety mode is on, though the file says otherwise', see=VALUES)
+@complete.require('its safety mode is on, whatever the file says', see=VALUES)
 def override_arrives(trial: Trial) -> None:
-    file_arrives(trial)  # without the file it would be on anyway
-    expect_holds(trial, 'enable_safety_mode', True, 'Of two sources the later one wins')
+    found = starts(trial, Reckless).get_parameter('enable_safety_mode').value
+    expect(found, '`enable_safety_mode` is `True`, and does not depend on the default',
+           f'it is `{found!r}`. Of two sources the later one wins')
 
 
 @complete.require('its speed is 90 rpm, and 60 with `max_speed_rpm:=60`', see=ARGUMENTS)
 def speed_arrives(trial: Trial) -> None:
-    expect_holds(trial, 'max_speed_rpm', 90, 'Does the argument have a default, and does it come after the file?')
-    expect_holds(trial, 'max_speed_rpm', 60, 'Is the argument used?', max_speed_rpm='60')
+    expect_holds(trial, 'max_speed_rpm', 90, 'Does the argument have a default, and does its value come after the '
+                                             'file?')
+    for speed in (60, 245):
+        expect_holds(trial, 'max_speed_rpm', speed, 'Is the argument used?', max_speed_rpm=str(speed))
 
 
 @complete.require('its serial number is `SN-1`, and `0042` with `serial:=0042`', see=ARGUMENTS)
 def serial_arrives(trial: Trial) -> None:
-    expect_holds(trial, 'robot_serial_number', 'SN-1', 'The parameter is called `robot_serial_number`')
-    expect_holds(trial, 'robot_serial_number', '0042', 'What is typed is read as YAML, unless it is to stay a text',
-                 serial='0042')
+    expect_holds(trial, 'robot_serial_number', 'SN-1', 'The parameter is called `robot_serial_number`, and its value '
+                                                       'has to come after the file')
+    for serial in ('0042', 'on', 'B 7'):
+        expect_holds(trial, 'robot_serial_number', serial, 'Is the argument used, and does it stay a string?',
+                     serial=serial)
 
 
-@complete.require('`ros2 launch` starts it, in a process of its own', see='See it')
+@complete.require('`ros2 launch` starts it, in a process of its own', see=SEE)
 def runs(trial: Trial) -> None:
-    for each in (override_arrives, speed_arrives, serial_arrives):  # else a process would be wasted
-        each(trial)
+    for each in (file_arrives, override_arrives, speed_arrives, serial_arrives):
+        try:
+            each(trial)
+        except NotYet:
+            raise NotTried from None
     shell = Shell()
     try:
         # The robot must neither see nor be seen by a learner's own of the same name.
@@ -114,12 +180,12 @@ def runs(trial: Trial) -> None:
             said = terminal.read(until='robot_serial_number: 0042', timeout_sec=60.0)
         except WaitTimeoutError:
             last = (terminal.text.strip() or 'nothing').splitlines()[-1]
-            raise NotYet('the robot tells its parameters in the terminal', f'the last line is: {last}') from None
+            raise NotYet('the robot logs its parameters in the terminal', f'the last line is: {last}') from None
         finally:
             terminal.interrupt()
     finally:
         shell.close()
-    expect('max_speed_rpm: 90' in said, 'it tells `max_speed_rpm: 90`', 'it does not')
+    expect('max_speed_rpm: 90' in said, 'it logs `max_speed_rpm: 90`', 'it does not')
 
 
 HEAD = """
@@ -136,10 +202,10 @@ def generate_launch_description():
 """
 
 foresee = Exercise('7.2b', 'Predict the start', CHAPTER, DICTIONARY, hints=(
-    'Three questions for each line: is the file there, is it for a node of this name, and does a later source win?',
-    'What is not found is warned of, and what is for somebody else is passed over in silence. In both cases the '
-    'default stays.',
-    'A dictionary in a launch file holds Python values, and a text is a text. ROS converts nothing.'))
+    'Ask three questions about each line. Is the file there? Is it for a node of this name? Does a later source win?',
+    'A missing file is only a warning, and a file for another node is ignored without one. In both cases the default '
+    'stays.',
+    'A dictionary in a launch file holds Python values, and a string stays a string. ROS converts nothing.'))
 
 
 def require_foresight(words: str, because: Mapping[object, str], see: str) -> None:
@@ -147,7 +213,8 @@ def require_foresight(words: str, because: Mapping[object, str], see: str) -> No
     @foresee.require_prediction(words, see=see, because=because)
     def speed(trial: Trial) -> Any:
         try:
-            return launched(trial, HEAD.replace('{words}', words)).get_parameter('max_speed_rpm').value
+            robot = launch(trial, HEAD.replace('{words}', words)).start(trial)
+            return robot.get_parameter('max_speed_rpm').value
         except NoStart:
             return 'dead'
 
@@ -157,37 +224,33 @@ require_foresight("parameters=[config, {'max_speed_rpm': 200}]", {180: 'Which so
 require_foresight("parameters=[{'max_speed_rpm': 200}, config]", {
     200: 'Which source is the later one?'}, VALUES)
 require_foresight("parameters=[config], name='berta'", {
-    180: 'For whom is the file?', 'dead': 'Nobody complains, and that is the trouble'}, SOMEBODY_ELSE)
+    180: 'Which node is the file for?', 'dead': 'Nothing complains, and that is the trouble'}, SOMEBODY_ELSE)
 require_foresight("parameters=['clawbot_confg.yaml']", {
-    'dead': 'A missing file is a warning and no error', 180: 'Look at the name of the file'}, NOT_INSTALLED)
+    'dead': 'A missing file is a warning, not an error', 180: 'Look at the name of the file'}, NOT_INSTALLED)
 require_foresight("parameters=[{'max_speed_rpm': '200'}]", {
-    200: 'There are quotes around it', 100: 'A start value of the wrong type is not passed over'}, ARGUMENTS)
+    200: 'There are quotes around it', '200': 'ROS converts nothing',
+    100: 'A start value of the wrong type is not ignored'}, ARGUMENTS)
 require_foresight("parameters=[config, {'max_speed': 200}]", {
-    200: 'Is there a parameter of that name?', 'dead': 'A value whose name nobody declares is passed over'}, VALUES)
+    200: 'Is there a parameter of that name?', 'dead': 'A value that no parameter is declared for is ignored'}, VALUES)
 
 
 fill = Exercise('7.2c', 'Fill four gaps', CHAPTER, TEXT, hints=(
-    'The first two gaps are what you type after `ros2 run`: a package, and an executable in it. The robot that you '
-    'know is `simple_param_node` of `param_tutorial`.',
-    '`parameters` is a list, and a dictionary in it holds values as Python writes them: a text in quotes.'))
+    'The first two gaps are what you type after `ros2 run`: a package, and an executable in it. The robot is '
+    '`simple_param_node` in `param_tutorial`.',
+    '`parameters` is a list. A dictionary in it holds Python values, so the name needs quotes and the speed does not.'))
 
 
 @fill.require('the robot starts', see=READ)
-def robot_starts(trial: Trial) -> None:
-    launched(trial, trial.work)
+def filled_starts(trial: Trial) -> None:
+    launch(trial, trial.work).start(trial)
 
 
 def require_filled(name: str, value: object) -> None:
     """Add the requirement that the robot starts with a value."""
     @fill.require(f'`{name}` is `{value!r}`', see=VALUES)
     def holds(trial: Trial) -> None:
-        expect_filled(trial, name, value)
-
-
-def expect_filled(trial: Trial, name: str, value: object) -> None:
-    """Expect the robot that the learner's launch file starts to hold a value."""
-    found = launched(trial, trial.work).get_parameter(name).value
-    expect(found == value, f'`{value!r}`', f'it is `{found!r}`')
+        found = launch(trial, trial.work).start(trial).get_parameter(name).value
+        expect(found == value, f'`{value!r}`', f'it is `{found!r}`')
 
 
 require_filled('max_speed_rpm', 150)

@@ -1,19 +1,21 @@
-"""Exercises of chapter 7.3: order sources, foresee which value wins, and write a file that reaches the right nodes."""
+"""Exercises of chapter 7.3: order sources, predict which value wins, and write a file that reaches the right nodes."""
 
+import contextlib
 from collections.abc import Mapping
 from typing import Any
 
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import DICTIONARY, LIST, TEXT, Exercise
-from param_tutorial.exercises.trial import NoUse, Trial, expect
+from param_tutorial.exercises.expectations import expect_text
+from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect
 
 CHAPTER = '07_3_overrides'
 TWO = 'Two sources'
 THREE = 'Break it: three sources'
 REACHES = 'Which nodes does a file reach?'
 
-# The files of the first exercise, which the chapter writes into its scratch folder.
+# The files of 7.3a, which the chapter writes into its scratch folder.
 FILES = {
     'mixed.yaml': """
 /robot:
@@ -36,10 +38,10 @@ class Robot(Node):
 
 
 predict = Exercise('7.3a', 'Predict the winner', CHAPTER, DICTIONARY, hints=(
-    'Take a sheet of paper. Write down the blocks in the order in which their names first appear, and the value of '
-    'each; then find the last one that matches.',
-    '`mixed.yaml` opens two blocks. A `-p` without a node name belongs to the block `/**`, wherever that stands.',
-    'A block that is open already keeps its place, and gets the new value. The robot is `/robot`.'))
+    'Take a sheet of paper. Write down the blocks in the order in which their names first appear, with the value of '
+    'each. Then find the last one that matches.',
+    '`mixed.yaml` opens two blocks. A `-p` without a node name goes into the block `/**`, wherever that is.',
+    'A block that is already open keeps its place and gets the new value. The robot is `/robot`.'))
 
 
 def require_foresight(sources: str, because: Mapping[object, str], see: str = THREE) -> None:
@@ -56,27 +58,27 @@ def require_foresight(sources: str, because: Mapping[object, str], see: str = TH
 
 
 require_foresight('mixed.yaml', {
-    200: 'The more exact name does not win, and the later block does', 100: 'Both blocks match the robot'}, THREE)
+    200: 'The later block wins, not the more exact name', 100: 'Both blocks match the robot'})
 require_foresight('mixed.yaml, -p 400', {
-    300: '`-p` changes the block that is last here', 200: 'Which block is opened last?'})
+    300: '`-p` changes the block that is the last one here', 200: 'Which block is opened last?'})
 require_foresight('-p 400, mixed.yaml', {
     300: 'Which block was opened first: that of `-p`, or that of `/robot`?',
-    400: 'The file gives its block another value'})
+    400: 'The file gives the block of `-p` another value'})
 require_foresight('every.yaml, mixed.yaml', {
-    300: 'That block has been open since the first file', 350: 'The second file has more to say'})
+    300: 'The first file has already opened that block', 350: 'The second file changes this value'})
 require_foresight('mixed.yaml, any.yaml', {
-    300: 'Who comes after it?', 200: 'The more exact name does not win'}, REACHES)
+    300: 'Which block comes after this one?', 200: 'The more exact name does not win'}, REACHES)
 require_foresight('any.yaml, mixed.yaml, -p 400', {
-    250: 'Two more blocks are opened after it', 300: '`-p` gives this block another value',
+    250: 'Two more blocks are opened after this one', 300: '`-p` gives this block another value',
     200: 'Which block is opened last?'})
 require_foresight('every.yaml, any.yaml, -p 400', {
-    400: '`-p` goes back into the first block', 350: '`any.yaml` matches the robot, too'})
+    400: '`-p` goes into the first block', 350: '`any.yaml` matches the robot too'})
 require_foresight('lab.yaml', {
-    150: 'The robot is `/robot`, and not in the laboratory'}, REACHES)
+    150: 'The robot is `/robot`: it is not in the laboratory'}, REACHES)
 
 
 class Gripper(Node):
-    """A gripper, or what stands beside one under another name."""
+    """A gripper, or a neighbor of one under another name."""
 
     def __init__(self) -> None:
         super().__init__('gripper')
@@ -84,17 +86,14 @@ class Gripper(Node):
 
 
 reach = Exercise('7.3b', 'Two of five', CHAPTER, TEXT, hints=(
-    'Begin with one block, for `/lab/left/gripper` alone. Then put a wildcard in the place of what differs between the '
-    'two grippers.',
-    '`*` stands for one name, `**` for any number of them. A double wants its dot, in a file too.',
-    'Two blocks: `/lab/*/gripper` with both values, and below it `/lab/right/gripper` with its own force. Each has '
-    '`ros__parameters:` as its second line.'))
+    'Begin with one block, for `/lab/left/gripper` alone. Then put a wildcard where the two names differ.',
+    '`*` stands for one name, `**` for any number of names. A double needs its dot, in a file too.',
+    'Two blocks: `/lab/*/gripper` with both values, and below it `/lab/right/gripper` with its own force. In each, the '
+    'second line is `ros__parameters:`.'))
 
 
 def expect_holds(trial: Trial, place: str, name: str, force_n: float, speed_mmps: int) -> None:
     """Expect a node that starts with the learner's file to have these values."""
-    if not trial.work.strip():
-        raise NoUse('the text of a parameter file', 'there is nothing in it yet')
     node = trial.start_with_files(Gripper, {'lab.yaml': trial.work}, '--params-file', 'lab.yaml',
                                   '-r', f'__node:={name}', namespace=place)
     wanted = {'force_n': force_n, 'speed_mmps': speed_mmps}
@@ -104,6 +103,13 @@ def expect_holds(trial: Trial, place: str, name: str, force_n: float, speed_mmps
 
 def _format_values(held: Mapping[str, object]) -> str:
     return ', '.join(f'`{name}` is `{value!r}`' for name, value in held.items())
+
+
+@reach.require('rcl can read the file', see=REACHES)
+def is_read(trial: Trial) -> None:
+    expect_text(trial)
+    with contextlib.suppress(NoStart):  # what a value does to a node is another requirement
+        trial.start_with_files(Gripper, {'lab.yaml': trial.work}, '--params-file', 'lab.yaml')
 
 
 @reach.require('`/lab/left/gripper` starts with 12.0 N and 40 mm/s', see=REACHES)
@@ -116,22 +122,34 @@ def right(trial: Trial) -> None:
     expect_holds(trial, '/lab/right', 'gripper', 20.0, 40)
 
 
+def expect_a_gripper(trial: Trial) -> None:
+    """Expect the file to reach a gripper in the laboratory: one that reaches nobody leaves others alone, too.
+
+    :raises NotTried: it reaches neither.
+    """
+    for each in (left, right):
+        with contextlib.suppress(NotYet):
+            each(trial)
+            return
+    raise NotTried
+
+
 @reach.require('`/lab/right/camera_arm` keeps its defaults', see=REACHES)
 def arm(trial: Trial) -> None:
-    left(trial)  # a file that reaches nobody earns nothing
+    expect_a_gripper(trial)
     expect_holds(trial, '/lab/right', 'camera_arm', 5.0, 10)
 
 
-@reach.require('`/gripper`, and `/store/left/gripper`, keep theirs', see=REACHES)
+@reach.require('`/gripper` and `/store/left/gripper` keep theirs', see=REACHES)
 def spare(trial: Trial) -> None:
-    left(trial)
+    expect_a_gripper(trial)
     for place in ('', '/store/left'):
         expect_holds(trial, place, 'gripper', 5.0, 10)
 
 
 order = Exercise('7.3c', 'Put three sources in order', CHAPTER, LIST, hints=(
-    'The two files open the same block, `/robot`. In one block the later value wins.',
-    'A `-p` without a node’s name belongs to the block `/**`. It wins if this block was opened after `/robot`.'))
+    'Both files write into the block `/robot`. Within a block the later value wins.',
+    'A `-p` without a node name goes into the block `/**`. It wins if this block is opened after `/robot`.'))
 
 # The sources of this exercise: both files name the robot.
 SOURCES = {
@@ -156,14 +174,14 @@ def labeled(trial: Trial) -> Labeled:
     """
     words = [' '.join(word.split()) for word in trial.work if isinstance(word, str)]
     if sorted(words) != sorted(WORDS) or len(words) != len(trial.work):
-        raise NoUse('the three sources as they are, each once', f'the list is `{trial.work!r}`')
+        raise NoUse('the three sources, each of them once and unchanged', f'the list is `{trial.work!r}`')
     return trial.start_with_files(Labeled, SOURCES, *(each for word in words for each in word.split()))
 
 
 @order.require('the robot starts with 400', see=TWO)
 def wins(trial: Trial) -> None:
     found = labeled(trial).get_parameter('speed').value
-    expect(found == 400, '`speed` is `400`', f'it is `{found!r}`. Which block was opened last?')
+    expect(found == 400, '`speed` is `400`', f'it is `{found!r}`. Which block is opened last?')
 
 
 @order.require("its label is `'slow'`", see=TWO)

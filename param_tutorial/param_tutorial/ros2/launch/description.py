@@ -1,177 +1,40 @@
-"""What a launch file is made of: the classes of ``launch`` and ``launch_ros`` that the lessons use.
+"""What a launch file is made of: the actions of ``launch`` and ``launch_ros`` that the lessons use.
 
-They hold what they were given, and turn it into text and command lines; nothing here starts a process.
+They hold what they were given, and turn it into command lines; nothing here starts a process. What the genuine classes
+reject when they are made is rejected then, too.
 """
 
+import re
 import tempfile
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import yaml
+from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
+from rclpy.validate_namespace import validate_namespace
+from rclpy.validate_node_name import validate_node_name
 
-from param_tutorial.ros2 import index
-from param_tutorial.ros2.session import CommandFailed
+from param_tutorial.ros2.launch.substitutions import (
+    FULL_INSTALLATION,
+    Context,
+    FindPackageShare,
+    LaunchConfiguration,
+    LaunchFailed,
+    expect_string,
+    perform,
+)
+from param_tutorial.ros2.launch.values import flat, parameter_value
 
-FULL_INSTALLATION = 'A full installation knows more: environment/README.md says how to get one'
-
-
-class LaunchFailed(CommandFailed):
-    """What a launch file asks for cannot be done."""
-
-
-@dataclass
-class Context:
-    """What is known while a description is carried out."""
-
-    arguments: dict[str, str]
-    """The launch configurations: what was given, and the defaults of what was not."""
-    folder: Path
-    """Where parameter files may be written."""
-    warn: Callable[[str], object]
-    """Warns the learner."""
-
-
-class Substitution:
-    """A text that is known only when the launch file is carried out."""
-
-    def perform(self, context: Context) -> str:
-        """Return the text."""
-        raise NotImplementedError
-
-    def describe(self) -> str:
-        """Return it as ``--show-args`` shows it."""
-        raise NotImplementedError
-
-
-class TextSubstitution(Substitution):
-    """A text that is known already."""
-
-    def __init__(self, *, text: str):
-        self.text = text
-
-    def perform(self, context: Context) -> str:
-        return self.text
-
-    def describe(self) -> str:
-        return repr(self.text)
-
-
-class LaunchConfiguration(Substitution):
-    """The value of a launch argument."""
-
-    def __init__(self, variable_name: str, *, default: Any = None):
-        self.variable_name = variable_name
-        self.default = default
-
-    def perform(self, context: Context) -> str:
-        if self.variable_name in context.arguments:
-            return context.arguments[self.variable_name]
-        if self.default is None:
-            raise LaunchFailed(f"launch configuration '{self.variable_name}' does not exist")
-        return perform(self.default, context)
-
-    def describe(self) -> str:
-        return f'LaunchConfiguration({self.variable_name!r})'
-
-
-class PathJoinSubstitution(Substitution):
-    """A path made of parts."""
-
-    def __init__(self, substitutions: Iterable[Any]):
-        self.substitutions = list(substitutions)
-
-    def perform(self, context: Context) -> str:
-        return str(Path(*(perform(part, context) for part in self.substitutions)))
-
-    def describe(self) -> str:
-        return f'PathJoin({" + ".join(map(describe, self.substitutions))})'
-
-
-class FindPackageShare(Substitution):
-    """The share folder of a package."""
-
-    def __init__(self, package: Any):
-        self.package = package
-
-    def perform(self, context: Context) -> str:
-        return str(index.share_folder_of(perform(self.package, context)))
-
-    def describe(self) -> str:
-        return f'FindPackageShare(pkg={describe(self.package)})'
-
-
-def perform(value: Any, context: Context) -> str:
-    """Return the text that something stands for: a text, a substitution, or several of them in a row."""
-    if isinstance(value, (str, Path)):
-        return str(value)
-    if isinstance(value, Substitution):
-        return value.perform(context)
-    if isinstance(value, Iterable):
-        return ''.join(perform(part, context) for part in value)
-    raise LaunchFailed(f'a text or a substitution was expected in the launch file, not {value!r}')
-
-
-def describe(value: Any) -> str:
-    """Return something that ``perform`` takes as ``--show-args`` shows it."""
-    if isinstance(value, (str, Path)):
-        return repr(str(value))
-    return value.describe() if isinstance(value, Substitution) else ' + '.join(map(describe, value))
-
-
-@dataclass
-class ParameterValue:
-    """A parameter's value with the type that it shall have, whatever it looks like."""
-
-    value: Any
-    value_type: type | None = None
-
-    def evaluate(self, context: Context) -> Any:
-        if self.value_type not in (str, int, float, bool, None):
-            raise LaunchFailed(f"ParameterValue(value_type={self.value_type!r}): the course's own ros2 launch knows "
-                               f'str, int, float and bool. {FULL_INSTALLATION}')
-        if self.value_type is str:
-            return perform(self.value, context) if not isinstance(self.value, (bool, int, float)) else str(self.value)
-        value = parameter_value(self.value, context)
-        if self.value_type is None or type(value) is self.value_type:
-            return value
-        if self.value_type is float and type(value) is int:
-            return float(value)
-        raise LaunchFailed(f'{value!r} was given where the launch file wants a value of type '
-                           f'{self.value_type.__name__}')
-
-
-def parameter_value(value: Any, context: Context) -> Any:
-    """Return the value of a parameter as launch_ros understands it: a substitution's text is read as YAML."""
-    if isinstance(value, ParameterValue):
-        return value.evaluate(context)
-    if isinstance(value, (bool, int, float, str)):
-        return value
-    if isinstance(value, Substitution):
-        return yaml.safe_load(value.perform(context))
-    if isinstance(value, Sequence) and value:
-        if any(isinstance(part, Substitution) for part in value):
-            return yaml.safe_load(perform(value, context))
-        kinds = {type(part) for part in value}
-        if kinds == {int, float}:
-            return [float(part) for part in value]
-        if len(kinds) == 1 and kinds <= {bool, int, float, str}:
-            return list(value)
-    raise LaunchFailed(f'{value!r} in the launch file cannot be the value of a parameter: it takes a bool, int, float '
-                       f'or str, a list of one of these that is not empty, or a substitution')
-
-
-def flat(parameters: Mapping[Any, Any], context: Context, prefix: str = '') -> dict[str, Any]:
-    """Return names and values of a dictionary of parameters, inner dictionaries with dots in their names."""
-    result: dict[str, Any] = {}
-    for key, value in parameters.items():
-        name = prefix + perform(key, context)
-        if isinstance(value, Mapping):
-            result.update(flat(value, context, f'{name}.'))
-        else:
-            result[name] = parameter_value(value, context)
-    return result
+# Where the two streams of a program go, for each word that output= takes; a program's own log file is not kept here.
+_OUTPUTS = {
+    'screen': {'both': {'screen'}},
+    'log': {'both': {'log'}, 'stderr': {'screen'}},
+    'both': {'both': {'log', 'screen'}},
+    'own_log': {'both': {'own_log'}},
+    'full': {'both': {'screen', 'log', 'own_log'}},
+}
 
 
 class DeclareLaunchArgument:
@@ -179,6 +42,12 @@ class DeclareLaunchArgument:
 
     def __init__(self, name: str, *, default_value: Any = None, description: str | None = None,
                  choices: list[str] | None = None):
+        if default_value is not None:
+            expect_string(default_value)
+        if choices is not None and not choices:
+            raise LaunchFailed('Provided choices arg is empty. Use None to ignore the choice list.')
+        if choices is not None and isinstance(default_value, str) and default_value not in choices:
+            raise LaunchFailed(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
         self.name = name
         self.default_value = default_value
         self.choices = choices
@@ -198,57 +67,155 @@ class DeclareLaunchArgument:
                                f'{self.choices}')
 
 
+class SetParameter:
+    """A parameter for every node that comes later in the launch file."""
+
+    def __init__(self, name: Any, value: Any):
+        self.name = name
+        self.value = value
+
+    def set(self, context: Context) -> None:
+        """Put it into the context."""
+        name = perform(self.name, context)
+        values = (flat(self.value, context, f'{name}.') if isinstance(self.value, Mapping)
+                  else {name: parameter_value(name, self.value, context)})
+        context.parameters.extend(values.items())
+
+
+class ParameterFile:
+    """A parameter file; with ``allow_substs=True`` it may hold substitutions, as ``$(var name)``."""
+
+    # A character after a backslash, a substitution, or the beginning of what is none.
+    _TOKENS = re.compile(r'\\(?P<escaped>.)|\$\((?P<kind>[A-Za-z][\w-]*) (?P<argument>[^\s\'"\\$()]+)\)|(?P<open>\$\()')
+
+    def __init__(self, param_file: Any, *, allow_substs: bool = False):
+        if not isinstance(allow_substs, bool):
+            raise LaunchFailed(f'ParameterFile(allow_substs=…) takes True or False, not {allow_substs!r}')
+        self.param_file = param_file
+        self.allow_substs = allow_substs
+
+    def evaluate(self, context: Context) -> Path:
+        """Return the path of a file without substitutions.
+
+        :raises LaunchFailed: there is no such file to substitute in, or it is no YAML afterwards.
+        """
+        path = self.param_file if isinstance(self.param_file, Path) else Path(perform(self.param_file, context))
+        if not self.allow_substs:
+            return path
+        try:
+            text = path.read_text(encoding='utf-8')
+        except OSError as error:
+            raise LaunchFailed(f'{error.strerror}: {path}') from None
+
+        def substituted(token: re.Match[str]) -> str:
+            if token['escaped'] is not None:
+                return token['escaped']
+            if token['kind'] == 'var':
+                return LaunchConfiguration(token['argument']).perform(context)
+            if token['kind'] == 'find-pkg-share':
+                return FindPackageShare(token['argument']).perform(context)
+            line = text[token.start():].partition('\n')[0]
+            raise LaunchFailed(f"the course's own ros2 launch knows $(var name) and $(find-pkg-share package) in a "
+                               f'parameter file, and not {line}. {FULL_INSTALLATION}')
+
+        text = self._TOKENS.sub(substituted, text)
+        try:
+            yaml.safe_load(text)
+        except (yaml.YAMLError, ValueError):
+            raise LaunchFailed('The substituted parameter file is not a valid yaml file') from None
+        return _written(text, context)
+
+
+def _written(text: str, context: Context) -> Path:
+    with tempfile.NamedTemporaryFile('w', prefix='launch_params_', dir=context.folder, delete=False,
+                                     encoding='utf-8') as file:
+        file.write(text)
+    return Path(file.name)
+
+
 @dataclass(kw_only=True)
 class Node:
     """A node, started in a process of its own."""
 
     executable: Any
-    package: Any
+    package: Any = None
     name: Any = None
     namespace: Any = None
-    parameters: Sequence[Any] = ()
+    parameters: list[Any] | None = None
     remappings: Sequence[tuple[Any, Any]] = ()
     arguments: Sequence[Any] = ()
     ros_arguments: Sequence[Any] = ()
     output: Any = 'log'
     emulate_tty: bool = False
 
+    def __post_init__(self) -> None:
+        if self.package is None:
+            raise LaunchFailed(f"the course's own ros2 launch needs package= for a Node. {FULL_INSTALLATION}")
+        if self.parameters is not None and not isinstance(self.parameters, list):
+            raise LaunchFailed(f"'Node' expected 'parameters' to be a list, but got a value of type "
+                               f"'{type(self.parameters).__name__}'")
+
     def command(self, program: list[str], context: Context) -> list[str]:
         """Return the command line, as launch_ros makes it.
 
         :param program: The words that start the executable.
         """
+        name, namespace = self._full_name(context)
         words = [*program, *(perform(word, context) for word in self.arguments or ()), '--ros-args',
                  *(perform(word, context) for word in self.ros_arguments or ())]
-        if self.name is not None:
-            words += ['-r', f'__node:={perform(self.name, context)}']
-        namespace = perform(self.namespace, context) if self.namespace is not None else ''
-        if namespace:
-            namespace = '/' + namespace.lstrip('/')
+        if name is not None:
+            words += ['-r', f'__node:={name}']
+        if namespace is not None:
             words += ['-r', f'__ns:={namespace}']
-        if isinstance(self.parameters, (str, Mapping)):
-            raise LaunchFailed(f'parameters= of a Node takes a list of files and dictionaries, not '
-                               f'{self.parameters!r}')
+        for parameter, value in context.parameters:
+            # As Python writes it, and a list as a tuple: so do the genuine ones. rcl guesses the type again.
+            words += ['-p', f'{parameter}:={tuple(value) if isinstance(value, list) else value}']
+        # The full name where the launch file gives it, and every node's where it does not.
+        key = '/**' if name is None or namespace is None else f'{namespace.rstrip("/")}/{name}'
         for source in self.parameters or ():
             if isinstance(source, Mapping):
-                path = self._write(flat(source, context), namespace, context)
+                values = {key: {'ros__parameters': flat(source, context)}}
+                path = _written(yaml.dump(values, default_flow_style=False), context)
             else:
-                path = perform(source, context)
-                if not Path(path).is_file():
+                path = (source if isinstance(source, ParameterFile) else ParameterFile(source)).evaluate(context)
+                if not path.is_file():
                     context.warn(f'Parameter file path is not a file: {path}')
                     continue
-            words += ['--params-file', path]
+            words += ['--params-file', str(path)]
         for old, new in self.remappings or ():
             words += ['-r', f'{perform(old, context)}:={perform(new, context)}']
         return words
 
-    def _write(self, values: dict[str, Any], namespace: str, context: Context) -> str:
-        # As launch_ros: the full name where the launch file gives it, and every node's where it does not.
-        known = self.name is not None and namespace
-        key = f'{namespace.rstrip("/")}/{perform(self.name, context)}' if known else '/**'
-        with tempfile.NamedTemporaryFile('w', prefix='launch_params_', dir=context.folder, delete=False) as file:
-            yaml.dump({key: {'ros__parameters': values}}, file, default_flow_style=False)
-        return file.name
+    def streams_on_screen(self, context: Context) -> tuple[bool, bool]:
+        """True for each of standard output and standard error that is shown."""
+        where = self.output if isinstance(self.output, Mapping) else _OUTPUTS.get(perform(self.output, context))
+        if where is None:
+            raise LaunchFailed(f'{self.output} is not a valid standard output config i.e. "screen", "log" or "both"')
+        for source, target in where.items():
+            if source not in ('stdout', 'stderr', 'both'):
+                raise LaunchFailed(f'{source} is not a valid output source i.e. "stdout", "stderr" or "both"')
+            for each in {target} if isinstance(target, str) else target:
+                if each not in ('screen', 'log', 'own_log'):
+                    raise LaunchFailed(f'{each} is not a valid output destination i.e. "screen", "log" or "own_log"')
+        stdout, stderr = ('screen' in where.get('both', ()) or 'screen' in where.get(stream, ())
+                          for stream in ('stdout', 'stderr'))
+        return stdout, stderr
+
+    def _full_name(self, context: Context) -> tuple[str | None, str | None]:
+        name = perform(self.name, context) if self.name is not None else None
+        namespace = perform(self.namespace, context) if self.namespace is not None else None
+        if namespace is not None:
+            namespace = '/' + namespace.rstrip('/') if not namespace.startswith('/') else namespace.rstrip('/') or '/'
+        try:
+            if name is not None:
+                validate_node_name(name)
+            if namespace is not None:
+                validate_namespace(namespace)
+        except (InvalidNodeNameException, InvalidNamespaceException) as error:
+            # The third line points at a character of the second, which is the name.
+            what, which, *_ = str(error).splitlines()
+            raise LaunchFailed(f'{what} {which.strip()}') from None
+        return name, namespace
 
 
 @dataclass
@@ -268,6 +235,6 @@ class LaunchDescription:
         self.entities = [*self.entities, action]
 
     def _check(self, entity: Any) -> None:
-        if not isinstance(entity, (Node, DeclareLaunchArgument)):
-            raise LaunchFailed(f'a LaunchDescription takes Node and DeclareLaunchArgument here, not {entity!r}. '
-                               f'{FULL_INSTALLATION}')
+        if not isinstance(entity, (Node, DeclareLaunchArgument, SetParameter)):
+            raise LaunchFailed(f'a LaunchDescription takes Node, DeclareLaunchArgument and SetParameter here, not '
+                               f'{entity!r}. {FULL_INSTALLATION}')

@@ -24,7 +24,8 @@ class Program(NamedTuple):
     name: str
     """The executable's; its number is added on the screen."""
     show_stdout: bool
-    """Standard error is shown in any case; nodes log there."""
+    show_stderr: bool
+    """Nodes log there."""
 
 
 class Launcher:
@@ -87,7 +88,7 @@ class Launcher:
 
     def _watch(self, name: str, program: Program, process: subprocess.Popen[str]) -> None:
         readers = [threading.Thread(target=self._copy, args=(name, process.stdout, program.show_stdout), daemon=True),
-                   threading.Thread(target=self._copy, args=(name, process.stderr, True), daemon=True)]
+                   threading.Thread(target=self._copy, args=(name, process.stderr, program.show_stderr), daemon=True)]
         for reader in readers:
             reader.start()
         for reader in readers:

@@ -9,19 +9,24 @@ from types import ModuleType
 from typing import Any, NoReturn
 
 from param_tutorial.ros2.index import own_package_installed
-from param_tutorial.ros2.launch import description
-from param_tutorial.ros2.launch.description import FULL_INSTALLATION, LaunchDescription, LaunchFailed
+from param_tutorial.ros2.launch import description, substitutions, values
+from param_tutorial.ros2.launch.description import LaunchDescription
+from param_tutorial.ros2.launch.substitutions import FULL_INSTALLATION, LaunchFailed
+
+_PARAMETER_DESCRIPTIONS: dict[str, Any] = {
+    'ParameterFile': description.ParameterFile, 'ParameterValue': values.ParameterValue}
 
 # Which names each module has here.
 MODULES: dict[str, dict[str, Any]] = {
     'launch': {'LaunchDescription': description.LaunchDescription},
     'launch.actions': {'DeclareLaunchArgument': description.DeclareLaunchArgument},
-    'launch.substitutions': {name: getattr(description, name) for name in (
+    'launch.substitutions': {name: getattr(substitutions, name) for name in (
         'LaunchConfiguration', 'PathJoinSubstitution', 'TextSubstitution')},
     'launch_ros': {},
-    'launch_ros.actions': {'Node': description.Node},
-    'launch_ros.substitutions': {'FindPackageShare': description.FindPackageShare},
-    'launch_ros.parameter_descriptions': {'ParameterValue': description.ParameterValue},
+    'launch_ros.actions': {'Node': description.Node, 'SetParameter': description.SetParameter},
+    'launch_ros.descriptions': _PARAMETER_DESCRIPTIONS,
+    'launch_ros.substitutions': {'FindPackageShare': substitutions.FindPackageShare},
+    'launch_ros.parameter_descriptions': _PARAMETER_DESCRIPTIONS,
 }
 _PACKAGES = {name.partition('.')[0] for name in MODULES}
 

@@ -1,20 +1,15 @@
 """The command: which file, with which arguments."""
 
 import argparse
+import os
 import tempfile
 from pathlib import Path
 
 from param_tutorial.ros2 import index
-from param_tutorial.ros2.launch.description import (
-    Context,
-    DeclareLaunchArgument,
-    LaunchDescription,
-    LaunchFailed,
-    describe,
-    perform,
-)
+from param_tutorial.ros2.launch.description import DeclareLaunchArgument, LaunchDescription, SetParameter
 from param_tutorial.ros2.launch.processes import Launcher, Program
 from param_tutorial.ros2.launch.reading import load_description
+from param_tutorial.ros2.launch.substitutions import Context, LaunchFailed, describe, perform
 from param_tutorial.ros2.run import find_program, keeps_busy
 from param_tutorial.ros2.session import CommandFailed, Commands, Session
 
@@ -60,10 +55,13 @@ def programs(description: LaunchDescription, context: Context) -> list[Program]:
             if isinstance(entity, DeclareLaunchArgument):
                 entity.declare(context)
                 continue
+            if isinstance(entity, SetParameter):
+                entity.set(context)
+                continue
             executable = perform(entity.executable, context)
             program = find_program(perform(entity.package, context), executable)
-            programs.append(Program(entity.command(program, context), executable,
-                                    perform(entity.output, context) in ('screen', 'both')))
+            stdout, stderr = entity.streams_on_screen(context)
+            programs.append(Program(entity.command(program, context), executable, stdout, stderr))
         except CommandFailed as error:
             raise LaunchFailed(f'[ERROR] [launch]: Caught exception in launch (see debug for traceback): {error}'
                                ) from error
@@ -82,26 +80,31 @@ def _path_and_arguments(args: argparse.Namespace) -> tuple[Path, list[str]]:
         share = index.share_folder_of(args.package_name)
     except index.PackageNotFound as error:
         raise CommandFailed(f"Package '{args.package_name}' not found: {error}") from None
-    # Links lead out of the share folder in a checkout and with --symlink-install; they are followed.
-    found = [path for folder in (share, *sorted(path for path in share.iterdir() if path.is_dir()))
-             for path in [folder / name] if path.is_file()]
+    # In a checkout the folders in the share folder are links.
+    found = sorted(Path(folder, name) for folder, _, files in os.walk(share, followlinks=True) if name in files)
     if not found:
         raise CommandFailed(f"file '{name}' was not found in the share directory of package '{args.package_name}' "
                             f"which is at '{share}'")
+    if len(found) > 1:
+        raise CommandFailed(f"file '{name}' was found more than once in the share directory of package "
+                            f"'{args.package_name}': [{', '.join(repr(str(path)) for path in found)}]")
     return found[0], given
 
 
 def _argument(word: str) -> tuple[str, str]:
     name, separator, value = word.partition(':=')
-    if not separator or not name:
+    if not separator or not name or not value:
         raise CommandFailed(f"malformed launch argument '{word}', expected format '<name>:=<value>'")
     return name, value
 
 
 def _show_arguments(session: Session, description: LaunchDescription) -> None:
     session.print("Arguments (pass arguments as '<name>:=<value>'):")
-    declared = [entity for entity in description.entities if isinstance(entity, DeclareLaunchArgument)]
-    for each in declared:
+    declared: dict[str, DeclareLaunchArgument] = {}
+    for entity in description.entities:
+        if isinstance(entity, DeclareLaunchArgument):
+            declared.setdefault(entity.name, entity)
+    for each in declared.values():
         session.print(f"\n    '{each.name}':\n        {each.description}")
         if each.default_value is not None:
             session.print(f'        (default: {describe(each.default_value)})')
