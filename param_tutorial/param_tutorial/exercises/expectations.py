@@ -99,11 +99,18 @@ class WithSecondJudge(Node):
     has_second_judge = False
     rejects = False
 
+    def declare_parameters(self, *args: Any, **options: Any) -> list[Parameter]:
+        self.add_second_judge()  # here too, for a node that judges nothing itself
+        return super().declare_parameters(*args, **options)
+
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
+        self.add_second_judge()
+        super().add_on_set_parameters_callback(callback)
+
+    def add_second_judge(self) -> None:
         if not self.has_second_judge:  # the oldest is asked last
             self.has_second_judge = True
             super().add_on_set_parameters_callback(self.second_judge)
-        super().add_on_set_parameters_callback(callback)
 
     def second_judge(self, _: list[Parameter]) -> SetParametersResult:
         return SetParametersResult(successful=not self.rejects, reason='a second judge rejects')
@@ -160,3 +167,15 @@ def expect_left_alone(trial: Trial, node: WithSecondJudge, attribute: str, new: 
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
     expect(after == before, f'`self.{attribute}` stays `{before!r}` when a second judge rejects {asked}',
            f'it became `{after!r}`: that is a side effect of an on-set callback, which has only a proposal')
+
+
+def expect_range(client: ParameterClient, name: str, lowest: float, highest: float) -> None:
+    """Expect the descriptor of a parameter to have a range."""
+    wanted = f'the descriptor of `{name}` has a range from {lowest!r} to {highest!r}'
+    limits = client.describe_parameter(name).range
+    if limits is None:
+        raise NotYet(wanted, 'it has none: a callback may reject, but no panel can know')
+    # An integer in a range for doubles comes out as another number on each Python, so it is not shown.
+    ends = ((limits.from_value, lowest, 'from_value'), (limits.to_value, highest, 'to_value'))
+    for found, end, field in ends:
+        expect(found == end, wanted, f'its `{field}` is not {end!r}. Does it have a dot?')
