@@ -146,6 +146,11 @@ def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because
     expect(result.successful, f'{asked} is accepted', f'it was rejected: {result.reason}{because}')
 
 
+def format_found(value: object) -> str:
+    """Return what an attribute holds, for a sentence; a parameter object in its place is a common mistake."""
+    return 'a `Parameter` and not its value' if isinstance(value, Parameter) else f'`{value!r}`'
+
+
 def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[str, object], object]]
                    ) -> WithSecondJudge:
     """Expect an attribute of the node to have a value after each accepted change."""
@@ -154,7 +159,8 @@ def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[s
         expect_accepted(trial, node, new)
         found = getattr(node, attribute, None)
         asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-        expect(found == wanted, f'`self.{attribute}` is `{wanted!r}` once {asked} is stored', f'it is `{found!r}`')
+        expect(found == wanted, f'`self.{attribute}` is `{wanted!r}` once {asked} is stored',
+               f'it is {format_found(found)}')
     return node
 
 

@@ -17,6 +17,7 @@ WRONG = {
         ([("self.get_parameter('gains.kp').value", "self.get_parameter('max_speed_mps').value")],
          2, 'it is `0.25`'),
         ([("'gains.kp', 2.0", "'gains.kp', '2.0'")], 1, 'type string'),
+        ([("'gains.kp', 2.0", "'gains.kp', 2.0, ignore_override=True")], 2, 'it is `2.0`'),
         ([('return ', 'print('), (' * error', ' * error)')], 2, 'it is `None`'),
     ],
     '9.1b': [

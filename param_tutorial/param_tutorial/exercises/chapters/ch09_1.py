@@ -12,7 +12,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.errors import ParameterFileError
 from param_tutorial.exercises.exercise import NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import expect_declared, expect_follows, expect_left_alone
+from param_tutorial.exercises.expectations import expect_declared, expect_follows, expect_left_alone, format_found
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import files, values
 
@@ -52,14 +52,16 @@ def gain_translated(trial: Trial) -> None:
 @fill.require('`command(error)` uses the gain that the node has at that moment', see=TRANSLATE)
 def commands(trial: Trial) -> None:
     drive = trial.start(ros_args=['-p', 'gains.kp:=4.0'])
-    expect('gains.kp' in trial.client(drive).list_parameters(), 'a gain that can be changed',
-           'there is no parameter `gains.kp`')
+    if 'gains.kp' not in trial.client(drive).list_parameters():
+        raise NotYet('a gain that can be changed', 'there is no parameter `gains.kp`')
+    held = trial.client(drive).get_parameter('gains.kp')
+    expect(held == 4.0, '`gains.kp` is `4.0` after a start with `-p gains.kp:=4.0`', f'it is `{held!r}`')
     for gain in (4.0, 3.0, -1.5):
         trial.client(drive).set_parameter('gains.kp', gain).raise_for_reason()
         for error in (0.5, -2.0):
             given = trial.call(f'`command({error})`', drive.command, error)
             expect(is_number(given) and math.isclose(given, gain * error),
-                   f'`command({error})` is `{gain * error!r}` with a gain of {gain}', f'it is `{given!r}`')
+                   f'`command({error})` is `{gain * error!r}` with a gain of {gain}', f'it is {format_found(given)}')
 
 
 def is_number(given: object) -> bool:
@@ -125,7 +127,7 @@ def expect_held(heater: Any, **wanted: object) -> None:
     for name, value in wanted.items():
         found = getattr(heater, name, None)
         expect(values.same(found, value), f'`self.{name}` is `{value!r}`',
-               f'it is {"a `Parameter` and not its value" if isinstance(found, Parameter) else f"`{found!r}`"}')
+               f'it is {format_found(found)}')
 
 
 def expect_targets(trial: Trial, heater: Any, **wanted: float) -> None:

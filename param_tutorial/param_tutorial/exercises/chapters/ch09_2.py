@@ -15,6 +15,7 @@ from param_tutorial.exercises.expectations import (
     expect_left_alone,
     expect_range,
     expect_rejected,
+    format_found,
 )
 from param_tutorial.exercises.trial import NoUse, Trial, expect
 from param_tutorial.parameters import values
@@ -155,7 +156,7 @@ def fan_starts(trial: Trial) -> None:
         fan = trial.start(ros_args=ros_args)
         motor = getattr(fan, 'motor_rpm', None)
         how = f'with `{" ".join(ros_args)}`' if ros_args else 'without an override'
-        expect(motor == wanted, f'`self.motor_rpm` is {wanted} after a start {how}', f'it is `{motor!r}`')
+        expect(motor == wanted, f'`self.motor_rpm` is {wanted} after a start {how}', f'it is {format_found(motor)}')
 
 
 @replace.require('`self.motor_rpm` follows what is stored, and only that', see=CHANGES)
