@@ -159,18 +159,18 @@ find = Exercise('8b', 'Which practice would have prevented it?', CHAPTER, DICTIO
     'Ask of each: when did it hurt? At the start, at a wrong value, at a rejection, in a list, or at a knob that '
     'should not be there?'))
 
-# Does again what a complaint is about, with a belt, and returns how that went; nothing if all was well.
+# Does again what a complaint is about, with a belt, and returns what happened; nothing if all was well.
 Reenact = Callable[[Trial, type[Belt]], str]
 
 
 def require_practice(complaint: str) -> Callable[[Reenact], Reenact]:
     """Add the requirement to name the practice with which a complaint would not have come up.
 
-    The decorated function does again what the complaint is about, on a belt that follows one practice, and tells how
-    that went if the complaint still holds.
+    The decorated function does again what the complaint is about, on a belt that follows one practice. If the complaint
+    still holds, it returns what happened.
     """
     def add(still: Reenact) -> Reenact:
-        # The section of the practice would be the answer.
+        # A link to the practice would give the answer away.
         @find.require(f'“{complaint}”', see='What you can do now')
         def examine(trial: Trial) -> None:
             given = trial.work.get(complaint, ...)

@@ -23,7 +23,7 @@ from param_tutorial.parameters import values
 CHAPTER = '09_2_ros1_and_ros2'
 STORE = 'Who keeps the values?'
 DIES = 'When something dies'
-RULES = 'Rules, locks and descriptions'
+RULES = 'Rules, read-only values and descriptions'
 CHANGES = 'Who hears of a change?'
 
 bend = Exercise('9.2a', 'Fill four gaps', CHAPTER, NODE_CLASS, node_name='mixer', hints=(
