@@ -44,6 +44,11 @@ WRONG = {
         ([("'CB-0007'", "'CB-0008'")], 5, "it is `'CB-0008'`"),
         ([('from_value=0.0, to_value=2.0', 'from_value=0, to_value=2')], 5, 'Does it have a dot?'),
         ([("'belt.speed_mps', 0.0,", "'belt.speed_mps', '0.0',")], 1, 'it is of type string'),
+        ([("        self.motor_mps = self.get_parameter('belt.speed_mps').value\n        self.add_on",
+           '        self.add_on'),
+          ('class Conveyor(Node):', 'class Conveyor(Node):\n    motor_mps = 0.0\n'),
+          ('        self.motor_mps =', '        Conveyor.motor_mps =')],
+         5, 'Does each conveyor have a motor of its own?'),
         ([("'conveyor'", "'conveyer'")], 6, 'it is called `conveyer`'),
     ],
     '8b': [
