@@ -107,11 +107,18 @@ class WithSecondJudge(Node):
     has_second_judge = False
     rejects = False
 
+    def declare_parameters(self, *args: Any, **options: Any) -> list[Parameter]:
+        self.add_second_judge()  # here too, for a node that judges nothing itself
+        return super().declare_parameters(*args, **options)
+
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
+        self.add_second_judge()
+        super().add_on_set_parameters_callback(callback)
+
+    def add_second_judge(self) -> None:
         if not self.has_second_judge:  # the oldest is asked last
             self.has_second_judge = True
             super().add_on_set_parameters_callback(self.second_judge)
-        super().add_on_set_parameters_callback(callback)
 
     def second_judge(self, _: list[Parameter]) -> SetParametersResult:
         return SetParametersResult(successful=not self.rejects, reason='a second judge rejects')
@@ -151,6 +158,11 @@ def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because
            (f'it was rejected: {result.reason}' if result.reason else 'it was rejected without a reason') + because)
 
 
+def format_found(value: object) -> str:
+    """Return what an attribute holds, for a sentence; a parameter object in its place is a common mistake."""
+    return 'a `Parameter` and not its value' if isinstance(value, Parameter) else f'`{value!r}`'
+
+
 def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[str, object], object]]
                    ) -> WithSecondJudge:
     """Expect an attribute of the node to have a value after each accepted change."""
@@ -159,7 +171,8 @@ def expect_follows(trial: Trial, attribute: str, steps: Sequence[tuple[Mapping[s
         expect_accepted(trial, node, new)
         found = getattr(node, attribute, None)
         asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
-        expect(found == wanted, f'`self.{attribute}` is `{wanted!r}` once {asked} is stored', f'it is `{found!r}`')
+        expect(found == wanted, f'`self.{attribute}` is `{wanted!r}` once {asked} is stored',
+               f'it is {format_found(found)}')
     return node
 
 
@@ -181,3 +194,15 @@ def expect_text(trial: Trial) -> None:
     """
     if not trial.work.strip():
         raise NoUse('the text of a parameter file', 'there is nothing in it yet')
+
+
+def expect_range(client: ParameterClient, name: str, lowest: float, highest: float) -> None:
+    """Expect the descriptor of a parameter to have a range."""
+    wanted = f'the descriptor of `{name}` has a range from {lowest!r} to {highest!r}'
+    limits = client.describe_parameter(name).range
+    if limits is None:
+        raise NotYet(wanted, 'it has none: a callback may reject, but no panel can know')
+    # An integer in a range for doubles comes out as another number on each Python, so it is not shown.
+    ends = ((limits.from_value, lowest, 'from_value'), (limits.to_value, highest, 'to_value'))
+    for found, end, field in ends:
+        expect(found == end, wanted, f'its `{field}` is not {end!r}. Does it have a dot?')

@@ -14,7 +14,7 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-# What nobody shall tune is no parameter: a law of nature, and the motor that is built in.
+# Nobody should tune these, so they aren't parameters: a law of nature, and the motor that is built in.
 GRAVITY_MPS2 = 9.81
 MOTOR_POWER_W = 1000.0
 
@@ -33,10 +33,10 @@ class Settings:
     def ride(self, start_m: float, target_m: float) -> list[tuple[float, float]]:
         """Return the height over time on the way to a target, in s and m.
 
-        The platform moves with ``kp`` times what is missing, and never faster than ``speed_mps``; so it drives evenly
-        at first, and slows down exponentially at the end. It stops within ``tolerance_m`` of the target.
+        The platform moves at ``kp`` times the missing height, but never faster than ``speed_mps``. So its speed is
+        constant at first and falls exponentially at the end. It stops within ``tolerance_m`` of the target.
 
-        :param target_m: Cut to what lies between lowest_m and highest_m.
+        :param target_m: Clamped to lowest_m and highest_m.
         """
         target_m = min(max(target_m, self.lowest_m), self.highest_m)
         missing_m, sign = abs(target_m - start_m), math.copysign(1.0, target_m - start_m)
@@ -56,14 +56,14 @@ class Settings:
 
 
 def between(lowest: float, highest: float) -> list[FloatingPointRange]:
-    """Return a new range; no two declarations may share one descriptor."""
+    """Return a new range, since no two declarations should share one."""
     return [FloatingPointRange(from_value=lowest, to_value=highest)]
 
 
 class PalletLiftNode(Node):
     """A pallet lift: its platform carries a load from one height to another.
 
-    :raises ValueError: start values from outside do not fit together.
+    :raises ValueError: the overrides do not fit together.
     """
 
     def __init__(self) -> None:
@@ -94,8 +94,8 @@ class PalletLiftNode(Node):
                 description='How near to its target the platform stops, in m.',
                 floating_point_range=between(0.001, 0.05))),
         ])
-        # rclpy asks about declarations one by one, while the other values do not exist yet. So the judge is
-        # registered after them, and is asked once about all start values together.
+        # rclpy would call the callback for one declaration at a time, while the other values do not exist yet. So it is
+        # registered after all of them, and judges all start values together, once.
         start = self.validate([])
         if not start.successful:
             raise ValueError(f'cannot start with these parameters: {start.reason}')
@@ -106,7 +106,7 @@ class PalletLiftNode(Node):
         self.log_settings()
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Return whether all the proposed parameters may be stored; change nothing. The ranges do the rest."""
+        """Judge the proposed parameters together; change nothing. The ranges do the rest."""
         proposed = {parameter.name: parameter.value for parameter in parameters}
 
         def value(name: str) -> Any:

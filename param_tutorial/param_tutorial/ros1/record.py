@@ -5,9 +5,10 @@
     /usr/bin/python3 record.py --check    changes nothing; status 1 and the differences if ROS 1 says something else,
                                           2 if it cannot be asked
 
-ROS 1 has come to its end, but Debian has kept its Python half: the master with its parameter server, rospy, rosparam
-and dynamic_reconfigure. This file runs under Debian's own Python, and imports nothing of the course. What is typed in
-recording.txt goes to the master, to real nodes (one process each) or to a shell, all of them on the loopback device.
+ROS 1 has come to its end, but Debian has kept it. Its Python half is enough here: the master with its parameter
+server, rospy, rosparam and dynamic_reconfigure. This file runs under Debian's own Python, and imports nothing of the
+course. What is typed in recording.txt goes to the master, to real nodes (one process each) or to a shell, all of them
+on the loopback device.
 """
 
 import argparse

@@ -14,9 +14,12 @@ from param_tutorial.exercises.expectations import (
     expect_declared,
     expect_follows,
     expect_left_alone,
+    expect_range,
     expect_rejected,
+    format_found,
 )
 from param_tutorial.exercises.trial import NoUse, Trial, expect
+from param_tutorial.parameters.client import is_housekeeping
 from param_tutorial.parameters.values import DOUBLE
 
 CHAPTER = '08_best_practices'
@@ -36,62 +39,82 @@ repair = Exercise('8a', 'Repair a conveyor', CHAPTER, NODE_CLASS, node_name='con
     "and reads `get_parameter('belt.speed_mps')` there."))
 
 
-@repair.require('it starts without a file, and the belt stands', see=DECLARE)
+@repair.require('it starts without a file, and the belt stands still', see=DECLARE)
 def starts_alone(trial: Trial) -> None:
-    conveyor = trial.start()
-    motor = getattr(conveyor, 'motor_mps', None)
-    expect(motor == 0.0, '`self.motor_mps` is `0.0`', f'it is `{motor!r}`')
+    motor = getattr(trial.start(), 'motor_mps', None)
+    expect(motor == 0.0, '`self.motor_mps` is `0.0`', f'it is {format_found(motor)}')
 
 
 @repair.require('the group `belt` holds `speed_mps` and `gap_m`, both doubles', see=GROUP)
 def grouped(trial: Trial) -> None:
     client = trial.client(trial.start())
     found = client.get_parameters(client.list_parameters(['belt']))
-    expect(dict(found) == {SPEED: 0.0, GAP: 0.5}, f'`{SPEED}` with 0.0 and `{GAP}` with 0.5',
-           f'the group holds `{dict(found)}`')
-    for name, each in client.describe_parameters(found).items():
-        expect(each.type.label == 'double', f'`{name}` is a double',
-               f'it is of type {each.type.label}: the default decides, whatever the descriptor says')
+    wanted = {SPEED: 0.0, GAP: 0.5}
+    if missing := [f'`{name}`' for name in wanted if name not in found]:
+        raise NoUse(f'`{SPEED}` and `{GAP}`', f'there is no {" and no ".join(missing)}')
+    for name, value in wanted.items():
+        label = client.describe_parameter(name).type.label
+        expect(label == 'double', f'`{name}` is a double',
+               f'it is of type {label}: the default decides, whatever the descriptor says')
+        expect(found[name] == value, f'`{name}` is `{value!r}` at first', f'it is `{found[name]!r}`')
 
 
 @repair.require('values outside of 0 to 2 and 0 to 1 are rejected by a range', see=DESCRIBE)
 def limited(trial: Trial) -> None:
     conveyor = trial.start()
     for name, highest in ((SPEED, 2.0), (GAP, 1.0)):
-        expect_accepted(trial, conveyor, {name: highest})
+        for good in (highest, 0.37 * highest):
+            expect_accepted(trial, conveyor, {name: good})
         for bad in (-0.5, highest + 0.5):
             expect_rejected(trial, conveyor, {name: bad})
-        limits = trial.client(conveyor).describe_parameter(name).range
-        found = limits and (limits.from_value, limits.to_value)
-        expect(found == (0.0, highest), f'the descriptor of `{name}` has a range from 0.0 to {highest}',
-               f'it has {"no range" if found is None else found}: a callback rejects, but no panel can know')
+        expect_range(trial.client(conveyor), name, 0.0, highest)
 
 
 @repair.require('the serial number is fixed, and each parameter is described', see=DESCRIBE)
 def described(trial: Trial) -> None:
-    conveyor = trial.start()
-    names = ['serial_number', SPEED, GAP]
-    told = trial.client(conveyor).describe_parameters(names)
-    expect(told['serial_number'].read_only, '`serial_number` is read only', 'anybody can change it')
-    silent = [name for name in names if not told[name].description.strip()]
-    expect(not silent, 'a description for each', f'there is none for {", ".join(f"`{name}`" for name in silent)}')
+    client = trial.client(trial.start())
+    own = [name for name in client.list_parameters() if not is_housekeeping(name)]
+    expect('serial_number' in own, '`serial_number` is there', 'there is no such parameter any more')
+    told = client.describe_parameters(own)
+    expect(told['serial_number'].read_only, '`serial_number` is read-only', 'anybody can change it')
+    number = client.get_parameter('serial_number')
+    expect(number == 'CB-0007', '`serial_number` is still `CB-0007`', f'it is `{number!r}`')
+    silent = [f'`{name}`' for name in own if not told[name].description.strip().strip('.…')]
+    expect(not silent, 'a description for each', f'there is none for {", ".join(silent)}')
 
 
 @repair.require('above 1 m/s a gap below 0.3 m is rejected, with a reason', see=JUDGE)
 def judges(trial: Trial) -> None:
     conveyor = trial.start()
-    expect_rejected(trial, conveyor, {SPEED: 1.5, GAP: 0.1})
+    together = '. Both are proposed together, so judge them together'
+    for bad in ({SPEED: 1.5, GAP: 0.1}, {GAP: 0.29, SPEED: 1.125}):
+        expect_rejected(trial, conveyor, bad)
     expect_accepted(trial, conveyor, {SPEED: 1.0, GAP: 0.1})
     expect_rejected(trial, conveyor, {SPEED: 1.5})
-    expect_accepted(trial, conveyor, {SPEED: 1.5, GAP: 0.3}, '. Both are proposed together, so judge them together')
+    expect_accepted(trial, conveyor, {SPEED: 1.5, GAP: 0.3}, together)
     expect_rejected(trial, conveyor, {GAP: 0.2})
+    expect_accepted(trial, conveyor, {GAP: 0.2, SPEED: 0.75}, together)
+    expect_accepted(trial, conveyor, {GAP: 0.9, SPEED: 2.0}, together)
+    expect_accepted(trial, conveyor, {SPEED: 1.25})
 
 
 @repair.require('the motor follows what is stored, and only that', see=JUDGE)
 def acts_late(trial: Trial) -> None:
     conveyor = expect_follows(trial, 'motor_mps', [
-        ({SPEED: 0.5}, 0.5), ({GAP: 0.4}, 0.5), ({SPEED: 0.6, GAP: 0.5}, 0.6)])
+        ({SPEED: 0.5}, 0.5), ({GAP: 0.4}, 0.5), ({SPEED: 0.6, GAP: 0.5}, 0.6), ({GAP: 0.6, SPEED: 0.7}, 0.7)])
+    if not trial.client(conveyor).set_parameters_atomically({SPEED: 1.5, GAP: 0.1})[0].successful:
+        motor = getattr(conveyor, 'motor_mps', None)
+        expect(motor == 0.7, '`self.motor_mps` stays `0.7` when the callback rejects a speed',
+               f'it became {format_found(motor)}: an on-set callback has only a proposal')
     expect_left_alone(trial, conveyor, 'motor_mps', {SPEED: 0.8})
+    motor = getattr(trial.start(), 'motor_mps', None)
+    if motor is None:  # the first requirement says so
+        return
+    expect(motor == 0.0, 'the belt of the next conveyor stands still at first',
+           f'its motor runs at {format_found(motor)}. Does each conveyor have a motor of its own?')
+    motor = trial.start(ros_args=['-p', f'{SPEED}:=0.9']).motor_mps
+    expect(motor == 0.9, f'`self.motor_mps` is `0.9` after a start with `-p {SPEED}:=0.9`',
+           f'it is {format_found(motor)}')
 
 
 class Belt(Node):
@@ -101,16 +124,18 @@ class Belt(Node):
 
     def __init__(self) -> None:
         super().__init__('belt')
-        limits = ParameterDescriptor()
-        if self.follows == 2:
-            limits.floating_point_range = [FloatingPointRange(from_value=0.0, to_value=2.0)]
-        self.declare_parameter('speed_mps', 0.5 if self.follows == 1 else Parameter.Type.DOUBLE, limits)
+        default = 0.5 if self.follows == 1 else Parameter.Type.DOUBLE
+        self.declare_parameter('speed_mps', default, self.limits(0.0, 2.0))
         self.declare_parameters('controller' if self.follows == 4 else '', [('kp', 2.0), ('ki', 0.1)])
         if self.follows != 7:
-            self.declare_parameter('gravity_mps2', 9.81)
+            self.declare_parameter('gravity_mps2', 9.81, self.limits(9.7, 9.9))
         self.motor_mps: float = self.get_parameter('speed_mps').value
         self.add_on_set_parameters_callback(self.validate)
         self.add_post_set_parameters_callback(self.react)
+
+    def limits(self, lowest: float, highest: float) -> ParameterDescriptor:
+        ranges = [FloatingPointRange(from_value=lowest, to_value=highest)] if self.follows == 2 else []
+        return ParameterDescriptor(floating_point_range=ranges)
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:
         for parameter in parameters:
@@ -133,33 +158,40 @@ def belt(follows: int) -> type[Belt]:
 
 
 find = Exercise('8b', 'Which practice would have prevented it?', CHAPTER, DICTIONARY, hints=(
-    'Write a number from 1 to 7 in place of the dots. A wrong guess costs nothing: the check tries it out.',
-    'Each complaint belongs to another practice, and 5 and 6 are not among them.',
+    'Name the practice that you believe in, by its number: a wrong guess costs nothing, the check tries it out.',
+    'Practices 5 and 6 are for readers and for launches. No complaint is about these.',
     'Ask of each: when did it hurt? At the start, at a wrong value, at a rejection, in a list, or at a knob that '
     'should not be there?'))
 
-# Does again what a complaint is about, with a belt, and returns how that went; nothing if all was well.
+# Does again what a complaint is about, with a belt, and returns what happened; nothing if all was well.
 Reenact = Callable[[Trial, type[Belt]], str]
 
 
 def require_practice(complaint: str) -> Callable[[Reenact], Reenact]:
     """Add the requirement to name the practice with which a complaint would not have come up.
 
-    The decorated function does again what the complaint is about, on a belt that follows one practice, and tells how
-    that went if the complaint still holds.
+    The decorated function does again what the complaint is about, on a belt that follows one practice. If the complaint
+    still holds, it returns what happened.
     """
     def add(still: Reenact) -> Reenact:
-        # The section of the practice would be the answer.
+        # A link to the practice would give the answer away.
         @find.require(f'“{complaint}”', see='What you can do now')
         def examine(trial: Trial) -> None:
             given = trial.work.get(complaint, ...)
             expect(given is not ..., '', 'there is no answer yet')
-            expect(type(given) is int and 1 <= given <= 7, 'the number of a practice, 1 to 7', f'there is `{given!r}`')
-            words = still(trial, belt(given))
+            practice = _practice(given)
+            expect(practice, 'the number of a practice, 1 to 7', f'there is `{given!r}`')
+            words = still(trial, belt(practice))
             expect(not words, 'a practice with which that does not happen',
-                   f'a belt that follows practice {given}, and no other: {words}')
+                   f'a belt that follows practice {practice}, and no other: {words}')
         return still
     return add
+
+
+def _practice(given: object) -> int:
+    """Return the number of the practice that an answer means; 0 if it means none. 3, 3.0 and '3' mean the same."""
+    text = str(given).strip().removesuffix('.0')
+    return int(text) if text in {'1', '2', '3', '4', '5', '6', '7'} else 0
 
 
 def started(trial: Trial, belt_class: type[Belt]) -> Belt:
@@ -167,7 +199,7 @@ def started(trial: Trial, belt_class: type[Belt]) -> Belt:
     return trial.start(belt_class, ros_args=['-p', 'speed_mps:=0.5'])
 
 
-@require_practice('Without its parameter file the belt does not even start.')
+@require_practice('I started the belt with ros2 run, without a file, and it died at once.')
 def does_not_start(trial: Trial, belt_class: type[Belt]) -> str:
     try:
         trial.start(belt_class)
@@ -212,12 +244,12 @@ FAN_SPEED = 'fan.speed'
 def started_fan(trial: Trial) -> Any:
     """Start the learner's fan.
 
-    :raises NoUse: it can't describe itself, and whoever asks it would wait for nothing.
+    :raises NoUse: it can't describe itself, so a client that asks it would wait forever.
     """
     fan = trial.start()
     for each in fan.describe_parameters([name for name in (FAN_SPEED,) if fan.has_parameter(name)]):
         if not isinstance(each.description, str):
-            raise NoUse('a description that is a text', f'it is `{each.description!r}`')
+            raise NoUse('a description that is a string', f'it is `{each.description!r}`')
     return fan
 
 
@@ -228,20 +260,17 @@ def fan_grouped(trial: Trial) -> None:
     expect(FAN_SPEED in client.list_parameters(), f'a parameter `{FAN_SPEED}`', 'the node has none of that name')
     expect_declared(trial, FAN_SPEED, DOUBLE, 0.5)
     motor = getattr(fan, 'motor', None)
-    expect(motor == 0.5, '`self.motor` is `0.5`', f'it is `{motor!r}`')
+    expect(motor == 0.5, '`self.motor` is `0.5`', f'it is {format_found(motor)}')
 
 
 @fill.require('its range goes from 0.0 to 1.0', see=DESCRIBE)
 def fan_limited(trial: Trial) -> None:
     fan = started_fan(trial)
-    for good in (0.0, 1.0):
+    for good in (0.0, 1.0, 0.37):
         expect_accepted(trial, fan, {FAN_SPEED: good})
     for bad in (-0.5, 1.5):
         expect_rejected(trial, fan, {FAN_SPEED: bad})
-    limits = trial.client(fan).describe_parameter(FAN_SPEED).range
-    found = limits and (limits.from_value, limits.to_value)
-    expect(found == (0.0, 1.0), 'the descriptor has a range from 0.0 to 1.0',
-           'it has ' + ('no range' if found is None else f'{found}. Do both ends have a dot?'))
+    expect_range(trial.client(fan), FAN_SPEED, 0.0, 1.0)
 
 
 @fill.require('it is described', see=DESCRIBE)

@@ -10,7 +10,7 @@ RECALLS = (
         wrong('the tuned one: ROS keeps it', 'In ROS 1 a server kept it. In ROS 2 the values live in the node, '
               'and go with it.'),
         right('its start value', 'The values live in the node, and go with it.')),
-           chapter='9', section='When something dies'),
+           chapter='9.2', section='When something dies'),
     Recall('11-r2', '`get_parameters` is asked for three names, and one of them does not exist. What comes back?', (
         wrong('two values', 'Values come without names, so a gap could not be seen. rclpy sends none at all.'),
         wrong('three values, one of them not set', 'That is what the interface promises, and not what rclpy '
