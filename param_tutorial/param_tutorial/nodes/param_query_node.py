@@ -28,7 +28,7 @@ class ParamQueryNode(Node):
         self.timer = self.create_timer(PERIOD_SEC, self.ask)
 
     def ask(self) -> None:
-        """Ask for the names, and again if the values have not arrived within PERIOD_SEC seconds."""
+        """Ask for the names; start again here if an answer takes longer than PERIOD_SEC seconds."""
         if not (self.list_client.service_is_ready() and self.get_client.service_is_ready()):
             self.get_logger().info(f'{TARGET} is not there yet, waiting...')
             return
@@ -43,25 +43,29 @@ class ParamQueryNode(Node):
         """Ask for the values of all the names."""
         names = list(future.result().result.names)
         self.get_logger().info(f'{TARGET} has {len(names)} parameters.')
-        self.ask_values(names)
+        self.ask_values([names])
 
-    def ask_values(self, names: list[str]) -> None:
-        """Ask for the values of some parameters."""
-        self.question = self.get_client.call_async(GetParameters.Request(names=names))
-        self.question.add_done_callback(lambda future: self.report(names, future))
+    def ask_values(self, groups: list[list[str]]) -> None:
+        """Ask for the values of the first group of names, and for those of the others after it."""
+        self.timer.reset()
+        self.question = self.get_client.call_async(GetParameters.Request(names=groups[0]))
+        self.question.add_done_callback(lambda future: self.report(groups, future))
 
-    def report(self, names: list[str], future: Future) -> None:
+    def report(self, groups: list[list[str]], future: Future) -> None:
         """Log names and values; the values carry no names, and come in the order of the request."""
-        self.timer.cancel()  # both questions are answered
+        names, *others = groups
         values = future.result().values
         if not values and len(names) > 1:
             # One parameter that is not set empties the whole answer: ask for each separately.
-            for name in names:
-                self.ask_values([name])
+            others = [[name] for name in names]
         elif not values:
             self.get_logger().info(f'  {names[0]} is not set')
         for name, value in zip(names, values):
             self.get_logger().info(f'  {name} = {parameter_value_to_python(value)!r}')
+        if others:
+            self.ask_values(others)
+        else:
+            self.timer.cancel()
 
 
 def main(args: list[str] | None = None) -> None:

@@ -37,20 +37,28 @@ PREDICTIONS = (
               'begins with `pi` and a dot.'),
         right('nothing', 'A prefix consists of whole parts of a name, up to a dot.'),
         wrong('an error: there is no such group', 'A prefix that matches nothing is no error. The list is empty.'))),
-    Prediction('10.2-4', 'The constructor of a node waits half a second for the services of the gripper. The next line '
+    Prediction('10.2-4', 'One callback sends a hundred questions in a row through one client, and the node answers each. '
+               'How many answers does the client take in?', (
+        wrong('all hundred', 'The node answers all of them, but the client keeps only ten answers until the executor '
+              'gets around to them.'),
+        right('fewer, and nothing says so', 'The client keeps only ten answers until the executor gets around to them. '
+              'Older ones are lost without a word.'),
+        wrong('fewer, with an error for each of the others', 'There is no error. The future of a lost answer is never '
+              'done.'))),
+    Prediction('10.2-5', 'The constructor of a node waits half a second for the services of the gripper. The next line '
                'of the program will start the gripper. What does `wait_for_service` return?', (
         wrong('True: the gripper starts in time', 'The next line runs once the constructor has returned, and the '
               'constructor waits for the next line.'),
         right('False', 'The constructor waits for something that can only happen once it has returned.'),
         wrong('an exception', 'With a time limit, `wait_for_service` raises nothing. It returns False when the time is '
               'up.'))),
-    Prediction('10.2-5', 'A callback awaits the answer of a node that never answers. After half a second, a timer '
+    Prediction('10.2-6', 'A callback awaits the answer of a node that never answers. After half a second, a timer '
                'cancels the future. What becomes of the `await`?', (
         wrong('It raises a CancelledError, as in asyncio', 'Futures of rclpy are no futures of asyncio. A canceled one '
               'counts as finished, and its result is `None`.'),
         right('It returns None', 'A canceled future counts as finished, and its result is `None`.'),
         wrong('It goes on waiting', 'Canceling wakes up whoever awaits the future. Its result is `None`.'))),
-    Prediction('10.2-6', 'An `AsyncParameterClient` has created six service clients in its node. How many of the six '
+    Prediction('10.2-7', 'An `AsyncParameterClient` has created six service clients in its node. How many of the six '
                'are left in the node after `del box`?', (
         right('6', 'They belong to the node, and `AsyncParameterClient` has no method that destroys them.'),
         wrong('0', 'The object is gone, but its clients are not: they belong to the node.')),
