@@ -6,17 +6,20 @@ Each in a context of its own, since the executor of the stage doesn't look at ca
 import asyncio
 import contextlib
 import threading
+import traceback
 
 import pytest
 import rclpy
-from rcl_interfaces.srv import SetParameters
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rcl_interfaces.msg import ParameterEvent
+from rcl_interfaces.srv import GetParameters, SetParameters
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.context import Context
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.task import Future
 
+from param_tutorial import wait_until
 from param_tutorial.runtime import domain
 
 LIMIT_SEC = {True: 60.0, False: 1.5}
@@ -131,6 +134,53 @@ def test_a_deadline_that_cancels_the_future_ends_an_await_with_none():
                   ) as (asking,):
         assert asking.is_answered.wait(60)
     assert asking.error == (None, True)
+
+
+class Slow(Node):
+    """A service and a subscription, the callbacks of which await a moment."""
+
+    def __init__(self, context=None):
+        super().__init__('slow', context=context)
+        group = ReentrantCallbackGroup()
+        self.has_heard = threading.Event()
+        self.create_service(GetParameters, 'ask', self.answer, callback_group=group)
+        self.create_subscription(ParameterEvent, 'told', self.hear, 10, callback_group=group)
+        self.publisher = self.create_publisher(ParameterEvent, 'told', 10)
+        self.client = self.create_client(GetParameters, 'ask', callback_group=group)
+
+    async def moment(self):
+        future = Future()
+        timer = self.create_timer(0.01, future.cancel)
+        await future
+        self.destroy_timer(timer)
+
+    async def answer(self, _, response):
+        await self.moment()
+        return response
+
+    async def hear(self, _):
+        await self.moment()
+        self.has_heard.set()
+
+
+def test_services_and_subscriptions_may_await_under_rclpys_spin():
+    with spinning(SingleThreadedExecutor, Slow) as (slow,):
+        assert slow.client.wait_for_service(60)
+        assert slow.client.call(GetParameters.Request(), timeout_sec=60)
+        wait_until(slow.publisher.get_subscription_count, 'the subscription')
+        slow.publisher.publish(ParameterEvent())
+        assert slow.has_heard.wait(60)
+
+
+# If a later rclpy awaits them, chapter 5.3 may say so.
+@pytest.mark.filterwarnings('ignore:coroutine .* was never awaited')
+def test_on_the_stage_they_are_not_awaited(ros):
+    slow = ros.add(Slow)
+    assert slow.client.wait_for_service(60)
+    slow.client.call_async(GetParameters.Request())
+    wait_until(lambda: ros.errors, 'the coroutine to be sent as an answer')
+    assert isinstance(ros.errors[0], TypeError)
+    assert 'send_response' in ''.join(traceback.format_exception(ros.errors[0]))
 
 
 # rclpy calls parameter callbacks, and never awaits what an `async def` returns.
