@@ -141,10 +141,10 @@ def test_the_query_node_waits_for_its_target_and_logs_all_parameters(ros, unset)
     ros.add(Odd, unset=unset)
     param_tutorial.wait_until(lambda: all(client.service_is_ready() for client in query.clients), 'the target')
     ros.run(query.ask, 'press the button')
-    lines = said(ros, '/param_query_node', 'unset has no value' if unset else 'note =')
+    lines = said(ros, '/param_query_node', 'unset is not set' if unset else 'note =')
     assert lines[-6 - unset:] == [
         '  start_type_description_service = True', '  zero = 0', '  nought = 0.0', "  empty = ''", '  numbers = [1, 2]',
-        "  note = 'dynamic'", *['  unset has no value'] * unset]
+        "  note = 'dynamic'", *['  unset is not set'] * unset]
 
 
 def test_the_query_node_asks_again_where_no_answer_comes(ros):

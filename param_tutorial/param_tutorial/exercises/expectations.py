@@ -1,17 +1,19 @@
 """What several chapters expect of a learner's work, each with words for work that does something else."""
 
 import linecache
+import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NoReturn
+from typing import Any
 
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.exercises.trial import CORNER, NodeT, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import ParameterType
+from param_tutorial.runtime import stage
 
 
 def client_for(trial: Trial, name: str) -> ParameterClient:
@@ -54,18 +56,6 @@ def expect_answers(client: ParameterClient, name: str, kind: str, *new: object, 
         expect_result(client, name, value, kind, because)
 
 
-def expect_service(trial: Trial, client: Client) -> None:
-    """Expect a client of the learner's to find its service.
-
-    :raises NoUse: nobody offers it.
-    """
-    try:
-        trial.wait(client.service_is_ready, 'the client finds its service',
-                   lambda: f'nobody offers a service `{client.srv_name}`, of that type')
-    except NotYet as error:
-        raise NoUse(error.expected, error.happened) from None
-
-
 # rclpy's words if an on-set callback returns something else than a SetParametersResult.
 _INVALID_TYPE = 'Callback returned an invalid type'
 # What an exception in the learner's lines names in place of a file.
@@ -97,7 +87,7 @@ def client_in_corner(node: Node | str) -> ParameterClient:
 
 
 def derive(mixin: type[NodeT], node_class: type[Node]) -> type[NodeT]:
-    """Return a class of nodes like another one, by its name, with the methods of a mixin in front."""
+    """Return a class of nodes like another one, and of its name, with the methods of a mixin in front."""
     return type(node_class.__name__, (mixin, node_class), {})
 
 
@@ -125,16 +115,50 @@ class WithSecondJudge(Node):
 
 
 class WithoutDeadlock(Node):
-    """A mixin: clients refuse to wait in a callback, where nothing could end the waiting any more."""
+    """A mixin: clients raise an exception instead of blocking in a callback, also with a time limit."""
 
     def create_client(self, *args: Any, **options: Any) -> Client:
         client = super().create_client(*args, **options)
-        client.call = self.call_and_wait  # type: ignore[method-assign]  # for this one client
+        call = client.call
+
+        def call_elsewhere(*args: Any, **options: Any) -> Any:
+            if stage.current().services.in_executor_thread():
+                raise RuntimeError('call() blocks until the answer has come, which only the executor can bring, and '
+                                   'this callback keeps it busy. Use call_async()')
+            return call(*args, **options)
+
+        client.call = call_elsewhere  # type: ignore[method-assign]  # for this one client
         return client
 
-    def call_and_wait(self, *_: Any, **__: Any) -> NoReturn:
-        raise RuntimeError('call() waits for an answer that only the executor can bring, and this callback keeps '
-                           'the executor busy. Use call_async()')
+
+def start_asking(trial: Trial, mixin: type[Node] | None = None) -> Any:
+    """Start the learner's node, which is to ask a rover, and expect its clients to find their services.
+
+    :param mixin: One more for its class.
+    :raises NoUse: it creates no client, or one for a service that there is not.
+    """
+    node_class = derive(WithoutDeadlock, trial.work)
+    try:
+        node: Any = trial.start(node_class if mixin is None else derive(mixin, node_class))
+    except NoStart as error:
+        if match := re.search(r'request topic name rq/(\S+)Request with incompatible type', error.happened):
+            raise NoUse('the client finds its service',
+                        f'the service `/{match[1]}` is of another type than the client') from None
+        raise
+    clients = list(node.clients)
+    if not clients:
+        raise NoUse('the constructor creates a client for a service of `/rover`', 'it creates none')
+    for client in clients:
+        _expect_service(trial, client)
+    return node
+
+
+def _expect_service(trial: Trial, client: Client) -> None:
+    try:
+        trial.wait(client.service_is_ready, 'the client finds its service',
+                   lambda: f'there is no service `{client.srv_name}` of that type')
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
 
 
 def expect_rejected(trial: Trial, node: Node, new: Mapping[str, object]) -> None:

@@ -1,6 +1,7 @@
 """A corner of the stage where a learner's work is tried out: nothing of it is left behind."""
 
 import contextlib
+import inspect
 import io
 import linecache
 import re
@@ -170,13 +171,20 @@ class Trial:
             raise NotYet(f'{what} comes to an end', describe_error(error)) from None
 
     def press(self, what: str, function: Callable[[], Any]) -> None:
-        """Call a function of the learner's in the executor's thread, as a timer would.
+        """Call a function of the learner's in the executor's thread, as a timer would: it may be an ``async def``.
 
         :raises NotYet: the function raised an exception.
         :raises NoUse: it did not return.
         """
+        def begin() -> None:
+            executor = self.ros.tool_node.executor
+            if inspect.iscoroutinefunction(function) and executor is not None:
+                executor.create_task(function)
+            else:
+                function()
+
         try:
-            self.ros.run(function, what)
+            self.ros.run(begin, what)
         except (Exception, SystemExit) as error:
             kind = NoUse if isinstance(error, StuckError) else NotYet
             raise kind(f'{what} comes to an end', describe_error(error)) from None

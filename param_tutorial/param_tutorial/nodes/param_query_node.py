@@ -1,4 +1,4 @@
-"""A node that asks another node for all its parameters, once, and logs them.
+"""A node that asks another node for all its parameters once, and logs them.
 
 Run it alone with ``ros2 run param_tutorial param_query_node`` beside a simple_param_node.
 """
@@ -11,7 +11,7 @@ from rclpy.parameter import parameter_value_to_python
 from rclpy.task import Future
 
 TARGET = '/simple_param_node'
-# How often to look for the target, and how long it may take to answer.
+# How often to look for the target, and how long an answer may take.
 PERIOD_SEC = 2.0
 
 
@@ -24,11 +24,11 @@ class ParamQueryNode(Node):
         self.list_client = self.create_client(ListParameters, f'{TARGET}/list_parameters')
         self.get_client = self.create_client(GetParameters, f'{TARGET}/get_parameters')
         self.question: Future | None = None
-        # Waiting for the target here would block whoever creates this node, for ever if the target never comes.
+        # Waiting for the target here would block the program that creates this node, forever if no target comes.
         self.timer = self.create_timer(PERIOD_SEC, self.ask)
 
     def ask(self) -> None:
-        """Ask for the names; again if the values have not come within PERIOD_SEC seconds."""
+        """Ask for the names; start again here if an answer takes longer than PERIOD_SEC seconds."""
         if not (self.list_client.service_is_ready() and self.get_client.service_is_ready()):
             self.get_logger().info(f'{TARGET} is not there yet, waiting...')
             return
@@ -43,25 +43,29 @@ class ParamQueryNode(Node):
         """Ask for the values of all the names."""
         names = list(future.result().result.names)
         self.get_logger().info(f'{TARGET} has {len(names)} parameters.')
-        self.ask_values(names)
+        self.ask_values([names])
 
-    def ask_values(self, names: list[str]) -> None:
-        """Ask for the values of some parameters."""
-        self.question = self.get_client.call_async(GetParameters.Request(names=names))
-        self.question.add_done_callback(lambda future: self.report(names, future))
+    def ask_values(self, groups: list[list[str]]) -> None:
+        """Ask for the values of the first group of names, and for those of the others after it."""
+        self.timer.reset()
+        self.question = self.get_client.call_async(GetParameters.Request(names=groups[0]))
+        self.question.add_done_callback(lambda future: self.report(groups, future))
 
-    def report(self, names: list[str], future: Future) -> None:
-        """Log names and values: values carry no names, but come in the order in which they were asked for."""
-        self.timer.cancel()  # the target has answered to the end
+    def report(self, groups: list[list[str]], future: Future) -> None:
+        """Log names and values; the values carry no names, and come in the order of the request."""
+        names, *others = groups
         values = future.result().values
         if not values and len(names) > 1:
-            # One parameter without a value empties the whole answer: ask for each alone.
-            for name in names:
-                self.ask_values([name])
+            # One parameter that is not set empties the whole answer: ask for each separately.
+            others = [[name] for name in names]
         elif not values:
-            self.get_logger().info(f'  {names[0]} has no value')
+            self.get_logger().info(f'  {names[0]} is not set')
         for name, value in zip(names, values):
             self.get_logger().info(f'  {name} = {parameter_value_to_python(value)!r}')
+        if others:
+            self.ask_values(others)
+        else:
+            self.timer.cancel()
 
 
 def main(args: list[str] | None = None) -> None:

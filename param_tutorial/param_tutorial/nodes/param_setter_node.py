@@ -1,4 +1,4 @@
-"""A node that changes the parameters of another node, every few seconds, through its service.
+"""A node that changes another node's parameters through a service, every few seconds.
 
 Run it alone with ``ros2 run param_tutorial param_setter_node`` beside a running simple_param_node.
 """
@@ -15,7 +15,7 @@ PERIOD_SEC = 5.0
 
 
 class ParamSetterNode(Node):
-    """Sets four parameters of TARGET every PERIOD_SEC seconds; every third time one value is invalid."""
+    """Sets four parameters of TARGET every PERIOD_SEC seconds; on every third round one value is invalid."""
 
     def __init__(self) -> None:
         super().__init__('param_setter_node')
@@ -25,9 +25,9 @@ class ParamSetterNode(Node):
         self.timer = self.create_timer(PERIOD_SEC, self.set_parameters_periodically)
 
     def set_parameters_periodically(self) -> None:
-        """Send the next request, unless nobody is there to answer it."""
-        # A constructor that waits for the target would block the executor, and with it a target that
-        # lives in the same executor. The timer comes back anyway: look, and try again next time.
+        """Send the next request, unless there is nobody to answer it."""
+        # Waiting for the target in the constructor would keep this process from spinning any node, and the target
+        # may be one of them. The timer fires again anyway, so look and try again next time.
         if not self.client.service_is_ready():
             self.get_logger().info(f'{TARGET} is not there yet, waiting...')
             return
@@ -40,7 +40,7 @@ class ParamSetterNode(Node):
 
     @staticmethod
     def proposal(iteration: int) -> list[Parameter]:
-        """Return the parameters to ask for in this iteration; each third acceleration is negative."""
+        """Return the parameters to ask for in this iteration; every third acceleration is negative."""
         acceleration = -0.1 if iteration % 3 == 0 else 0.5 + 0.1 * (iteration % 10)
         return [
             Parameter('robot_name', value=f'Clawbot_V{iteration}'),
@@ -50,7 +50,7 @@ class ParamSetterNode(Node):
         ]
 
     def report(self, parameters: list[Parameter], future: Future) -> None:
-        """Log what became of each parameter: the results come in the order of the request."""
+        """Log the result for each parameter; results come in the order of the request."""
         for parameter, result in zip(parameters, future.result().results):
             if result.successful:
                 self.get_logger().info(f'  {parameter.name} = {parameter.value}: accepted')

@@ -1,5 +1,10 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 5.3."""
 
+# In the solutions: the line that sends the request, and the one that reads the answer.
+ASK = 'self.client.call_async(request).add_done_callback(self.on_answer)'
+READ = ('    return {parameter.name: result.reason\n            for parameter, result in zip(parameters, results)\n'
+        '            if not result.successful}')
+
 WRONG = {
     '5.3c': [
         ([("parameter = Parameter('max_speed_rpm', value=50)\n", ''),
@@ -29,30 +34,82 @@ WRONG = {
            '')], 0, 'it holds 100'),
         ([('.to_parameter_msg()', '')], 0, "AttributeError: 'int' object has no attribute 'type', in"),
         ([('value=50', 'value=50.0')], 0, 'it holds 100'),
-        ([('/rover/', '/rovr/')], 0, 'nobody offers a service `/rovr/set_parameters`'),
+        ([('/rover/', '/rovr/')], 0, 'there is no service `/rovr/set_parameters` of that type'),
         ([('results.extend(answer.result().results)', 'answer')], 1, '`results` is empty'),
     ],
     '5.3a': [
         # Not atomic: the other service, whose answer has a list of results.
         ([('SetParametersAtomically', 'SetParameters'), ('set_parameters_atomically', 'set_parameters'),
           ('class Supervisor', 'from rcl_interfaces.srv import SetParameters\n\n\nclass Supervisor'),
-          ('future.result().result', 'future.result().results[1]')], 2,
-         '`set_parameters` decides each parameter for itself'),
+          ('result = future.result().result\n',
+           'result = min(future.result().results, key=lambda each: each.successful)\n')],
+         2, '`set_parameters` decides about each parameter separately'),
+        # Atomic, but each value alone.
+        ([(ASK, 'for each in request.parameters:\n            self.client.call_async(SetParametersAtomically.Request('
+           'parameters=[each])).add_done_callback(self.on_answer)')], 2, 'decides about each parameter separately'),
         ([("'/rover/set_parameters_atomically'", "'/rovr/set_parameters_atomically'")], 0,
-         'nobody offers a service `/rovr/set_parameters_atomically`'),
-        ([('self.client.call_async(request).add_done_callback(self.on_answer)', 'self.client.call(request)')], 0,
-         'Use call_async()'),
-        ([('.add_done_callback(self.on_answer)', '')], 1, "`self.rejection` is `''`"),
+         'there is no service `/rovr/set_parameters_atomically` of that type'),
+        ([("'/rover/set_parameters_atomically'", "'/rover/set_parameters'")], 0,
+         'the service `/rover/set_parameters` is of another type than the client'),
+        ([("'/rover/set_parameters_atomically'", "'/supervisor/set_parameters_atomically'")], 0,
+         'there is no service `/supervisor/set_parameters_atomically` of that type'),
+        ([("self.client = self.create_client(SetParametersAtomically, '/rover/set_parameters_atomically')", 'pass')], 0,
+         'it creates none'),
+        # Blocked: for good, for a while, and in loops.
+        ([(ASK, 'self.client.call(request)')], 0, 'Use call_async()'),
+        ([(ASK, 'self.client.call(request, timeout_sec=1.0)')], 0, 'Use call_async()'),
+        ([(ASK, 'import rclpy\n        future = self.client.call_async(request)\n'
+           '        rclpy.spin_until_future_complete(self, future)\n        self.on_answer(future)')],
+         0, 'this callback already runs inside the executor that it waits for'),
+        ([(ASK, 'future = self.client.call_async(request)\n        while not future.done():\n            pass\n'
+           '        self.on_answer(future)')], 0, 'it had not come to an end after some seconds'),
+        # Too early: the answer has not come.
+        ([(ASK, 'self.on_answer(self.client.call_async(request))')], 0,
+         "AttributeError: 'NoneType' object has no attribute 'result'"),
+        ([(ASK, 'self.client.call_async(request).add_done_callback(self.on_answer())')], 0,
+         "missing 1 required positional argument: 'future'"),
+        ([('.add_done_callback(self.on_answer)', '')], 2, "it is `''`"),
         ([('future.result().result\n', 'future.result().results[0]\n')], 1, 'AttributeError'),
-        ([('value=40', 'value=4')], 1, 'it holds 4 and 0.2'),
+        ([('self.rejection = result.reason', 'self.rejection = str(result)')], 2, 'rcl_interfaces.msg'),
+        ([('self.rejection = result.reason', "self.rejection = 'rejected'")], 2, "it is `'rejected'`"),
+        ([('if not result.successful:', 'if True:'), ('= result.reason', "= result.reason or 'accepted'")], 2,
+         "it is `'accepted'`"),
+        ([('self.rejection = result.reason', 'self.reason = result.reason')], 2, "it is `''`"),
+        ([('value=40', 'value=4')], 0, 'it holds 4 and 0.2'),
+        ([('value=40', 'value=40.0')], 0, "`self.rejection` is `\"Wrong parameter type, expected 'Type.INTEGER'"),
+        ([('value=0.2', 'value=20.0')], 0, 'it holds 100 and 1.0, and `self.rejection` is'),
+        ([("Parameter('max_speed_rpm', value=40), ", '')], 0, 'it holds 100 and 0.2'),
+        ([(ASK, 'self.set_parameters_atomically(wanted)')], 0, 'ParameterNotDeclaredException'),
+        ([('def slow_down', 'def slowdown')], 0, 'the class has none'),
+        ([("super().__init__('supervisor')", "super().__init__('boss')")], 3, 'it is called `boss`'),
     ],
     '5.3b': [
-        ([('parameter.name: result.reason', 'result.name: result.reason')], 1, 'A result has no name'),
+        ([('parameter.name: result.reason', 'result.name: result.reason')], 0, 'A result has no name'),
         ([('            if not result.successful', '            if True')], 0, "'use_sim_time': ''"),
-        ([('    return {parameter.name: result.reason\n            for parameter, result in zip(parameters, results)\n'
-           '            if not result.successful}', '    for parameter, result in zip(parameters, results):\n'
+        ([('if not result.successful', 'if result.successful')], 0,
+         "returned `{'max_speed_rpm': '', 'use_sim_time': ''}`"),
+        ([(READ, '    for parameter, result in zip(parameters, results):\n'
            '        if not result.successful:\n            return {parameter.name: result.reason}\n    return {}')], 2,
          'before the loop has ended'),
+        ([(READ, '    for parameter, result in zip(parameters, results):\n        reasons = {}\n'
+           '        if not result.successful:\n            reasons[parameter.name] = result.reason\n'
+           '    return reasons')], 1,
+          'the function returned `{}`'),
+        ([('if not result.successful', 'if result.reason')], 2, 'A node may reject without a reason'),
+        ([(READ, '    return {parameters[results.index(result)].name: result.reason\n'
+           '            for result in results\n            if not result.successful}')], 2, 'Two results may be equal'),
+        ([(': result.reason', ': result')], 1, 'SetParametersResult(successful=False'),
+        ([('parameter.name: result.reason', 'result.reason: parameter.name')], 1,
+         "2.0, value: 9.0': 'max_acceleration"),
+        ([('zip(parameters, results)', 'zip(sorted(parameters, key=lambda each: each.name), results)')], 1,
+         "the function returned `{'max_speed_rpm': 'Parameter max_acceleration"),
+        ([('    return {', '    print({'), ('successful}', 'successful})')], 0, 'the function returned `None`'),
+        ([('successful}', 'successful} or None')], 2, 'the function returned `None`'),
+        ([('    return {', '    return [('), ('result.reason\n', 'result.reason)\n'),
+          ('parameter.name:', 'parameter.name,'), ('successful}', 'successful]')], 0, 'the function returned `[('),
+        ([(READ, "    return {'max_acceleration_mps2': results[1].reason}")], 0,
+         "returned `{'max_acceleration_mps2': ''}`"),
+        ([('def rejected(parameters, results)', 'def rejected(results)')], 0, 'takes 1 positional argument'),
     ],
 }
 
@@ -70,5 +127,38 @@ RIGHT = {
           'future.add_done_callback(lambda answer: results.extend(answer.result().results))\n',
           'results.extend(client.call(request).results)\n')],
         [("'/rover/set", "'rover/set")],
+    ],
+    '5.3a': [
+        # With await.
+        [('def slow_down', 'async def slow_down'),
+         (ASK, 'result = (await self.client.call_async(request)).result\n'
+               '        self.rejection = result.reason')],
+        # rclpy's own client.
+        [("self.client = self.create_client(SetParametersAtomically, '/rover/set_parameters_atomically')",
+          'from rclpy.parameter_client import AsyncParameterClient\n'
+          "        self.box = AsyncParameterClient(self, '/rover')"),
+         (ASK, 'self.box.set_parameters_atomically(wanted, callback=self.on_answer)')],
+        # In a thread of its own, which may block.
+        [(ASK, 'import threading\n        threading.Thread(target=self.ask, args=[request], daemon=True).start()'),
+         ('    def on_answer', '    def ask(self, request):\n        result = self.client.call(request).result\n'
+                             '        self.rejection = result.reason\n\n    def on_answer')],
+        # A timer looks for the answer.
+        [(ASK, 'self.future = self.client.call_async(request)\n'
+               '        self.timer = self.create_timer(0.05, self.look)'),
+         ('    def on_answer', '    def look(self):\n        if self.future.done():\n            self.timer.cancel()\n'
+                             '            self.on_answer(self.future)\n\n    def on_answer')],
+        [('self.on_answer)', "lambda future: setattr(self, 'rejection', future.result().result.reason))")],
+        [('def on_answer', 'async def on_answer')],
+        [("'max_speed_rpm', value", "'max_speed_rpm', Parameter.Type.INTEGER, value")],
+        [("'/rover/set", "'rover/set")],
+    ],
+    '5.3b': [
+        [(READ, '    reasons = {}\n    for index, result in enumerate(results):\n        if not result.successful:\n'
+                '            reasons[parameters[index].name] = result.reason\n    return reasons')],
+        [(READ, '    pairs = filter(lambda pair: not pair[1].successful, zip(parameters, results))\n'
+                '    return dict((parameter.name, result.reason) for parameter, result in pairs)')],
+        [(READ, '    reasons = {}\n    for parameter in parameters:\n        result = results.pop(0)\n'
+                '        if result.successful:\n            continue\n'
+                '        reasons[parameter.name] = result.reason\n    return reasons')],
     ],
 }

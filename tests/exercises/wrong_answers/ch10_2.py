@@ -1,36 +1,94 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.2."""
 
+# In the solutions: what the inspector does, and what the function returns.
+READ = '''\
+        answer = await self.list_client.call_async(ListParameters.Request())
+        for name in answer.result.names:
+            values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values
+            if values:
+                self.found[name] = parameter_value_to_python(values[0])'''
+HAS = '{node: parameters[name] for node, parameters in snapshot.items() if name in parameters}'
+
 WRONG = {
     '10.2c': [
-        ([('parameter_value_to_python(value)', 'value')], 0, "it gives `{'speed':"),
+        ([('parameter_value_to_python(value)', 'value')], 0, "it returned `{'speed':"),
         ([('zip(names, values)', 'zip(values, names)')],
          0, "AttributeError: 'str' object has no attribute 'type'"),
-        ([('zip(names, values)', 'zip(sorted(names), values)')], 1, "it gives `{'label': 0, 'speed': ''}`"),
+        ([('zip(names, values)', 'zip(sorted(names), values)')], 1, "it returned `{'label': 0, 'speed': ''}`"),
         ([('zip(names, values)', 'names')], 0, 'ValueError: too many values to unpack (expected 2)'),
-        ([('parameter_value_to_python(value)', 'value.integer_value')], 1, "it gives `{'speed': 0, 'label': 0}`"),
+        ([('parameter_value_to_python(value)', 'value.integer_value')], 1, "it returned `{'speed': 0, 'label': 0}`"),
         ([('name: param', 'value: param')], 0, "TypeError: unhashable type: 'ParameterValue'"),
         ([('return {', 'return list({'),
-          ('values)}', 'values)})')], 0, "it gives `['speed']`"),
-        ([('zip(names, values)', 'zip(names, reversed(values))')], 1, "it gives `{'speed': '', 'label': 0}`"),
+          ('values)}', 'values)})')], 0, "it returned `['speed']`"),
+        ([('zip(names, values)', 'zip(names, reversed(values))')], 1, "it returned `{'speed': '', 'label': 0}`"),
         ([('parameter_value_to_python(value)',
            'value.double_value or value.integer_value or value.string_value')],
-         0, "it gives `{'speed': ''}`"),
+         0, "it returned `{'speed': ''}`"),
     ],
     '10.2a': [
         # What the article promises: no names for all parameters.
-        ([('GetParameters.Request(names=names)', 'GetParameters.Request()')], 0, 'it is `{}`'),
-        ([('parameter_value_to_python(value)', 'value.string_value or value.integer_value')], 0, "'offset': 0"),
-        ([('        if not values and len(names) > 1:', '        if False:')], 2, 'it is `{}`'),
-        ([('self.list_client.call_async(ListParameters.Request()).add_done_callback(self.on_names)',
-           'self.on_names(self.list_client.call(ListParameters.Request()))')], 0, 'Use call_async()'),
+        ([(READ, '        self.get_client.call_async(GetParameters.Request()).add_done_callback(self.on_values)\n\n'
+                 '    def on_values(self, future):\n        for value in future.result().values:\n'
+                 '            self.found[value.name] = parameter_value_to_python(value)')], 0, 'it is `{}`'),
+        # All at once: one that is not set empties the answer.
+        ([(READ, '        names = (await self.list_client.call_async(ListParameters.Request())).result.names\n'
+                 '        values = (await self.get_client.call_async(GetParameters.Request(names=names))).values\n'
+                 '        self.found = dict(zip(names, map(parameter_value_to_python, values)))')], 2, 'it is `{}`'),
+        ([(READ, "        for name in ('speed', 'offset', 'label', 'enabled', 'gains', 'legs', 'steps'):\n"
+                 '            values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values\n'
+                 '            if values:\n                self.found[name] = parameter_value_to_python(values[0])')], 0,
+         "it is `{'speed': 0"),
+        ([('parameter_value_to_python(values[0])', 'values[0].string_value or values[0].integer_value')], 0,
+         "'offset': 0"),
+        ([('parameter_value_to_python(values[0])', 'str(parameter_value_to_python(values[0]))')], 0, "'speed': '0'"),
+        ([('parameter_value_to_python(values[0])', 'values[0]')], 0, 'ParameterValue(type='),
+        ([('            if values:', '            if True:')], 2, 'IndexError'),
+        ([('parameter_value_to_python(values[0])', 'parameter_value_to_python(values[0])\n'
+           '            else:\n                self.found[name] = 0.0')], 2, "'calibration': 0.0"),
+        ([('if values:', 'if values and parameter_value_to_python(values[0]):')], 0, "it is `{'gains'"),
+        ([('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 1, 'it is `{'),
+        ([('self.found[name] = parameter_value_to_python(values[0])', 'self.found = {name: values[0]}')], 0,
+         'it is `{'),
+        ([('self.found[name]', 'self.values[name]')], 0, "object has no attribute 'values'"),
+        ([('await self.list_client.call_async(', 'self.list_client.call(')], 0,
+          'Use call_async()'),
+        ([('answer = await ', 'answer = ')], 0, "'function' object has no attribute 'names'"),
+        ([('async def inspect(self):', 'def inspect(self):'),
+          ('answer = await self', 'import rclpy\n        future = self'),
+          ('        for name in answer', '        rclpy.spin_until_future_complete(self, future)\n'
+           '        answer = future.result()\n        for name in answer'),
+          ('(await self.get_client.call_async(', 'self.get_client.call('),
+          ('(names=[name]))).values', '(names=[name])).values')],
+         0, 'this callback already runs inside the executor that it waits for'),
         ([("'/rover/get_parameters'", "'/rover/get_parameter'")], 0,
-         'nobody offers a service `/rover/get_parameter`'),
+         'there is no service `/rover/get_parameter` of that type'),
+        ([("GetParameters, '/rover/get", "ListParameters, '/rover/get")], 0,
+         'the service `/rover/get_parameters` is of another type than the client'),
+        ([('def inspect', 'def look')], 0, 'the class has none'),
     ],
     '10.2b': [
-        ([('if name in parameters', 'if parameters.get(name)')], 2, 'the function gave'),
-        ([('if name in parameters', 'if True')], 1, 'KeyError'),
+        ([('if name in parameters', 'if parameters.get(name)')], 2, "returned `{'/gripper': 4, '/mast': 4}`"),
+        ([('if name in parameters', 'if parameters.get(name) is not None')], 2, "returned `{'/rover': 5.0}`"),
+        ([('if name in parameters', 'if True')], 0, 'KeyError'),
+        ([(HAS, '{node: parameters.get(name) for node, parameters in snapshot.items()}')], 0,
+         "'/arm/gripper': True, '/cam"),
+        ([(HAS, '{node: value for node, parameters in snapshot.items()\n'
+                '            for key, value in parameters.items() if key.startswith(name)}')], 1, "'/arm/gripper': 9"),
+        ([(HAS, '{node: value for node, parameters in snapshot.items()\n'
+                '            for key, value in parameters.items() if key.endswith(name)}')], 2, "'/camera': 2.5"),
+        ([(HAS, '{node: value for node, parameters in snapshot.items()\n'
+                '            for key, value in parameters.items() if key.lower() == name.lower()}')], 2,
+         "returned `{'/gripper': 4, '/mast': 4, '/rover': 0}`"),
         ([('return {node: parameters[name] for', 'return [node for'), ('in parameters}', 'in parameters]')], 0,
-         'the function gave `['),
+         'the function returned `['),
+        ([('{node: parameters[name]', '{node: str(parameters[name])')], 1, "{'/arm/gripper': 'True'}"),
+        ([('{node: parameters[name]', '{node: parameters')], 1, 'the function returned'),
+        ([('    return {node: parameters[name] for node, parameters in snapshot.items() if name in parameters}',
+           '    for node, parameters in snapshot.items():\n        if name in parameters:\n'
+           '            return {node: parameters[name]}\n    return {}')], 2, "returned `{'/gripper': 4}`"),
+        ([('in parameters}', 'in parameters} | dict.fromkeys(snapshot.unanswered)')], 0, "'/dozing': None"),
+        ([('in parameters}', 'in parameters} or None')], 2, 'the function returned `None`'),
+        ([('    return {', '    print({'), ('in parameters}', 'in parameters})')], 0, 'the function returned `None`'),
     ],
 }
 
@@ -41,5 +99,48 @@ RIGHT = {
         [('for name, value in zip(names, values)', 'for value, name in zip(values, names)')],
         [('{name: parameter_value_to_python(value) for name, value in zip(names, values)}',
           '{names[i]: parameter_value_to_python(values[i]) for i in range(len(names))}')],
+    ],
+    '10.2a': [
+        # With callbacks, and only then one by one.
+        [('async def inspect(self):', 'def inspect(self):'),
+         (READ, '        self.list_client.call_async(ListParameters.Request()).add_done_callback(self.on_names)\n\n'
+                '    def on_names(self, future):\n        self.ask(list(future.result().result.names))\n\n'
+                '    def ask(self, names):\n'
+                '        future = self.get_client.call_async(GetParameters.Request(names=names))\n'
+                '        future.add_done_callback(lambda future: self.on_values(names, future.result().values))\n\n'
+                '    def on_values(self, names, values):\n        if not values and len(names) > 1:\n'
+                '            for name in names:\n                self.ask([name])\n'
+                '        for name, value in zip(names, values):\n'
+                '            self.found[name] = parameter_value_to_python(value)')],
+        # rclpy's own client.
+        [("        self.list_client = self.create_client(ListParameters, '/rover/list_parameters')\n"
+          "        self.get_client = self.create_client(GetParameters, '/rover/get_parameters')\n",
+          '        from rclpy.parameter_client import AsyncParameterClient\n'
+          "        self.box = AsyncParameterClient(self, '/rover')\n"),
+         ('self.list_client.call_async(ListParameters.Request())', 'self.box.list_parameters()'),
+         ('self.get_client.call_async(GetParameters.Request(names=[name]))', 'self.box.get_parameters([name])')],
+        # In a thread of its own, which may block.
+        [('async def inspect(self):\n        """Ask /rover for all its parameters, without blocking."""\n',
+          'def inspect(self):\n        import threading\n'
+          '        threading.Thread(target=self.work, daemon=True).start()\n\n    def work(self):\n'),
+         ('await self.list_client.call_async(', 'self.list_client.call('),
+         ('(await self.get_client.call_async(GetParameters.Request(names=[name])))',
+          'self.get_client.call(GetParameters.Request(names=[name]))')],
+        # What is not set is there with None.
+        [('parameter_value_to_python(values[0])', 'parameter_value_to_python(values[0])\n'
+          '            else:\n                self.found[name] = None')],
+        # Later, by a timer.
+        [('async def inspect(self):\n',
+          'def inspect(self):\n        self.timer = self.create_timer(0.3, self.work)\n\n'
+          '    async def work(self):\n        self.timer.cancel()\n')],
+    ],
+    '10.2b': [
+        [(HAS, 'dict((node, value) for node, parameters in snapshot.items()\n'
+               '                for key, value in parameters.items() if key == name)')],
+        [('    return ' + HAS, '    found = {}\n    for node in snapshot:\n        try:\n'
+          '            found[node] = snapshot[node][name]\n        except KeyError:\n            pass\n'
+          '    return found')],
+        [('    return ' + HAS, '    for node in list(snapshot):\n        if name not in snapshot[node]:\n'
+          '            del snapshot[node]\n    return {node: snapshot[node][name] for node in snapshot}')],
     ],
 }

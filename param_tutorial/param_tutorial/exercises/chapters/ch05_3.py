@@ -1,16 +1,17 @@
 """Exercises of chapter 5.3: order the lines of a request, set two parameters of another node together, and read an
 answer."""
 
+from collections.abc import Mapping
 from typing import Any
 
-from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rcl_interfaces.srv import SetParameters
 from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import WithoutDeadlock, derive, expect_service, run_lines
+from param_tutorial.exercises.expectations import run_lines, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.client import ParameterValues
 
@@ -18,125 +19,202 @@ CHAPTER = '05_3_from_another_node'
 HOW = 'How it works'
 ATOMIC = 'Change it: all or nothing'
 ONE_BY_ONE = 'Change it: one of four is wrong'
-WAITING = 'Break it: waiting in the wrong place'
 
 
 class Rover(Node):
-    """The robot that is to be slowed down."""
+    """The robot to slow down. It notes which parameters it is asked for, and whether it stores any."""
 
-    def __init__(self, gentlest_mps2: float = 0.1):
-        """:param gentlest_mps2: The smallest acceleration that it accepts, in m/s^2."""
+    rejected: tuple[str, ...] = ()
+    """The parameters of which it accepts no value."""
+    words = ''
+    """Why not."""
+
+    def __init__(self) -> None:
         super().__init__('rover')
         self.declare_parameter('max_speed_rpm', 100)
         self.declare_parameter('max_acceleration_mps2', 1.0, ParameterDescriptor(
-            floating_point_range=[FloatingPointRange(from_value=gentlest_mps2, to_value=2.0)]))
+            floating_point_range=[FloatingPointRange(from_value=0.1, to_value=2.0)]))
+        self.asked: set[str] = set()
+        self.has_stored = False
+        self.add_on_set_parameters_callback(self.judge)
+        self.add_post_set_parameters_callback(self.note)
+
+    def judge(self, parameters: list[Parameter]) -> SetParametersResult:
+        names = {each.name for each in parameters}
+        self.asked |= names
+        is_rejected = not names.isdisjoint(self.rejected)
+        return SetParametersResult(successful=not is_rejected, reason=self.words if is_rejected else '')
+
+    def note(self, _: list[Parameter]) -> None:
+        self.has_stored = True
 
 
-class StubbornRover(Rover):
-    """Refuses to accelerate as gently as the supervisor wants it to."""
+class KeepsAcceleration(Rover):
+    """Accepts a new speed only."""
 
-    def __init__(self) -> None:
-        super().__init__(gentlest_mps2=0.5)
+    rejected, words = ('max_acceleration_mps2',), 'not while I am climbing'
+
+
+class KeepsSpeed(Rover):
+    """Accepts a new acceleration only."""
+
+    rejected, words = ('max_speed_rpm',), 'the floor is wet'
 
 
 OLD = ParameterValues(max_speed_rpm=100, max_acceleration_mps2=1.0)
 NEW = ParameterValues(max_speed_rpm=40, max_acceleration_mps2=0.2)
 
 supervise = Exercise('5.3a', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
-    'A client is made once, in the constructor: `self.create_client(TYPE, NAME)`. Which of the six services takes a '
-    'list as one wish?',
+    'Create the client once, in the constructor: `self.create_client(TYPE, NAME)`. Which of the six services takes a '
+    'list as one?',
     'The service is `/rover/set_parameters_atomically`, of the type `SetParametersAtomically`. Make its request as '
-    'the section “How it works” does, and send it with `call_async`.',
-    '`call_async` gives a future, and `future.add_done_callback(self.on_answer)` has your method called with it. '
+    'the section “Change it: all or nothing” does, and send it with `call_async`.',
+    '`call_async` returns a future, and `future.add_done_callback(self.on_answer)` has your method called with it. '
     '`future.result().result` is the one result, and it has a `reason`.'))
 
 
 def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
-    """Put a rover and the learner's supervisor on the stage, and press the supervisor's button."""
+    """Put a rover and the learner's supervisor on the stage, and press the supervisor's button.
+
+    :raises NoUse: the button cannot be pressed, or does not get to its end.
+    """
     rover = trial.start(rover_class)
-    supervisor: Any = trial.start(derive(WithoutDeadlock, trial.work))
-    expect(list(supervisor.clients), 'the supervisor has a client for a service of `/rover`', 'it has none')
-    for client in supervisor.clients:
-        expect_service(trial, client)
-    trial.press('`slow_down()`', supervisor.slow_down)
+    supervisor = start_asking(trial)
+    button = getattr(supervisor, 'slow_down', None)
+    if not callable(button):
+        raise NoUse('a method `slow_down`', 'the class has none')
+    try:
+        trial.press('`slow_down()`', button)
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
     return rover, supervisor
 
 
-@supervise.require('`slow_down()` sends both values, and does not wait for the answer', see=HOW)
+@supervise.require('`slow_down()` sends both values, and does not block', see=HOW)
 def both(trial: Trial) -> None:
-    rover, _ = slow_down(trial, Rover)
+    rover, supervisor = slow_down(trial, Rover)
     client = trial.client(rover)
-    trial.wait(lambda: client.get_parameters(NEW) == NEW, 'the rover holds 40 rpm and 0.2 m/s²',
-               lambda: f'it holds {" and ".join(map(str, client.get_parameters(NEW).values()))}')
+    try:
+        trial.wait(lambda: client.get_parameters(NEW) == NEW, 'the rover holds 40 rpm and 0.2 m/s²',
+                   lambda: f'it holds {" and ".join(map(str, client.get_parameters(NEW).values()))}' + (
+                       f', and `self.rejection` is `{supervisor.rejection!r}`' if supervisor.rejection else ''))
+    except NotYet as error:  # what rovers reject can tell nothing about other values
+        raise NoUse(error.expected, trial.raised() or error.happened) from None
 
 
 @supervise.require('`self.rejection` is the reason of a rover that rejects', see=HOW)
 def reason(trial: Trial) -> None:
-    _, supervisor = slow_down(trial, StubbornRover)
-    trial.wait(lambda: 'out of range' in str(supervisor.rejection), 'the reason is in `self.rejection`',
-               lambda: f'`self.rejection` is `{supervisor.rejection!r}`')
+    for rover_class in (KeepsAcceleration, KeepsSpeed, Rover):
+        expect_reason(trial, rover_class)
+
+
+def expect_reason(trial: Trial, rover_class: type[Rover]) -> None:
+    """Expect the supervisor to know why a rover rejects, and nothing if it doesn't."""
+    rover, supervisor = slow_down(trial, rover_class)
+    trial.wait(lambda: rover.asked, 'the rover is asked', lambda: 'it is not')
+    for _ in range(3):
+        trial.ros.run(lambda: None, 'let the answer through')
+    if rover.rejected:
+        trial.wait(lambda: supervisor.rejection == rover.words, f'`self.rejection` is `{rover.words!r}`',
+                   lambda: f'it is `{supervisor.rejection!r}`')
+    else:
+        expect(not supervisor.rejection, '`self.rejection` stays empty when the rover accepts',
+               f'it is `{supervisor.rejection!r}`')
+    trial.ros.remove(supervisor)
+    trial.ros.remove(rover)
 
 
 @supervise.require('both are set or neither: a rover that rejects one keeps the other', see=ATOMIC)
 def neither(trial: Trial) -> None:
-    both(trial)
-    rover, supervisor = slow_down(trial, StubbornRover)
-    trial.wait(lambda: supervisor.rejection, 'the answer has come', lambda: 'there is no reason in `self.rejection`')
-    kept = trial.client(rover).get_parameters(OLD)
-    expect(kept == OLD, 'the rover keeps 100 rpm when it rejects the acceleration',
-           f'it drives at {kept["max_speed_rpm"]} rpm. `set_parameters` decides each parameter for itself')
+    for rover_class, kept in ((KeepsAcceleration, 'max_speed_rpm'), (KeepsSpeed, 'max_acceleration_mps2')):
+        expect_kept(trial, rover_class, kept)
+
+
+def expect_kept(trial: Trial, rover_class: type[Rover], name: str) -> None:
+    """Expect a parameter to stay as it is in a rover that rejects the other one."""
+    rover, supervisor = slow_down(trial, rover_class)
+    trial.wait(lambda: rover.asked >= set(NEW), 'the rover is asked for both values',
+               lambda: f'it was asked for {" and ".join(f"`{each}`" for each in sorted(rover.asked)) or "nothing"}')
+    trial.ros.run(lambda: None, 'let the rover finish')
+    expect(not rover.has_stored, f'a rover that rejects the other value keeps `{name} = {OLD[name]}`',
+           'it stored the new one. `set_parameters` decides about each parameter separately')
+    trial.ros.remove(supervisor)
+    trial.ros.remove(rover)
 
 
 read = Exercise('5.3b', 'Read an answer', CHAPTER, FUNCTION, hints=(
-    'A result has `successful` and `reason`, and no name.',
-    'The results come in the order of the request, so `zip(parameters, results)` gives the pairs.',
-    'A dictionary grows by `reasons[parameter.name] = result.reason`; return it behind the loop, not in it.'))
+    'A result has `successful` and `reason`, but no name.',
+    'The results come in the order of the request, so `zip(parameters, results)` makes the pairs.',
+    'Add to a dictionary with `reasons[parameter.name] = result.reason`, and return it after the loop, not inside it.'))
 
 
-def answer_to(trial: Trial, *parameters: Parameter) -> tuple[object, dict[str, str]]:
-    """Ask a rover to set parameters one by one; return what the learner's function makes of it, and what is true."""
-    rover = trial.start(Rover)
+class Judge(Node):
+    """Rejects two parameters in the same words and one without a word, and says something when it accepts."""
+
+    def __init__(self) -> None:
+        super().__init__('judge')
+        self.declare_parameters('', [('left_rpm', 1), ('right_rpm', 1), ('lift_rpm', 1), ('note', '')])
+        self.add_on_set_parameters_callback(self.judge)
+
+    def judge(self, parameters: list[Parameter]) -> SetParametersResult:
+        name = parameters[0].name
+        return SetParametersResult(successful=name == 'note', reason={'note': 'noted', 'lift_rpm': ''}.get(
+            name, 'too fast'))
+
+
+def expect_reasons(trial: Trial, node_class: type[Node], wanted: Mapping[str, object]) -> None:
+    """Set parameters one by one, and expect the learner's function to find each rejection in the answer."""
+    node = trial.start(node_class)
+    parameters = [Parameter(name, value=value) for name, value in wanted.items()]
     request = SetParameters.Request(parameters=[each.to_parameter_msg() for each in parameters])
-    results = trial.ros.services.call(rover.get_fully_qualified_name(), 'set_parameters', request).results
+    results = trial.ros.services.call(node.get_fully_qualified_name(), 'set_parameters', request).results
+    true = {each.name: result.reason for each, result in zip(parameters, results) if not result.successful}
     try:
-        given = trial.call('the function', trial.work, list(parameters), list(results))
+        given = trial.call('the function', trial.work, parameters, list(results))
     except NotYet as error:
-        if 'AttributeError' in error.happened:
-            raise NotYet(error.expected, f'{error.happened}. A result has no name: results come in the order of the '
-                                         f'request') from None
-        raise
-    return given, {each.name: result.reason for each, result in zip(parameters, results) if not result.successful}
+        because = ''
+        if "'SetParametersResult' object has no attribute 'name'" in error.happened:
+            because = '. A result has no name: results come in the order of the request'
+        raise NoUse(error.expected, error.happened + because) from None
+    expect(given == true, f'`{true!r}`', f'the function returned `{given!r}`{why_some_lack(given, true)}')
+
+
+def why_some_lack(given: object, true: dict[str, str]) -> str:
+    """Return what to think of when a function found only some of the rejections."""
+    if given in ({}, true) or not isinstance(given, dict) or not given.items() < true.items():
+        return ''
+    if given == dict([*true.items()][:1]):
+        return '. Does it return before the loop has ended?'
+    if given == {name: reason for name, reason in true.items() if reason}:
+        return '. A node may reject without a reason: `successful` decides'
+    return '. Two results may be equal, so what counts is their position'
 
 
 @read.require('one rejection among three: its name, and the reason', see=HOW)
 def one(trial: Trial) -> None:
-    given, true = answer_to(trial, Parameter('max_speed_rpm', value=50), Parameter('max_acceleration_mps2', value=9.0),
-                            Parameter('use_sim_time', value=False))
-    expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')
+    expect_reasons(trial, Rover, {'max_speed_rpm': 50, 'max_acceleration_mps2': 9.0, 'use_sim_time': False})
+    expect_reasons(trial, Rover, {'max_speed_rpm': 'fast', 'max_acceleration_mps2': 0.5, 'use_sim_time': False})
 
 
-@read.require('two rejections: both of them', see=ONE_BY_ONE)
-def two(trial: Trial) -> None:
-    given, true = answer_to(trial, Parameter('max_speed_rpm', value='fast'), Parameter('use_sim_time', value=False),
-                            Parameter('max_acceleration_mps2', value=9.0))
-    expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`' + (
-        '. Does it return before the loop has ended?' if given else ''))
+@read.require('several rejections: all of them, also in the same words or without a word', see=ONE_BY_ONE)
+def several(trial: Trial) -> None:
+    expect_reasons(trial, Rover, {'max_speed_rpm': 'fast', 'use_sim_time': False, 'max_acceleration_mps2': 9.0})
+    expect_reasons(trial, Judge, {'left_rpm': 2, 'note': 'now', 'right_rpm': 2, 'lift_rpm': 2})
 
 
 @read.require('no rejection: an empty dictionary', see=HOW)
 def none(trial: Trial) -> None:
-    given, true = answer_to(trial, Parameter('max_speed_rpm', value=50))
-    expect(given == true, f'`{true!r}`', f'the function gave `{given!r}`')
+    expect_reasons(trial, Rover, {'max_speed_rpm': 50})
 
 
 order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, hints=(
-    'A name has to be there before a line can use it. Begin with the two lines that use none of the others’ names.',
-    'The request needs the parameter, the call needs client and request, and the last line needs the future that the '
-    'call returns.'))
+    'A name has to exist before a line can use it. Start with the two lines that use none of the other lines’ names.',
+    'The request needs the parameter, the call needs the client and the request, and the last line needs the future '
+    'that the call returns.'))
 
 
 class Asking(Node):
-    """A node that lets no request go before the other side is there: it would be lost."""
+    """A node whose clients are created only once their service is found: an earlier request would be lost."""
 
     def __init__(self) -> None:
         super().__init__('asking')
@@ -150,13 +228,13 @@ class Asking(Node):
 
 
 def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
-    """Run the learner's lines beside a rover, and return it with the results that have come."""
+    """Run the learner's lines beside a rover, and return it with the results that have arrived."""
     rover = trial.start(Rover)
     node = trial.start(Asking)
     results: list[Any] = []
     run_lines(trial, node=node, results=results, SetParameters=SetParameters, Parameter=Parameter)
     if node.not_found:
-        raise NoUse('the client finds its service', f'nobody offers a service `{node.not_found}`, of that type')
+        raise NoUse('the client finds its service', f'there is no service `{node.not_found}` of that type')
     return rover, results
 
 
@@ -164,16 +242,19 @@ def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
 def arrives(trial: Trial) -> None:
     rover, _ = ordered(trial)
     client = trial.client(rover)
-    trial.wait(lambda: client.get_parameter('max_speed_rpm') == 50, 'the rover holds 50 rpm',
-               lambda: f'it holds {client.get_parameter("max_speed_rpm")!r}')
+    try:
+        trial.wait(lambda: client.get_parameter('max_speed_rpm') == 50, 'the rover holds 50 rpm',
+                   lambda: f'it holds {client.get_parameter("max_speed_rpm")!r}')
+    except NotYet as error:  # without the right request there is no right answer
+        raise NoUse(error.expected, trial.raised() or error.happened) from None
 
 
-@order.require('the answer of the rover comes into `results`', see=HOW)
+@order.require('the answer of the rover is added to `results`', see=HOW)
 def is_answered(trial: Trial) -> None:
-    _, results = ordered(trial)
+    rover, results = ordered(trial)
     trial.wait(lambda: results, 'one result', lambda: '`results` is empty')
-    expect(len(results) == 1 and getattr(results[0], 'successful', False), 'one result, which is successful',
-           f'`results` is `{results!r}`')
+    expect(rover.has_stored and len(results) == 1 and getattr(results[0], 'successful', False),
+           'one result, which is successful', f'`results` is `{results!r}`')
 
 
 EXERCISES = (order, supervise, read)

@@ -1,6 +1,7 @@
 """Exercises of chapter 10.2: put names to values, read all parameters of another node, and find a parameter in all
 nodes."""
 
+from collections.abc import Mapping
 from textwrap import shorten
 from typing import Any
 
@@ -10,11 +11,13 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.task import Future
 
+from param_tutorial.errors import NoAnswerError
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import WithoutDeadlock, derive, expect_service
-from param_tutorial.exercises.trial import Trial, expect
+from param_tutorial.exercises.expectations import start_asking
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
-from param_tutorial.parameters.snapshot import Snapshot, all_parameters
+from param_tutorial.parameters.client import ParameterValues
+from param_tutorial.parameters.snapshot import Snapshot
 
 CHAPTER = '10_2_asking_another_node'
 BY_NAME = 'Ask by name'
@@ -24,12 +27,17 @@ ALL = 'All parameters of all nodes'
 
 
 class Rover(Node):
-    """The robot that is inspected, with values that are easily missed."""
+    """The robot to inspect, with values that are easily missed.
+
+    With those that every node has it has nine parameters. A client of default QoS keeps ten answers, so an inspector
+    that asks for each name at once hears them all.
+    """
 
     def __init__(self) -> None:
         super().__init__('rover')
         self.declare_parameters('', [
-            ('speed', 0), ('offset', 0.0), ('label', ''), ('enabled', False), ('gains', [0.5, 0.0])])
+            ('speed', 0), ('offset', 0.0), ('label', ''), ('enabled', False), ('gains', [0.5, 0.0]),
+            ('legs', ['left', '']), ('steps', [3, 0])])
 
 
 class Sleigh(Node):
@@ -37,28 +45,30 @@ class Sleigh(Node):
 
     def __init__(self) -> None:
         super().__init__('rover')
-        self.declare_parameters('', [('reindeer', 9), ('bells.count', 12)])
+        self.declare_parameters('', [('reindeer', 9), ('bells.count', 12), ('bells.of.brass', True), ('a', 0.5)])
 
 
 class Uncalibrated(Node):
-    """A rover with a parameter that has no value."""
+    """A rover with parameters that are not set, between others."""
 
     def __init__(self) -> None:
         super().__init__('rover')
-        self.declare_parameter('speed', 3)
-        self.declare_parameter('calibration', Parameter.Type.DOUBLE)
+        for name in ('calibration', 'wear.left'):
+            self.declare_parameter(name, Parameter.Type.DOUBLE)
+            self.declare_parameter(f'{name}_count', 3)
 
 
 inspect = Exercise('10.2a', 'Inspect a rover', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
-    'Two clients, made in the constructor, and two questions: `list_parameters` for the names, and when they are '
-    'there, `get_parameters` for the values. `ParamQueryNode` does it.',
-    '`call_async` gives a future, and `future.add_done_callback(self.on_names)` has your method called with it. The '
-    'names are in `future.result().result.names`; `zip` puts names and values together.',
-    'An answer without values means that one of the names has none: ask again, for each name alone.'))
+    'Create two clients in the constructor, and ask two questions: `list_parameters` for the names and, once they are '
+    'there, `get_parameters` for the values. `ParamQueryNode` and `Reader` both do it.',
+    '`call_async` returns a future. Await it in an `async def inspect`, or use '
+    '`future.add_done_callback(self.on_names)`, which has your method called with it. The names are in '
+    '`future.result().result.names`; `zip` pairs names and values.',
+    'An answer without values means that one of the parameters is not set: ask again, for each name separately.'))
 
 
 class NotingQuestions(Node):
-    """A mixin: keeps the futures of all that the node asks, so that one can tell when it has done its work."""
+    """A mixin: keeps the future of each question, so that one can tell when the node has done its work."""
 
     questions: tuple[Future, ...] = ()
 
@@ -79,33 +89,42 @@ def is_done(trial: Trial, inspector: NotingQuestions) -> bool:
     questions = inspector.questions
     if not all(future.done() for future in questions):
         return False
-    # The executor has set the last future when the first is over, and has called what waited for it after the second.
-    for _ in range(2):
+    # The executor has set the last future when the first is over, has called what waited for it after the second, and
+    # has gone on with what awaited it after the third.
+    for _ in range(3):
         trial.ros.run(lambda: None, 'let the executor come round')
     return len(questions) == len(inspector.questions)
 
 
-def found_in(trial: Trial, rover_class: type[Node], *, left_out: tuple[str, ...] = ()) -> None:
-    """Put a rover and the learner's inspector on the stage, let it inspect, and expect it to find everything.
-
-    :param left_out: Names that may be there, with the value None, or not.
-    """
+def found_in(trial: Trial, rover_class: type[Node]) -> None:
+    """Put a rover and the learner's inspector on the stage, let it inspect, and expect it to find everything."""
     rover = trial.start(rover_class)
-    inspector: Any = trial.start(derive(NotingQuestions, derive(WithoutDeadlock, trial.work)))
-    expect(list(inspector.clients), 'the inspector has clients for services of `/rover`', 'it has none')
-    for client in inspector.clients:
-        expect_service(trial, client)
-    wanted = {name: value for name, value in trial.client(rover).get_parameters().items() if name not in left_out}
-    trial.press('`inspect()`', inspector.inspect)
+    inspector = start_asking(trial, NotingQuestions)
+    button = getattr(inspector, 'inspect', None)
+    if not callable(button):
+        raise NoUse('a method `inspect`', 'the class has none')
+    held = trial.client(rover).get_parameters()
+    wanted = {name: value for name, value in held.items() if value is not None}
 
-    trial.wait(lambda: is_done(trial, inspector), 'all questions are answered', lambda: 'one is not')
-    found = {name: values.normalize(value) for name, value in dict(inspector.found).items()
-             if not (name in left_out and value is None)}
-    expect(found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted),
-           f'`self.found` is `{dict(wanted)!r}`', f'it is `{inspector.found!r}`')
+    def has_found_all() -> bool:
+        if not isinstance(inspector.found, Mapping):
+            return False
+        # A parameter that is not set may be there with None, or not.
+        found = {name: values.normalize(value) for name, value in inspector.found.items()
+                 if not (value is None and name in held)}
+        return found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted)
+
+    try:
+        trial.press('`inspect()`', button)
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
+    trial.wait(lambda: is_done(trial, inspector) and has_found_all(), f'`self.found` is `{wanted!r}`',
+               lambda: f'it is `{inspector.found!r}`')
+    if raised := trial.raised():  # under rclpy.spin it would be the node's end
+        raise NoUse('no callback raises an exception', raised)
 
 
-@inspect.require('`self.found` holds every parameter with its value, and `inspect()` does not wait', see=BY_NAME)
+@inspect.require('`self.found` holds every parameter with its value, and `inspect()` does not block', see=BY_NAME)
 def everything(trial: Trial) -> None:
     found_in(trial, Rover)
 
@@ -115,53 +134,60 @@ def any_names(trial: Trial) -> None:
     found_in(trial, Sleigh)
 
 
-@inspect.require('one parameter without a value does not hide the others', see=UNKNOWN)
+@inspect.require('parameters that are not set do not hide the others', see=UNKNOWN)
 def unset(trial: Trial) -> None:
-    found_in(trial, Uncalibrated, left_out=('calibration',))
+    found_in(trial, Uncalibrated)
 
 
 who = Exercise('10.2b', 'Who has it?', CHAPTER, FUNCTION, hints=(
     'A snapshot is a dictionary: `for node, parameters in snapshot.items()`. And `parameters` is one, too.',
-    '`name in parameters` asks whether the node has the parameter; its value may be 0, and it is still there.',
-    'Gather the answer in a dictionary, `found[node] = parameters[name]`, and return it behind the loop.'))
+    '`name in parameters` asks whether the node has the parameter. Its value may be 0 or `None`, but it is there.',
+    'Collect the answer in a dictionary, `found[node] = parameters[name]`, and return it after the loop.'))
 
 
-class Gripper(Node):
-    """Has a speed as well."""
+def snapshot() -> Snapshot:
+    """Return a snapshot with values and names that are easily confused, and a node that did not answer."""
+    return Snapshot({
+        '/arm/gripper': ParameterValues({'grip': True, 'label': '', 'speed_limit': 9}),
+        '/camera': ParameterValues({'exposure_ms': None, 'label': 'front', 'pid.speed': 2.5}),
+        '/gripper': ParameterValues({'speed': 4, 'gains': [0.5, 0.0]}),
+        '/mast': ParameterValues({'speed': 4}),
+        '/rover': ParameterValues({'speed': 0, 'enabled': False, 'wings': [], 'exposure_ms': 5.0}),
+        '/scale': ParameterValues(),
+    }, {'/dozing': NoAnswerError('/dozing', 'list_parameters', 0.5)})
 
-    def __init__(self) -> None:
-        super().__init__('gripper')
-        self.declare_parameters('', [('speed', 4), ('grip', True)])
 
-
-def census(trial: Trial, name: str) -> None:
-    """Take a snapshot of two nodes, and expect the learner's function to find a parameter in it."""
-    snapshot: Snapshot = all_parameters([trial.start(Rover), trial.start(Gripper)], executor=trial.ros)
-    wanted = {node: parameters[name] for node, parameters in snapshot.items() if name in parameters}
-    given = trial.call('the function', trial.work, snapshot, name)
-    expect(isinstance(given, dict) and given.keys() == wanted.keys()
-           and all(values.same(given[node], wanted[node]) for node in wanted),
-           f'for `{name}`: `{wanted!r}`', f'the function gave `{given!r}`')
+def census(trial: Trial, *names: str) -> None:
+    """Expect the learner's function to find parameters in a snapshot."""
+    for name in names:
+        wanted = {node: parameters[name] for node, parameters in snapshot().items() if name in parameters}
+        try:
+            given = trial.call('the function', trial.work, snapshot(), name)
+        except NotYet as error:
+            raise NoUse(f'for `{name}`: `{wanted!r}`', error.happened) from None
+        expect(isinstance(given, dict) and given.keys() == wanted.keys()
+               and all(values.same(given[node], wanted[node]) for node in wanted),
+               f'for `{name}`: `{wanted!r}`', f'the function returned `{shorten(repr(given), 200)}`')
 
 
 @who.require('a parameter that one node has', see=ALL)
 def one(trial: Trial) -> None:
-    census(trial, 'grip')
+    census(trial, 'grip', 'gains')
 
 
-@who.require('a parameter that both have, one of them with the value 0', see=ALL)
+@who.require('a parameter that several nodes have, also with the value 0, or not set', see=ALL)
 def both(trial: Trial) -> None:
-    census(trial, 'speed')
+    census(trial, 'speed', 'label', 'exposure_ms')
 
 
-@who.require('a parameter that nobody has: an empty dictionary', see=ALL)
+@who.require('a parameter that no node has: an empty dictionary', see=ALL)
 def nobody(trial: Trial) -> None:
-    census(trial, 'wings')
+    census(trial, 'pid', 'Speed')
 
 
 fill = Exercise('10.2c', 'Fill three gaps', CHAPTER, FUNCTION, hints=(
     'The values come in the order of the names, and `zip` takes the first of both, then the second of both, and so on.',
-    'Each value is a message with a field for each type. `parameter_value_to_python` makes of it what Python has.'))
+    'Each value is a message with a field for each type. `parameter_value_to_python` returns the Python value.'))
 
 
 def pairs(trial: Trial, *names: str) -> None:
@@ -169,12 +195,17 @@ def pairs(trial: Trial, *names: str) -> None:
     rover = trial.start(Rover)
     request = GetParameters.Request(names=list(names))
     answer = trial.ros.services.call(rover.get_fully_qualified_name(), 'get_parameters', request).values
-    given = trial.call('the function', trial.work, list(names), list(answer))
-    expect(isinstance(given, dict), 'a dictionary', f'it gives `{given!r}`')
+    try:
+        given = trial.call('the function', trial.work, list(names), list(answer))
+    except NotYet as error:
+        if "'ellipsis' object is not iterable" in error.happened:
+            raise NoUse('something in the place of each `...`', 'there is still a `...`') from None
+        raise NoUse(error.expected, error.happened) from None
+    expect(isinstance(given, dict), 'a dictionary', f'it returned `{shorten(repr(given), 120)}`')
     held = trial.client(rover).get_parameters(names)
     found = {name: values.normalize(value) for name, value in given.items()}
     expect(found.keys() == held.keys() and all(values.same(found[name], held[name]) for name in held),
-           f'`{dict(held)!r}`', f'it gives `{shorten(repr(given), 120)}`')
+           f'`{dict(held)!r}`', f'it returned `{shorten(repr(given), 120)}`')
 
 
 @fill.require('one name and one value', see=BY_NAME)
@@ -188,9 +219,9 @@ def several_pairs(trial: Trial) -> None:
     pairs(trial, 'label', 'speed')
 
 
-@fill.require('values of each type, also 0.0, an empty text and a list', see=BY_NAME)
+@fill.require('values of each type, also 0.0, an empty string and lists', see=BY_NAME)
 def typed_pairs(trial: Trial) -> None:
-    pairs(trial, 'gains', 'offset', 'enabled', 'label')
+    pairs(trial, 'gains', 'offset', 'enabled', 'label', 'legs', 'steps')
 
 
 EXERCISES = (fill, inspect, who)

@@ -2,52 +2,61 @@
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'You set the parameters of others without waiting for them. The executor thanks you.'
+SOLVED = 'You set the parameters of other nodes without hanging your own.'
 
 RECALLS = (
     Recall('5.3-r1', 'In which callback may a node start its motor with the new value?', (
-        wrong('pre-set', 'It runs first, before the type of anything has been checked.'),
+        wrong('pre-set', 'It runs first, before anything has been checked.'),
         wrong('on-set', 'It sees a proposal. Another callback may still reject it, and then the motor runs at a '
               'speed that no parameter holds.'),
-        right('post-set', 'It runs when the values are stored.')),
+        right('post-set', 'It runs once the values are stored.')),
            chapter='5.2', section='The callback ladder'),
-    Recall('5.3-r2', '`ros2 param set /robot enable_safety_mode off` is typed in a terminal. What reaches the '
+    Recall('5.3-r2', 'Someone types `ros2 param set /robot enable_safety_mode off` in a terminal. What reaches the '
            'node?', (
-        wrong("the string 'off'", 'YAML 1.1 has more words for false than `false`. For a string, two pairs of '
-              'quotes are needed.'),
+        wrong("the string 'off'", 'YAML 1.1 has more words for false than `false`. To send a string, use two pairs of '
+              'quotes.'),
         right('the boolean False', 'The command reads the word as YAML 1.1, where `off` means false.'),
         wrong('the integer 0', 'YAML has booleans, and `off` is one of them.')),
            chapter='5.1', section='Break it: which type did you mean?'),
 )
 
 PREDICTIONS = (
-    Prediction('5.3-1', 'One request asks for four values, and the last is out of its range. What becomes of the other '
+    Prediction('5.3-1', 'One request asks for four values, and the last one is out of range. What happens to the other '
                'three?', (
-        wrong('They are rejected too: it is one request', 'The service is not atomic. Each parameter is decided for '
-              'itself.'),
-        right('They are accepted', 'Each parameter of a `set_parameters` request is decided for itself.'),
-        wrong('They are set, and then taken back', 'Nothing is taken back. Each parameter is decided for itself, and '
-              'three are in force.'))),
+        wrong('They are rejected too: it is one request', '`set_parameters` is not atomic. The node decides about each '
+              'parameter separately.'),
+        right('They are accepted', 'The node decides about each parameter of a `set_parameters` request separately.'),
+        wrong('They are set, and then taken back', 'Nothing is taken back. The node decides about each parameter '
+              'separately, and three are stored.'))),
     Prediction('5.3-2', 'Now both go in one atomic request: the speed 300, which is fine, and the acceleration -0.1, '
-               'which is not. What does the answer say of the speed?', (
-        wrong('accepted', 'In an atomic request nothing is decided for itself. One invalid value, and none is set.'),
-        right('rejected, with a reason that names the acceleration', 'There is one result for the whole list, and so '
-              'one reason, also for the blameless.'),
-        wrong('rejected, with no reason, since it has no fault', 'There is one result for the whole list. The client '
-              'shows its reason at each parameter.'))),
+               'which is not. What does the answer say about the speed?', (
+        wrong('It is accepted', 'An atomic request is stored as a whole or not at all. One invalid value, and none is '
+              'set.'),
+        right('Nothing of its own: there is one result for both', 'One request, one result, one reason. It names only '
+              'the acceleration, but the speed is rejected with it.'),
+        wrong('It has a result of its own, rejected', 'That would be two results. An atomic request has one, for the '
+              'whole list.'))),
     Prediction('5.3-3', "In a timer's callback the node calls its own service `set_parameters`, and waits for one "
                'second. Which answer does it log?', (
-        wrong('successful: it asks itself, what could fail', 'The executor is busy with the callback that waits, so '
-              'nobody serves the request.'),
-        right('None', 'The executor is busy with the callback that waits, so nobody serves the request, and the second '
-              'passes.'),
+        wrong('successful: it asks itself, what could fail', 'The only thread of the executor is busy with the '
+              'callback that waits, so nothing serves the request.'),
+        right('None', 'The only thread of the executor is busy with the callback that waits. Nothing serves the '
+              'request, and the second passes.'),
         wrong('an exception: a node must not call its own service', 'Nothing forbids it, and nothing warns. The '
               'callback waits until its time limit passes.'))),
-    Prediction('5.3-4', 'A message says *double*, and its field for doubles was filled with the integer 2. What does '
+    Prediction('5.3-4', 'On the stage this node got its answer. What does it log as a program of its own, under '
+               '`rclpy.spin`?', (
+        wrong('the answer, as on the stage', 'The code is the same, but the executor is not. `rclpy.spin` starts no '
+              'other callback of the group until `tick` has finished.'),
+        right('nothing', '`tick` is paused but not finished, and until it has finished, `rclpy.spin` starts no '
+              'other callback of its group: neither the service nor the client.'),
+        wrong('a warning, and then the answer', 'There is no warning. `rclpy.spin` starts no other callback of the '
+              'group until `tick` has finished, so it waits forever.'))),
+    Prediction('5.3-5', 'A message says *double*, and its field for doubles was filled with the integer 2. What does '
                'the robot do?', (
         wrong('It rejects it: wrong type', 'The robot looks at the type that the message names, and that is double.'),
-        wrong('It accepts it, and stores 2.0', 'Nobody converts. What is sent is no double, and the robot reads it as '
-              'one.'),
+        wrong('It accepts it, and stores 2.0', 'Nobody converts the integer. Its bytes are read as if they were a '
+              'double.'),
         right('It accepts it, and stores another number', "Messages don't check their fields unless you ask for it. "
-              'What is sent is not 2.0.'))),
+              'What arrives is not 2.0.'))),
 )

@@ -2,49 +2,65 @@
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'You can tell an empty answer from an empty node, and your questions have a deadline.'
+SOLVED = 'You can tell an empty answer from an empty node, and your questions have deadlines.'
 
 RECALLS = (
-    Recall('10.2-r1', 'Somebody sets three parameters of one node with `set_parameters`, and the node accepts '
-           'all three. How many parameter events does it publish?', (
-        wrong('one, with three changes', 'That is so for `set_parameters_atomically`. Here the node decides '
-              'about each parameter alone.'),
-        right('three', 'The node decides about each parameter alone, and reports each one alone.'),
-        wrong('none: events are for declarations', 'A change of a value is reported too.')),
+    Recall('10.2-r1', 'Someone sets three parameters of one node with one `set_parameters` request, and the node '
+           'accepts all three. How many parameter events does it publish?', (
+        wrong('one, with three changes', 'That is what `set_parameters_atomically` does. Here the node decides about '
+              'each parameter separately.'),
+        right('three', 'The node decides about each parameter separately, and publishes an event for each.'),
+        wrong('none: events are for declarations', 'A changed value is published too.')),
            chapter='10.1', section='Change it: what is published, and how often'),
     Recall('10.2-r2', 'The answer of `set_parameters` is a list of results. How do you know which result belongs '
            'to which parameter?', (
-        wrong('Each result has a name', 'A result has `successful` and `reason`, and no name.'),
+        wrong('Each result has a name', 'A result has `successful` and `reason`, but no name.'),
         right('By the order of the request', 'The results come in the order in which the parameters were sent.')),
            chapter='5.3', section='How it works'),
 )
 
 PREDICTIONS = (
-    Prediction('10.2-1', 'A request names three parameters, and one of them is unknown. How many values come back?', (
+    Prediction('10.2-1', 'A request names three parameters, and the node does not have one of them. How many values '
+               'come back?', (
         right('0', 'One unknown name empties the whole answer, wherever it stands in the request.'),
-        wrong('2', 'The unknown name is not left out of the answer. It empties the whole of it.'),
-        wrong('3', 'There is no place for *unknown* in the answer. One unknown name empties the whole of it.')),
+        wrong('2', 'The unknown name is not left out of the answer. It empties the whole answer.'),
+        wrong('3', 'So the interface promises, with the type *not set* for the unknown one. But one unknown name '
+              'empties the whole answer.')),
         otherwise='None: one unknown name empties the whole answer.'),
     Prediction('10.2-2', 'A request names no parameter at all. Which values come back?', (
-        wrong('all of them', '`get_parameters` answers what it was asked for, and it was asked for nothing.'),
-        right('none', 'You asked for nothing, and get it. For all parameters ask `list_parameters` first.'),
+        wrong('all of them', '`get_parameters` returns what it was asked for, and it was asked for nothing.'),
+        right('none', 'You asked for nothing, and got it. To get all parameters, call `list_parameters` first.'),
         wrong('none, but an error', 'There is no error. An empty request has an empty answer.'))),
     Prediction('10.2-3', 'The arm has `pid.kp`, `pid.ki` and `pid.limits.max`. What does `list_parameters` return for '
                'the prefix `pi`?', (
-        wrong('all three: they begin with pi', 'A prefix is whole parts of a name, up to a dot. Nothing here begins '
-              'with `pi` and a dot.'),
-        right('nothing', 'A prefix is whole parts of a name, up to a dot.'),
-        wrong('an error: there is no such group', 'A prefix that fits nothing is no error. The list is empty.'))),
-    Prediction('10.2-4', 'The constructor of a node waits half a second for the services of the gripper. The next line '
+        wrong('all three: they begin with pi', 'A prefix consists of whole parts of a name, up to a dot. Nothing here '
+              'begins with `pi` and a dot.'),
+        right('nothing', 'A prefix consists of whole parts of a name, up to a dot.'),
+        wrong('an error: there is no such group', 'A prefix that matches nothing is no error. The list is empty.'))),
+    Prediction('10.2-4', 'One callback sends a hundred questions in a row through one client, and the node answers '
+               'each of them. How many answers does the client take in?', (
+        wrong('all hundred', 'The node answers all of them, but the client keeps only ten answers until the executor '
+              'gets around to them.'),
+        right('fewer, and nothing says so', 'The client keeps only ten answers until the executor gets around to them. '
+              'Older ones are lost without a word.'),
+        wrong('fewer, with an error for each of the others', 'There is no error. The future of a lost answer is never '
+              'done.'))),
+    Prediction('10.2-5', 'The constructor of a node waits half a second for the services of the gripper. The next line '
                'of the program will start the gripper. What does `wait_for_service` return?', (
-        wrong('True: the gripper is started in time', 'The next line runs when the constructor has returned, and the '
+        wrong('True: the gripper starts in time', 'The next line runs once the constructor has returned, and the '
               'constructor waits for the next line.'),
-        right('False', 'The constructor waits for what can only happen when it has returned.'),
-        wrong('an exception', '`wait_for_service` with a time limit raises nothing. It returns False when the time is '
+        right('False', 'The constructor waits for something that can only happen once it has returned.'),
+        wrong('an exception', 'With a time limit, `wait_for_service` raises nothing. It returns False when the time is '
               'up.'))),
-    Prediction('10.2-5', 'An `AsyncParameterClient` has made six service clients in its node. How many of the six are '
-               'left in the node after `del box`?', (
+    Prediction('10.2-6', 'A callback awaits the answer of a node that never answers. After half a second, a timer '
+               'cancels the future. What becomes of the `await`?', (
+        wrong('It raises a CancelledError, as in asyncio', 'Futures of rclpy are no futures of asyncio. A canceled one '
+              'counts as finished, and its result is `None`.'),
+        right('It returns None', 'A canceled future counts as finished, and its result is `None`.'),
+        wrong('It goes on waiting', 'Canceling wakes up whoever awaits the future. Its result is `None`.'))),
+    Prediction('10.2-7', 'An `AsyncParameterClient` has created six service clients in its node. How many of the six '
+               'are left in the node after `del box`?', (
         right('6', 'They belong to the node, and `AsyncParameterClient` has no method that destroys them.'),
-        wrong('0', 'The object is gone, and the clients are not: they belong to the node.')),
+        wrong('0', 'The object is gone, but its clients are not: they belong to the node.')),
         otherwise='All six: they belong to the node, and nothing destroys them.'),
 )

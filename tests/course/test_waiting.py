@@ -1,0 +1,209 @@
+"""Which callback may wait for an answer, and in which executor: what chapter 5.3 says of `await` and callback groups.
+
+Each in a context of its own, since the executor of the stage doesn't look at callback groups.
+"""
+
+import asyncio
+import contextlib
+import threading
+import traceback
+
+import pytest
+import rclpy
+from rcl_interfaces.msg import ParameterEvent
+from rcl_interfaces.srv import GetParameters, SetParameters
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.context import Context
+from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.task import Future
+
+from param_tutorial import wait_until
+from param_tutorial.runtime import domain
+
+LIMIT_SEC = {True: 60.0, False: 1.5}
+"""How long an answer may take: where one is expected, and where none is."""
+
+
+class Asking(Node):
+    """Sets a parameter through a service, in a timer's callback that waits for the answer."""
+
+    def __init__(self, context, tick, *, group=None, client_group=None, target='/asking', is_expected=True):
+        super().__init__('asking', context=context)
+        self.declare_parameter('speed', 1)
+        self.limit_sec = LIMIT_SEC[is_expected]
+        self.is_asked, self.is_answered, self.error = threading.Event(), threading.Event(), None
+        self.client = self.create_client(SetParameters, f'{target}/set_parameters', callback_group=client_group)
+        self.timer = self.create_timer(0.01, getattr(self, tick), callback_group=group)
+
+    def ask(self):
+        self.timer.cancel()
+        self.is_asked.set()
+        return SetParameters.Request(parameters=[Parameter('speed', value=2).to_parameter_msg()])
+
+    def call(self):
+        if self.client.service_is_ready() and self.client.call(self.ask(), timeout_sec=self.limit_sec):
+            self.is_answered.set()
+
+    async def await_(self):
+        if self.client.service_is_ready() and await self.client.call_async(self.ask()):
+            self.is_answered.set()
+
+    async def sleep(self):
+        self.ask()
+        try:
+            await asyncio.sleep(0.01)
+        except RuntimeError as error:
+            self.error = error
+        self.is_answered.set()
+
+    async def wait_with_deadline(self):
+        self.ask()
+        future = Future()
+        deadline = self.create_timer(0.05, future.cancel)
+        self.error = await future, future.cancelled()
+        self.destroy_timer(deadline)
+        self.is_answered.set()
+
+
+@contextlib.contextmanager
+def spinning(executor_class, *node_makers, **options):
+    """Spin nodes in a context and a thread of their own, and yield them."""
+    context = Context()
+    rclpy.init(context=context, domain_id=domain.choose())
+    nodes = [make(context) for make in node_makers]
+    executor = executor_class(context=context, **options)
+    for node in nodes:
+        executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    try:
+        yield nodes
+    finally:
+        executor.shutdown()
+        thread.join()
+        for node in nodes:
+            node.destroy_node()
+        context.try_shutdown()
+
+
+def is_answered(executor_class, tick, *, expected, options=(), more=(), **arguments):
+    """Return whether the node gets its answer within the limit."""
+    with spinning(executor_class, lambda context: Asking(context, tick, is_expected=expected, **arguments), *more,
+                  **dict(options)) as (asking, *_):
+        assert asking.is_asked.wait(60)
+        return asking.is_answered.wait(asking.limit_sec)
+
+
+SINGLE, MULTI = (SingleThreadedExecutor, ()), (MultiThreadedExecutor, (('num_threads', 2),))
+
+
+@pytest.mark.parametrize(('tick', 'has_own_group', 'executor', 'expected'), [
+    ('call', False, SINGLE, False), ('call', False, MULTI, False),
+    ('call', True, SINGLE, False), ('call', True, MULTI, True),
+    ('await_', False, SINGLE, False), ('await_', False, MULTI, False),
+    ('await_', True, SINGLE, True), ('await_', True, MULTI, True),
+])
+def test_a_callback_that_waits_needs_a_group_of_its_own_and_a_free_thread(tick, has_own_group, executor, expected):
+    group = MutuallyExclusiveCallbackGroup() if has_own_group else None
+    executor_class, options = executor
+    assert is_answered(executor_class, tick, group=group, expected=expected, options=options) is expected
+
+
+@pytest.mark.parametrize('client_has_own_group', [False, True])
+def test_the_client_alone_is_enough_to_hang_it_whoever_is_asked(client_has_own_group):
+    def other(context):
+        node = Node('other', context=context)
+        node.declare_parameter('speed', 1)
+        return node
+    group = MutuallyExclusiveCallbackGroup() if client_has_own_group else None
+    assert is_answered(SingleThreadedExecutor, 'await_', client_group=group, target='/other', more=[other],
+                       expected=client_has_own_group) is client_has_own_group
+
+
+def test_rclpys_loop_is_not_that_of_asyncio():
+    with spinning(SingleThreadedExecutor, lambda context: Asking(context, 'sleep')) as (asking,):
+        assert asking.is_answered.wait(60)
+    assert str(asking.error) == 'no running event loop'
+
+
+def test_a_deadline_that_cancels_the_future_ends_an_await_with_none():
+    group = MutuallyExclusiveCallbackGroup()
+    with spinning(SingleThreadedExecutor, lambda context: Asking(context, 'wait_with_deadline', group=group)
+                  ) as (asking,):
+        assert asking.is_answered.wait(60)
+    assert asking.error == (None, True)
+
+
+class Slow(Node):
+    """A service and a subscription, the callbacks of which await a moment."""
+
+    def __init__(self, context=None):
+        super().__init__('slow', context=context)
+        group = ReentrantCallbackGroup()
+        self.has_heard = threading.Event()
+        self.create_service(GetParameters, 'ask', self.answer, callback_group=group)
+        self.create_subscription(ParameterEvent, 'told', self.hear, 10, callback_group=group)
+        self.publisher = self.create_publisher(ParameterEvent, 'told', 10)
+        self.client = self.create_client(GetParameters, 'ask', callback_group=group)
+
+    async def moment(self):
+        future = Future()
+        timer = self.create_timer(0.01, future.cancel)
+        await future
+        self.destroy_timer(timer)
+
+    async def answer(self, _, response):
+        await self.moment()
+        return response
+
+    async def hear(self, _):
+        await self.moment()
+        self.has_heard.set()
+
+
+def test_services_and_subscriptions_may_await_under_rclpys_spin():
+    with spinning(SingleThreadedExecutor, Slow) as (slow,):
+        assert slow.client.wait_for_service(60)
+        assert slow.client.call(GetParameters.Request(), timeout_sec=60)
+        wait_until(slow.publisher.get_subscription_count, 'the subscription')
+        slow.publisher.publish(ParameterEvent())
+        assert slow.has_heard.wait(60)
+
+
+# If a later rclpy awaits them, chapter 5.3 may say so.
+@pytest.mark.filterwarnings('ignore:coroutine .* was never awaited')
+def test_on_the_stage_they_are_not_awaited(ros):
+    slow = ros.add(Slow)
+    assert slow.client.wait_for_service(60)
+    slow.client.call_async(GetParameters.Request())
+    wait_until(lambda: ros.errors, 'the coroutine to be sent as an answer')
+    assert isinstance(ros.errors[0], TypeError)
+    assert 'send_response' in ''.join(traceback.format_exception(ros.errors[0]))
+
+
+# rclpy calls parameter callbacks, and never awaits what an `async def` returns.
+@pytest.mark.filterwarnings('ignore:Callback returned an invalid type', 'ignore:coroutine .* was never awaited')
+def test_parameter_callbacks_are_not_awaited(ros):
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.declare_parameter('speed', 1)
+            self.has_run = False
+
+        async def callback(self, parameters):
+            self.has_run = True
+
+    robot = ros.add(Robot)
+    fast = [Parameter('speed', value=2)]
+    robot.add_on_set_parameters_callback(robot.callback)
+    assert not robot.set_parameters(fast)[0].successful
+    robot.remove_on_set_parameters_callback(robot.callback)
+    robot.add_post_set_parameters_callback(robot.callback)
+    assert robot.set_parameters(fast)[0].successful
+    robot.remove_post_set_parameters_callback(robot.callback)
+    robot.add_pre_set_parameters_callback(robot.callback)
+    with pytest.raises(TypeError, match='not iterable'):
+        robot.set_parameters(fast)
+    assert not robot.has_run
