@@ -109,7 +109,7 @@ class CallbackError(NodeError):
     def __init__(self, node: str, service: str, cause: BaseException):
         super().__init__(node, (
             f'{node} raised {type(cause).__name__} while it served {service}: {cause}. In a node of its own '
-            f'this would have ended executor.spin(), and the caller would have waited for ever'))
+            f'this would have ended executor.spin(), and the caller would have waited forever'))
         self.__cause__ = cause
 
 

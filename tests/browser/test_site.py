@@ -208,7 +208,7 @@ def test_a_value_that_the_node_rejected_springs_back_with_the_nodes_reason(page)
     expect(message(page, 'low_c')).to_contain_text('Rejected: ')
     type_into(page, 'low_c', 'fast')
     expect(message(page, 'low_c')).to_have_text(
-        "Rejected: 'fast' cannot be read: low_c wants a whole number, e.g. 42")
+        "Rejected: 'fast' cannot be read: low_c takes an integer, e.g. 42")
     expect(box(page, 'low_c')).to_have_value('18')
 
 

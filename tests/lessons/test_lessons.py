@@ -38,7 +38,7 @@ def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
     with pytest.raises(run.ChapterError) as error:
         run.run_chapter(path)
     assert str(error.value).splitlines()[0] == (
-        '1_a.ipynb, cell 3 (print(x)): what it puts out is not what is stored with it.')
+        '1_a.ipynb, cell 3 (print(x)): its output differs from the stored one.')
     assert '    -7\n    +1\n     2' in str(error.value)
 
 
@@ -123,7 +123,7 @@ def test_answers_are_the_nodes_and_the_node_is_as_before(recorded):
     assert least['5'] == {'value': '5', 'log': ['[INFO] [fan]: least has changed']}
     assert least['9'] == {'reason': '9 is above 8', 'log': []}
     assert least['11']['reason'].startswith('Parameter least out of range')
-    assert least['fast']['reason'] == "'fast' cannot be read: least wants a whole number, e.g. 42"
+    assert least['fast']['reason'] == "'fast' cannot be read: least takes an integer, e.g. 42"
     assert most['12345']['value'] == '12345'
     assert label['a word of the lesson']['value'] == 'a word of the lesson'
     assert 'answers' not in rows_of(recording)['serial']

@@ -174,7 +174,7 @@ def test_nonsense_is_rejected_at_once(ros, names, words):
 @pytest.mark.parametrize(('names', 'options'), [(None, {}), (['a', 'b'], {}), ({'a': 'b'}, {'pre_set': 3})])
 def test_arguments_that_are_none_are_told(ros, names, options):
     node = ros.add(Node, 'robot')
-    with pytest.raises(AliasError, match='Aliases takes a node, mostly self, a dictionary'):
+    with pytest.raises(AliasError, match='Aliases takes a node, usually self, a dictionary'):
         Aliases(node, names, **options)
     with pytest.raises(AliasError, match="got '/robot'"):
         Aliases('/robot', {'a': 'b'})

@@ -414,7 +414,7 @@ def test_without_an_executor_the_word_is_start():
 
 @pytest.mark.parametrize('nonsense', [3, None, b'x', Node])
 def test_what_is_no_node_is_told(nonsense):
-    with pytest.raises(TypeError, match='is no node: give its name'):
+    with pytest.raises(TypeError, match='is not a node: give its name'):
         ParameterClient(nonsense)
 
 
@@ -423,7 +423,7 @@ def test_what_is_no_node_is_told(nonsense):
     'reference'])
 @pytest.mark.parametrize('names', ['x', 3, [3]])
 def test_one_name_is_no_list_of_names(client, verb, names):
-    with pytest.raises(TypeError, match='is no list of '):
+    with pytest.raises(TypeError, match='is not a list of '):
         getattr(client, verb)(names)
 
 

@@ -89,7 +89,7 @@ def test_a_deleted_parameter_is_stored_no_more(ladder):
 def test_an_exception_in_a_callback_is_drawn(ladder):
     steps = record_change(ladder, 'speed', 'fast').steps
     assert [(step.what, step.happened) for step in steps[1:]] == [
-        ('pre-set', "trim sees 'fast', raises TypeError"), ('no answer', 'whoever asked would wait for ever')]
+        ('pre-set', "trim sees 'fast', raises TypeError"), ('no answer', 'the caller would wait forever')]
 
 
 @pytest.mark.parametrize('answer', [None, [3]])
@@ -98,7 +98,7 @@ def test_a_pre_set_callback_that_answers_nonsense_is_drawn_and_fails_as_without_
     with pytest.raises(CallbackError) as bare:
         ParameterClient(ladder).set_parameter('speed', 150)
     timeline = record_change(ladder, 'speed', 150)
-    assert f'gives {answer!r}, which is no list of parameters' in timeline.text
+    assert f'gives {answer!r}, which is not a list of parameters' in timeline.text
     assert str(ros.errors[-1]) == str(bare.value.__cause__)
 
 

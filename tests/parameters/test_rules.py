@@ -145,13 +145,13 @@ def test_a_node_starts_with_overrides_that_agree(ros):
 
 
 @pytest.mark.parametrize(('state', 'words'), [
-    (lambda rules: rules.matches('serial', '[A-Z'), "'[A-Z' is no regular expression: unterminated"),
-    (lambda rules: rules.matches('serial', 5), '5 is no regular expression'),
+    (lambda rules: rules.matches('serial', '[A-Z'), "'[A-Z' is not a regular expression: unterminated"),
+    (lambda rules: rules.matches('serial', 5), '5 is not a regular expression'),
     (lambda rules: rules.matches('level', '[0-9]'), 'it is for texts, and level is of type integer'),
     (lambda rules: rules.one_of('mode', 'fast'), "give a list of at least one choice, not 'fast'"),
     (lambda rules: rules.one_of('mode', 3), 'give a list of at least one choice, not 3'),
-    (lambda rules: rules.matches('mode', b'[a-z]'), 'is no regular expression'),
-    (lambda rules: rules.matches(['mode'], '.'), "['mode'], which is no name of a parameter"),
+    (lambda rules: rules.matches('mode', b'[a-z]'), 'is not a regular expression'),
+    (lambda rules: rules.matches(['mode'], '.'), "['mode'], which is not a parameter name"),
     (lambda rules: rules.quantity('timeout', 3), 'give a list of at least one unit, not 3'),
     (lambda rules: rules.check(None, all, 'x'), 'a rule takes names, a function and a sentence; got None'),
     (lambda rules: rules.one_of('mode', []), 'give a list of at least one choice'),

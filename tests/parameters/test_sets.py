@@ -93,7 +93,7 @@ def test_a_table_of_huge_arrays_stays_small():
 
 @pytest.mark.parametrize('nonsense', [3, None, Node])
 def test_what_is_neither_set_nor_node_is_told(nonsense):
-    with pytest.raises(TypeError, match='is no node: give its name'):
+    with pytest.raises(TypeError, match='is not a node: give its name'):
         compare(nonsense, {})
 
 

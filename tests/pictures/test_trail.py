@@ -65,7 +65,7 @@ def test_what_travels_over_a_value_strikes_it_out():
 
 @pytest.mark.parametrize(('values', 'moves', 'words'), [
     ([1, 2, 3], [], '3 values for 2 places'),
-    ([1, 2], [('a', 'c')], "'c' is none of the places"),
+    ([1, 2], [('a', 'c')], "'c' is not one of the places"),
     ([1, ...], [('a', 'b')], 'b holds nothing'),
 ])
 def test_a_story_that_cannot_be_is_rejected(values, moves, words):

@@ -47,7 +47,7 @@ def test_it_moves_and_ends_as_it_is_drawn_at_rest(worlds):
 
 
 @pytest.mark.parametrize(('values', 'options', 'words'), [
-    ({'/robot': 1}, {'killed': '/arm'}, "'/arm' is none of the nodes"),
+    ({'/robot': 1}, {'killed': '/arm'}, "'/arm' is not one of the nodes"),
     ({'/robot': 1, '/arm': 2}, {'killed': '/arm', 'server': 'master'}, 'room for one node')])
 def test_what_cannot_be_drawn_is_rejected(values, options, words):
     with pytest.raises(ValueError, match=words):

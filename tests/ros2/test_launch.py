@@ -294,7 +294,7 @@ def test_a_parameter_value_turns_the_string_of_a_substitution_into_its_type(cont
     ('null', None), ('{a: b}', None), ('@x', bool)])
 def test_a_string_of_another_type_is_an_error(context, text, value_type):
     context.arguments['n'] = text
-    with pytest.raises(LaunchFailed, match='was given where the launch file wants a value of type'):
+    with pytest.raises(LaunchFailed, match='was given where the launch file takes a value of type'):
         ParameterValue(given('n'), value_type=value_type).evaluate(context)
 
 

@@ -106,7 +106,7 @@ def test_help_goes_to_standard_output(words):
 
 
 @pytest.mark.parametrize(('words', 'complaint'), [
-    (['param', 'list', '--filter', '(', '/simple_param_node'], "'(' is no regular expression"),
+    (['param', 'list', '--filter', '(', '/simple_param_node'], "'(' is not a regular expression"),
     (['param', 'set', '/simple_param_node', 'max_speed_rpm', '9' * 20], 'does not fit into the 64 bits'),
     (['param', 'get', '/not a name', 'x'], 'Node not found'),
     (['param', 'get', '/', 'x'], 'Node not found'),

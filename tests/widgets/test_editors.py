@@ -89,17 +89,17 @@ def test_what_a_hand_enters_reaches_the_node_with_its_type(arm, name, entered, s
 
 
 @pytest.mark.parametrize(('name', 'entered', 'reason'), [
-    ('serial', '1.5', "'1.5' cannot be read: serial wants a whole number, e.g. 42"),
-    ('serial', '', "'' cannot be read: serial wants a whole number, e.g. 42"),
+    ('serial', '1.5', "'1.5' cannot be read: serial takes an integer, e.g. 42"),
+    ('serial', '', "'' cannot be read: serial takes an integer, e.g. 42"),
     ('serial', str(2**63), '9223372036854775808 does not fit into the 64 bits of a ROS integer '
                            '(-9223372036854775808 to 9223372036854775807)'),
-    ('offset', '1,5', "'1,5' cannot be read: offset wants a number, e.g. 0.5"),
-    ('flags', '[yes]', "'[yes]' cannot be read: flags wants booleans, e.g. [true, false]"),
-    ('order', '[1, 2', "'[1, 2' cannot be read: order wants whole numbers, e.g. [1, 2, 3]"),
-    ('order', '[1,,2]', "'[1,,2]' cannot be read: order wants whole numbers, e.g. [1, 2, 3]"),
-    ('limits', '[a]', "'[a]' cannot be read: limits wants numbers, e.g. [0.5, 1.0]"),
-    ('names', '["a]', '\'["a]\' cannot be read: names wants texts, e.g. [left, "right, far"]'),
-    ('firmware', '[256]', "'[256]' cannot be read: firmware wants bytes, e.g. [0x00, 0xff]"),
+    ('offset', '1,5', "'1,5' cannot be read: offset takes a double, e.g. 0.5"),
+    ('flags', '[yes]', "'[yes]' cannot be read: flags takes booleans, e.g. [true, false]"),
+    ('order', '[1, 2', "'[1, 2' cannot be read: order takes whole numbers, e.g. [1, 2, 3]"),
+    ('order', '[1,,2]', "'[1,,2]' cannot be read: order takes whole numbers, e.g. [1, 2, 3]"),
+    ('limits', '[a]', "'[a]' cannot be read: limits takes numbers, e.g. [0.5, 1.0]"),
+    ('names', '["a]', '\'["a]\' cannot be read: names takes strings, e.g. [left, "right, far"]'),
+    ('firmware', '[256]', "'[256]' cannot be read: firmware takes bytes, e.g. [0x00, 0xff]"),
     ('tool', 'a\0b', 'a ROS string ends at its first NUL character, so it cannot hold one'),
 ])
 def test_what_is_no_value_springs_back_and_says_why(arm, name, entered, reason):

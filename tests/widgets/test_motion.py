@@ -175,7 +175,7 @@ def test_what_a_callback_trims_lands_where_it_is_stored(robot, client):
 
 
 def test_the_number_line_of_no_number_says_so(robot):
-    assert NumberLineView(robot, 'note').text == 'note is no number.'
+    assert NumberLineView(robot, 'note').text == 'note is not a number.'
     assert 'no parameter wings' in NumberLineView(robot, 'wings').text
 
 

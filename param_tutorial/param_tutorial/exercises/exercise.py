@@ -43,7 +43,7 @@ NODE_CLASS = Kind('a class derived from `Node`, by its name alone and without pa
 FUNCTION = Kind('a function, by its name alone and without parentheses', inspect.isroutine, 'my_function')
 DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(work, dict),
                   'my_dictionary')
-TEXT = Kind('a text, as in the cell above', lambda work: isinstance(work, str), 'my_text')
+TEXT = Kind('a string, as in the cell above', lambda work: isinstance(work, str), 'my_text')
 LIST = Kind('a list, as in the cell above', lambda work: isinstance(work, list), 'my_list')
 
 
@@ -197,7 +197,7 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     except NotYet as error:
         return _finding(requirement, error)
     except NoAnswerError as error:
-        raise NoUse('an answer', f'{error}. Does a callback wait, or loop for ever?') from None
+        raise NoUse('an answer', f'{error}. Does a callback wait, or loop forever?') from None
     except ExecutorError:
         raise
     except (Exception, SystemExit) as error:  # whatever a learner's object may do when it is looked at

@@ -74,7 +74,7 @@ class TooLong(BaseException):
     """The time limit is over. No Exception, lest the learner's own ``except Exception`` catches it."""
 
     def __str__(self) -> str:
-        return f'it had not come to an end after {TIME_LIMIT_SEC:g} s'
+        return f'it was still running after {TIME_LIMIT_SEC:g} s'
 
 
 class Trial:
@@ -120,7 +120,7 @@ class Trial:
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args, *fewer])
         except (Exception, TooLong, SystemExit) as error:
             raise NoStart('a node that starts',
-                          f'its constructor did not get to its end. {describe_error(error)}') from None
+                          f'its constructor did not finish. {describe_error(error)}') from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.append(node.get_name())
         return node
@@ -166,9 +166,9 @@ class Trial:
             with _time_limit():
                 return function(*args)
         except (TooLong, WaitTimeoutError) as error:
-            raise NoUse(f'{what} comes to an end', describe_error(error)) from None
+            raise NoUse(f'{what} finishes', describe_error(error)) from None
         except (Exception, SystemExit) as error:
-            raise NotYet(f'{what} comes to an end', describe_error(error)) from None
+            raise NotYet(f'{what} finishes', describe_error(error)) from None
 
     def press(self, what: str, function: Callable[[], Any]) -> None:
         """Call a function of the learner's in the executor's thread, as a timer would: it may be an ``async def``.
@@ -187,11 +187,11 @@ class Trial:
             self.ros.run(begin, what)
         except (Exception, SystemExit) as error:
             kind = NoUse if isinstance(error, StuckError) else NotYet
-            raise kind(f'{what} comes to an end', describe_error(error)) from None
+            raise kind(f'{what} finishes', describe_error(error)) from None
         except KeyboardInterrupt:
             raise
         except BaseException:  # the executor has interrupted it
-            raise NoUse(f'{what} does not wait', 'it had not come to an end after some seconds, and kept the executor '
+            raise NoUse(f'{what} does not wait', 'it was still running after some seconds, and kept the executor '
                         'busy that would have to bring what it waits for') from None
 
     def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str]) -> None:

@@ -32,9 +32,9 @@ def main(arguments: list[str] | None = None) -> int:
         else:
             site.build()
     except (ChapterError, BuildError) as error:
-        print(f'{error}\nNo site was made; the one that was there before stays.', file=sys.stderr)
+        print(f'{error}\nNo site was made; the previous one is kept.', file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print('\nStopped; the site that was there before stays.', file=sys.stderr)
+        print('\nStopped; the previous site is kept.', file=sys.stderr)
         return 130
     return 0

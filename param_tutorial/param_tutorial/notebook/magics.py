@@ -105,7 +105,7 @@ class Ros2Magics(Magics):
         """
         shell = self._names.get(line.strip())
         if not isinstance(shell, Shell):
-            raise UsageError(f'%%shell wants the name of a Shell, as in: first = param_tutorial.Shell(), and then '
+            raise UsageError(f'%%shell takes the name of a Shell, as in: first = param_tutorial.Shell(), and then '
                              f'%%shell first. {line.strip() or "(nothing)"} is none')
         output = shell.run(cell.rstrip('\n'))
         if output:
@@ -163,7 +163,7 @@ def _parse(line: str) -> _Command:
     try:
         words = list(lexer)
     except ValueError as error:
-        raise _NotUnderstood(f'{line!r} cannot be taken apart into words: {error}') from None
+        raise _NotUnderstood(f'{line!r} cannot be split into words: {error}') from None
     # An empty word is one in quotes.
     operators = [word for word in words if word and not word.strip(_OPERATORS)]
     if others := ''.join(operators).replace('>', ''):
@@ -174,7 +174,7 @@ def _parse(line: str) -> _Command:
         raise _NotUnderstood('only one > or >> is understood, and it takes what goes to standard output')
     at = words.index(operators[0]) if operators else len(words)
     if operators and not words[at + 1:]:
-        raise _NotUnderstood('there is no name of a file after >')
+        raise _NotUnderstood('a file name must follow >')
     words = [word.translate(_NO_DISGUISE) for word in words]
     target, rest = words[at + 1:at + 2], words[:at] + words[at + 2:]
     return _Command(rest[1:] if rest[:1] == ['ros2'] else rest, target[0] if target else None, operators == ['>>'])

@@ -43,7 +43,7 @@ class Aliases:
             name stands for itself or for another old name, or overrides give two names of one parameter two values.
         """
         if not isinstance(node, Node) or not isinstance(names, Mapping) or not (pre_set is None or callable(pre_set)):
-            raise AliasError(f'Aliases takes a node, mostly self, a dictionary of old names and new ones, and as '
+            raise AliasError(f'Aliases takes a node, usually self, a dictionary of old names and new ones, and as '
                              f'pre_set a function; got {node!r}, {names!r}, {pre_set!r}')
         self._node = node
         self._new_names = dict(names)
@@ -72,7 +72,7 @@ class Aliases:
                              f'callbacks would make every change twice')
         for old, new in self._new_names.items():
             if not all(isinstance(name, str) and name for name in (old, new)):
-                raise AliasError(f'{old!r} cannot stand for {new!r}: both must be texts that are not empty')
+                raise AliasError(f'{old!r} cannot stand for {new!r}: both must be strings that are not empty')
             if old == new:
                 raise AliasError(f'{old} cannot stand for itself')
             if new in self._new_names:

@@ -386,7 +386,7 @@ class ParameterClient:
         messages = []
         for name, value in new.items():
             if not isinstance(name, str) or not name:
-                raise InvalidValueError(f'{name!r} is no parameter name: it must be a text that is not empty')
+                raise InvalidValueError(f'{name!r} is not a parameter name: it must be a string that is not empty')
             try:
                 messages.append(to_message(name, value, types.get(name)))
             except InvalidValueError as error:
@@ -413,7 +413,7 @@ def _listed(names: Iterable[str], what: str = 'names') -> list[str]:
         listed = list(names)
         if all(isinstance(name, str) for name in listed):
             return listed
-    raise TypeError(f'{names!r} is no list of {what}; a list with one of them is ["gain"]')
+    raise TypeError(f'{names!r} is not a list of {what}; a list with one of them is ["gain"]')
 
 
 def _cell(text: str) -> str:

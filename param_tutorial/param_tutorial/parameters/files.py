@@ -295,7 +295,7 @@ class _Parser:
             raise _Rejected(line, 'there is a value without a name')
         quoted = event.style in ("'", '"')
         if not event.value and not quoted:
-            raise _Rejected(line, f"{self.block[self.entry].name} has no value; for an empty text write ''")
+            raise _Rejected(line, f"{self.block[self.entry].name} has no value; for an empty string write ''")
         value = _typed(_c_string(event.value), quoted or event.tag == 'tag:yaml.org,2002:str')
         entry, kind = self.block[self.entry], type(value)
         if not self.in_sequence:
@@ -326,7 +326,7 @@ def _check_block_name(name: str, line: int) -> None:
     """Reject what can be neither the name of a node nor a pattern for such names."""
     for part in ('/' + name).replace('//', '/', 1).split('/')[1:]:
         if not re.fullmatch(r'\*\*?|[A-Za-z_][A-Za-z0-9_]*', part):
-            raise _Rejected(line, f'{name!r} is no name of a node: it takes letters, digits and underscores between '
+            raise _Rejected(line, f'{name!r} is not a node name: it takes letters, digits and underscores between '
                                  f'slashes, or * and ** for any')
 
 
@@ -419,7 +419,7 @@ def _not_expressible(name: str, value: Any) -> str | None:
         return 'a parameter file has no byte arrays'
     for item in value if isinstance(value, list) else (value,):
         if isinstance(item, float) and 0 < abs(item) < sys.float_info.min:
-            return f'{item!r} is so close to 0.0 that it would be read as a text'
+            return f'{item!r} is so close to 0.0 that it would be read as a string'
     return None
 
 

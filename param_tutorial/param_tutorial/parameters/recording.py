@@ -122,7 +122,7 @@ class _Tap:
             objection = str(error)
             raise
         except BaseException as error:
-            recorder.note('no answer', 'whoever asked would wait for ever')
+            recorder.note('no answer', 'the caller would wait forever')
             objection = f'{type(error).__name__}: {error}'
             raise
         else:
@@ -223,7 +223,7 @@ class _Recorder:
     def _format_parameters(self, parameters: object) -> str:
         """Return proposed parameters as a text: the value alone if it is the one that was asked for."""
         if not isinstance(parameters, list) or not all(isinstance(each, Parameter) for each in parameters):
-            return f'{values.format_value(parameters)}, which is no list of parameters'
+            return f'{values.format_value(parameters)}, which is not a list of parameters'
         if [each.name for each in parameters] == [self._name]:
             return values.format_value(parameters[0].value)
         return ', '.join(f'{each.name} = {values.format_value(each.value)}' for each in parameters) or 'nothing'

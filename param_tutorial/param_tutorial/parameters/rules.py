@@ -89,7 +89,7 @@ class Rules:
         :raises RuleError: it is no node.
         """
         if not isinstance(node, Node):
-            raise RuleError(f'Rules takes the node whose parameters they are for, mostly self, and not {node!r}')
+            raise RuleError(f'Rules takes the node whose parameters they are for, usually self, not {node!r}')
         self._node = node
         self._rules: list[Rule] = []
         node.add_on_set_parameters_callback(self._validate)
@@ -106,7 +106,8 @@ class Rules:
             compiled = re.compile(pattern)
             compiled.fullmatch('')  # which one made of bytes rejects
         except (re.error, TypeError) as error:
-            raise RuleError(f'cannot state a rule for {name}: {pattern!r} is no regular expression: {error}') from None
+            raise RuleError(
+                f'cannot state a rule for {name}: {pattern!r} is not a regular expression: {error}') from None
         return self._state_for_each(name, f'must match {compiled.pattern}', compiled.fullmatch, _TEXTS, 'texts')
 
     def one_of(self, name: str, choices: Iterable[Any]) -> 'Rules':
@@ -186,7 +187,7 @@ class Rules:
     def _type_of(self, name: str) -> values.ParameterType | None:
         """Return the type of a parameter, None if it may be any."""
         if not isinstance(name, str):
-            raise RuleError(f'cannot state a rule for {name!r}, which is no name of a parameter')
+            raise RuleError(f'cannot state a rule for {name!r}, which is not a parameter name')
         if not self._node.has_parameter(name):
             raise ParameterNotDeclaredError(self._node.get_fully_qualified_name(), name,
                                             list(self._node.list_parameters([], 0).names))

@@ -44,7 +44,7 @@ class ParameterSet(Mapping[str, Any]):
         self._parameters = {name: values.normalize(value) for name, value in parameters.items()}
         for name, value in self._parameters.items():
             if not isinstance(name, str) or not name:
-                raise InvalidValueError(f'{label}: {name!r} is no name of a parameter')
+                raise InvalidValueError(f'{label}: {name!r} is not a parameter name')
             try:
                 values.type_of(value)
             except InvalidValueError as error:

@@ -101,14 +101,14 @@ def _split(text: str) -> list[str]:
 _FORMS = {
     values.NOT_SET: Form(_format_any, values.parse, 'a value in YAML'),
     values.BOOL: Form(lambda value: str(value).lower(), _parse_bool, 'true or false'),
-    values.INTEGER: Form(str, _parse_integer, 'a whole number, e.g. 42'),
-    values.DOUBLE: Form(repr, _parse_double, 'a number, e.g. 0.5'),
+    values.INTEGER: Form(str, _parse_integer, 'an integer, e.g. 42'),
+    values.DOUBLE: Form(repr, _parse_double, 'a double, e.g. 0.5'),
     values.STRING: Form(str, str, 'text'),
     values.BYTE_ARRAY: _array(lambda byte: f'0x{byte[0]:02x}', _parse_byte, 'bytes, e.g. [0x00, 0xff]'),
     values.BOOL_ARRAY: _array(lambda value: str(value).lower(), _parse_bool, 'booleans, e.g. [true, false]'),
-    values.INTEGER_ARRAY: _array(str, _parse_integer, 'whole numbers, e.g. [1, 2, 3]'),
-    values.DOUBLE_ARRAY: _array(repr, _parse_double, 'numbers, e.g. [0.5, 1.0]'),
-    values.STRING_ARRAY: _array(_format_string, _parse_string, 'texts, e.g. [left, "right, far"]'),
+    values.INTEGER_ARRAY: _array(str, _parse_integer, 'integers, e.g. [1, 2, 3]'),
+    values.DOUBLE_ARRAY: _array(repr, _parse_double, 'doubles, e.g. [0.5, 1.0]'),
+    values.STRING_ARRAY: _array(_format_string, _parse_string, 'strings, e.g. [left, "right, far"]'),
 }
 
 
@@ -134,7 +134,7 @@ def parse_value(descriptor: Descriptor, text: str) -> Any:
     try:
         return form.parse(text)
     except (ValueError, KeyError, yaml.YAMLError):
-        raise ValueError(f'{text!r} cannot be read: {descriptor.name} wants {form.example}') from None
+        raise ValueError(f'{text!r} cannot be read: {descriptor.name} takes {form.example}') from None
 
 
 def fit(descriptor: Descriptor, value: Any) -> Any:

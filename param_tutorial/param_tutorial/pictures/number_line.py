@@ -77,7 +77,7 @@ class Request:
     """What somebody asked for, and what the node said."""
 
     value: float | None
-    """None if it is no number."""
+    """None if it is not a number."""
     shown: str
     """The value as text."""
     objection: str = ''

@@ -70,7 +70,7 @@ class Trail:
     def _move(self, held: dict[str, str], source: str, target: str, value: Any = ..., objection: str = '') -> Move:
         for place in filter(None, (source, target)):
             if place not in self._places:
-                raise ValueError(f'{place!r} is none of the places {list(self._places)}')
+                raise ValueError(f'{place!r} is not one of the places {list(self._places)}')
         if value is ... and target not in held:
             raise ValueError(f'{target} holds nothing, so nothing can have arrived there')
         return Move(source, target, held[target] if value is ... else _told(value), objection)

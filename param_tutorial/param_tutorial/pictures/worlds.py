@@ -45,7 +45,7 @@ class Worlds:
         if len(self._worlds) == _MOST_WORLDS:
             raise ValueError(f'there is room for {_MOST_WORLDS} worlds')
         if killed not in values:
-            raise ValueError(f'{killed!r} is none of the nodes {list(values)}')
+            raise ValueError(f'{killed!r} is not one of the nodes {list(values)}')
         if server and len(values) > 1:
             raise ValueError(f'below a server there is room for one node, not for {list(values)}')
         self._worlds.append(_World(title, server, {node: str(value) for node, value in values.items()}, killed,

@@ -26,7 +26,7 @@ def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream, get_exe
 
     :param argv: The words after ``ros2``.
     :param get_executor: Gives the executor that carries the calls; called only by verbs that need one.
-    :param in_notebook: Reject what would keep the cell busy for ever.
+    :param in_notebook: Reject what would keep the cell busy forever.
     :return: The exit status.
     """
     session = Session(stdout, stderr, get_executor, in_notebook)

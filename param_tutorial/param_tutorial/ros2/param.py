@@ -78,7 +78,7 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
     try:
         wanted = re.compile(args.filter or '')
     except re.error as error:
-        raise CommandFailed(f'{args.filter!r} is no regular expression: {error}') from None
+        raise CommandFailed(f'{args.filter!r} is not a regular expression: {error}') from None
     if args.node_name:
         nodes = [session.find(args)]
         session.wait_for_service(nodes[0], 'list_parameters')
@@ -219,7 +219,7 @@ def load_parameters(session: Session, args: argparse.Namespace) -> None:
         raise CommandFailed(f'cannot read {args.parameter_file}: {error.strerror}') from None
     except (yaml.YAMLError, ValueError, TypeError, AttributeError, AssertionError) as error:
         # rclpy reads every value twice, as YAML and as what `param set` is given; dates and the like fail then.
-        raise CommandFailed(f'{args.parameter_file} holds something that is no parameter: {error}') from None
+        raise CommandFailed(f'{args.parameter_file} holds something that is not a parameter: {error}') from None
     answer = session.call(node, 'set_parameters', SetParameters.Request(parameters=parameters)).results
     for parameter, result in zip(parameters, answer):
         _report(session, result, f'Set parameter {parameter.name} successful', f'Set parameter {parameter.name} failed')

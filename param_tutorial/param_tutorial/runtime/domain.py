@@ -43,7 +43,7 @@ def choose() -> int:
         os.environ['FASTRTPS_DEFAULT_PROFILES_FILE'] = str(_ANY_NETWORK if own_network else _THIS_HOST)
     if chosen:
         if not (chosen.isascii() and chosen.isdigit() and int(chosen) <= 232):
-            raise ExecutorError(f'ROS_DOMAIN_ID is {chosen!r}: it must be a whole number from 0 to 232, or unset')
+            raise ExecutorError(f'ROS_DOMAIN_ID is {chosen!r}: it must be an integer from 0 to 232, or unset')
         return int(chosen)
     if _claim is None:
         _claim = _claim_free_domain()

@@ -26,7 +26,7 @@ from param_tutorial.pictures.diagrams import NodeGraph
 from param_tutorial.runtime import domain
 from param_tutorial.runtime.service_types import SERVICE_TYPES
 
-# A port may belong to a process that is suspended or to no ROS program at all: don't wait for it for ever.
+# A port may belong to a process that is suspended or to no ROS program at all: don't wait for it forever.
 PATIENCE_SEC = 10.0
 # What the genuine command gives discovery, which is enough for an idle network.
 NETWORK_SEC = 0.5

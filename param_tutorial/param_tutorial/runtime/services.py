@@ -47,7 +47,8 @@ def full_name(node: str | Node) -> str:
     if isinstance(node, Node):
         return node.get_fully_qualified_name()
     if not isinstance(node, str):
-        raise TypeError(f'{node!r} is no node: give its name, such as "/talker", or the node that ros.add() returned')
+        raise TypeError(
+            f'{node!r} is not a node: give its name, such as "/talker", or the node that ros.add() returned')
     return '/' + node.strip('/')
 
 
@@ -102,7 +103,7 @@ class Services:
         :raises NoAnswerError: it did not answer in time.
         :raises NodeGoneError: it left before it answered.
         :raises CallbackError: a callback of the node, which lives in this process, raised an exception.
-        :raises ExecutorError: called from a callback, where waiting would block the executor for ever.
+        :raises ExecutorError: called from a callback, where waiting would block the executor forever.
         """
         if self.in_executor_thread():
             raise ExecutorError('a callback cannot wait for a service: the answer would have to come through the '

@@ -260,7 +260,7 @@ class NumberLineView(SetView):
         descriptor = parameter.descriptor
         if not _is_number(stored):
             self._shown = None
-            self._say(f'{self._name} is no number.')
+            self._say(f'{self._name} is not a number.')
             return
         shown = descriptor, stored, record
         if shown == self._shown:

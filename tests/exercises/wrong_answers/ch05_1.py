@@ -16,7 +16,7 @@ WRONG = {
         ([('describe /gripper speed_mps', 'get /gripper speed_mps')], 2, 'there is no `describe` in your lines'),
         ([('/gripper mode', '/griper mode')], 2, 'it is not; the terminal says: Node not found'),
         ([('/gripper mode', '/gripper/mode')], 2, 'the following arguments are required: parameter_name'),
-        ([('get /gripper', 'get --timeout 60 /griper')], 0, 'it had not come to an end after'),
+        ([('get /gripper', 'get --timeout 60 /griper')], 0, 'it was still running after'),
         ([('retries 5', 'retries "5')], 0, '`ros2 param set /gripper retries "5`: No closing quotation'),
         ([('ros2 param get /gripper mode\n', '')], 2, 'there is no `get` in your lines'),
         # Both are wrong, and each requirement is told of its own line.

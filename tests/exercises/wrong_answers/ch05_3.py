@@ -62,7 +62,7 @@ WRONG = {
            '        rclpy.spin_until_future_complete(self, future)\n        self.on_answer(future)')],
          0, 'this callback already runs inside the executor that it waits for'),
         ([(ASK, 'future = self.client.call_async(request)\n        while not future.done():\n            pass\n'
-           '        self.on_answer(future)')], 0, 'it had not come to an end after some seconds'),
+           '        self.on_answer(future)')], 0, 'it was still running after some seconds'),
         # Too early: the answer has not come.
         ([(ASK, 'self.on_answer(self.client.call_async(request))')], 0,
          "AttributeError: 'NoneType' object has no attribute 'result'"),

@@ -12,7 +12,7 @@ WRONG = {
         ([('step=25', 'step=20')], 1, 'opening_percent = 25 (off the step)'),
         ([('step=25', 'step=5')], 1, '/valve accepted opening_percent = 5'),
         ([(', step=25', '')], 1, '/valve accepted opening_percent = 5'),
-        ([('from_value=0, to_value=100', 'from_value=1, to_value=100')], 0, 'its constructor did not get to its end'),
+        ([('from_value=0, to_value=100', 'from_value=1, to_value=100')], 0, 'its constructor did not finish'),
         ([('to_value=100', 'to_value=125')], 1, '/valve accepted opening_percent = 125'),
         ([("'pressure_bar', 2.5", "'pressure_bar', 2")], 1, 'it starts at `2`'),
         ([("'pressure_bar', 2.5", "'pressure_bar', 0.0")], 1, 'it starts at `0.0`'),

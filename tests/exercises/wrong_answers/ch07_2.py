@@ -86,7 +86,7 @@ WRONG = {
         ([("ParameterValue(LaunchConfiguration('serial'), value_type=str)", "'SN-1'")],
          3, 'does it stay a string?'),
         ([('value_type=str', 'value_type=int')],
-         0, "'SN-1' was given where the launch file wants a value of type int"),
+         0, "'SN-1' was given where the launch file takes a value of type int"),
         ([("'robot_serial_number'", "'serial_number'")],
          3, 'The parameter is called `robot_serial_number`'),
         ([('parameters=[', 'parameters=('), ('            ],\n        ),', '            ),\n        ),')],

@@ -2,7 +2,7 @@
 
 WRONG = {
     '8c': [
-        ([("'fan.speed', 0.5", "'speed', 0.5")], 0, 'its constructor did not get to its end.'),
+        ([("'fan.speed', 0.5", "'speed', 0.5")], 0, 'its constructor did not finish.'),
         ([("'fan.speed', 0.5", "'fan.speed', 1")], 1, 'type integer, value `1`'),
         ([('0.5, Param', '0.25, Param')], 2, 'type double, value `0.25`'),
         ([('to_value=1.0', 'to_value=2.0')], 2, 'it was accepted'),
@@ -13,7 +13,7 @@ WRONG = {
         ([("'Speed, as a part of the full speed.'", '...')], 0, 'it is `Ellipsis`'),
         ([('            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0)]',
            '            ')], 2, 'it was accepted'),
-        ([("'fan.speed', 0.5", "'fan/speed', 0.5")], 0, 'its constructor did not get to its end.'),
+        ([("'fan.speed', 0.5", "'fan/speed', 0.5")], 0, 'its constructor did not finish.'),
     ],
     '8a': [
         ([("'belt.speed_mps', 0.0, ParameterDescriptor(", "'belt.speed_mps', 0, ParameterDescriptor(")], 2,

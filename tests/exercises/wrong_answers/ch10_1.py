@@ -18,7 +18,7 @@ WRONG = {
         ([('event.changed_parameters', 'event.changed_parameters + event.deleted_parameters')],
          2, "the function returns `{'lamp': None}`"),
         ([('    return {', '    while not event.new_parameters:\n        pass\n    return {')],
-         0, 'it had not come to an end after'),
+         0, 'it was still running after'),
         ([('changed_parameters', 'new_parameters')], 0, 'the function returns `{}`'),
         ([('parameter_value_to_python(parameter.value)', 'parameter.value')], 0, "the function returns `{'speed':"),
         ([('parameter_value_to_python(parameter.value)', 'parameter.value.integer_value')],

@@ -306,7 +306,7 @@ def typed(trial: Trial) -> Typed:
     try:
         return type_lines(trial.work)
     except ParameterToolError as error:
-        raise NoUse('the lines come to an end', str(error)) from None
+        raise NoUse('the lines finish', str(error)) from None
 
 
 @order.require('the package is built, in its workspace', see=BUILD)

@@ -167,16 +167,16 @@ def _execute_and_compare(path: Path, client: NotebookClient, index: int, cell: N
     _execute(path, client, cell, index)
     if difference := stored.difference(cell.outputs):
         raise ChapterError(path, index + 1, cell.source,
-                           f'what it puts out is not what is stored with it.\n{difference}')
+                           f'its output differs from the stored one.\n{difference}')
 
 
 def _execute(path: Path, client: NotebookClient, cell: NotebookNode, index: int) -> None:
     try:
         client.execute_cell(cell, index)
     except CellExecutionError as error:
-        raise ChapterError(path, index + 1, cell.source, f'it ends in {error.ename}: {error.evalue}') from None
+        raise ChapterError(path, index + 1, cell.source, f'it raises {error.ename}: {error.evalue}') from None
     except CellTimeoutError:
-        raise ChapterError(path, index + 1, cell.source, f'it has not ended after {_CELL_TIMEOUT_SEC} s.') from None
+        raise ChapterError(path, index + 1, cell.source, f'it is still running after {_CELL_TIMEOUT_SEC} s.') from None
     except DeadKernelError:
         raise ChapterError(path, index + 1, cell.source, 'its kernel has died.') from None
 

@@ -44,7 +44,7 @@ class ParameterValue:
 
     def _expect(self, value: Any) -> None:
         if not _is_of(value, self.value_type):
-            raise LaunchFailed(f'{value!r} was given where the launch file wants a value of type '
+            raise LaunchFailed(f'{value!r} was given where the launch file takes a value of type '
                                f'{_name(self.value_type)}')
 
 
@@ -80,7 +80,7 @@ def _coerced(text: str, value_type: Any) -> Any:
     except (ValueError, yaml.YAMLError):
         value = None
     if value is None or not _is_of(value, value_type):
-        raise LaunchFailed(f'{text!r} was given where the launch file wants a value of type {_name(value_type)}')
+        raise LaunchFailed(f'{text!r} was given where the launch file takes a value of type {_name(value_type)}')
     return value
 
 

@@ -73,8 +73,8 @@ def _path_and_arguments(args: argparse.Namespace) -> tuple[Path, list[str]]:
     if Path(args.package_name).is_file():
         return Path(args.package_name).resolve(), words
     if not words or ':=' in words[0]:
-        raise CommandFailed(f"{args.package_name!r} is no launch file here; after a package's name comes the name of "
-                            f'a launch file in it')
+        raise CommandFailed(f"{args.package_name!r} is not a launch file here; after a package's name comes the "
+                            f'name of a launch file in it')
     name, *given = words
     try:
         share = index.share_folder_of(args.package_name)
