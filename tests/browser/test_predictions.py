@@ -68,7 +68,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         second.get_by_role('textbox').fill('5')
         second.get_by_role('button', name='Commit').click()
         expect(second).to_contain_text('Right. -20, -15')
-        expect(page.locator('.param-progress').first).to_contain_text('1 of 6 predictions made, 0 of them right')
+        expect(page.locator('.param-progress').first).to_contain_text('1 of 7 predictions made, 0 of them right')
         expect(page.locator('.param-praise')).to_have_count(1)
         see(page, 'solved')
         assert lab_page.errors == []
