@@ -59,7 +59,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         page.keyboard.press('Shift+Enter')
         expect(first).to_contain_text('Now run the next cell.')
         page.keyboard.press('Shift+Enter')
-        expect(first).to_contain_text('Not so. A parameter without a declaration')
+        expect(first).to_contain_text('Not so. A parameter that is not declared')
         see(page, 'decided')
 
         # After Run All the verdict comes at once, and nothing was held up.
