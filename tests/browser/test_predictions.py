@@ -59,7 +59,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         page.keyboard.press('Shift+Enter')
         expect(first).to_contain_text('Now run the next cell.')
         page.keyboard.press('Shift+Enter')
-        expect(first).to_contain_text('Not so. A parameter without a declaration')
+        expect(first).to_contain_text('Not so. A parameter that is not declared')
         see(page, 'decided')
 
         # After Run All the verdict comes at once, and nothing was held up.
@@ -68,7 +68,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         second.get_by_role('textbox').fill('5')
         second.get_by_role('button', name='Commit').click()
         expect(second).to_contain_text('Right. -20, -15')
-        expect(page.locator('.param-progress').first).to_contain_text('1 of 6 predictions made, 0 of them right')
+        expect(page.locator('.param-progress').first).to_contain_text('1 of 7 predictions made, 0 of them right')
         expect(page.locator('.param-praise')).to_have_count(1)
         see(page, 'solved')
         assert lab_page.errors == []

@@ -45,7 +45,7 @@ def test_what_is_solved_has_a_tick_and_a_date(file):
     found = exercises.progress('3')
     assert found.text == ''
     assert repr(found).splitlines()[0] == (
-        'Chapter 3: 1 of 3 exercises solved, 2 of 6 predictions made, 1 of them right')
+        'Chapter 3: 1 of 3 exercises solved, 2 of 7 predictions made, 1 of them right')
     assert '✓ 3a    Declare a rover  2026-03-04' in repr(found)
     assert '· 3b' in repr(found)
     assert '3-1 ✓ 3-2 ✗ 3-3' in repr(found)
@@ -70,7 +70,7 @@ def test_the_whole_course_has_a_row_for_each_chapter(file):
         file.add_solved(number)
     rows = repr(exercises.progress()).splitlines()
     assert len(rows) == len(CHAPTERS)
-    assert '✓ 3     exercises 3/3   predictions 0/6' in rows
+    assert '✓ 3     exercises 3/3   predictions 0/7' in rows
     assert '· 5.2   exercises 1/3   predictions 0/10' in rows
 
 
