@@ -1,13 +1,16 @@
 """What a learner sees of the own progress: ticks, a picture, a certificate; and nothing in the stored outputs."""
 
+import json
+
 import nbformat
 import pytest
 
 from param_tutorial import exercises
-from param_tutorial.exercises import CHAPTERS, EXERCISES, achievements
+from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS, achievements
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
 from param_tutorial.progress.record import ProgressFile
+from param_tutorial.progress.renumbered import RENUMBERED
 from tests.support.paths import NOTEBOOKS
 
 
@@ -112,13 +115,13 @@ def test_a_certificate_needs_something_to_certify(file):
 
 def test_a_certificate_lists_what_was_proved_with_dates(file):
     file.add_solved('3a')
-    file.add_solved('10.4c')
+    file.add_solved('10.4b')
     found = exercises.certificate('Ada <Lovelace>')
     page = (file.path.parent / achievements.CERTIFICATE).read_text()
     assert repr(found).startswith(f'2 of {len(EXERCISES)} exercises proved.')
     assert 'Ada &lt;Lovelace&gt;' in page and 'Ada <Lovelace>' not in page
     assert '<th scope="row">3a</th><td>Declare a rover</td><td>2026-03-04</td>' in page
-    assert '<th scope="row">10.4c</th>' in page and '3b' not in page
+    assert '<th scope="row">10.4b</th>' in page and '3b' not in page
     assert page.startswith('<!DOCTYPE html>')
 
 
@@ -126,3 +129,23 @@ def test_a_certificate_of_all_says_so(file):
     for number in EXERCISES:
         file.add_solved(number)
     assert f'has solved all of {len(EXERCISES)} exercises' in exercises.certificate()._repr_html_()
+
+
+# -- numbers that were given again -----------------------------------------------------------------------------
+
+def test_what_was_solved_before_a_chapter_became_two_counts_in_the_new_one(file):
+    file.add_solved('10.4c')
+    assert '✓ 10.5c' in repr(exercises.progress('10.5'))
+    assert '✓' not in repr(exercises.progress('10.4'))
+    file.add_solved('3a')
+    assert set(json.loads(file.path.read_text())['solved']) == {'10.4c', '10.5c', '3a'}
+
+
+def test_every_new_number_is_one_of_the_course():
+    known = {*EXERCISES, *PREDICTIONS, *RECALLS, *CHAPTERS}
+    assert {number for new in RENUMBERED.values() for number in new} <= known
+    assert not known & set(RENUMBERED)
+
+
+def test_a_copy_of_a_chapter_from_before_says_where_its_exercise_is():
+    assert '10.4c is now 10.5c. Open the new chapter' in repr(exercises.check('10.4c')).replace('\n', ' ')

@@ -12,6 +12,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from param_tutorial.errors import ProgressError
+from param_tutorial.progress.renumbered import RENUMBERED
 from param_tutorial.progress.storage import only_one, write_whole
 
 VARIABLE = 'PARAM_TUTORIAL_PROGRESS'
@@ -39,7 +40,7 @@ class Progress:
 
 
 def parse(content: bytes) -> Progress:
-    """Return what a file holds.
+    """Return what a file holds, with what it holds under old numbers under the new ones as well.
 
     :raises ProgressError: it is damaged, or no file of progress at all.
     """
@@ -57,6 +58,13 @@ def parse(content: bytes) -> Progress:
                 raise ProgressError('a prediction in it is damaged')
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         raise ProgressError(f'it holds no progress ({type(error).__name__})') from None
+    # The old numbers stay: an older version of the course may read the file next.
+    for old, new in RENUMBERED.items():
+        for number in new:
+            if old in progress.solved:
+                progress.solved.setdefault(number, progress.solved[old])
+            if old in progress.predicted:
+                progress.predicted.setdefault(number, progress.predicted[old])
     return progress
 
 
