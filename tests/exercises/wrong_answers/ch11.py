@@ -60,7 +60,7 @@ WRONG = {
         ([('speed ** 2 / (2 * acceleration)', 'speed ** 2 / acceleration')], 0, '1.96 m'),
         ([('speed ** 2 / (2 * acceleration)', 'speed / (2 * acceleration)')], 0, 'it was accepted'),
         ([('speed ** 2 / (2 * acceleration)', 'speed ** 2 / 2 * acceleration')], 0, 'it was accepted'),
-        ([('> SIGHT_M + 1e-9', '>= SIGHT_M')], 2, '2.0 m are just allowed'),
+        ([('> SIGHT_M + 1e-9', '>= SIGHT_M')], 2, '2.0 m is still allowed'),
         # The stored values of the start, for ever.
         ([('        self.add_on_set', '        self.stored = self.settings()\n        self.add_on_set'),
           ('        speed, acceleration = self.settings()\n', '        speed, acceleration = self.stored\n')], 2,

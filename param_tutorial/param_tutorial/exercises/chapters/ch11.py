@@ -88,7 +88,7 @@ def described(trial: Trial) -> None:
                         f'it names `{descriptor.name}`: rclpy writes name and type into the descriptor that it is '
                         f'given, and the later declaration got the same one')
         expect(descriptor.description.strip(), f'`{name}` has a description',
-               'it has none: whoever opens a panel has to guess its unit')
+               'it has none: anyone who opens a panel has to guess its unit')
 
 
 @declare.require('`cart_id` is a string, starts as `CART-01`, and is read-only', see=DECLARE)
@@ -161,7 +161,7 @@ def sight(trial: Trial) -> None:
 def together(trial: Trial) -> None:
     cart = start_cart(trial)
     expect_accepted(trial, cart, settings(2.0, 1.0),
-                    '. The rule is about the proposed speed and the proposed acceleration, and 2.0 m are just allowed')
+                    '. The rule is about the proposed speed and the proposed acceleration, and 2.0 m is still allowed')
     expect_rejected(trial, cart, settings(2.0, 0.9))
     expect_accepted(trial, cart, {'max_acceleration_mps2': 0.2, 'max_speed_mps': 0.5}, '. They make 0.63 m')
     for bad in ({'max_acceleration_mps2': 0.5, 'max_speed_mps': 1.9}, settings(1.9, 0.5)):
