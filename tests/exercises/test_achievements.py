@@ -115,13 +115,13 @@ def test_a_certificate_needs_something_to_certify(file):
 
 def test_a_certificate_lists_what_was_proved_with_dates(file):
     file.add_solved('3a')
-    file.add_solved('10.4c')
+    file.add_solved('10.4b')
     found = exercises.certificate('Ada <Lovelace>')
     page = (file.path.parent / achievements.CERTIFICATE).read_text()
     assert repr(found).startswith(f'2 of {len(EXERCISES)} exercises proved.')
     assert 'Ada &lt;Lovelace&gt;' in page and 'Ada <Lovelace>' not in page
     assert '<th scope="row">3a</th><td>Declare a rover</td><td>2026-03-04</td>' in page
-    assert '<th scope="row">10.4c</th>' in page and '3b' not in page
+    assert '<th scope="row">10.4b</th>' in page and '3b' not in page
     assert page.startswith('<!DOCTYPE html>')
 
 
@@ -143,6 +143,14 @@ def test_what_was_solved_under_an_old_number_still_counts(file):
     assert set(json.loads(file.path.read_text())['solved']) == {'6a', '6.1c', '6.2c', '3a'}
 
 
+def test_what_was_solved_before_a_chapter_became_two_counts_in_the_new_one(file):
+    file.add_solved('10.4c')
+    assert '✓ 10.5c' in repr(exercises.progress('10.5'))
+    assert '✓' not in repr(exercises.progress('10.4'))
+    file.add_solved('3a')
+    assert set(json.loads(file.path.read_text())['solved']) == {'10.4c', '10.5c', '3a'}
+
+
 def test_every_new_number_is_one_of_the_course():
     known = {*EXERCISES, *PREDICTIONS, *RECALLS, *CHAPTERS}
     assert {number for new in RENUMBERED.values() for number in new} <= known
@@ -154,3 +162,7 @@ def test_every_new_number_is_one_of_the_course():
     (exercises.recall, '6-r1', '6.1-r1'), (exercises.progress, '6', '6.1 and 6.2')])
 def test_a_copy_of_a_chapter_that_was_divided_says_where_its_exercises_are(say, old, new):
     assert f'{old} is now {new}. Open the new chapter' in repr(say(old)).replace('\n', ' ')
+
+
+def test_a_copy_of_a_chapter_from_before_says_where_its_exercise_is():
+    assert '10.4c is now 10.5c. Open the new chapter' in repr(exercises.check('10.4c')).replace('\n', ' ')

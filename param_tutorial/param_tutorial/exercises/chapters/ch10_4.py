@@ -1,64 +1,106 @@
-"""Exercises of chapter 10.4: state rules, rename parameters, and bring a node back to its defaults."""
+"""Exercises of chapter 10.4: state rules, rename parameters, and both in one node."""
 
 from collections.abc import Mapping, Sequence
 
-from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
-from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
+from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import expect_accepted, expect_rejected
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
-from param_tutorial.parameters.rules import Rules
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 
 CHAPTER = '10_4_beyond_today'
-STATE = 'Build it: state the rule'
-KINDS = 'Change it: more kinds of rules'
+STATE = 'Build it: a rule in a dozen lines'
+KINDS = 'Change it: the rules of the package'
 ACROSS = 'Rules across parameters'
-ALIASES = 'Build it: aliases'
-DEFAULTS = 'Node with defaults'
-RESTORE = 'Back to where it was'
+MIRROR = 'Build it: a mirror'
+ALIASES = 'Change it: the aliases of the package'
+
+
+def expect_no_start(trial: Trial, requests: Sequence[Mapping[str, object]]) -> None:
+    """Expect the learner's node not to start with what it rejects while it runs.
+
+    What it accepts then is the business of another requirement.
+    """
+    client = trial.client(trial.start())
+    rejected = [each for each in requests if not client.set_parameters_atomically(each)[0].successful]
+    for request in rejected or requests[:1]:
+        overrides = [f'{name}:={value}' for name, value in request.items()]
+        try:
+            trial.start(ros_args=[word for each in overrides for word in ('-p', each)])
+        except NoStart:
+            continue
+        raise NotYet(f'with `{" ".join(overrides)}` the node does not start',
+                     'it started. What is registered after the declarations never sees an override: judge the start '
+                     'values, too')
+
+
+def expect_values(trial: Trial, node: Node, wanted: Mapping[str, object], when: str) -> None:
+    """Expect a node to hold values, after something.
+
+    :raises NoUse: it has no such parameter.
+    """
+    client = trial.client(node)
+    existing = client.list_parameters()
+    own = [name for name in existing if name not in ('use_sim_time', 'start_type_description_service')]
+    for name, value in wanted.items():
+        if name not in existing:
+            raise NoUse(f'there is a parameter `{name}`',
+                        f'there are only `{"`, `".join(own)}`' if own else 'the node has declared none')
+        found = client.get_parameter(name)
+        expect(found == value, f'`{name}` is `{value!r}` {when}', f'it is `{found!r}`')
+
+
+# -- 10.4a ----------------------------------------------------------------------------------------------------
 
 rules = Exercise('10.4a', 'State the rules', CHAPTER, NODE_CLASS, node_name='drone', hints=(
-    'One `Rules(self)` behind the declarations, and three rules chained to it.',
+    'One `Rules(self)` after the declarations, and three rules chained to it.',
     'The three are `matches`, `one_of` and `check`. The pattern for three capital letters is `[A-Z]{3}`.',
     "`.check(['land_percent', 'home_percent'], lambda land, home: ..., 'a sentence')`: the function gets the two "
     'values in the order of the names.'))
 
 
-@rules.require('a call sign is three capital letters, no more and no less', see=STATE)
+@rules.require('a call sign is three capital letters from A to Z, no more and no less', see=STATE)
 def call_sign(trial: Trial) -> None:
     drone = trial.start()
-    for bad in ('abc', 'AB', 'ABCD', ''):
+    for bad in ('abc', 'AB', 'ABCD', '', 'A1C', '007', 'ABc', 'ÄBC', 'A C', 'ABC\n'):
         expect_rejected(trial, drone, {'call_sign': bad})
-    expect_accepted(trial, drone, {'call_sign': 'XYZ'})
+    for good in ('XYZ', 'AAA', 'QEB'):
+        expect_accepted(trial, drone, {'call_sign': good})
 
 
 @rules.require('there are three modes', see=KINDS)
 def mode(trial: Trial) -> None:
     drone = trial.start()
-    expect_rejected(trial, drone, {'mode': 'loop'})
+    for bad in ('loop', '', 'Hover', 'landing', 'hover, track', 'e'):
+        expect_rejected(trial, drone, {'mode': bad})
+    # Among others that are fine: each parameter of a request is judged, wherever it stands.
+    for bad_request in ({'mode': 'loop', 'call_sign': 'XYZ'}, {'call_sign': 'XYZ', 'mode': 'loop'}):
+        expect_rejected(trial, drone, bad_request)
     for good in ('track', 'land', 'hover'):
         expect_accepted(trial, drone, {'mode': good})
 
 
-@rules.require('`land_percent` is below `home_percent`, whether one of them is set or both together', see=ACROSS)
+@rules.require('`land_percent` is below `home_percent`, whether a request sets one of them or both', see=ACROSS)
 def order(trial: Trial) -> None:
     drone = trial.start()
-    for bad in ({'land_percent': 30}, {'home_percent': 5}, {'land_percent': 25, 'home_percent': 20}):
+    for bad in ({'land_percent': 30}, {'land_percent': 99}, {'home_percent': 5}, {'home_percent': 10},
+                {'land_percent': 25, 'home_percent': 20}, {'home_percent': 20, 'land_percent': 25},
+                {'land_percent': 50, 'mode': 'hover'}):
         expect_rejected(trial, drone, bad)
-    expect_accepted(trial, drone, {'land_percent': 50, 'home_percent': 60})
+    for good in ({'land_percent': 50, 'home_percent': 60}, {'home_percent': 20, 'land_percent': 15},
+                 {'land_percent': 19}, {'home_percent': 90, 'mode': 'hover'}):
+        expect_accepted(trial, drone, good)
 
 
 @rules.require('with an override that breaks a rule the drone does not start', see=STATE)
 def at_the_start(trial: Trial) -> None:
-    for override in ('mode:=loop', 'call_sign:=ABCD', 'land_percent:=40'):
-        try:
-            trial.start(ros_args=['-p', override])
-        except NoUse:
-            continue
-        raise NotYet(f'with `{override}` it does not start',
-                     'it started. Are the rules stated, and behind the declarations?')
+    expect_no_start(trial, [{'mode': 'loop'}, {'call_sign': 'ABCD'}, {'land_percent': 40}, {'home_percent': 5},
+                            {'land_percent': 70, 'home_percent': 60}])
+    drone = trial.start(ros_args=['-p', 'land_percent:=40', '-p', 'home_percent:=50', '-p', 'mode:=track'])
+    expect_values(trial, drone, {'land_percent': 40, 'home_percent': 50, 'mode': 'track'}, 'as the overrides say')
 
+
+# -- 10.4b ----------------------------------------------------------------------------------------------------
 
 rename = Exercise('10.4b', 'A new name', CHAPTER, NODE_CLASS, node_name='wagon', hints=(
     'Declare the new names only. The old ones stand in one `Aliases`.',
@@ -66,89 +108,89 @@ rename = Exercise('10.4b', 'A new name', CHAPTER, NODE_CLASS, node_name='wagon',
     "`Aliases(self, {'width': 'width_mm', 'plate': 'plate_number'})`, and the declarations with the new names."))
 
 
-def expect_values(trial: Trial, node: Node, wanted: Mapping[str, object], when: str) -> None:
-    """Expect a node to hold values, after something."""
-    client = trial.client(node)
-    existing = client.list_parameters()
-    for name, value in wanted.items():
-        expect(name in existing, f'there is a parameter `{name}`', f'there are only {", ".join(existing[2:])}')
-        found = client.get_parameter(name)
-        expect(found == value, f'`{name}` is `{value!r}` {when}', f'it is `{found!r}`')
-
-
-@rename.require('what is set under one name can be read under the other', see=ALIASES)
+@rename.require('what is set under one name can be read under the other', see=MIRROR)
 def both_ways(trial: Trial) -> None:
     wagon = trial.start()
     expect_values(trial, wagon, {'width_mm': 800, 'width': 800, 'plate_number': 'none', 'plate': 'none'}, 'at first')
-    for name, value in (('width', 700), ('width_mm', 900)):
+    for name, value in (('width', 700), ('width_mm', 900), ('width', 650)):
         expect_accepted(trial, wagon, {name: value})
-        expect_values(trial, wagon, {'width_mm': value, 'width': value}, f'when `{name} = {value}` was set')
+        expect_values(trial, wagon, {'width_mm': value, 'width': value}, f'once `{name} = {value}` is set')
 
 
-@rename.require('an old file reaches the new names, the read-only one too', see=ALIASES)
-def old_overrides(trial: Trial) -> None:
-    wagon = trial.start(ros_args=['-p', 'width:=600', '-p', 'plate:=W-7'])
-    expect_values(trial, wagon, {'width_mm': 600, 'plate_number': 'W-7'},
-                  'with the overrides `width:=600` and `plate:=W-7`')
-    rejected = trial.client(wagon).set_parameter('plate_number', 'W-8')
-    expect(not rejected.successful, '`plate_number` is read-only', 'it could be set')
+@rename.require('start values reach both names, whichever name the file uses', see=ALIASES)
+def start_values(trial: Trial) -> None:
+    for width, plate in (('width', 'plate'), ('width_mm', 'plate_number'), ('width_mm', 'plate')):
+        wagon = trial.start(ros_args=['-p', f'{width}:=600', '-p', f'{plate}:=W-7'])
+        expect_values(trial, wagon, {'width_mm': 600, 'width': 600, 'plate_number': 'W-7', 'plate': 'W-7'},
+                      f'with the overrides `{width}:=600` and `{plate}:=W-7`')
+
+
+@rename.require('the plate is read-only under both names', see=ALIASES)
+def read_only(trial: Trial) -> None:
+    wagon = trial.start()
+    expect_values(trial, wagon, {'plate_number': 'none', 'plate': 'none'}, 'at first')
+    for name in ('plate_number', 'plate'):
+        result = trial.client(wagon).set_parameter(name, 'W-8')
+        expect(not result.successful, f'`{name}` is read-only', 'it could be set')
 
 
 @rename.require('two names with two values, in one request, are rejected', see=ALIASES)
 def contradiction(trial: Trial) -> None:
     wagon = trial.start()
     expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'at first')
-    expect_rejected(trial, wagon, {'width': 1, 'width_mm': 2})
+    for asked in ({'width': 1, 'width_mm': 2}, {'width_mm': 3, 'width': 4}, {'width': 800, 'width_mm': 5}):
+        expect_rejected(trial, wagon, asked)
+        expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'after the rejection')
 
 
-factory = Exercise('10.4c', 'Factory settings', CHAPTER, FUNCTION, hints=(
-    '`ParameterSet.defaults(node_class)` is what you want the node to have. It is a mapping, so '
-    '`{name: value for name, value in ….items() if …}` leaves some out.',
-    '`restore(node, wanted)` sets what differs. What it returns can be looped over: each outcome has a `name` and a '
-    "`word`, which is `'set'` if all is well.",
-    "`return [outcome.name for outcome in restore(node, wanted) if outcome.word != 'set']`."))
+# -- 10.4d ----------------------------------------------------------------------------------------------------
+
+both = Exercise('10.4d', 'A new name under an old rule', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
+    'Three statements in one order: the old names, the declarations, the rule. Which of them has to come first?',
+    '`Aliases` comes before the first declaration, and `Rules` after the last. The rule needs the new names only: a '
+    'change under an old name is a change of the new one, too.',
+    "`Rules(self).check(['speed_mmps', 'limit_mmps'], lambda speed, limit: ..., 'a sentence')`."))
 
 
-class Lamp(Node):
-    """What is to be brought back: in order, locked, and with a rule that rejects some ways back."""
-
-    def __init__(self) -> None:
-        super().__init__('lamp')
-        self.declare_parameter('dim_percent', 10)
-        self.declare_parameter('full_percent', 90)
-        self.declare_parameter('colour', 'white')
-        self.declare_parameter('plate', 'none', ParameterDescriptor(read_only=True))
-        Rules(self).check(['dim_percent', 'full_percent'], lambda dim, full: dim < full,
-                          'dim_percent must be below full_percent')
+def values_of(speed: int, limit: int) -> dict[str, int]:
+    """Return what a conveyor holds, under all names."""
+    return {'speed_mmps': speed, 'speed': speed, 'limit_mmps': limit, 'limit': limit}
 
 
-def call(trial: Trial, keep: list[str], ros_args: Sequence[str] = ()) -> tuple[Lamp, object]:
-    """Start a lamp, change it, call the learner's function, and return the lamp with what that returned."""
-    lamp = trial.start(Lamp, ros_args=ros_args, all_services=True)
-    trial.client(lamp).set_parameters_atomically({'dim_percent': 1, 'full_percent': 5, 'colour': 'red'})
-    return lamp, trial.call(f'factory_settings(lamp, Lamp, {keep})', trial.work, lamp, Lamp, keep)
+@both.require('both parameters answer to their old names and to their new ones', see=MIRROR)
+def both_names(trial: Trial) -> None:
+    conveyor = trial.start()
+    expect_values(trial, conveyor, values_of(100, 500), 'at first')
+    for asked, speed, limit in (({'speed': 150}, 150, 500), ({'limit': 450}, 150, 450),
+                                ({'speed_mmps': 200, 'limit': 400}, 200, 400), ({'limit_mmps': 300}, 200, 300)):
+        expect_accepted(trial, conveyor, asked)
+        expect_values(trial, conveyor, values_of(speed, limit), f'once `{asked}` is set')
 
 
-@factory.require('everything has its default again, also where a rule stands in the way of one after the other',
-                 see=RESTORE)
-def all_back(trial: Trial) -> None:
-    lamp, failed = call(trial, [])
-    expect_values(trial, lamp, {'dim_percent': 10, 'full_percent': 90, 'colour': 'white'}, 'afterwards')
-    expect(failed == [], 'the function returns `[]`, since nothing failed', f'it returned `{failed!r}`')
+@both.require('a speed above the limit is rejected, under any of the names', see=ACROSS)
+def one_rule(trial: Trial) -> None:
+    conveyor = trial.start()
+    expect_values(trial, conveyor, values_of(100, 500), 'at first')
+    for bad in ({'speed_mmps': 501}, {'speed': 600}, {'limit_mmps': 99}, {'limit': 50},
+                {'speed': 300, 'limit': 200}, {'limit_mmps': 200, 'speed': 300}):
+        expect_rejected(trial, conveyor, bad)
+    expect_values(trial, conveyor, values_of(100, 500), 'after six rejections')
+    for good in ({'speed': 600, 'limit_mmps': 700}, {'limit': 650, 'speed_mmps': 640}, {'speed': 650},
+                 {'limit': 90, 'speed': 80}):
+        expect_accepted(trial, conveyor, good)
 
 
-@factory.require('what is named in `keep` stays', see=DEFAULTS)
-def kept(trial: Trial) -> None:
-    lamp, _ = call(trial, ['colour'])
-    expect_values(trial, lamp, {'dim_percent': 10, 'full_percent': 90, 'colour': 'red'},
-                  "afterwards, with `keep=['colour']`")
+# What it starts with, and the values that come of it.
+STARTS: tuple[tuple[Sequence[str], int, int], ...] = (
+    (['speed:=600', 'limit_mmps:=700'], 600, 700), (['limit:=300'], 100, 300), (['speed_mmps:=500'], 500, 500))
 
 
-@factory.require('what could not be brought back is returned', see=RESTORE)
-def told_what_failed(trial: Trial) -> None:
-    _, failed = call(trial, [], ('-p', 'plate:=L-1'))
-    expect(failed == ['plate'], "for a lamp that was started with another `plate` the function returns `['plate']`",
-           f'it returned `{failed!r}`')
+@both.require('it starts with good values under any of the names, and not with bad ones', see=STATE)
+def its_start(trial: Trial) -> None:
+    for overrides, speed, limit in STARTS:
+        conveyor = trial.start(ros_args=[word for each in overrides for word in ('-p', each)])
+        expect_values(trial, conveyor, values_of(speed, limit), f'with `{" ".join(overrides)}`')
+    expect_no_start(trial, [{'speed': 600}, {'speed_mmps': 600}, {'limit': 50}, {'limit_mmps': 50}])
 
 
-EXERCISES = (rules, rename, factory)
+EXERCISES = (rules, rename, both)

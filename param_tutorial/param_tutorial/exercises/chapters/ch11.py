@@ -1,9 +1,10 @@
 """Exercises of chapter 11, the capstone: a warehouse cart, declared, judged, acting, saved, launched and tuned.
 
-What the learner builds in the first three is held against requirements only. From the fourth on the cart of the
-package plays along, so that a fault in an earlier step does not follow the learner.
+The first three try what the learner has built. From the fourth on, the check uses the cart of the package, so that a
+fault in an earlier step does not follow the learner.
 """
 
+import contextlib
 import functools
 import math
 import tempfile
@@ -16,7 +17,7 @@ from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.errors import NodeError, ParameterFileError, WaitTimeoutError
+from param_tutorial.errors import NodeError, WaitTimeoutError
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import (
     WithSecondJudge,
@@ -27,8 +28,9 @@ from param_tutorial.exercises.expectations import (
     expect_declared,
     expect_left_alone,
     expect_rejected,
+    expect_result,
 )
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.notebook.terminal import Terminal
 from param_tutorial.parameters.client import ParameterClient
@@ -61,60 +63,78 @@ def overrides(speed_mps: float, acceleration_mps2: float) -> list[str]:
 # -- 11a ----------------------------------------------------------------------------------------------------
 
 declare = Exercise('11a', 'Declare the cart', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
-    'One `self.declare_parameter(name, default, descriptor)` for each. The default decides the type, the descriptor '
-    'says the rest.',
-    'A double takes its limits from `floating_point_range=[FloatingPointRange(from_value=..., to_value=...)]`, and a '
-    'lock is `read_only=True`.',
-    'Everything said in a descriptor goes into one: `ParameterDescriptor(description=..., read_only=True)`. Make a new '
-    'one for each declaration.'))
+    'One `self.declare_parameter(name, default, descriptor)` for each. The default decides the type, and the '
+    'descriptor says the rest.',
+    'A double takes its limits from `floating_point_range=[FloatingPointRange(from_value=..., to_value=...)]`, and '
+    '`read_only=True` makes a parameter read-only.',
+    'All of it goes into one descriptor: `ParameterDescriptor(description=..., read_only=True)`. Make a new one for '
+    'each declaration.'))
+NAMES = ('cart_id', 'max_speed_mps', 'max_acceleration_mps2')
 
 
-@declare.require('`cart_id` is a string, `CART-01`, and nobody can change it', see=DECLARE)
+def expect_start_value(trial: Trial, name: str, value: object) -> None:
+    """Expect an override of a parameter to arrive."""
+    client = trial.client(trial.start(ros_args=['-p', f'{name}:={value}']))
+    found = client.get_parameter(name)
+    expect(found == value, f'a cart that is started with `{name}:={value}` has it', f'it has `{found!r}`')
+
+
+@declare.require('each of the three has its own descriptor, with a description', see=DECLARE)
+def described(trial: Trial) -> None:
+    for name in NAMES:
+        descriptor = client_for(trial, name).describe_parameter(name)
+        if descriptor.name != name:
+            raise NoUse(f'the descriptor of `{name}` names `{name}`',
+                        f'it names `{descriptor.name}`: rclpy writes name and type into the descriptor that it is '
+                        f'given, and the later declaration got the same one')
+        expect(descriptor.description.strip(), f'`{name}` has a description',
+               'it has none: anyone who opens a panel has to guess its unit')
+
+
+@declare.require('`cart_id` is a string, starts as `CART-01`, and is read-only', see=DECLARE)
 def cart_id(trial: Trial) -> None:
     expect_declared(trial, 'cart_id', STRING, 'CART-01')
-    expect_answer(trial, 'cart_id', 'CART-02', 'read only', 'A lock is a field of the descriptor, `read_only`')
+    expect_answer(trial, 'cart_id', 'CART-02', 'read only', 'The descriptor has a field for it, `read_only`')
+    expect_start_value(trial, 'cart_id', 'CART-09')
 
 
 def expect_limits(trial: Trial, name: str, start: float) -> None:
     """Expect a double from 0.1 to 2.0."""
     expect_declared(trial, name, DOUBLE, start)
-    for end in (0.1, 2.0):
-        expect_answer(trial, name, end, 'accepted')
-    for beyond in (0.05, 2.1):
-        expect_answer(trial, name, beyond, 'out of range', 'A double has its `floating_point_range`')
+    client = client_for(trial, name)
+    for within in (0.1, 2.0, 1.234):
+        expect_result(client, name, within, 'accepted')
+    for beyond in (0.099, 2.001, -1.0, 3.0):
+        expect_result(client, name, beyond, 'out of range', 'A double has its `floating_point_range`')
+    expect_result(client, name, 1, 'wrong type', 'A parameter of a dynamic type takes anything')
+    expect_start_value(trial, name, 1.5)
 
 
-@declare.require('`max_speed_mps` is a double, starts at 1.0, and goes from 0.1 to 2.0', see=DECLARE)
+@declare.require('`max_speed_mps` is a double, starts at 1.0, and has a range from 0.1 to 2.0', see=DECLARE)
 def speed(trial: Trial) -> None:
     expect_limits(trial, 'max_speed_mps', 1.0)
 
 
-@declare.require('`max_acceleration_mps2` is a double, starts at 0.5, and goes from 0.1 to 2.0', see=DECLARE)
+@declare.require('`max_acceleration_mps2` is a double, starts at 0.5, and has a range from 0.1 to 2.0', see=DECLARE)
 def acceleration(trial: Trial) -> None:
     expect_limits(trial, 'max_acceleration_mps2', 0.5)
-
-
-@declare.require('each of the three has a description', see=DECLARE)
-def described(trial: Trial) -> None:
-    for name in ('cart_id', 'max_speed_mps', 'max_acceleration_mps2'):
-        expect(client_for(trial, name).describe_parameter(name).description.strip(), f'`{name}` has a description',
-               'it has none: whoever opens a panel has to guess its unit')
 
 
 # -- 11b ----------------------------------------------------------------------------------------------------
 
 judge = Exercise('11b', 'Judge two parameters together', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
-    'Write the rule once, as a method that takes a speed and an acceleration and gives the reason against them, or an '
-    'empty text. The callback and the constructor both use it.',
+    'Write the rule once, as a method that takes a speed and an acceleration and returns the reason against them, or '
+    'an empty string. The callback and the constructor both use it.',
     'The callback judges what would be stored: begin with the stored values, and let the proposed ones replace them. '
     '`{p.name: p.value for p in parameters}` is what is proposed.',
-    'An on-set callback that is registered after the declarations is not asked about start values. Call the rule in '
-    'the constructor too, and `raise ValueError(reason)` if there is one.'))
+    'An on-set callback that is registered after the declarations never sees the start values. Call the rule in the '
+    'constructor too, and `raise ValueError(reason)` if there is one.'))
 
 
 def start_cart(trial: Trial, *values: float, node_class: type[Node] | None = None) -> Any:
     """Start the learner's cart, perhaps with other values than its own, and expect what was declared before.
 
+    :raises NoStart: it does not start.
     :raises NoUse: it lacks a parameter.
     """
     cart = trial.start(node_class, ros_args=overrides(*values) if values else [])
@@ -130,63 +150,82 @@ def sight(trial: Trial) -> None:
     expect_accepted(trial, cart, {'max_speed_mps': 1.4}, '. 1.4 m/s and 0.5 m/s² make 1.96 m')
     for bad in ({'max_speed_mps': 2.0}, {'max_acceleration_mps2': 0.4}):
         expect_rejected(trial, cart, bad)
+    # What is stored has moved, and the next request is judged from there.
+    expect_accepted(trial, cart, {'max_acceleration_mps2': 1.5}, '. 1.4 m/s and 1.5 m/s² make 0.65 m')
+    expect_accepted(trial, cart, {'max_speed_mps': 2.0}, '. 2.0 m/s and 1.5 m/s² make 1.33 m')
+    expect_rejected(trial, cart, {'max_acceleration_mps2': 0.9})
+    expect_accepted(trial, cart, {'use_sim_time': False}, '. It has nothing to do with the rule')
 
 
-@judge.require('both in one request are judged together', see=JUDGE)
+@judge.require('both in one request are judged together, in either order', see=JUDGE)
 def together(trial: Trial) -> None:
     cart = start_cart(trial)
     expect_accepted(trial, cart, settings(2.0, 1.0),
-                    '. The proposed speed has to be held against the proposed acceleration, and 2.0 m are just allowed')
+                    '. The rule is about the proposed speed and the proposed acceleration, and 2.0 m is still allowed')
     expect_rejected(trial, cart, settings(2.0, 0.9))
+    expect_accepted(trial, cart, {'max_acceleration_mps2': 0.2, 'max_speed_mps': 0.5}, '. They make 0.63 m')
+    for bad in ({'max_acceleration_mps2': 0.5, 'max_speed_mps': 1.9}, settings(1.9, 0.5)):
+        expect_rejected(trial, cart, bad)
 
 
 @judge.require('a cart that is given such values at its start does not start', see=JUDGE)
 def start_values(trial: Trial) -> None:
-    start_cart(trial, 1.5, 1.0)
-    try:
-        start_cart(trial, 2.0, 0.5)
-    except NoUse:
-        return
-    raise NotYet('a cart with 2.0 m/s and 0.5 m/s² ends in its constructor', 'it has started. An on-set callback that '
-                 'is registered after the declarations is not asked about start values')
+    held = trial.client(start_cart(trial, 1.5, 1.0)).get_parameters([*settings(1.5, 1.0)])
+    expect(dict(held) == settings(1.5, 1.0), 'a cart that is started with 1.5 m/s and 1.0 m/s² has them', f'{held}')
+    for bad in ((2.0, 0.5), (1.0, 0.2), (1.5, 0.5)):
+        try:
+            start_cart(trial, *bad)
+        except NoStart:
+            continue
+        raise NotYet('a cart with {} m/s and {} m/s² ends in its constructor'.format(*bad),
+                     'it has started. An on-set callback that is registered after the declarations never sees the '
+                     'start values')
 
 
 # -- 11c ----------------------------------------------------------------------------------------------------
 
 act = Exercise('11c', 'Act on what is stored', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
     'Something has to happen when values are stored, and not before: which of the three callbacks is that?',
-    'Register it with `add_post_set_parameters_callback`, and work out `self.trip_sec` in it from `get_parameter`.',
-    'The constructor calls the same method once, after `super().__init__()`: there the start values are stored.'))
+    'Register it with `add_post_set_parameters_callback`, and calculate `self.trip_sec` in it from `get_parameter`.',
+    'The constructor calls the same method once, after `super().__init__()`: by then the start values are stored.'))
 
 
-def expect_trip(cart: Node, speed_mps: float, acceleration_mps2: float, when: str) -> None:
-    """Expect `self.trip_sec` to be right."""
-    wanted, found = AISLE_M / speed_mps + speed_mps / acceleration_mps2, getattr(cart, 'trip_sec', None)
-    expect(isinstance(found, (int, float)) and math.isclose(found, wanted), f'`self.trip_sec` is {wanted:g} {when}',
-           f'it is `{found!r}`')
+def expect_trip(trial: Trial, cart: Node, speed_mps: float, acceleration_mps2: float, when: str) -> None:
+    """Expect `self.trip_sec` to be right, soon: it may come by an event."""
+    wanted = AISLE_M / speed_mps + speed_mps / acceleration_mps2
+
+    def is_right() -> bool:
+        found = getattr(cart, 'trip_sec', None)
+        return isinstance(found, (int, float)) and math.isclose(found, wanted)
+
+    trial.wait(is_right, f'`self.trip_sec` is {wanted:g} {when}',
+               lambda: f'it is `{getattr(cart, "trip_sec", None)!r}`')
 
 
 @act.require('`self.trip_sec` is right from the start, whatever the cart starts with', see=JUDGE)
 def from_the_start(trial: Trial) -> None:
-    expect_trip(start_cart(trial), 1.0, 0.5, 'with 1.0 m/s and 0.5 m/s²')
-    expect_trip(start_cart(trial, 1.5, 1.0), 1.5, 1.0, 'in a cart that was started with 1.5 m/s and 1.0 m/s²')
+    expect_trip(trial, start_cart(trial), 1.0, 0.5, 'with 1.0 m/s and 0.5 m/s²')
+    expect_trip(trial, start_cart(trial, 1.5, 1.0), 1.5, 1.0, 'in a cart that was started with 1.5 m/s and 1.0 m/s²')
 
 
 @act.require('it follows what is stored', see=JUDGE)
 def follows(trial: Trial) -> None:
     cart = start_cart(trial)
-    expect_accepted(trial, cart, {'max_speed_mps': 1.2})
-    expect_trip(cart, 1.2, 0.5, 'once 1.2 m/s is stored')
-    expect_accepted(trial, cart, settings(2.0, 1.0))
-    expect_trip(cart, 2.0, 1.0, 'once 2.0 m/s and 1.0 m/s² are stored')
+    for asked, stored in (({'max_speed_mps': 1.2}, (1.2, 0.5)), (settings(2.0, 1.0), (2.0, 1.0)),
+                          ({'max_acceleration_mps2': 1.6}, (2.0, 1.6)), ({'max_speed_mps': 0.8}, (0.8, 1.6)),
+                          ({'max_acceleration_mps2': 0.3, 'max_speed_mps': 0.6}, (0.6, 0.3)),
+                          ({'use_sim_time': False}, (0.6, 0.3))):
+        expect_accepted(trial, cart, asked)
+        expect_trip(trial, cart, *stored, 'once {} m/s and {} m/s² are stored'.format(*stored))
 
 
 @act.require('it stays as it is when a change is rejected in the end', see=JUDGE)
 def acts_late(trial: Trial) -> None:
     cart = start_cart(trial, node_class=derive(WithSecondJudge, trial.work))
     expect_accepted(trial, cart, {'max_speed_mps': 1.2})
-    expect_trip(cart, 1.2, 0.5, 'once 1.2 m/s is stored')
-    expect_left_alone(trial, cart, 'trip_sec', {'max_speed_mps': 0.6})
+    expect_trip(trial, cart, 1.2, 0.5, 'once 1.2 m/s is stored')
+    for rejected in ({'max_speed_mps': 0.6}, {'max_acceleration_mps2': 1.0}):
+        expect_left_alone(trial, cart, 'trip_sec', rejected)
 
 
 # -- 11d ----------------------------------------------------------------------------------------------------
@@ -194,75 +233,71 @@ def acts_late(trial: Trial) -> None:
 save = Exercise('11d', 'Save, for the whole fleet', CHAPTER, FUNCTION, hints=(
     "Two things in a cart's dump are not for other carts: its first line, and its `cart_id`.",
     'The first line may be `/**:`, which is for every node. The file needs the two numbers and nothing else.',
-    '`client.get_parameters([...])` gives the two, and `parameter_files.render(node, values)` makes the text of them, '
-    'which has a method `save(path)`.'))
-TUNED = settings(2.0, 1.0)
+    '`client.get_parameters([...])` returns the two, and `parameter_files.render(node, values)` makes the text of '
+    'them, which has a method `save(path)`.'))
+# Once with numbers that lose their dot if nobody takes care of it.
+TUNED = (settings(2.0, 1.0), settings(1.35, 0.875))
+FILE = 'fleet.yaml'
 
 
-def other_cart(trial: Trial, *ros_args: str) -> ParameterClient:
-    """Put a second cart on the stage, with another name and another id."""
-    return trial.client(trial.start(CartNode, ros_args=[
-        '-r', '__node:=second_cart', '-p', 'cart_id:=CART-02', *ros_args]))
+def saved(trial: Trial, tuned: Mapping[str, float]) -> str:
+    """Let the learner's function save the values of a tuned cart, and return what is in the file.
+
+    :raises NoUse: there is no file.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / FILE
+        source = trial.client(start_cart(trial, *tuned.values(), node_class=CartNode))
+        trial.call('`save_for_all(client, path)`', trial.work, source, path)
+        if not path.is_file():
+            raise NoUse('a file at `path`', 'there is none')
+        return path.read_text(encoding='utf-8')
 
 
-def saved_file(trial: Trial, folder: str) -> Path:
-    """Let the learner's function save the values of a tuned cart."""
-    path = Path(folder) / 'fleet.yaml'
-    source = trial.client(start_cart(trial, *TUNED.values(), node_class=CartNode))
-    trial.call('`save_for_all(client, path)`', trial.work, source, path)
-    if not path.exists():
-        raise NoUse('a file at `path`', 'there is none')
-    return path
+def expect_from_file(trial: Trial, name: str, because: str) -> None:
+    """Expect a cart of another name to have what the file says, and its own id."""
+    for tuned in TUNED:
+        second = trial.client(trial.start_with_files(
+            CartNode, {FILE: saved(trial, tuned)}, '-r', f'__node:={name}', '-p', 'cart_id:=CART-02',
+            '--params-file', FILE))
+        held = dict(second.get_parameters(tuned))
+        expect(held == tuned, _assignments(tuned), f'{_assignments(held)}{because}')
 
 
-def expect_held(client: ParameterClient, wanted: Mapping[str, Any], because: str = '') -> None:
-    """Expect a cart to hold values."""
-    held = dict(client.get_parameters(wanted))
-    expect(held == wanted, ', '.join(f'`{name} = {value!r}`' for name, value in wanted.items()),
-           ', '.join(f'`{name} = {value!r}`' for name, value in held.items()) + because)
+def _assignments(values: Mapping[str, Any]) -> str:
+    return ', '.join(f'`{name} = {value!r}`' for name, value in values.items())
 
 
 @save.require('a cart of another name that is started with the file has the values', see=SAVE)
 def starts_with_it(trial: Trial) -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        second = other_cart(trial, '--params-file', str(saved_file(trial, folder)))
-    expect_held(second, TUNED, '. A file reaches the nodes that its first line names, and is silent to all others')
+    for name in ('second_cart', 'tug'):
+        expect_from_file(trial, name, '. A file is for the nodes that its first line names')
 
 
 @save.require('and keeps its own `cart_id`', see=SAVE)
 def keeps_its_id(trial: Trial) -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        second = other_cart(trial, '--params-file', str(saved_file(trial, folder)))
-    expect_held(second, {**TUNED, 'cart_id': 'CART-02'},
-                '. At a start, a file gives values to read-only parameters, too')
-
-
-@save.require('a running cart of another name loads it', see=SAVE)
-def loads_it(trial: Trial) -> None:
-    second = other_cart(trial)
-    with tempfile.TemporaryDirectory() as folder:
-        path = saved_file(trial, folder)
-        try:
-            # Together: one by one, a new speed would be held against the old acceleration.
-            results = second.load(path, atomically=True)
-        except ParameterFileError as error:
-            raise NotYet('the file can be loaded into `/second_cart`', str(error).replace(f'{path}', path.name)
-                         ) from None
-    expect(results.successful, 'the second cart accepts all that is in the file', f'{results}')
-    expect_held(second, TUNED)
+    for tuned in TUNED:
+        second = trial.client(trial.start_with_files(
+            CartNode, {FILE: saved(trial, tuned)}, '-r', '__node:=second_cart', '-p', 'cart_id:=CART-02',
+            '--params-file', FILE))
+        found = second.get_parameter('cart_id')
+        expect(found == 'CART-02', "`cart_id` is `'CART-02'`, as `-p` says before the file",
+               f'it is `{found!r}`. At a start, a file gives values to read-only parameters, too')
 
 
 # -- 11e ----------------------------------------------------------------------------------------------------
 
 launch = Exercise('11e', 'Launch it, with an override', CHAPTER, TEXT, hints=(
     'The launch files in `param_tutorial/launch` show the frame: a function that returns a `LaunchDescription` with a '
-    '`Node` in it. This one has a `namespace=` too.',
+    '`Node` in it. This one has a `namespace=` as well.',
     'The parameter file is `os.path.join(get_package_share_directory("param_tutorial"), "config", '
     '"cart_config.yaml")`. It is the first in the list `parameters`, and a dictionary comes after it.',
-    'Above 0.4 m/s² or so the cart could not stop from 1.5 m/s. So the dictionary has two values: '
-    '`{"max_speed_mps": 1.5, "max_acceleration_mps2": 0.6}`.'))
+    'From 1.5 m/s the cart needs at least 0.57 m/s² to stop in time, and the file says 0.4. So the dictionary has two '
+    'values: `{"max_speed_mps": 1.5, "max_acceleration_mps2": 0.6}`.'))
 LAUNCHED = '/aisle_3/cart_node'
-STARTUP_SEC = 30.0
+# How long the first node may take to come, and how long the cart after another one.
+ARRIVAL_SEC, LATER_SEC = 8.0, 3.0
+ANSWER_SEC = 30.0
 
 
 @functools.lru_cache(maxsize=8)
@@ -276,26 +311,29 @@ def values_after_launch(text: str) -> dict[str, Any]:
     ros = stage.current()
     before = Counter(ros.services.node_names())
 
-    def carts() -> Counter[str]:
-        """Return the carts that were not there before."""
-        return Counter(name for name in ros.services.node_names() if name.endswith('/cart_node')) - before
+    def new() -> Counter[str]:
+        """Return the nodes that were not there before."""
+        return Counter(ros.services.node_names()) - before
 
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / 'cart_launch.py'
         path.write_text(text)
         terminal = Terminal(f'ros2 launch {path}')
         try:
-            wait_until(lambda: carts() or not terminal.is_running, 'a cart', STARTUP_SEC)
-            if carts() and LAUNCHED not in carts():
-                raise NoUse(f'a node `{LAUNCHED}`', f'there came a `{min(carts())}`')
-            wait_until(lambda: is_there(ros) or not terminal.is_running, LAUNCHED, STARTUP_SEC)
-            return dict(ParameterClient(LAUNCHED, timeout_sec=STARTUP_SEC).get_parameters(
+            wait_until(lambda: new() or not terminal.is_running, 'a node', ARRIVAL_SEC)
+            if new() and not any(name.endswith('/cart_node') for name in new()):
+                with contextlib.suppress(WaitTimeoutError):
+                    wait_until(lambda: LAUNCHED in new() or not terminal.is_running, LAUNCHED, LATER_SEC)
+            if new() and LAUNCHED not in new():
+                raise NoUse(f'a node `{LAUNCHED}`', f'there came a `{min(new())}`')
+            wait_until(lambda: is_there(ros) or not terminal.is_running, LAUNCHED, ANSWER_SEC)
+            return dict(ParameterClient(LAUNCHED, timeout_sec=ANSWER_SEC).get_parameters(
                 ['cart_id', *settings(1.5, 0.6)]))
         except (NodeError, WaitTimeoutError):
             pass  # it has never come, or has ended in its constructor
         finally:
-            terminal.interrupt(STARTUP_SEC)
-            wait_until(lambda: not carts(), 'the cart to leave', STARTUP_SEC)
+            terminal.interrupt(ANSWER_SEC)
+            wait_until(lambda: not new(), 'the cart to leave', ANSWER_SEC)
     lines = [line.replace(folder, '…') for line in terminal.text.splitlines()]
     reasons = [line for line in lines if 'Error' in line or 'Exception' in line]
     raise NoUse(f'a node `{LAUNCHED}`', 'none came' + ''.join(
@@ -333,13 +371,15 @@ def with_the_file(trial: Trial) -> None:
     found = expect_launched(trial)
     expect(found['cart_id'] == 'CART-07', "`cart_id` is `'CART-07'`, as in the file",
            f'it is `{found["cart_id"]!r}`: the file has not been loaded')
+    # The same id, written into the launch file, would be that of this cart for ever.
+    expect('cart_config' in trial.work, 'the launch file names `cart_config.yaml`', 'it does not')
 
 
 # -- 11f ----------------------------------------------------------------------------------------------------
 
 tune = Exercise('11f', 'Tune it', CHAPTER, FUNCTION, hints=(
     'Solve `12 / v + v / a = 8` for `a`. Which `v` makes it smallest?',
-    '`a = v² / (8 v − 12)`. It falls as `v` rises, up to 3 m/s. The range of the speed ends before that.',
+    '`a = v² / (8 v − 12)`. It falls as `v` rises, up to 3 m/s, and the range of the speed ends before that.',
     'Both together or not at all: with the old acceleration the new speed would be rejected. '
     '`client.set_parameters_atomically({...})` sends one request.'))
 GOAL_SEC = 8.0
@@ -368,26 +408,25 @@ def tuned(trial: Trial, *start: float) -> Watched:
 
 @tune.require('the aisle takes at most 8 s', see=TUNE)
 def in_time(trial: Trial) -> None:
-    cart = tuned(trial)
-    expect(cart.trip_sec <= GOAL_SEC + 1e-9, 'at most 8 s', f'{cart.trip_sec:.2f} s, with '
-           f'{" m/s and ".join(f"{each:g}" for each in cart.settings())} m/s²')
+    for start in ((), (0.5, 0.2)):
+        cart = tuned(trial, *start)
+        if cart.trip_sec > GOAL_SEC + 1e-9:
+            raise NoUse('at most 8 s', f'{cart.trip_sec:.2f} s, with '
+                        f'{" m/s and ".join(f"{each:g}" for each in cart.settings())} m/s²')
 
 
 @tune.require('with the gentlest acceleration that will do', see=TUNE)
 def gently(trial: Trial) -> None:
-    cart = tuned(trial)
-    in_time(trial)
-    found = cart.settings()[1]
+    found = tuned(trial).settings()[1]
     expect(found <= GENTLEST_MPS2 * 1.01, 'no acceleration is gentler and still in time',
            f'{found:g} m/s²; there is a gentler one, with a higher speed')
 
 
 @tune.require('both values change together, in one request', see=TUNE)
 def at_once(trial: Trial) -> None:
-    in_time(trial)
-    cart = tuned(trial, 0.5, 0.2)
-    expect(cart.requests == [2], 'one request, with two parameters',
-           f'{len(cart.requests)} requests, with {" and ".join(map(str, cart.requests))}')
+    requests = tuned(trial, 0.5, 0.2).requests
+    expect(all(each == 2 for each in requests), 'two parameters in each request',
+           f'{len(requests)} requests, with {" and ".join(map(str, requests))}')
 
 
 @tune.show

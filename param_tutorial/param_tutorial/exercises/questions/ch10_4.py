@@ -1,56 +1,65 @@
-"""Predictions of chapter 10.4: rules, aliases, and sets of parameters."""
+"""Predictions of chapter 10.4: rules and old names."""
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'You did not wait for a better ROS. You built it out of three callbacks and six services.'
+SOLVED = 'You did not wait for a better ROS. You built it out of three callbacks.'
 
 RECALLS = (
     Recall('10.4-r1', 'A node rejects a value. How many parameter events does it publish?', (
         right('none', 'Nothing has changed, so there is nothing to report.'),
         wrong('one, with the old value', 'Events report what has changed, and nothing has.'),
-        wrong('one, with the reason', 'The reason goes to the caller alone, in the answer.')),
+        wrong('one, with the reason', 'Only the caller gets the reason, in the answer.')),
            chapter='10.1', section='Change it: what is published, and how often'),
-    Recall('10.4-r2', 'A node keeps a rule for two parameters in an on-set callback. When is it not asked?', (
-        wrong('when the value comes from a terminal', 'Whoever asks, the callback is called: the service is the '
-              'same.'),
-        wrong('when only one of the two is set', 'It is called for each request that gets that far, and has to '
-              'look up the other value itself.'),
-        right('when the value has the wrong type', 'The type is checked first, and the callback never sees such '
-              'a value.')),
+    Recall('10.4-r2', 'A node keeps a rule for two parameters in an on-set callback. Which request does the callback '
+           'never see?', (
+        wrong('one from a terminal', 'The terminal calls the same service as everybody else, and the node asks its '
+              'callback.'),
+        wrong('one that sets only one of the two', 'The callback sees it, and has to look up the other value itself.'),
+        right('one with a value of the wrong type', 'The node checks the type first, and rejects the value without '
+              'asking the callback.')),
            chapter='6.2', section='Who rejects, and in which order?'),
 )
 
 PREDICTIONS = (
     Prediction('10.4-1', 'The pattern is two capital letters and four digits, and the callback tries it with '
                '`re.match`. What does the node answer to `AB1234567`?', (
-        wrong('It rejects it: there are too many digits', '`re.match` looks whether the text *begins* like the '
-              'pattern. What comes after that is free.'),
-        right('It accepts it', '`re.match` looks whether the text *begins* like the pattern; `re.fullmatch` is what '
-              'was meant.'))),
-    Prediction('10.4-2', 'Stored are -5 and 40. Each proposed value is compared with the stored other one. What does '
-               'the node answer to the pairs 50, 60 and 30, 20?', (
-        wrong('It accepts the first and rejects the second', 'That would be right, and it is not what the callback '
-              'does: it compares with stored values.'),
-        right('It rejects the first and accepts the second', '50 is not below the stored 40. And 30 is below it, as 20 '
-              'is above the stored -5.'),
+        wrong('It rejects it: there are too many digits', '`re.match` asks whether the string *begins* like the '
+              'pattern. It does not look at what comes after that.'),
+        right('It accepts it', '`re.match` asks whether the string *begins* like the pattern.'))),
+    Prediction('10.4-2', 'Stored are -5 and 40. The callback compares each proposed value with the other stored one. '
+               'What does the node answer to the pairs 50, 60 and 30, 20?', (
+        wrong('It accepts the first and rejects the second', 'That would be right, but the callback compares with '
+              'stored values.'),
+        right('It rejects the first and accepts the second', '50 is not below the stored 40. But 30 is, and 20 is '
+              'above the stored -5.'),
         wrong('It rejects both', 'The second passes: 30 is below the stored 40, and 20 is above the stored -5.'))),
-    Prediction('10.4-3', 'Stored are 50 and 60. `set_parameters` is called with `high_c` = 10 and `low_c` = 0, in this '
+    Prediction('10.4-3', 'The callback divides by the voltage, and the request is 0. What happens?', (
+        wrong('The node rejects 0: an exception is no yes', 'rclpy does not make a rejection of it. The exception '
+              'leaves the callback.'),
+        wrong('The node accepts 0: the callback did not say no', 'Nothing is stored. The exception leaves the '
+              'callback before there is an answer.'),
+        right('The exception leaves the callback, and there is no answer', 'rclpy catches nothing here. In a program '
+              'of its own the node would be gone.'))),
+    Prediction('10.4-4', 'Stored are 50 and 60. `set_parameters` is called with `high_c` = 10 and `low_c` = 0, in this '
                'order. What becomes of them?', (
         wrong('Both are accepted: together they are in order', 'In `set_parameters` each is a change of its own, and '
               '10 is not above the stored 50.'),
         wrong('Both are rejected', 'The second is a change of its own, and 0 is below the stored 60.'),
         right('The first is rejected, the second accepted', 'Each is a change of its own: 10 is not above the stored '
               '50, and 0 is below the stored 60.'))),
-    Prediction('10.4-4', 'Two pre-set callbacks now, one for each old name. A client sets `speed`, the old name that '
+    Prediction('10.4-5', 'Two pre-set callbacks now, one for each old name. A client sets `speed`, the old name that '
                'worked a moment ago. What happens?', (
         wrong('It works: each callback forwards its own name', 'Each gets the original request, and rclpy strings '
               'their answers together. The second one passes `speed` on.'),
-        right('It is rejected: undeclared', 'The second callback passes `speed` on as it was, and that parameter is '
-              'not declared.'),
+        right('It is rejected: undeclared', 'The second callback passes `speed` on as it was, and no such parameter '
+              'is declared.'),
         wrong('Only the callback registered last is called', 'Both are called, and rclpy strings their answers '
               'together. That is the trouble.'))),
-    Prediction('10.4-5', "What does Python say to `{'gain': 1, 'safe': True} == {'gain': 1.0, 'safe': 1}`?", (
-        right('True', 'For Python 1 is 1.0, and True is 1. For ROS nothing in the two is equal.'),
-        wrong('False: the types differ', 'For ROS they do, and that is what counts for a parameter. Python compares '
-              'the numbers.'))),
+    Prediction('10.4-6', 'One atomic request sets `max_speed_rpm` to 10 and `speed` to 20. Each name is a mirror of '
+               'the other. What does the node hold afterwards?', (
+        wrong('10 and 20', 'The pre-set callback makes each of the two a change of both names.'),
+        wrong('what it held before: the request contradicts itself', 'Nobody looks for the contradiction, and a '
+              'pre-set callback could not reject it.'),
+        right('20 and 20', 'The callback makes each of the two a change of both names, and the later one stays.'),
+        wrong('10 and 10', 'The callback makes each of the two a change of both names. The later one stays.'))),
 )

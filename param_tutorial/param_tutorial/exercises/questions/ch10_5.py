@@ -1,0 +1,51 @@
+"""Predictions of chapter 10.5: sets of parameters, compared and brought back."""
+
+from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
+
+SOLVED = 'You know what differs, and the way back. Six services were enough for it.'
+
+RECALLS = (
+    Recall('10.5-r1', '`set_parameters` asks for three parameters, and the node rejects the second. What is stored '
+           'then?', (
+        right('the first and the third', 'Each is decided for itself.'),
+        wrong('only the first: the node stops there', 'The node goes on. Each parameter is decided for itself.'),
+        wrong('none of the three', 'That is what `set_parameters_atomically` does. Here each is decided for itself.')),
+           chapter='5.3', section='Change it: one of four is wrong'),
+    Recall('10.5-r2', 'A rule holds for two parameters. Which values does a right on-set callback judge?', (
+        wrong('the proposed ones only', 'A request may hold one of the two, and the other is then the stored one.'),
+        wrong('each proposed one against the stored other one', 'With both in one request, neither of the stored '
+              'ones will be there afterwards.'),
+        right('those that the node would hold after the whole change', 'Proposed where there is one, and stored '
+              'where there is none.')),
+           chapter='10.4', section='Rules across parameters'),
+)
+
+PREDICTIONS = (
+    Prediction('10.5-1', "What does Python say to `{'gain': 1, 'safe': True} == {'gain': 1.0, 'safe': 1}`?", (
+        right('True', 'For Python 1 equals 1.0, and True equals 1. For ROS nothing in the two is equal.'),
+        wrong('False: the types differ', 'For ROS they do, and that is what counts for a parameter. Python compares '
+              'the numbers.'))),
+    Prediction('10.5-2', 'The file says 150 rpm and *brisk*, the robot holds 250 rpm and *brisk*. How many '
+               'differences does `compare(file, robot)` find?', (
+        wrong('1', 'The speed is one. The robot also has five parameters that the file does not mention.'),
+        wrong('2', 'The mode is the same. But the robot has five parameters that the file does not mention.'),
+        right('6', 'The speed, and five names that only the robot has.')),
+        otherwise='Six: the speed, and five names that only the robot has.'),
+    Prediction('10.5-3', 'Stored are -30 and -10, and the saved set says -5 and 40. `set_parameters` gets all seven '
+               'parameters of the set, in this order. How many does the robot reject?', (
+        wrong('0', 'Two are read-only, and a request for them is rejected even if it changes nothing. And `low_c` '
+              'meets the stored -10.'),
+        wrong('2', 'The two read-only ones, and one more: `low_c` comes first and meets the stored -10.'),
+        right('3', 'Two are read-only, and `low_c` meets the stored -10.')),
+        otherwise='Three. Two are read-only, and `low_c` meets the stored -10.'),
+    Prediction('10.5-4', 'The robot in the lab has another `serial`, which is read-only, and no `wings`. Its '
+               '`low_c` differs as well. What does the atomic request of `bring_back` set?', (
+        wrong('low_c, and not the other two', 'An atomic request is all or nothing, and two of its parts are '
+              'impossible.'),
+        right('nothing', 'An atomic request is all or nothing, and two of its parts are impossible.'),
+        wrong('what comes before serial', 'The order does not matter: an atomic request is all or nothing.'))),
+    Prediction('10.5-5', 'The history kept 100, 120 and 140. Which speeds do undo, undo and redo bring?', (
+        right('120, 100, 120', 'Two steps back, and one forth.'),
+        wrong('140, 120, 140', '140 is where the robot is. The first undo leaves it.'),
+        wrong('120, 100, 140', '`redo` takes back the last undo, and not both.'))),
+)
