@@ -61,7 +61,7 @@ WRONG = {
         ([(_CALL, _BY_HAND.replace("reason = 'no mode'", "reason = ''"))], 3, 'it was accepted'),
         ([(_CALL, _BY_HAND.replace('after.update', 'after.updat'))], 0, "no attribute 'updat'"),
         ([("super().__init__('drone')", "super().__init__('drone')\n        import time; time.sleep(60)")], 0,
-         'had not come to an end'),
+         'was still running'),
     ],
     '10.4b': [
         ([(f'        {_ALIASES}\n', '')], 0, 'there are only `width_mm`, `plate_number`'),

@@ -61,7 +61,7 @@ WRONG = {
         ([('speed ** 2 / (2 * acceleration)', 'speed / (2 * acceleration)')], 0, 'it was accepted'),
         ([('speed ** 2 / (2 * acceleration)', 'speed ** 2 / 2 * acceleration')], 0, 'it was accepted'),
         ([('> SIGHT_M + 1e-9', '>= SIGHT_M')], 2, '2.0 m is still allowed'),
-        # The stored values of the start, for ever.
+        # The stored values of the start, forever.
         ([('        self.add_on_set', '        self.stored = self.settings()\n        self.add_on_set'),
           ('        speed, acceleration = self.settings()\n', '        speed, acceleration = self.stored\n')], 2,
          'it was accepted'),
@@ -164,7 +164,7 @@ WRONG = {
          '14.00 s'),
         ([(_SET, "client.get_parameters()['max_speed_mps'] = 2.0")], 0, '14.00 s'),
         ([('atomically', 'atomicaly')], 0, 'atomicaly'),
-        ([(_SET, f'while True: {_SET}')], 0, 'had not come to an end'),
+        ([(_SET, f'while True: {_SET}')], 0, 'was still running'),
     ],
 }
 

@@ -371,7 +371,7 @@ def with_the_file(trial: Trial) -> None:
     found = expect_launched(trial)
     expect(found['cart_id'] == 'CART-07', "`cart_id` is `'CART-07'`, as in the file",
            f'it is `{found["cart_id"]!r}`: the file has not been loaded')
-    # The same id, written into the launch file, would be that of this cart for ever.
+    # The same id, written into the launch file, would be that of this cart forever.
     expect('cart_config' in trial.work, 'the launch file names `cart_config.yaml`', 'it does not')
 
 
