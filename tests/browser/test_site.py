@@ -395,7 +395,7 @@ def test_a_chapter_that_fails_stops_the_build_and_the_old_site_stays(made, tmp_p
     nbformat.write(nbformat.v4.new_notebook(cells=[
         nbformat.v4.new_markdown_cell('# 3 · Broken'),
         nbformat.v4.new_code_cell('undefined', execution_count=1)]), notebooks / '3_broken.ipynb')
-    with pytest.raises(run.ChapterError, match=r'3_broken\.ipynb, cell 2 \(undefined\): it ends in NameError'):
+    with pytest.raises(run.ChapterError, match=r'3_broken\.ipynb, cell 2 \(undefined\): it raises NameError'):
         Site(notebooks, made.target, made.work).build()
     assert files(made.target) == before
 

@@ -45,7 +45,7 @@ def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
 @pytest.mark.slow
 def test_a_chapter_that_fails(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('1 / 0', ''))
-    with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(1 / 0\): it ends in ZeroDivisionError: division'):
+    with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(1 / 0\): it raises ZeroDivisionError: division'):
         run.run_chapter(path)
 
 

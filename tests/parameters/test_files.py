@@ -268,13 +268,13 @@ def test_a_block_is_for_the_nodes_that_rcl_gives_it_to(ros, block, node):
 
 @pytest.mark.parametrize(('text', 'complaint'), [
     ('/n:\n  ros__parameters:\n    a: 1\n    b: *x\n', 'line 4: '),
-    ('/n:\n  ros__parameters:\n    a:\n    b: 1\n', 'line 3: a has no value; for an empty text write'),
+    ('/n:\n  ros__parameters:\n    a:\n    b: 1\n', 'line 3: a has no value; for an empty string write'),
     ('/n:\n  ros__parameters:\n    a: {}\n', 'line 3: a has no value'),
     ('/n:\n  ros__parameters:\n    a: [1, x]\n', 'line 3: the elements of a must all be of one type'),
     ('/n:\n  ros__parameters:\n    a: [[1], [2]]\n', 'line 3: a list cannot stand here'),
     ('/n:\n  a: 1\n', 'line 2: there is a value before ros__parameters'),
     ('ros__parameters:\n  a: 1\n', 'line 1: there is no node name before ros__parameters'),
-    ('/my node:\n  ros__parameters:\n    a: 1\n', "line 2: '/my node' is no name of a node"),
+    ('/my node:\n  ros__parameters:\n    a: 1\n', "line 2: '/my node' is not a node name"),
     ('/n:\n\tros__parameters:\n', 'line 2: this is not YAML'),
     ('/other:\n  ros__parameters:\n    a: 1\n', 'holds nothing for /n; it is for /other'),
     ('', 'holds nothing for /n; it is for no node at all'),

@@ -108,7 +108,7 @@ def test_a_set_cannot_be_changed_and_holds_parameters_only():
         kept['a'] = 1
     with pytest.raises(InvalidValueError, match=r'kept: a cannot be a parameter: \{\} is a dict'):
         ParameterSet({'a': {}}, 'kept')
-    with pytest.raises(InvalidValueError, match='kept: 3 is no name'):
+    with pytest.raises(InvalidValueError, match='kept: 3 is not a parameter name'):
         ParameterSet({3: 1}, 'kept')
     assert ParameterSet({'a': 1}) != {'a': True}
 

@@ -54,7 +54,7 @@ def test_all_values_of_all_nodes(ros):
 def test_a_single_node_will_do_and_nonsense_is_told(ros):
     node = ros.add(Node, 'plain')
     assert list(all_parameters('plain')) == list(all_parameters(node)) == ['/plain']
-    with pytest.raises(TypeError, match='3 is no node'):
+    with pytest.raises(TypeError, match='3 is not a node'):
         all_parameters([3])
 
 

@@ -86,7 +86,7 @@ def test_a_network_that_the_user_chose_is_not_narrowed():
 
 @pytest.mark.parametrize('wrong', ['-1', '233', '1.5', 'seven', '²'])
 def test_nonsense_is_rejected(wrong):
-    assert f"ROS_DOMAIN_ID is '{wrong}': it must be a whole number" in choose(ROS_DOMAIN_ID=wrong).stderr
+    assert f"ROS_DOMAIN_ID is '{wrong}': it must be an integer" in choose(ROS_DOMAIN_ID=wrong).stderr
 
 
 @pytest.mark.parametrize('participant', [0, 1, 7])

@@ -26,7 +26,7 @@ def test_a_name_becomes_fully_qualified(given, name):
 
 def test_so_does_a_node_and_nothing_else(ros):
     assert full_name(ros.add(Node, 'talker', namespace='/left')) == '/left/talker'
-    with pytest.raises(TypeError, match='3 is no node'):
+    with pytest.raises(TypeError, match='3 is not a node'):
         full_name(3)
 
 

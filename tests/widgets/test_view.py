@@ -36,7 +36,7 @@ def test_a_panel_without_an_executor_says_so_and_comes_alive_with_one(view):
 def test_a_view_of_nonsense_says_so_and_nothing_else(ros, view, monkeypatch):
     others = []
     monkeypatch.setattr(sys, 'unraisablehook', lambda each: others.append(each.exc_value))
-    with pytest.raises(TypeError, match='3 is no node'):
+    with pytest.raises(TypeError, match='3 is not a node'):
         view(3)
     gc.collect()  # and ipywidgets closes what was never built
     assert others == []
