@@ -71,10 +71,9 @@ class CallbackWatch:
         self._failed = error, callback
 
     def culprit(self, error: BaseException) -> Callback | None:
-        """Return the callback that raised this exception, None if it was not watched."""
-        if self._failed is not None and self._failed[0] is error:
-            return self._failed[1]
-        return None
+        """Return the callback that raised this exception, None if it was not watched. Ask once for each."""
+        failed, self._failed = self._failed, None  # an exception keeps all that its frames hold
+        return failed[1] if failed is not None and failed[0] is error else None
 
     def around(self, callback: Callback) -> Callable[..., Any]:
         """Return a function that does what the callback does, and tells this watch."""
