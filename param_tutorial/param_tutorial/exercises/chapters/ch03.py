@@ -92,7 +92,7 @@ def wheels_locked(trial: Trial) -> None:
     for other in (4, 8, 0):
         client.set_parameter('wheels', other)
         expect(client.get_parameter('wheels') == before, f'`wheels = {other}` is rejected',
-               'the node accepted it. The field `read_only` of the descriptor locks a parameter')
+               'the node accepted it. The field `read_only` of the descriptor makes a parameter read-only')
 
 
 mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hints=(

@@ -43,5 +43,5 @@ PREDICTIONS = (
               'node has its own.'),
         right('100', 'A parameter belongs to one node. The second robot still has its default.'),
         wrong('It has none, since nobody has set it', 'Each node declares its own parameters, with a default. The '
-              'second robot still has it.'))),
+              'second robot still has that default.'))),
 )

@@ -45,10 +45,11 @@ PREDICTIONS = (
               'and exits with 0.'))),
     Prediction('2-6', 'The workspace was built with `--symlink-install`. Since then the node has got its words from a '
                'new file, *third version*, and nothing was built. Which version starts?', (
-        wrong('the second', 'That would be a copy. With `--symlink-install`, Python is led back to the source.'),
+        wrong('the second', 'That version would be in a copy. With `--symlink-install`, Python follows links to the '
+              'source.'),
         right('the third', 'There is no copy. The link leads to the folder in `src`, with all that is in it.'),
-        wrong('none: the new file has no link yet', 'The link leads to the folder, not to single files. What you put '
-              'into the folder is found.'))),
+        wrong('none: the new file has no link yet', 'The link leads to the folder, not to single files. Python finds '
+              'whatever you put into the folder.'))),
     Prediction('2-7', 'The list has the overlay first and its underlay after it. Which version starts?', (
         right('the fourth, from the overlay', 'The first folder in the list that has the package decides, and that is '
               'the overlay.'),

@@ -18,8 +18,8 @@ PREDICTIONS = (
               'expects a double.'),
         wrong('It accepts it, and the parameter is an integer from now on', 'The default has decided the type for '
               "good. Later values don't change it."),
-        right('It rejects it', 'An integer is not a double, and ROS does not convert. The next cell but one adds a '
-              'dot.'))),
+        right('It rejects it', 'An integer is not a double, and ROS does not convert. The second cell below adds '
+              'a dot.'))),
     Prediction('3-3', 'The constructor declares `robot_name` a second time, with another default. What happens?', (
         wrong('The second default replaces the first', 'To declare is to create, not to set. You cannot create a name '
               'that exists.'),
@@ -30,8 +30,8 @@ PREDICTIONS = (
     Prediction('3-4', 'The range is 0 to 100, and the default is 120. What does the node do when it starts?', (
         wrong('It starts with 120: a range checks later changes', 'A range is enforced from the first value on, and '
               'the default is the first value.'),
-        wrong('It starts with 100, the nearest valid value', 'A range does not correct a value. The node takes it or '
-              'rejects it.'),
+        wrong('It starts with 100, the nearest valid value', 'A range does not correct a value. The node accepts it '
+              'or rejects it.'),
         right('It does not start', 'The declaration raises `InvalidParameterValueException`: the default is out of '
               'range.'))),
     Prediction('3-5', 'The descriptor says integer, and the default is 0.5. Which type does `gain` get?', (
@@ -52,6 +52,6 @@ PREDICTIONS = (
         wrong('It rejects it', 'A description is for people. Without a range or a callback, nothing enforces it.'),
         wrong('It accepts it, with a warning', 'The node does not read its own descriptions, so it has nothing to '
               'warn about.'),
-        right('It accepts it', 'The sentence is for people. What the node should enforce has to be a range or a '
+        right('It accepts it', 'The sentence is for people. To enforce something, the node needs a range or a '
               'callback.'))),
 )

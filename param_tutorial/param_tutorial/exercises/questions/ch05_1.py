@@ -13,7 +13,7 @@ RECALLS = (
         right('100', 'The parameter says 150, but the node still uses its copy.')),
            chapter='4', section='Change it: when does a node notice?'),
     Recall('5.1-r2', 'A parameter is a double. Somebody sends it the integer 1. What does the node do?', (
-        wrong('It converts it, and stores 1.0', 'A node of rclpy does not convert, not even an integer to a double.'),
+        wrong('It converts it, and stores 1.0', 'An rclpy node does not convert, not even an integer to a double.'),
         wrong('It stores the integer 1', 'The declaration fixed the type. An integer is another type.'),
         right('It rejects the value', 'The node does not convert: an integer is the wrong type for a double.')),
            chapter='3', section='Build it: one declaration, one type'),
@@ -31,7 +31,7 @@ PREDICTIONS = (
         wrong('that its speed has changed', 'A node logs what its program tells it to log. This program has no line '
               'for a change.'),
         wrong('a warning that somebody else changed it', 'A node does not mind who sets its parameters. It does not '
-              'even learn who it was.'),
+              'even learn who did.'),
         right('nothing', 'The node stored the value, and none of its own lines ran.'))),
     Prediction('5.1-3', 'The acceleration is a double, the speed an integer, the name a string. How many of these four '
                'values does the node accept: 0.75 and 1 for the acceleration, 150.5 for the speed, 42 for the '
