@@ -173,9 +173,16 @@ def test_services_and_subscriptions_may_await_under_rclpys_spin():
         assert slow.has_heard.wait(60)
 
 
+def test_on_the_stage_subscriptions_may_await(ros):
+    slow = ros.add(Slow)
+    wait_until(slow.publisher.get_subscription_count, 'the subscription')
+    slow.publisher.publish(ParameterEvent())
+    assert slow.has_heard.wait(60)
+
+
 # If a later rclpy awaits them, chapter 5.3 may say so.
 @pytest.mark.filterwarnings('ignore:coroutine .* was never awaited')
-def test_on_the_stage_they_are_not_awaited(ros):
+def test_on_the_stage_services_are_not_awaited(ros):
     slow = ros.add(Slow)
     assert slow.client.wait_for_service(60)
     slow.client.call_async(GetParameters.Request())

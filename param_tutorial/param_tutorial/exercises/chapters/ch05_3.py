@@ -69,7 +69,7 @@ supervise = Exercise('5.3a', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name
     'list as one?',
     'The service is `/rover/set_parameters_atomically`, of the type `SetParametersAtomically`. Make its request as '
     'the section “Change it: all or nothing” does, and send it with `call_async`.',
-    '`call_async` returns a future, and `future.add_done_callback(self.on_answer)` has your method called with it. '
+    '`call_async` returns a future. `future.add_done_callback(self.on_answer)` has rclpy call your method with it. '
     '`future.result().result` is the one result, and it has a `reason`.'))
 
 

@@ -48,7 +48,7 @@ PREDICTIONS = (
         wrong('motor 250, parameter 250', 'The callback was registered after the declaration, so nobody told the '
               'motor about the override.'),
         right('motor 100, parameter 250', 'The override took the place of the default when the parameter was declared. '
-              'The motor was set to 100 in the source.'),
+              'But the constructor set the motor to 100.'),
         wrong('motor 100, parameter 100', 'The override takes the place of the default, so the parameter says 250.'))),
     Prediction('5.2-5', 'The pre-set callback cuts the speed to 300 at most. A client asks for 900. What does the '
                'on-set callback see?', (
@@ -63,7 +63,7 @@ PREDICTIONS = (
     Prediction('5.2-6', "A client asks for 'fast', a string, where an integer is declared. The pre-set callback calls "
                '`min(value, 300)`. What happens?', (
         wrong('The node rejects it: wrong type', 'It would, one rung later. rclpy checks the type after the pre-set '
-              'callbacks, and this one fails before.'),
+              'callbacks, and this one fails first.'),
         wrong('It is cut to 300', "`min` can't compare a string with a number. It raises a `TypeError`."),
         right('The callback raises an exception', "rclpy has not checked the type yet, and `min` can't compare a "
               'string with a number.'))),
@@ -91,7 +91,7 @@ PREDICTIONS = (
                'request?', (
         wrong('It is accepted: True means yes', 'rclpy accepts only a `SetParametersResult`. It takes anything else as '
               'a rejection.'),
-        right('It is rejected', 'rclpy takes anything but a `SetParametersResult` as a rejection, which is the safe '
+        right('It is rejected', 'rclpy takes anything but a `SetParametersResult` as a rejection, to be on the safe '
               'side.'),
         wrong('The node ends with an exception', 'rclpy foresees this mistake. It rejects the request, and says that '
               'the callback returned an invalid type.'))),

@@ -48,10 +48,10 @@ PREDICTIONS = (
                '`rclpy.spin`?', (
         wrong('the answer, as on the stage', 'The code is the same, but the executor is not. `rclpy.spin` starts no '
               'other callback of the group until `tick` has finished.'),
-        right('nothing', '`tick` is paused but not finished, and until it has finished, `rclpy.spin` starts no '
-              'other callback of its group: neither the service nor the client.'),
+        right('nothing', 'Nothing after its question. `tick` is paused but not finished, and until it has finished, '
+              '`rclpy.spin` starts no other callback of its group: neither the service nor the client.'),
         wrong('a warning, and then the answer', 'There is no warning. `rclpy.spin` starts no other callback of the '
-              'group until `tick` has finished, so it waits forever.'))),
+              'group until `tick` has finished, so `tick` waits forever.'))),
     Prediction('5.3-5', 'A message says *double*, and its field for doubles was filled with the integer 2. What does '
                'the robot do?', (
         wrong('It rejects it: wrong type', 'The robot looks at the type that the message names, and that is double.'),

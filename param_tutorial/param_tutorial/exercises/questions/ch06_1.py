@@ -37,7 +37,7 @@ PREDICTIONS = (
         right('5', '-20, -15, 0, 50 and 52: both ends are valid, and the steps count from -20.'),
         wrong('4', 'There is one more. Both ends are valid, 52 too, though no step leads there.'),
         wrong('3', 'There are two more. Both ends are valid: -20, and 52 as well.'),
-        wrong('6', 'One less: 12 lies between the ends, but -20 plus any number of fives is never 12.'),
+        wrong('6', 'One fewer: 12 lies between the ends, but -20 plus any number of fives is never 12.'),
         wrong('8', 'A range is enforced: -21 and 53 are outside, and 12 is off the step.')),
         otherwise='It accepts five: -20, -15, 0, 50 and 52. Both ends are valid, and the steps count from -20.'),
     Prediction('6.1-3', 'The acceleration may go up to 2.0. How does the node answer 2.000001 and 2.0001?', (
@@ -68,7 +68,7 @@ PREDICTIONS = (
         wrong('It does not start', 'A message does not check its fields, unless you ask it to.'),
         wrong('It ignores the range', 'The range is of the right kind, and 16.5 is out of range.'),
         wrong('It enforces 0 to 16, and describes 0.0 to 16.0', 'It enforces 0 to 16. But what it describes ends at '
-              'almost nothing: nobody has made doubles of the integers.'),
+              'almost nothing: nothing has converted the integers to doubles.'),
         right('It enforces 0 to 16, and describes something else', 'Python compares the integers well enough, but '
               'the message is sent as if they were doubles.'))),
     Prediction('6.1-7', 'Both parameters share one descriptor, without a range or a lock. How does the node answer if '

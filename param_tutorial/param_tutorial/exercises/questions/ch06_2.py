@@ -2,7 +2,7 @@
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'Nobody gets 110 °C past you any more, and you know which check to blame.'
+SOLVED = 'Nobody gets 110 °C past you anymore, and you know which check to blame.'
 
 RECALLS = (
     Recall('6.2-r1', 'A parameter has the default `1` and a range of doubles, 0.0 to 1.0. You set it to 900. How does '
@@ -13,8 +13,8 @@ RECALLS = (
            chapter='6.1', section='Break it: a range that nobody looks at'),
     Recall('6.2-r2', 'A value has the wrong type. Does the node call its on-set callback?', (
         right('No', 'rclpy checks the type before it calls the on-set callbacks.'),
-        wrong('Yes, and the callback has to check the type', 'rclpy has checked it before. A comparison of types in '
-              'the callback never finds anything.'),
+        wrong('Yes, and the callback has to check the type', 'rclpy has checked it by then. A correct check in '
+              'the callback would never find anything.'),
         wrong('Yes, with the value converted', 'rclpy converts nothing, and rejects the value before any on-set '
               'callback.')),
            chapter='5.2', section='The callback ladder'),
@@ -51,7 +51,7 @@ PREDICTIONS = (
     Prediction('6.2-5', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a '
                'speed of 180. How many of them reach the callback with the branches?', (
         right('2', '1.5 and 180. The range and the lock reject the other two before any callback is called.'),
-        wrong('3', 'Two. The lock rejects the serial number before any callback is called, and the range the 5.0.'),
+        wrong('3', 'Two. The lock rejects the serial number before any callback is called, and the range rejects 5.0.'),
         wrong('4', 'Two. The callback comes last, and rclpy rejects 5.0 and the serial number before it.')),
         otherwise='Two reach it: 1.5 and 180. The range and the lock reject the others before any callback is called.'),
 )
