@@ -303,7 +303,8 @@ def describe_error(error: BaseException) -> str:
         return f'a callback raised {describe_error(error.__cause__)}'
     if isinstance(error, (TooLong, ParameterToolError)):
         return str(error)
-    words = f'{type(error).__name__}: {error}' if str(error) else type(error).__name__
+    said = str(error).rstrip('.')  # the line may follow
+    words = f'{type(error).__name__}: {said}' if said else type(error).__name__
     line = ''
     for frame, number in traceback.walk_tb(error.__traceback__):
         if frame.f_globals.get('__name__') == '__main__':

@@ -165,7 +165,8 @@ def typed(trial: Trial) -> tuple[Gripper, list[Typed]]:
         if not words:
             continue
         if words[0].lstrip('%') != 'ros2':
-            printed = f'{words[0]}: command not found'
+            what = 'No such file or directory' if '/' in words[0] else 'command not found'  # as bash has it
+            printed = f'{words[0]}: {what}'
         elif words[1:2] == ['param']:
             own = [f'{CORNER}/gripper' if word in ('/gripper', 'gripper') else word for word in words[1:]]
             printed = trial.call(f'`{line}`', trial.ros2, *own)  # a long --timeout has an end here

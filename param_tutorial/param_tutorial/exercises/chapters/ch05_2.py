@@ -95,7 +95,7 @@ def starts_right(trial: Trial) -> None:
                + ('. That is the middle of the defaults' if found == 20 else ''))
 
 
-@judge.require('nothing is acted upon that is rejected in the end', see=TOO_EARLY)
+@judge.require('a rejected value changes nothing', see=TOO_EARLY)
 def acts_late(trial: Trial) -> None:
     heater: Any = expect_follows(trial, 'target_c', [({'low_c': 10}, 16)])
     expect_left_alone(trial, heater, 'target_c', {'low_c': 12})
