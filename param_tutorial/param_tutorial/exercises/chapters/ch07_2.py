@@ -72,7 +72,7 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
             found = trial.call('the launch file', lambda: programs(
                 load_description(path), Context(dict(arguments), Path(folder), warn=lambda _: None)))
         except NotYet as error:
-            raise NoUse('a launch file that `ros2 launch` can carry out',
+            raise NoUse('a launch file that `ros2 launch` can run',
                         error.happened.replace(f'{folder}/', '').removeprefix(f'{LaunchFailed.__name__}: ')
                         .removeprefix(_BEFORE_A_CAUSE)) from None
         if [program.name for program in found] != ['simple_param_node']:
@@ -231,7 +231,7 @@ require_foresight("parameters=[{'max_speed_rpm': '200'}]", {
     200: 'There are quotes around it', '200': 'ROS converts nothing',
     100: 'A start value of the wrong type is not ignored'}, ARGUMENTS)
 require_foresight("parameters=[config, {'max_speed': 200}]", {
-    200: 'Is there a parameter of that name?', 'dead': 'A value that no parameter is declared for is ignored'}, VALUES)
+    200: 'Is there a parameter of that name?', 'dead': 'A value for an undeclared parameter is ignored'}, VALUES)
 
 
 fill = Exercise('7.2c', 'Fill four gaps', CHAPTER, TEXT, hints=(

@@ -65,5 +65,5 @@ PREDICTIONS = (
               'one.'),
         right('Clawbot: it ignores the file', 'The file is for another node, so this one ignores it without a word.'),
         wrong('There is none: the node does not start', 'There is no error, and not even a warning: the node ignores '
-              'what is for another node.'))),
+              'values for another node.'))),
 )

@@ -8,7 +8,7 @@ RECALLS = (
     Recall('7.3-r1', 'A parameter file begins with `/simple_param_node:`. A launch file gives it to a node named '
            '`berta`. What happens?', (
         right('berta starts with its defaults, and nothing tells you', 'The file is for another node, and a node '
-              'ignores what is for another node.'),
+              'ignores values for another node.'),
         wrong('berta starts with the values of the file', 'The first line of the file names the node that it is for, '
               'and that is not `berta`.'),
         wrong('The launch ends with an error', 'rcl can read the file, so there is no error. The file is for another '
@@ -32,7 +32,7 @@ PREDICTIONS = (
     Prediction('7.3-2', 'Now all three sources, in all six orders. In how many of the six lines does the last one '
                'win?', (
         right('4', 'In the third line `-p` comes last and loses, and in the fifth `all.yaml` does.'),
-        wrong('6', 'So it was with two sources. With three, `-p` comes last and loses in the third line, and '
+        wrong('6', 'That was so with two sources. With three, `-p` comes last and loses in the third line, and '
               '`all.yaml` in the fifth.'),
         wrong('2', 'More: in four lines. The last one loses only where a source for every node follows the file for '
               'this node, and another one for every node precedes both.')),

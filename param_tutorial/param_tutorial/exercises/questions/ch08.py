@@ -37,12 +37,12 @@ PREDICTIONS = (
               'descriptor was overwritten.'))),
     Prediction('8-3', 'Both nodes reject the second request as a whole. How high are the two platforms after four '
                'seconds?', (
-        wrong('at the same height: both rejected it', 'The node before started its motor while it judged, and nobody '
+        wrong('at the same height: both rejected it', 'The node `before` started its motor while it judged, and nobody '
               'takes that back.'),
         right('before is higher', 'It started its motor while it judged, and drove at the speed that it then '
               'rejected.'),
-        wrong('after is higher: before has stopped', 'A rejection stops nothing. The motor of the node before runs at '
-              'the speed that was rejected.'))),
+        wrong('after is higher: before has stopped', 'A rejection stops nothing. The motor of the node `before` runs '
+              'at the speed that was rejected.'))),
     Prediction('8-4', 'The dump holds `max speed`, `arm/left` and `gains..kp`. A new node starts with the file. What '
                'happens?', (
         wrong('All three come back', 'Between the two dots is a part without a name, and rcl rejects the whole file '
@@ -55,8 +55,9 @@ PREDICTIONS = (
               'file for it.'))),
     Prediction('8-5', 'The default is 300 kg, and 600 were meant. The command line says `-p lift.maxload_kg:=600.0`; '
                'the parameter is `lift.max_load_kg`. How does the lift start?', (
-        wrong('with 600 kg', 'The two names differ by an underscore. An override that no declaration takes is '
-              'ignored.'),
-        right('with 300 kg, and no warning', 'An override that no declaration takes is ignored, in silence.'),
-        wrong('not at all', 'An unknown name among the overrides is no error. It is ignored, in silence.'))),
+        wrong('with 600 kg', 'The two names differ by an underscore. The node ignores an override whose name '
+              'it does not declare.'),
+        right('with 300 kg, and no warning', 'The node ignores an override whose name it does not declare, in '
+              'silence.'),
+        wrong('not at all', 'An unknown name among the overrides is not an error. The node ignores it, in silence.'))),
 )

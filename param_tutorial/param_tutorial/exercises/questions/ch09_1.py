@@ -36,9 +36,10 @@ PREDICTIONS = (
         right('It does not start', 'rcl rejects the whole file: there is a value before `ros__parameters`.'))),
     Prediction('9.1-3', 'The code says `10`, and the file now says `force_n: 12.5`. With which force does the node '
                'start?', (
-        wrong('12.5', 'The default `10` has made it an integer, and 12.5 is none.'),
+        wrong('12.5', "The default `10` has made it an integer, and 12.5 isn't one."),
         wrong('12', 'ROS rounds nothing. The default has made it an integer, and 12.5 is rejected.'),
-        wrong('10, and a warning', 'An override of the wrong type is no warning. Declaring it raises an exception.'),
+        wrong('10, and a warning', 'An override of the wrong type is more than a warning: the declaration raises an '
+              'exception.'),
         right('It does not start', 'The default `10` has made it an integer, and declaring it with 12.5 raises an '
               'exception.'))),
     Prediction('9.1-4', "In ROS 1 a stranger has set the gain to `[1, 'two', 3.0]`. The robot doubles its gain, "

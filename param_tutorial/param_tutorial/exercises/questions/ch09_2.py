@@ -24,7 +24,7 @@ PREDICTIONS = (
                'of the robot. Which of the three does ROS 2 allow?', (
         wrong('all three, like ROS 1', "In ROS 2 the node itself is asked. One that is not there can't answer, and "
               'this one rejects the other two.'),
-        wrong('the misspelled name: it becomes a new parameter', 'It was so in ROS 1. In ROS 2 a node has the '
+        wrong('the misspelled name: it becomes a new parameter', 'That was so in ROS 1. In ROS 2 a node has the '
               'parameters that it declares.'),
         wrong('the deletion', 'Only a dynamically typed parameter can be deleted from outside, and this one has a '
               'fixed type.'),
