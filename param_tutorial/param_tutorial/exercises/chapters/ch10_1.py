@@ -289,7 +289,7 @@ require_count('set_parameters_atomically with three parameters',
               {3: 'It stores them in one go, and publishes them in one go'})
 require_count('set_parameters with two, of which one is rejected',
               lambda trial, rover: trial.client(rover).set_parameters(TWO),
-              {0: 'The node decides about each parameter separately, and stores the other one',
+              {0: 'The node decides about each by itself: it stores the other one',
                2: 'A rejected value is not published'})
 require_count('set_parameters_atomically with two, of which one is rejected',
               lambda trial, rover: trial.client(rover).set_parameters_atomically(TWO),
