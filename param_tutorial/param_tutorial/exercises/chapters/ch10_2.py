@@ -62,7 +62,7 @@ inspect = Exercise('10.2a', 'Inspect a rover', CHAPTER, NODE_CLASS, node_name='i
     'Create two clients in the constructor, and ask two questions: `list_parameters` for the names and, once they are '
     'there, `get_parameters` for the values. `ParamQueryNode` and `Reader` both do it.',
     '`call_async` returns a future. Await it in an `async def inspect`, or use '
-    '`future.add_done_callback(self.on_names)`, which has your method called with it. The names are in '
+    '`future.add_done_callback(self.on_names)`, which calls your method with the future. The names are in '
     '`future.result().result.names`; `zip` pairs names and values.',
     'An answer without values means that one of the parameters is not set: ask again, for each name separately.'))
 

@@ -233,8 +233,8 @@ def acts_late(trial: Trial) -> None:
 save = Exercise('11d', 'Save, for the whole fleet', CHAPTER, FUNCTION, hints=(
     "Two things in a cart's dump are not for other carts: its first line, and its `cart_id`.",
     'The first line may be `/**:`, which is for every node. The file needs the two numbers and nothing else.',
-    '`client.get_parameters([...])` returns the two, and `parameter_files.render(node, values)` makes the text of '
-    'them, which has a method `save(path)`.'))
+    '`client.get_parameters([...])` returns the two, and `parameter_files.render(node, values)` turns them into '
+    'the text of a file, which has a method `save(path)`.'))
 # Once with numbers that lose their dot if nobody takes care of it.
 TUNED = (settings(2.0, 1.0), settings(1.35, 0.875))
 FILE = 'fleet.yaml'
@@ -380,7 +380,7 @@ def with_the_file(trial: Trial) -> None:
 tune = Exercise('11f', 'Tune it', CHAPTER, FUNCTION, hints=(
     'Solve `12 / v + v / a = 8` for `a`. Which `v` makes it smallest?',
     '`a = v² / (8 v − 12)`. It falls as `v` rises, up to 3 m/s, and the range of the speed ends before that.',
-    'Both together or not at all: with the old acceleration the new speed would be rejected. '
+    'Both together or not at all: with the old acceleration the cart would reject the new speed. '
     '`client.set_parameters_atomically({...})` sends one request.'))
 GOAL_SEC = 8.0
 GENTLEST_MPS2 = 1.0

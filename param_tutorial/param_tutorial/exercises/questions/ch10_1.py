@@ -15,10 +15,10 @@ RECALLS = (
            chapter='5.2', section='The callback ladder'),
     Recall('10.1-r2', 'A callback sends a request to another node and then blocks until the answer comes, under '
            'the usual single-threaded executor. What happens?', (
-        wrong('The answer comes a little later', 'The executor would have to bring the answer, and this callback '
-              'keeps it busy.'),
-        right('The answer never comes in', 'The callback keeps the executor busy that would have to bring the '
-              'answer.')),
+        wrong('The answer comes a little later', 'The executor would have to deliver the answer, and this callback '
+              'keeps the executor busy.'),
+        right('The answer never comes in', 'Only the executor could deliver the answer, and the callback keeps '
+              'the executor busy.')),
            chapter='5.3', section='Break it: waiting in the wrong place'),
 )
 

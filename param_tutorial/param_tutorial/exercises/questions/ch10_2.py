@@ -29,14 +29,15 @@ PREDICTIONS = (
         otherwise='None: one unknown name empties the whole answer.'),
     Prediction('10.2-2', 'A request names no parameter at all. Which values come back?', (
         wrong('all of them', '`get_parameters` returns what it was asked for, and it was asked for nothing.'),
-        right('none', 'You asked for nothing, and got it. To get all parameters, call `list_parameters` first.'),
+        right('none', 'A request for nothing gets nothing. To get all parameters, call `list_parameters` first.'),
         wrong('none, but an error', 'There is no error. An empty request has an empty answer.'))),
     Prediction('10.2-3', 'The arm has `pid.kp`, `pid.ki` and `pid.limits.max`. What does `list_parameters` return for '
                'the prefix `pi`?', (
         wrong('all three: they begin with pi', 'A prefix consists of whole parts of a name, up to a dot. Nothing here '
               'begins with `pi` and a dot.'),
         right('nothing', 'A prefix consists of whole parts of a name, up to a dot.'),
-        wrong('an error: there is no such group', 'A prefix that matches nothing is no error. The list is empty.'))),
+        wrong('an error: there is no such group', 'A prefix that matches nothing is not an error. The list '
+              'is empty.'))),
     Prediction('10.2-4', 'One callback sends a hundred questions in a row through one client, and the node answers '
                'each of them. How many answers does the client take in?', (
         wrong('all hundred', 'The node answers all of them, but the client keeps only ten answers until the executor '
@@ -54,8 +55,8 @@ PREDICTIONS = (
               'up.'))),
     Prediction('10.2-6', 'A callback awaits the answer of a node that never answers. After half a second, a timer '
                'cancels the future. What becomes of the `await`?', (
-        wrong('It raises a CancelledError, as in asyncio', 'Futures of rclpy are no futures of asyncio. A canceled one '
-              'counts as finished, and its result is `None`.'),
+        wrong('It raises a CancelledError, as in asyncio', 'The futures of rclpy are not those of asyncio. A canceled '
+              'one counts as finished, and its result is `None`.'),
         right('It returns None', 'A canceled future counts as finished, and its result is `None`.'),
         wrong('It goes on waiting', 'Canceling wakes up whoever awaits the future. Its result is `None`.'))),
     Prediction('10.2-7', 'An `AsyncParameterClient` has created six service clients in its node. How many of the six '

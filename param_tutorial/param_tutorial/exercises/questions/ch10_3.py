@@ -65,9 +65,9 @@ PREDICTIONS = (
         wrong('2', 'There are three changes, and the node puts each of them to use.')),
         otherwise='It has three: the service sets one parameter after the other.'),
     Prediction('10.3-7', 'What does this node do when it starts without a file?', (
-        wrong('It starts with the three defaults', 'It checks the defaults too, and the one of `command_interface` '
-              'fails.'),
-        wrong('It starts, and command_interface is unset', 'It has a default, the empty string, and that fails '
+        wrong('It starts with the three defaults', 'It checks the defaults too, and the default of '
+              '`command_interface` fails.'),
+        wrong('It starts, and command_interface is unset', 'It has a default, the empty string, and that default fails '
               'the check.'),
         right('It does not start', 'The default of `command_interface` is empty, and `not_empty<>` applies to '
               'defaults too.'))),

@@ -7,9 +7,11 @@ SOLVED = 'You know what differs, and the way back. Six services were enough for 
 RECALLS = (
     Recall('10.5-r1', '`set_parameters` asks for three parameters, and the node rejects the second. What is stored '
            'then?', (
-        right('the first and the third', 'Each is decided for itself.'),
-        wrong('only the first: the node stops there', 'The node goes on. Each parameter is decided for itself.'),
-        wrong('none of the three', 'That is what `set_parameters_atomically` does. Here each is decided for itself.')),
+        right('the first and the third', 'The node decides about each parameter separately.'),
+        wrong('only the first: the node stops there', 'The node goes on, and decides about each parameter '
+              'separately.'),
+        wrong('none of the three', 'That is what `set_parameters_atomically` does. Here the node decides about each '
+              'separately.')),
            chapter='5.3', section='Change it: one of four is wrong'),
     Recall('10.5-r2', 'A rule holds for two parameters. Which values does a right on-set callback judge?', (
         wrong('the proposed ones only', 'A request may hold one of the two, and the other is then the stored one.'),
@@ -23,8 +25,8 @@ RECALLS = (
 PREDICTIONS = (
     Prediction('10.5-1', "What does Python say to `{'gain': 1, 'safe': True} == {'gain': 1.0, 'safe': 1}`?", (
         right('True', 'For Python 1 equals 1.0, and True equals 1. For ROS nothing in the two is equal.'),
-        wrong('False: the types differ', 'For ROS they do, and that is what counts for a parameter. Python compares '
-              'the numbers.'))),
+        wrong('False: the types differ', 'They do, and for ROS that makes the values different. Python '
+              'compares only the numbers.'))),
     Prediction('10.5-2', 'The file says 150 rpm and *brisk*, the robot holds 250 rpm and *brisk*. How many '
                'differences does `compare(file, robot)` find?', (
         wrong('1', 'The speed is one. The robot also has five parameters that the file does not mention.'),
@@ -45,7 +47,7 @@ PREDICTIONS = (
         right('nothing', 'An atomic request is all or nothing, and two of its parts are impossible.'),
         wrong('what comes before serial', 'The order does not matter: an atomic request is all or nothing.'))),
     Prediction('10.5-5', 'The history kept 100, 120 and 140. Which speeds do undo, undo and redo bring?', (
-        right('120, 100, 120', 'Two steps back, and one forth.'),
+        right('120, 100, 120', 'Two steps back, and one forward.'),
         wrong('140, 120, 140', '140 is where the robot is. The first undo leaves it.'),
-        wrong('120, 100, 140', '`redo` takes back the last undo, and not both.'))),
+        wrong('120, 100, 140', '`redo` takes back only the last undo, not both.'))),
 )
