@@ -358,7 +358,7 @@ def in_the_aisle(trial: Trial) -> None:
     expect_launched(trial)
 
 
-@launch.require('it drives at 1.5 m/s and accelerates with 0.6 m/s², whatever the file says', see=START)
+@launch.require('it drives at 1.5 m/s and accelerates at 0.6 m/s², whatever the file says', see=START)
 def with_overrides(trial: Trial) -> None:
     found = expect_launched(trial)
     wanted = settings(1.5, 0.6)

@@ -49,7 +49,7 @@ PREDICTIONS = (
               'for it.'),
         wrong('Two come back, and gains..kp is ignored', "rcl does not pass over what it can't read. It rejects the "
               'whole file.'),
-        wrong('One comes back: names have no blanks and no slashes', 'rcl takes both. It is the part without a name '
+        wrong('One comes back: names have no spaces and no slashes', 'rcl takes both. It is the part without a name '
               'between the two dots that it rejects, and the whole file with it.'),
         right('The node does not start', 'Between the two dots is a part without a name, and rcl rejects the whole '
               'file for it.'))),

@@ -17,7 +17,7 @@ RECALLS = (
            'the usual single-threaded executor. What happens?', (
         wrong('The answer comes a little later', 'The executor would have to deliver the answer, and this callback '
               'keeps the executor busy.'),
-        right('The answer never comes in', 'Only the executor could deliver the answer, and the callback keeps '
+        right('The answer never arrives', 'Only the executor could deliver the answer, and the callback keeps '
               'the executor busy.')),
            chapter='5.3', section='Break it: waiting in the wrong place'),
 )

@@ -58,7 +58,7 @@ PREDICTIONS = (
         wrong('It raises a CancelledError, as in asyncio', 'The futures of rclpy are not those of asyncio. A canceled '
               'one counts as finished, and its result is `None`.'),
         right('It returns None', 'A canceled future counts as finished, and its result is `None`.'),
-        wrong('It goes on waiting', 'Canceling wakes up whoever awaits the future. Its result is `None`.'))),
+        wrong('It goes on waiting', 'Canceling wakes up the callback that awaits the future. Its result is `None`.'))),
     Prediction('10.2-7', 'An `AsyncParameterClient` has created six service clients in its node. How many of the six '
                'are left in the node after `del box`?', (
         right('6', 'They belong to the node, and `AsyncParameterClient` has no method that destroys them.'),

@@ -34,7 +34,7 @@ PREDICTIONS = (
               'above the stored -5.'),
         wrong('It rejects both', 'The second passes: 30 is below the stored 40, and 20 is above the stored -5.'))),
     Prediction('10.4-3', 'The callback divides by the voltage, and the request is 0. What happens?', (
-        wrong('The node rejects 0: an exception is no yes', 'rclpy does not turn it into a rejection. The exception '
+        wrong('The node rejects 0: an exception is not a yes', 'rclpy does not turn it into a rejection. The exception '
               'leaves the callback.'),
         wrong('The node accepts 0: the callback did not say no', 'Nothing is stored. The exception leaves the '
               'callback before there is an answer.'),
