@@ -1,15 +1,10 @@
-"""The exercises: each blank is not yet done, each solution is, and the wrong answers that people give are told apart.
-
-Blanks and solutions are read from the notebooks; the wrong answers are made of them by replacing a few words.
-"""
+"""The exercises: each blank is not yet done, each solution is, and whatever else is handed in gets a sentence."""
 
 import ast
-import functools
 import inspect
 import re
 import threading
 import time
-from pathlib import Path
 
 import nbformat
 import pytest
@@ -21,64 +16,12 @@ from param_tutorial import ParameterClient, exercises
 from param_tutorial.errors import ExecutorError
 from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06_2, ch07_3, ch11
-from param_tutorial.exercises.exercise import DICTIONARY, Exercise
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
-from tests.exercises.wrong_answers import RIGHT, WRONG
+from tests.support.answers import blank, not_yet, notebook, solution
 from tests.support.paths import NOTEBOOKS
-
-
-@functools.cache
-def notebook(number, folder=''):
-    """Return the cells of the chapter that holds an exercise, or of its solutions."""
-    return nbformat.read(NOTEBOOKS / folder / Path(EXERCISES[number].solutions).name, as_version=4).cells
-
-
-def cell(number, kind):
-    """Return a cell of an exercise: its 'exercise' and 'check' in the chapter, or its 'solution'."""
-    cells = notebook(number, 'solutions' if kind == 'solution' else '')
-    found, = (each for each in cells if each.id == f'{kind}-{number.replace(".", "-")}')
-    return found
-
-
-def answer(number, source, kind):
-    """Run the source of a cell as its notebook would, and give what its check is handed."""
-    space = {'__name__': '__main__'}
-    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
-        if each.cell_type == 'code' and not each.source.startswith('%%'):
-            lines = [line for line in each.source.splitlines() if not line.lstrip().startswith('%')]
-            body = ast.parse('\n'.join(lines)).body
-            imports = [each for each in body if isinstance(each, (ast.Import, ast.ImportFrom))]
-            exec(compile(ast.Module(imports, []), 'imports', 'exec'), space)
-    # In a capstone each step builds on those before it.
-    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
-        if each.id == cell(number, kind).id:
-            break
-        if each.id.startswith(f'{kind}-'):
-            exec(each.source, space)
-    exec(source, space)
-    name = re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
-    return space[name]
-
-
-def blank(number):
-    return answer(number, cell(number, 'exercise').source, 'exercise')
-
-
-def solution(number, *replacements):
-    """Return a solution, with some of its words replaced by others."""
-    source = cell(number, 'solution').source
-    for old, new in replacements:
-        assert old in source, f'the solution of {number} has changed: {old!r} is not in it'
-        source = source.replace(old, new)
-    return answer(number, source, 'solution')
-
-
-def not_yet(result):
-    """Return what stands at the requirements that are not met."""
-    return {finding.sentence: finding.happened for finding in result.findings if finding.done is not True}
 
 
 @pytest.mark.parametrize('number', EXERCISES)
@@ -97,35 +40,6 @@ def test_a_solution_is_done(ros, number):
     assert result.done, result
     assert repr(result).startswith(f'Exercise {number}: done, ')
     assert not ros.nodes
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(('number', 'replacements', 'met', 'word'), [
-    pytest.param(number, *wrong, id=f'{number}-{position}') for number, all_wrong in WRONG.items()
-    for position, wrong in enumerate(all_wrong)])
-@pytest.mark.filterwarnings('ignore:Callback returned an invalid type')
-def test_a_wrong_answer_is_told_with_a_fitting_word(ros, monkeypatch, number, replacements, met, word):
-    if number in ('5.3c', '5.3a', '10.2a', '11c'):  # the only ones where something is waited for
-        monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 1.5)
-    result = exercises.check(number, solution(number, *replacements))
-    assert not result.done
-    assert result.count == met
-    assert word in ' '.join(not_yet(result).values())
-    assert not ros.nodes
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(('number', 'replacements'), [
-    pytest.param(number, each, id=f'{number}-{position}') for number, all_right in RIGHT.items()
-    for position, each in enumerate(all_right)])
-def test_an_unusual_right_answer_is_done(ros, number, replacements):
-    result = exercises.check(number, solution(number, *replacements))
-    assert result.done, result
-    assert not ros.nodes
-
-
-def test_there_is_a_wrong_answer_for_every_exercise():
-    assert list(WRONG) == list(EXERCISES)
 
 
 def test_a_requirement_that_builds_on_one_that_is_not_met_is_not_tried(ros):
@@ -248,18 +162,6 @@ def test_a_callback_that_keeps_the_executor_for_good_is_told(ros, monkeypatch):
     result = exercises.check('5.2a', solution('5.2a'))
     assert result.findings[0].happened == 'restart the kernel'
     assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 4]
-
-
-@pytest.mark.parametrize(('given', 'happened'), [
-    ('200', "it does not say `'200'`. In quotes it is a string"),
-    (200.0, 'it does not say `200.0`. Written like this, it is a double'),
-    (201, 'it does not say `201`'),
-])
-def test_a_prediction_of_another_type_is_told_so(ros, given, happened):
-    exercise = Exercise('0a', 'Predict', '01_what_are_parameters', DICTIONARY, ('Think.',))
-    exercise.require_prediction('the speed', see='See it', because={})(lambda trial: 200)
-    assert exercise.check({'the speed': given}).findings[0].happened == happened
-    assert exercise.check({'the speed': 200}).done
 
 
 class WaitsInConstructor(Node):

@@ -1,0 +1,78 @@
+"""Wrong answers that people give are told apart, and unusual right ones are right.
+
+They are made of the solutions by replacing a few words. pytest gives each class to one worker, and checks mostly wait,
+so there are several.
+"""
+
+import pytest
+
+from param_tutorial import exercises
+from param_tutorial.exercises import EXERCISES, trial
+from tests.exercises.wrong_answers import RIGHT, WRONG
+from tests.support.answers import not_yet, solution
+
+pytestmark = pytest.mark.slow
+
+# In these a requirement waits for what never comes.
+WAITING = ('5.3c', '5.3a', '10.2a', '11c')
+
+
+def pytest_generate_tests(metafunc):
+    """Try the answers to the chapters of a class."""
+    if metafunc.cls:
+        answers, names = metafunc.function.cases
+        metafunc.parametrize(names, [
+            pytest.param(number, *each, id=f'{number}-{position}') for number, all_of_it in answers.items()
+            if metafunc.cls.first <= int(EXERCISES[number].chapter[:2]) <= metafunc.cls.last
+            for position, each in enumerate(all_of_it)])
+
+
+class Answers:
+    first, last = 0, 0
+    """The chapters."""
+
+    @pytest.mark.filterwarnings('ignore:Callback returned an invalid type')
+    def test_a_wrong_answer_is_told_with_a_fitting_word(self, ros, monkeypatch, number, replacements, met, word):
+        if number in WAITING:
+            monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 1.5)
+        result = exercises.check(number, solution(number, *replacements))
+        assert not result.done
+        assert result.count == met
+        assert word in ' '.join(not_yet(result).values())
+        assert not ros.nodes
+
+    test_a_wrong_answer_is_told_with_a_fitting_word.cases = WRONG, ('number', 'replacements', 'met', 'word')
+
+    def test_an_unusual_right_answer_is_done(self, ros, number, replacements):
+        result = exercises.check(number, solution(number, *replacements))
+        assert result.done, result
+        assert not ros.nodes
+
+    test_an_unusual_right_answer_is_done.cases = (
+        {number: [(each,) for each in all_of_it] for number, all_of_it in RIGHT.items()}, ('number', 'replacements'))
+
+
+class TestChapters1To4(Answers):
+    first, last = 1, 4
+
+
+class TestChapter5(Answers):
+    first, last = 5, 5
+
+
+class TestChapters6To9(Answers):
+    first, last = 6, 9
+
+
+class TestChapters10And11(Answers):
+    first, last = 10, 11
+
+
+def test_every_answer_is_in_a_class():
+    classes = Answers.__subclasses__()
+    for exercise in EXERCISES.values():
+        assert sum(each.first <= int(exercise.chapter[:2]) <= each.last for each in classes) == 1, exercise.number
+
+
+def test_there_is_a_wrong_answer_for_every_exercise():
+    assert list(WRONG) == list(EXERCISES)

@@ -1,0 +1,62 @@
+"""What a learner hands in: the blanks and solutions in the notebooks, and answers made of them."""
+
+import ast
+import functools
+import re
+from pathlib import Path
+
+import nbformat
+
+from param_tutorial.exercises import EXERCISES
+from tests.support.paths import NOTEBOOKS
+
+
+@functools.cache
+def notebook(number, folder=''):
+    """Return the cells of the chapter that holds an exercise, or of its solutions."""
+    return nbformat.read(NOTEBOOKS / folder / Path(EXERCISES[number].solutions).name, as_version=4).cells
+
+
+def cell(number, kind):
+    """Return a cell of an exercise: its 'exercise' and 'check' in the chapter, or its 'solution'."""
+    cells = notebook(number, 'solutions' if kind == 'solution' else '')
+    found, = (each for each in cells if each.id == f'{kind}-{number.replace(".", "-")}')
+    return found
+
+
+def answer(number, source, kind):
+    """Run the source of a cell as its notebook would, and give what its check is handed."""
+    space = {'__name__': '__main__'}
+    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
+        if each.cell_type == 'code' and not each.source.startswith('%%'):
+            lines = [line for line in each.source.splitlines() if not line.lstrip().startswith('%')]
+            body = ast.parse('\n'.join(lines)).body
+            imports = [each for each in body if isinstance(each, (ast.Import, ast.ImportFrom))]
+            exec(compile(ast.Module(imports, []), 'imports', 'exec'), space)
+    # In a capstone each step builds on those before it.
+    for each in notebook(number, 'solutions' if kind == 'solution' else ''):
+        if each.id == cell(number, kind).id:
+            break
+        if each.id.startswith(f'{kind}-'):
+            exec(each.source, space)
+    exec(source, space)
+    name = re.fullmatch(rf"exercises\.check\('{number}', (\w+)\)", cell(number, 'check').source).group(1)
+    return space[name]
+
+
+def blank(number):
+    return answer(number, cell(number, 'exercise').source, 'exercise')
+
+
+def solution(number, *replacements):
+    """Return a solution, with some of its words replaced by others."""
+    source = cell(number, 'solution').source
+    for old, new in replacements:
+        assert old in source, f'the solution of {number} has changed: {old!r} is not in it'
+        source = source.replace(old, new)
+    return answer(number, source, 'solution')
+
+
+def not_yet(result):
+    """Return what stands at the requirements that are not met."""
+    return {finding.sentence: finding.happened for finding in result.findings if finding.done is not True}
