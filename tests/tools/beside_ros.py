@@ -38,6 +38,8 @@ def machine(folder: Path) -> dict[str, str]:
     """Make what such a machine has, and return its environment."""
     ros, workspace = folder / 'opt' / 'ros', folder / 'ros2_ws' / 'install'
     make_executable(ros / 'bin' / 'ros2', ROS2.format(command=shlex.join(genuine.embedded_words())))
+    # There, PYTHONPATH has rclpy for it.
+    make_executable(ros / 'bin' / 'python3', f'#!/bin/sh\nexec {shlex.quote(sys.executable)} "$@"\n')
     (ros / 'local_setup.bash').touch()  # colcon looks for it
     for node in (ROS_PACKAGE / 'param_tutorial' / 'nodes').glob('*_node.py'):
         make_executable(workspace / 'lib' / 'param_tutorial' / node.stem, OLD_BUILD)

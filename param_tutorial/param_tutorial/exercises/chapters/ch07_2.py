@@ -3,6 +3,7 @@ with."""
 
 import ast
 import itertools
+import shlex
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,8 +15,8 @@ from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.notebook.shell import Shell
 from param_tutorial.notebook.terminal import Terminal
+from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.index import share_folder_of
 from param_tutorial.ros2.launch.reading import load_description
 from param_tutorial.ros2.launch.substitutions import Context, LaunchFailed
@@ -170,12 +171,13 @@ def runs(trial: Trial) -> None:
             each(trial)
         except NotYet:
             raise NotTried from None
-    shell = Shell()
-    try:
-        # The robot must neither see nor be seen by a learner's own of the same name.
-        shell.run('export ROS_AUTOMATIC_DISCOVERY_RANGE=OFF; unset PARAM_TUTORIAL_OWN_NODES')
-        Path(shell.home, FILE_NAME).write_text(trial.work, encoding='utf-8')
-        terminal = Terminal(f'ros2 launch ./{FILE_NAME} serial:=0042', shell=shell)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, FILE_NAME)
+        path.write_text(trial.work, encoding='utf-8')
+        # The robot must neither see nor be seen by a learner's own of the same name. It is started by the course's own
+        # command: nobody has built its package for the genuine one.
+        terminal = Terminal(shlex.join(['env', 'ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', *genuine.embedded_words(), 'launch',
+                                        str(path), 'serial:=0042']))
         try:
             said = terminal.read(until='robot_serial_number: 0042', timeout_sec=60.0)
         except WaitTimeoutError:
@@ -183,8 +185,6 @@ def runs(trial: Trial) -> None:
             raise NotYet('the robot logs its parameters in the terminal', f'the last line is: {last}') from None
         finally:
             terminal.interrupt()
-    finally:
-        shell.close()
     expect('max_speed_rpm: 90' in said, 'it logs `max_speed_rpm: 90`', 'it does not')
 
 
