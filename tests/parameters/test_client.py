@@ -299,7 +299,8 @@ def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
     ros.add(Everything)
     child = process('''
         import param_tutorial
-        param_tutorial.start()
+        ros = param_tutorial.start()
+        param_tutorial.wait_until(lambda: '/lab/everything' in ros.services.node_names(), 'the node', 30)
         # In the time limit of the call without an answer, neither the node nor its service need be found.
         patient = param_tutorial.ParameterClient('/lab/everything', timeout_sec=30)
         assert patient.set_parameter('limits.high', 12).successful
