@@ -26,8 +26,8 @@ from param_tutorial.runtime import domain, surroundings
 # nodes log.
 _NOT_PASSED_ON = re.compile(
     r'^(PYTHON.*|GIT_.*|COLCON_.*|RCUTILS_.*|BASH_ENV|ENV|BASH_FUNC_.*|PROMPT_COMMAND|PS[0-4])$')
-# [0.52s] after a package, [0.523s] before a warning, and [0.52s, exited with code 1].
-_SECONDS = r'(?:\d+min )?\d+(?:\.\d+)?s'
+# [0.52s] after a package, [0.523s] before a warning (on 3.13 a negative number), and [0.52s, exited with code 1].
+_SECONDS = r'-?(?:\d+min )?\d+(?:\.\d+)?s'
 _TIME_TAKEN = re.compile(rf'^\[{_SECONDS}\] | \[{_SECONDS}\]$|(?<=\[){_SECONDS}, ', re.MULTILINE)
 
 

@@ -69,7 +69,8 @@ class Terminal:
                 arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                 text=True, errors='replace', start_new_session=True, cwd=folder,
                 env={**{name: value for name, value in environment.items() if not name.startswith('RCUTILS_')},
-                     'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1'})
+                     'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
+                     'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
         self._reader = threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True)
         self._reader.start()
         _open.add(self)
