@@ -118,14 +118,13 @@ class Terminal:
         :return: Its exit status; negative if a signal ended it.
         """
         self._wait_until_it_rests()
-        for number in (signal.SIGINT, signal.SIGKILL):
-            try:
-                if self._process.poll() is None:
-                    os.killpg(self._process.pid, number)
-                self._process.wait(timeout_sec)
-                break
-            except subprocess.TimeoutExpired:
-                continue
+        if self._process.poll() is None:
+            os.killpg(self._process.pid, signal.SIGINT)
+        try:
+            self._process.wait(timeout_sec)
+        except subprocess.TimeoutExpired:
+            os.killpg(self._process.pid, signal.SIGKILL)
+            self._process.wait()  # nothing can ignore that, and a busy machine may take its time
         self._reader.join(timeout_sec)
         return self._process.returncode
 
