@@ -1,6 +1,7 @@
 """The exercises: each blank is not yet done, each solution is, and whatever else is handed in gets a sentence."""
 
 import ast
+import functools
 import inspect
 import re
 import threading
@@ -270,6 +271,29 @@ class AddsAnother(Node):
 def test_nodes_that_a_node_adds_are_cleared_too(ros):
     exercises.check('3a', AddsAnother)
     assert not ros.nodes
+
+
+@pytest.mark.parametrize('touch', [param_tutorial.start, param_tutorial.stop])
+def test_work_that_starts_or_stops_the_stage_is_told(ros, touch):
+    def report(robot):
+        touch()
+        return robot.get_parameter('max_speed_rpm').value, 12.0
+
+    own = ros.add(solution('3a'))
+    happened = not_yet(exercises.check('4c', report)).values()
+    assert 'would take the check’s own nodes off the stage: leave this line out' in ' '.join(happened)
+    assert ros.nodes == (own,)
+    assert param_tutorial.start() is ros  # after the check, it is as ever
+    assert not ros.nodes
+
+
+def test_a_function_may_be_any_object_that_can_be_called(ros):
+    class Report:
+        def __call__(self, robot, volts=12.0):
+            return solution('4c')(robot)
+
+    for report in (Report(), functools.partial(Report(), volts=12.0)):
+        assert exercises.check('4c', report).done
 
 
 def test_without_a_stage_there_is_one_for_the_time_of_the_check():
