@@ -58,6 +58,12 @@ WRONG = {
         ([('value * minutes', 'value * minutes\n        from rclpy.parameter import Parameter\n'
            "        self.set_parameters([Parameter('liters_per_min', value=2.5)])")], 2,
          '`liters` is `60.0`; before, it was 35'),
+        ([("self.get_parameter('liters_per_min').value", "(self.get_parameter('liters_per_min').value or 2.5)")], 2,
+         '`liters` is `57.5`; before, it was 45'),  # a pump that is told to rest
+        ([('self.liters +=', 'self.minutes = getattr(self, "minutes", 0) + minutes\n        self.liters ='),
+          ('value * minutes', 'value * self.minutes')], 2, '`liters` is `20.0`; before, it was 25'),
+        ([('self.liters +=', '__import__("time").sleep(60 * minutes)\n        self.liters +=')], 0,
+         'it was still running after'),
     ],
 }
 
@@ -78,6 +84,7 @@ RIGHT = {
           "Parameter('enable_safety_mode', value=True)])\n")],
         [('50', '40')],
         [('robot.drive()\n', 'robot.drive()\nrobot.step(60)\n')],
+        [('client', '    client'), ('robot.drive()', '    robot.drive()')],
     ],
     '1a': [
         [("'max_acceleration_mps2': 1.0", "'max_acceleration_mps2': 2.0"), ("'max_speed_rpm': 95",
@@ -92,6 +99,10 @@ RIGHT = {
         [("self.get_parameter('liters_per_min').value", "self.get_parameters(['liters_per_min'])[0].value")],
         [("self.get_parameter('liters_per_min').value",
           "self.get_parameter('liters_per_min').get_parameter_value().double_value")],
+        [("super().__init__('pump')", "Node.__init__(self, 'pump')")],
+        [('self.liters = 0.0', 'self.runs = []'),
+         ('self.liters += ', 'self.runs.append('), ('value * minutes', 'value * minutes)\n\n'
+          '    liters = property(lambda self: sum(self.runs))')],
         [("self.declare_parameter('liters_per_min', 2.5)\n",
           "self.rate = self.declare_parameter('liters_per_min', 2.5).value\n"
           '        self.add_post_set_parameters_callback(self.changed)\n'),

@@ -54,6 +54,12 @@ WRONG = {
         ([('{package}', 'lift')], 3, "it returns `Package 'lift' not found`"),
         ([("'No executable found'", 'None')], 3, 'it returns `None`'),
         ([('return path if', 'return path.name if')], 0, 'it returns `lift_node`'),
+        ([("packages' / package).exists()", "packages').glob(f'{package}*') != []"), ('if (prefix', 'if list((prefix'),
+          ("*') != []", "*'))")], 3, 'The marker there is that of `lift_tools`'),
+        ([("return path if path.exists() else 'No executable found'",
+           "return next(path.parent.glob(f'{program}*'), 'No executable found')")], 3, 'lift_node_old'),
+        ([('return f"Package', 'raise FileNotFoundError(f"Package'), ('not found"', 'not found")')], 1,
+         "FileNotFoundError: Package 'lift' not found"),
     ],
 }
 
@@ -80,5 +86,6 @@ RIGHT = {
         [('for prefix in prefixes:\n', 'for prefix in map(str, prefixes):\n        from pathlib import Path\n'
           '        prefix = Path(prefix)\n')],
         [("return f\"Package '{package}' not found\"", 'return "Package \'" + package + "\' not found"')],
+        [('path if path.exists()', "path if __import__('os').access(path, 1)")],
     ],
 }

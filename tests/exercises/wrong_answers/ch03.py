@@ -5,6 +5,12 @@ SPEED = f"""'max_speed_mps', 1.0, ParameterDescriptor(
             floating_point_range=[{RANGE}]))"""
 WHEELS = "'wheels', 6, ParameterDescriptor(read_only=True))"
 SET_RESULT = "__import__('rcl_interfaces.msg').msg.SetParametersResult"
+# A post-set callback that comes too late.
+UNDO = """
+        def undo(parameters):
+            if self.get_parameter('{0}').value not in ({1}, 0.0, 2.0, 0.01, 1.37):
+                self.set_parameters([Parameter('{0}', value={1})])
+        self.add_post_set_parameters_callback(undo)"""
 
 WRONG = {
     '3c': [
@@ -35,6 +41,9 @@ WRONG = {
         ([("'wheels', 6", "'wheels', '6'")], 2, "type string, value `'6'`"),
         ([("'wheels', 6", "'wheels', 4")], 3, 'type integer, value `4`'),
         ([("'wheels'", "'weels'")], 2, 'none of that name'),
+        ([(WHEELS, f"'wheels', 6){UNDO.format('wheels', 6)}")], 3, 'put the value back only afterward'),
+        ([(SPEED, f"'max_speed_mps', 1.0){UNDO.format('max_speed_mps', 1.0)}")], 3,
+         'put the value back only afterward'),
     ],
     '3b': [
         ([('50.0', '50')], 2, 'type integer, value `50`'),

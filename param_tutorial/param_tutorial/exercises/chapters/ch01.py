@@ -185,7 +185,7 @@ def changed(trial: Trial) -> None:
     node, client = pump(trial)
     expect_pumped(trial, node, 10, 2.5)
     before = 25.0
-    for rate, minutes in ((1.0, 10), (7.5, 0.5), (2.5, 2)):
+    for rate, minutes in ((1.0, 10), (0.0, 5), (7.5, 0.5), (2.5, 2)):
         client.set_parameter(PARAMETER, rate).raise_for_reason()
         for _ in range(2):
             expect_pumped(trial, node, minutes, rate, before)

@@ -3,6 +3,7 @@
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import expect_declared, expect_result
@@ -14,6 +15,7 @@ CHAPTER = '03_declaring'
 TYPE = 'Build it: one declaration, one type'
 DESCRIPTOR = 'Build it: the descriptor'
 WHO_DECIDES = 'Who decides the type?'
+PUT_BACK = 'the node accepted it, and put the value back only afterward'
 
 
 def start_with(trial: Trial, name: str, wanted: ParameterType) -> tuple[Any, ParameterClient]:
@@ -28,9 +30,18 @@ def start_with(trial: Trial, name: str, wanted: ParameterType) -> tuple[Any, Par
     return node, client
 
 
+def note_values(node: Node, name: str) -> list[Any]:
+    """Return a list of all values that a parameter is going to hold, however briefly; it grows with each set."""
+    held: list[Any] = []
+    node.add_post_set_parameters_callback(
+        lambda parameters: held.extend(each.value for each in parameters if each.name == name))
+    return held
+
+
 def expect_limits(trial: Trial, name: str, low: float, high: float, *between: float) -> None:
     """Expect a double to stay within two ends, in whatever way the node sees to it, and its description to agree."""
     node, client = start_with(trial, name, DOUBLE)
+    held = note_values(node, name)
     for value in (low, high, *between):
         expect_result(client, name, value, 'accepted')
     for beyond in (low - 0.01, high + 0.5, low - 1000.0, high + 0.01, high + 1000.0):
@@ -38,6 +49,7 @@ def expect_limits(trial: Trial, name: str, low: float, high: float, *between: fl
         stored = client.get_parameter(name)
         expect(stored is not None and low <= stored <= high, f'`{name} = {beyond!r}` is rejected',
                f'the node accepted it. {_what_limits(node.describe_parameter(name))}')
+        expect(beyond not in held, f'`{name} = {beyond!r}` is rejected', PUT_BACK)
     if described := client.describe_parameter(name).range:
         expect((described.from_value, described.to_value) == (low, high),
                f'the node describes the range as {low} to {high}',
@@ -87,12 +99,14 @@ def wheels(trial: Trial) -> None:
 
 @declare.require('nobody can change `wheels`', see=DESCRIPTOR)
 def wheels_locked(trial: Trial) -> None:
-    _, client = start_with(trial, 'wheels', INTEGER)
+    node, client = start_with(trial, 'wheels', INTEGER)
+    held = note_values(node, 'wheels')
     before = client.get_parameter('wheels')
     for other in (4, 8, 0):
         client.set_parameter('wheels', other)
         expect(client.get_parameter('wheels') == before, f'`wheels = {other}` is rejected',
                'the node accepted it. The field `read_only` of the descriptor makes a parameter read-only')
+        expect(other not in held, f'`wheels = {other}` is rejected', PUT_BACK)
 
 
 mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
