@@ -16,9 +16,9 @@ from param_tutorial.widgets.robot import vehicle_of
 
 CHAPTER = '01_what_are_parameters'
 WORDS = 'The words'
-OWN = 'Each node has its own'
+OWN = 'Two robots of one class'
 NUMBER = 'Why not write the number into the program?'
-DONE = 'Accepted, but not acted on'
+DONE = 'Ask once, or each time'
 START = 'Fixed at the start'
 
 COLD_C = -10
