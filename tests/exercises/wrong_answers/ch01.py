@@ -62,6 +62,15 @@ WRONG = {
          '`liters` is `57.5`; before, it was 45'),  # a pump that is told to rest
         ([('self.liters +=', 'self.minutes = getattr(self, "minutes", 0) + minutes\n        self.liters ='),
           ('value * minutes', 'value * self.minutes')], 2, '`liters` is `20.0`; before, it was 25'),
+        ([("_min', 2.5)",
+           "_min', 2.5, __import__('rcl_interfaces.msg').msg.ParameterDescriptor(dynamic_typing=True))")], 2,
+         'it takes values of any type'),
+        ([("self.declare_parameter('liters_per_min', 2.5)\n", "self.rate = self.declare_parameter('liters_per_min', "
+           '2.5).value\n        self.add_on_set_parameters_callback(self.judge)\n'),
+          ("self.get_parameter('liters_per_min').value * minutes", 'self.rate * minutes\n\n'
+           '    def judge(self, parameters):\n        self.rate = parameters[0].value\n'
+           "        return __import__('rcl_interfaces.msg').msg.SetParametersResult(successful=True)")], 2,
+         'that value was rejected in the end'),
         ([('self.liters +=', '__import__("time").sleep(60 * minutes)\n        self.liters +=')], 0,
          'it was still running after'),
     ],
@@ -77,6 +86,7 @@ RIGHT = {
           "client.set_parameter('enable_safety_mode', True)\n",
           "client.set_parameters({'max_speed_rpm': 50, 'enable_safety_mode': True})\n")],
         [('client = ParameterClient(robot)\n', "client = ParameterClient('/clawbot_node')\n")],
+        [('ParameterClient(robot)', 'ParameterClient(robot.get_fully_qualified_name())')],
         [('client = ParameterClient(robot)\n'
           "client.set_parameter('max_speed_rpm', 50)\n"
           "client.set_parameter('enable_safety_mode', True)\n",

@@ -18,6 +18,9 @@ WRONG = {
          0, 'it is not there, but in `~/install`'),
         ([('cd ~/ros2_ws\n', 'cd ~/ros2_ws/src\n')], 0, 'it is not there, but in `~/ros2_ws/src/install`'),
         ([('colcon build', 'colcon build --packages-select lift_node')], 0, 'no package that it should build'),
+        ([('colcon build', 'colcon build --packages-up-to lift_node')], 0, 'no package that it should build'),
+        ([('colcon build', 'colcon build --packages-skip lift')], 0, 'no package that it should build'),
+        ([('colcon build', 'colcon test')], 0, 'it is not there'),
         ([('lift_node', 'lift')], 2, 'it does not start; the terminal says `No executable found`'),
         ([('source install', 'bash install')], 1, 'it does not'),
         ([('source install', 'source build')], 1, 'it does not'),
@@ -66,6 +69,7 @@ WRONG = {
 RIGHT = {
     '2c': [
         [('source install/setup.bash\n', '. install/setup.bash\n')],
+        [('source install/setup.bash\n', 'cd install\nsource setup.bash\n'), ('lift_node\n', 'lift_node &\nwait\n')],
         [('source install/setup.bash\n', ''),
          ('cd ~/ros2_ws\n', 'cd ~/ros2_ws\n'),
          ('ros2 run lift lift_node\n', 'cd; . ~/ros2_ws/install/setup.bash\nros2 run lift lift_node\n')],

@@ -7,7 +7,13 @@ from typing import Any, NamedTuple
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import client_in_corner, run_lines
+from param_tutorial.exercises.expectations import (
+    WithSecondJudge,
+    client_in_corner,
+    derive,
+    expect_fixed_type,
+    run_lines,
+)
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.parameters.client import ParameterClient
@@ -169,6 +175,7 @@ def declared(trial: Trial) -> None:
     if (found, value) != ('double', 2.5):
         raise NoUse('a double, 2.5', f'type {found}, value `{value!r}`')
     expect_pumped(trial, node, 4, 2.5)
+    expect_fixed_type(client, PARAMETER)
 
 
 @free.require(f'started with `-p {PARAMETER}:=4.0`, it pumps 40 liters in ten minutes', see=START)
@@ -190,6 +197,13 @@ def changed(trial: Trial) -> None:
         for _ in range(2):
             expect_pumped(trial, node, minutes, rate, before)
             before += rate * minutes
+    judged: Any = trial.start(derive(WithSecondJudge, trial.work))
+    judged.rejects = True
+    trial.client(judged).set_parameter(PARAMETER, 9.0)
+    rate = judged.get_parameter(PARAMETER).value
+    trial.call('`run(1)`', judged.run, 1)
+    expect(judged.liters != 9.0 or rate == 9.0, f'`liters` is {rate:g} after `run(1)` if 9.0 is rejected',
+           f'`liters` is `{judged.liters!r}`: that value was rejected in the end, and the parameter never held it')
 
 
 order = Exercise('1c', 'Put a drive in order', CHAPTER, TEXT, hints=(

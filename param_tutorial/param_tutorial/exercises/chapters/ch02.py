@@ -254,8 +254,10 @@ BUILT = {
 SETUP_FILES = 'setup.bash', 'setup.sh', 'local_setup.bash', 'local_setup.sh'
 # As the real one does, it builds what is anywhere below the folder in which it is called, and only what is selected.
 COLCON = f"""colcon() {{
-    if [ "$1" != build ]; then command colcon "$@"; return; fi
-    if [[ " $* " == *" --packages-select "* && " $* " != *" lift "* ]] || [ -z "$(find . -name package.xml)" ]; then
+    if [ "$1" != build ]; then echo 'colcon: this terminal has the verb build, and no other' >&2; return 2; fi
+    if [[ " $* " =~ " --packages-"(select|up-to)" " && " $* " != *" lift "* ]] ||
+       [[ " $* " =~ " --packages-"(skip|ignore)" " && " $* " == *" lift "* ]] ||
+       [ -z "$(find . -name package.xml)" ]; then
         echo 'Summary: 0 packages finished'; return
     fi
     mkdir -p install build log; cp -r ~/.built/. install

@@ -6,7 +6,7 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_declared, expect_result
+from param_tutorial.exercises.expectations import expect_declared, expect_fixed_type, expect_result
 from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
@@ -28,6 +28,13 @@ def start_with(trial: Trial, name: str, wanted: ParameterType) -> tuple[Any, Par
     if name not in client.list_parameters() or client.describe_parameter(name).type is not wanted:
         raise NotTried
     return node, client
+
+
+def expect_start(trial: Trial, name: str, wanted: ParameterType, value: object) -> None:
+    """Expect a parameter of a type that stays, with a value to start with."""
+    expect_declared(trial, name, wanted, value)
+    _, client = start_with(trial, name, wanted)
+    expect_fixed_type(client, name)
 
 
 def note_values(node: Node, name: str) -> list[Any]:
@@ -83,7 +90,7 @@ declare = Exercise('3a', 'Declare a rover', CHAPTER, NODE_CLASS, node_name='rove
 
 @declare.require('`max_speed_mps` is a double and starts at one meter per second', see=TYPE)
 def speed(trial: Trial) -> None:
-    expect_declared(trial, 'max_speed_mps', DOUBLE, 1.0)
+    expect_start(trial, 'max_speed_mps', DOUBLE, 1.0)
 
 
 @declare.require('`max_speed_mps` can be anything from 0.0 to 2.0, both ends included, and nothing else',
@@ -118,7 +125,7 @@ mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hint
 
 @mend.require('`brightness_percent` is a double that starts at 50.0, and it takes halves', see=WHO_DECIDES)
 def halves(trial: Trial) -> None:
-    expect_declared(trial, 'brightness_percent', DOUBLE, 50.0)
+    expect_start(trial, 'brightness_percent', DOUBLE, 50.0)
     _, client = start_with(trial, 'brightness_percent', DOUBLE)
     for half in (62.5, 0.5):
         expect_result(client, 'brightness_percent', half, 'accepted')
@@ -132,12 +139,15 @@ def percent(trial: Trial) -> None:
 
 @mend.require('`warm_white` is a boolean, and it is on', see=TYPE)
 def warm_white(trial: Trial) -> None:
-    expect_declared(trial, 'warm_white', BOOL, True)
+    expect_start(trial, 'warm_white', BOOL, True)
+    _, client = start_with(trial, 'warm_white', BOOL)
+    for switched in (False, True):
+        expect_result(client, 'warm_white', switched, 'accepted')
 
 
 @mend.require('`calibration` is a double that has no value until somebody sets one', see=WHO_DECIDES)
 def calibration(trial: Trial) -> None:
-    expect_declared(trial, 'calibration', DOUBLE, None)
+    expect_start(trial, 'calibration', DOUBLE, None)
     _, client = start_with(trial, 'calibration', DOUBLE)
     for value in (0.98, -12.5):
         expect_result(client, 'calibration', value, 'accepted')
@@ -154,7 +164,7 @@ def require_gap(name: str, wanted: ParameterType, value: object) -> None:
 
     @fill.require(f'`{name}` is {article} {wanted.label}, and it is `{value!r}`', see=TYPE)
     def is_declared(trial: Trial) -> None:
-        expect_declared(trial, name, wanted, value)
+        expect_start(trial, name, wanted, value)
 
 
 require_gap('max_angle_deg', INTEGER, 90)
