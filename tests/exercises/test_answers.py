@@ -1,7 +1,7 @@
-"""Wrong answers that people give are told apart, and unusual right ones are right.
+"""Each wrong answer that people give gets a finding that fits, and each unusual right one passes.
 
-They are made of the solutions by replacing a few words. pytest gives each class to one worker, and checks mostly wait,
-so there are several.
+The answers are made from the solutions by replacing a few words. pytest gives each class to one worker, and checks
+mostly wait, so there are several classes.
 """
 
 import pytest
@@ -13,7 +13,7 @@ from tests.support.answers import not_yet, solution
 
 pytestmark = pytest.mark.slow
 
-# In these a requirement waits for what never comes.
+# In these, a requirement waits for something that never comes.
 WAITING = ('5.3c', '5.3a', '10.2a', '11c')
 
 
@@ -29,10 +29,10 @@ def pytest_generate_tests(metafunc):
 
 class Answers:
     first, last = 0, 0
-    """The chapters."""
+    """The first and the last chapter whose answers are tried."""
 
     @pytest.mark.filterwarnings('ignore:Callback returned an invalid type')
-    def test_a_wrong_answer_is_told_with_a_fitting_word(self, ros, monkeypatch, number, replacements, met, word):
+    def test_a_wrong_answer_gets_a_finding_that_fits(self, ros, monkeypatch, number, replacements, met, word):
         if number in WAITING:
             monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 1.5)
         result = exercises.check(number, solution(number, *replacements))
@@ -41,7 +41,7 @@ class Answers:
         assert word in ' '.join(not_yet(result).values())
         assert not ros.nodes
 
-    test_a_wrong_answer_is_told_with_a_fitting_word.cases = WRONG, ('number', 'replacements', 'met', 'word')
+    test_a_wrong_answer_gets_a_finding_that_fits.cases = WRONG, ('number', 'replacements', 'met', 'word')
 
     def test_an_unusual_right_answer_is_done(self, ros, number, replacements):
         result = exercises.check(number, solution(number, *replacements))

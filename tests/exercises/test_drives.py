@@ -1,4 +1,4 @@
-"""Checks that show what solved work does: the robot parks in 1a, the cart drives in 11f."""
+"""Checks that show what solved work does: in 1a the robot parks, and in 11f the cart drives."""
 
 import re
 
@@ -11,7 +11,7 @@ PARKED = {'sensor_offset_meters': -0.15, 'max_speed_rpm': 95, 'max_acceleration_
           'min_operating_temperature_c': -10}
 
 
-def test_the_robot_parks_in_the_cold_for_whoever_has_solved_it():
+def test_solved_work_shows_the_robot_parking_in_the_cold():
     result = exercises.check('1a', PARKED)
     assert result.done, result
     shown = result._repr_html_()

@@ -1,6 +1,7 @@
-"""The exercises: each blank is not yet done, each solution is, and whatever else is handed in gets a sentence."""
+"""The exercises: no blank is done, each solution is, and anything else that is handed in gets a sentence."""
 
 import ast
+import functools
 import inspect
 import re
 import threading
@@ -49,7 +50,7 @@ def test_a_requirement_that_builds_on_one_that_is_not_met_is_not_tried(ros):
 
 
 def own_names(ros):
-    """Return the nodes in the graph that can come from here; another process's may be there as well."""
+    """Return the nodes in the graph that can come from this process; other processes may have nodes, too."""
     return [name for name in ros.services.node_names(hidden=True)
             if name.startswith(f'{trial.CORNER}/') or name in ('/rover', '/gripper', '/heater')]
 
@@ -88,7 +89,7 @@ class Unreadable:
     (Raises, 'ValueError: no wheels'), (Exits, 'SystemExit: 1'), (NeverBorn, 'AttributeError'),
     (ch05_1.Gripper, 'it is called `gripper`'),
 ])
-def test_what_is_no_rover_is_told(ros, work, word):
+def test_the_check_of_a_rover_names_anything_else(ros, work, word):
     result = exercises.check('3a', work)
     assert (result.done, result.count) == (False, 0)
     assert word in ' '.join(not_yet(result).values())
@@ -107,7 +108,7 @@ def test_nonsense_never_raises(ros, monkeypatch, number, work):
     assert repr(result) and result._repr_html_()
 
 
-def test_a_node_in_place_of_its_class_is_told_and_stays(ros):
+def test_a_node_in_place_of_its_class_is_named_and_stays_on_the_stage(ros):
     node = ros.add(solution('3a'))
     result = exercises.check('3a', node)
     assert 'by its name alone and without parentheses' in repr(result)
@@ -115,7 +116,7 @@ def test_a_node_in_place_of_its_class_is_told_and_stays(ros):
 
 
 class Heater(Node):
-    """Judges in a way that is left to the classes below."""
+    """A node whose subclasses say how it judges a value."""
 
     def __init__(self):
         super().__init__('heater')
@@ -135,7 +136,7 @@ class NeverReturns(Heater):
             pass
 
 
-def test_an_exception_in_a_callback_is_told(ros):
+def test_an_exception_in_a_callback_is_named(ros):
     result = exercises.check('5.2a', RaisesInCallback)
     assert "a callback raised AttributeError: 'Parameter' object has no attribute 'valeu'" in repr(result)
     assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 4]
@@ -153,7 +154,7 @@ def test_a_callback_that_never_returns_is_interrupted(ros, monkeypatch):
     assert exercises.check('5.2a', solution('5.2a')).done  # the executor is as good as before
 
 
-def test_a_callback_that_keeps_the_executor_for_good_is_told(ros, monkeypatch):
+def test_a_callback_that_blocks_the_executor_for_good_is_reported(ros, monkeypatch):
     def remove(self, node):
         if isinstance(node, Node):  # a name is removed to make room for another node
             raise ExecutorError('restart the kernel')
@@ -180,7 +181,7 @@ def waits(parameters, results):
 
 
 @pytest.mark.slow
-def test_what_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
+def test_code_that_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
     monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
     result = exercises.check('3a', WaitsInConstructor)
     assert 'it was still running after 0.5 s' in repr(result)
@@ -201,7 +202,7 @@ class Loops(Node):
 
 
 @pytest.mark.slow
-def test_a_button_that_never_comes_up_is_told(ros):
+def test_a_button_callback_that_never_returns_is_reported(ros):
     result = exercises.check('5.3a', Loops)
     assert 'kept the executor busy' in repr(result)
     assert exercises.check('5.3a', solution('5.3a')).done
@@ -217,7 +218,7 @@ class Spins(Loops):
         rclpy.spin_until_future_complete(self, self.client.call_async(ch05_3.SetParameters.Request()))
 
 
-def test_a_button_that_waits_for_its_own_executor_is_told_at_once(ros):
+def test_a_button_callback_that_waits_for_its_own_executor_is_reported_at_once(ros):
     result = exercises.check('5.3a', Spins)
     assert 'runs inside the executor that it waits for' in result.findings[0].happened
     assert stage.current() is ros
@@ -225,7 +226,7 @@ def test_a_button_that_waits_for_its_own_executor_is_told_at_once(ros):
 
 
 @pytest.mark.slow
-def test_a_button_that_cannot_be_interrupted_is_told_and_the_next_check_is_as_ever(ros):
+def test_a_button_callback_that_cannot_be_interrupted_is_reported_and_the_next_check_works(ros):
     result = exercises.check('5.3a', Sleeps)
     assert 'does not return and cannot be interrupted' in result.findings[0].happened
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried']
@@ -233,7 +234,7 @@ def test_a_button_that_cannot_be_interrupted_is_told_and_the_next_check_is_as_ev
 
 
 @pytest.mark.slow
-def test_a_cart_that_is_launched_already_is_told(ros):
+def test_a_cart_that_is_launched_already_is_named(ros):
     cart = ros.add(ch11.CartNode, ros_args=['-r', '__ns:=/aisle_3'])
     result = exercises.check('11e', solution('11e'))
     assert 'there is a `/aisle_3/cart_node` already: end it first' in not_yet(result).values()
@@ -248,7 +249,7 @@ def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):
 
 
 @pytest.mark.slow
-def test_the_stage_is_afterwards_as_before(ros):
+def test_a_check_leaves_the_stage_as_it_was(ros):
     own = ros.add(solution('3a'))
     client = ParameterClient(own)
     client.set_parameter('max_speed_mps', 1.5)
@@ -267,9 +268,32 @@ class AddsAnother(Node):
         stage.current().add(ch05_1.Gripper)
 
 
-def test_nodes_that_a_node_adds_are_cleared_too(ros):
+def test_nodes_that_a_node_adds_are_removed_too(ros):
     exercises.check('3a', AddsAnother)
     assert not ros.nodes
+
+
+@pytest.mark.parametrize('touch', [param_tutorial.start, param_tutorial.stop])
+def test_work_that_starts_or_stops_the_stage_is_told_to_leave_that_out(ros, touch):
+    def report(robot):
+        touch()
+        return robot.get_parameter('max_speed_rpm').value, 12.0
+
+    own = ros.add(solution('3a'))
+    happened = not_yet(exercises.check('4c', report)).values()
+    assert 'would take the check’s own nodes off the stage: leave this line out' in ' '.join(happened)
+    assert ros.nodes == (own,)
+    assert param_tutorial.start() is ros  # after the check, it is as ever
+    assert not ros.nodes
+
+
+def test_a_function_may_be_any_object_that_can_be_called(ros):
+    class Report:
+        def __call__(self, robot, volts=12.0):
+            return solution('4c')(robot)
+
+    for report in (Report(), functools.partial(Report(), volts=12.0)):
+        assert exercises.check('4c', report).done
 
 
 def test_without_a_stage_there_is_one_for_the_time_of_the_check():
@@ -279,7 +303,7 @@ def test_without_a_stage_there_is_one_for_the_time_of_the_check():
         stage.current()
 
 
-def test_a_line_of_the_learners_is_shown(ros, tmp_path):
+def test_a_finding_quotes_the_line_that_raised(ros, tmp_path):
     path = tmp_path / 'cell.py'
     path.write_text('def rejected(parameters, results):\n    return results[9]\n')
     space = {'__name__': '__main__'}
@@ -299,7 +323,7 @@ def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
 
 
 @pytest.mark.parametrize('ask', [exercises.hint, lambda number: exercises.check(number, None)])
-def test_a_number_that_is_none_is_told(ask):
+def test_a_number_without_an_exercise_gets_suggestions(ask):
     assert repr(ask('5.2')).startswith("There is no exercise '5.2'. Did you mean 5.2")
     assert 'There is no exercise 3. Did you mean 3' in repr(ask(3))
     assert 'There is: 1c' in repr(ask([]))
@@ -382,7 +406,7 @@ def test_a_recall_says_at_once_whether_it_is_right_and_where_it_was_learned(monk
     assert f'{number} {"✓" if made.right else "✗"}' in repr(exercises.progress(number.partition('-')[0]))
 
 
-def test_a_recall_that_is_none_is_told():
+def test_a_recall_number_without_a_question_gets_suggestions():
     assert "There is no question '4-r3'. Did you mean 4-r" in repr(exercises.recall('4-r3'))
 
 
@@ -418,7 +442,7 @@ def test_the_files_in_the_chapter_are_those_that_the_check_starts_with():
     assert ast.literal_eval(ast.parse(written).body[0].value) == ch07_3.FILES
 
 
-def test_the_answer_is_in_words_and_as_html_too():
+def test_a_result_has_a_text_and_an_html_form():
     findings = [Finding('`a` < `b`', False, 'x', '<b>', 'See it'), Finding('fine', True), Finding('?', None)]
     result = Result('3a', findings, 3, 'the end')
     assert repr(result) == '''Exercise 3a: not yet, 1 of 3 done
@@ -447,13 +471,13 @@ def test_in_the_corner_a_parameter_file_names_its_nodes_however_it_is_written():
         assert trial._in_corner(text) == text
 
 
-def test_a_prediction_of_another_type_is_told_what_it_is(ros):
+def test_a_prediction_of_another_type_names_its_type(ros):
     for given, word in (("'180'", 'In quotes it is a string'), ('180.0', 'Written like this, it is a double'),
                         ('True', 'Written like this, it is a boolean')):
         result = exercises.check('7.2b', solution('7.2b', ("config]': 180", f"config]': {given}")))
         assert not_yet(result)['`parameters=[config]`'].endswith(word)
 
 
-def test_what_depends_on_a_requirement_that_is_not_met_is_not_tried(ros):
+def test_a_requirement_that_depends_on_an_unmet_one_is_not_tried(ros):
     result = exercises.check('7.3b', solution('7.3b', ('/lab/', '/store/')))
     assert [finding.word for finding in result.findings] == ['done', 'not yet', 'not yet', 'not tried', 'not tried']

@@ -1,4 +1,4 @@
-"""Predictions: the data are sound, stand before their cells, and the widget says what it knows and no sooner."""
+"""Predictions: each stands before its cell, has one right answer, and reveals it only after the cell has run."""
 
 import itertools
 import re
@@ -73,7 +73,7 @@ def test_each_has_one_right_answer_and_a_sentence_for_each(prediction):
 
 
 @pytest.mark.parametrize('number', CHAPTERS)
-def test_each_chapter_says_something_to_who_has_solved_it(number):
+def test_each_chapter_has_a_sentence_for_a_learner_who_has_solved_it(number):
     assert CHAPTERS[number].praise.endswith('.')
 
 
@@ -98,7 +98,7 @@ def test_no_chapter_asks_for_a_prediction_in_its_prose(chapter):
 
 
 @pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
-def test_titles_of_exercises_are_those_of_the_chapter(chapter):
+def test_exercises_have_the_titles_of_the_chapter(chapter):
     cells = nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4).cells
     headings = re.findall(r'^### ([\d.]+[a-z]) · (.*)$', '\n'.join(cell.source for cell in cells), re.MULTILINE)
     assert headings == [(each.number, each.title) for each in chapter.exercises]
@@ -112,11 +112,11 @@ def test_a_typed_value_is_compared_as_a_number(given, is_right):
     assert TYPED.choice(given).is_right is is_right
 
 
-def test_a_value_that_nobody_foresaw_has_a_sentence_too():
+def test_an_unforeseen_value_has_a_sentence_too():
     assert TYPED.choice('99').sentence == 'It is 150.'
 
 
-def test_a_choice_that_there_is_not():
+def test_a_choice_that_does_not_exist_is_an_error():
     with pytest.raises(KeyError):
         CHOICE.choice('a list')
 
@@ -205,7 +205,7 @@ def test_a_cell_that_runs_again_goes_on_with_what_was_committed(shell):
     assert shell.user_ns['view'].answer.value is None
 
 
-def test_what_could_not_be_remembered_is_said():
+def test_an_answer_that_could_not_be_saved_is_reported():
     view = PredictionView(CHOICE, lambda *_: 'The disk is full.')
     assert 'The disk is full.' in answered(view, 'a number')
 
@@ -227,7 +227,7 @@ def test_predict_writes_nothing_without_the_variable(monkeypatch, tmp_path):
 
 
 @pytest.mark.parametrize('number', ['6.1-99', '', 7])
-def test_a_prediction_that_there_is_not(number):
+def test_a_prediction_number_that_does_not_exist_gets_suggestions(number):
     assert 'There is no prediction' in repr(exercises.predict(number))
 
 

@@ -21,7 +21,7 @@ speeds = st.integers(0, 300).map(lambda rpm: rpm / 60 * 2 * math.pi * 0.1)
 
 
 @given(st.floats(0.0, 1.0), accelerations)
-def test_it_pulls_away_by_the_closed_form(fraction, acceleration):
+def test_it_pulls_away_as_the_closed_form_says(fraction, acceleration):
     motion = plan(0.0, 0.0, replace(ORDINARY, max_acceleration_mps2=acceleration))
     first = motion.phases[0]
     seconds = fraction * first.duration_sec * 0.999
@@ -31,7 +31,7 @@ def test_it_pulls_away_by_the_closed_form(fraction, acceleration):
     assert state.position_m == pytest.approx(acceleration * seconds ** 2 / 2)
 
 
-def test_a_whole_drive_by_the_closed_form():
+def test_a_whole_drive_follows_the_closed_form():
     motion = plan(0.0, 0.0, ORDINARY)
     assert [phase.word for phase in motion.phases] == ['SPEEDING UP', 'CRUISING', 'BRAKING']
     # To 1 m/s with 0.5 m/s²: 2 s and 1 m, the same again for braking, and at 1 m/s over what remains of 3.8 m.
@@ -42,7 +42,7 @@ def test_a_whole_drive_by_the_closed_form():
 
 
 @given(speeds, accelerations)
-def test_it_brakes_over_v_squared_by_2a(speed, acceleration):
+def test_its_braking_distance_is_v_squared_over_2a(speed, acceleration):
     motion = plan(0.0, 0.0, Settings(speed, acceleration))
     braking = [phase for phase in motion.phases if phase.word == 'BRAKING']
     for phase in braking:
@@ -52,7 +52,7 @@ def test_it_brakes_over_v_squared_by_2a(speed, acceleration):
 
 
 @given(st.floats(0.0, 3.5), st.floats(0.0, 5.0), speeds, accelerations, st.booleans(), st.floats(-0.3, 0.5))
-def test_every_motion_hangs_together(position, velocity, speed, acceleration, safety_on, offset):
+def test_every_motion_is_continuous(position, velocity, speed, acceleration, safety_on, offset):
     settings_ = Settings(speed, acceleration, safety_on, offset)
     motion = plan(position, velocity, settings_)
     assert motion.at(0.0).position_m == pytest.approx(position)
@@ -71,7 +71,7 @@ def test_every_motion_hangs_together(position, velocity, speed, acceleration, sa
 
 @given(speeds, accelerations, st.lists(st.tuples(st.floats(0.0, 3.0), speeds, accelerations), max_size=8))
 @settings(max_examples=300)
-def test_with_safety_on_and_the_right_offset_it_never_passes_its_gap_whatever_changes(speed, acceleration, changes):
+def test_with_safety_on_and_the_right_offset_it_keeps_its_gap_whatever_changes(speed, acceleration, changes):
     position = velocity = 0.0
     for seconds, next_speed, next_acceleration in [*changes, (FOREVER, 0.0, 0.0)]:
         motion = plan(position, velocity, Settings(speed, acceleration))
@@ -93,12 +93,12 @@ def test_with_safety_off_it_runs_into_the_wall_at_full_speed():
     (0.15, 'STOPPED', 0.2), (0.05, 'STOPPED', 0.3), (-0.3, 'STOPPED', 0.65), (0.34, 'STOPPED', 0.01),
     (0.40, 'CRASHED', 0.0), (0.50, 'CRASHED', 0.0),
 ])
-def test_a_wrong_sensor_offset_stops_it_too_early_or_lets_it_touch(offset, word, gap):
+def test_a_wrong_sensor_offset_stops_it_too_early_or_too_late(offset, word, gap):
     end = plan(0.0, 0.0, replace(ORDINARY, sensor_offset_m=offset)).end
     assert (end.word, 4.0 - end.position_m) == (word, pytest.approx(gap))
 
 
-def test_safety_switched_on_late_brakes_with_all_that_the_tyres_have():
+def test_safety_switched_on_late_brakes_as_hard_as_the_tires_can():
     motion = plan(3.7, 1.0, ORDINARY)
     first = motion.phases[0]
     assert first.word == 'EMERGENCY BRAKING'
@@ -109,7 +109,7 @@ def test_safety_switched_on_late_brakes_with_all_that_the_tyres_have():
     assert too_late.end.crash_speed_mps == pytest.approx(math.sqrt(1.0 - 2 * EMERGENCY_BRAKE_MPS2 * 0.05))
 
 
-def test_the_curve_of_velocity_has_a_corner_where_the_phase_changes():
+def test_the_velocity_curve_has_a_corner_where_the_phase_changes():
     motion = plan(0.0, 0.0, ORDINARY)
     corners = motion.velocity_over_time()
     assert [velocity for _, velocity in corners] == pytest.approx([0.0, 1.0, 1.0, 0.0])
@@ -130,20 +130,20 @@ def client(robot):
     return ParameterClient(robot)
 
 
-def test_it_stands_until_it_is_told_to_drive(robot):
+def test_it_stands_still_until_it_is_told_to_drive(robot):
     assert robot.step(100.0).word == 'READY'
     robot.drive()
     assert robot.step(FOREVER).word == 'STOPPED'
 
 
-def test_the_wheel_and_the_rpm_give_the_speed(ros):
+def test_wheel_radius_and_rpm_give_the_speed(ros):
     robot = ros.add(ClawbotNode, real_time=False, ros_args=['-p', 'simulation.wheel_radius_meters:=0.05'])
     ParameterClient(robot).set_parameter('max_speed_rpm', 60)
     robot.drive()
     assert robot.step(3.0).velocity_mps == pytest.approx(2 * math.pi * 0.05)
 
 
-def test_acceleration_changed_on_the_way_counts_from_there(robot, client):
+def test_a_new_acceleration_takes_effect_at_once(robot, client):
     robot.drive()
     assert robot.step(1.0).velocity_mps == pytest.approx(0.5)
     client.set_parameter('max_acceleration_mps2', 0.1).raise_for_reason()
@@ -153,7 +153,7 @@ def test_acceleration_changed_on_the_way_counts_from_there(robot, client):
     assert [velocity for _, velocity in corners] == pytest.approx([0.0, 0.5, 0.5, 0.6])
 
 
-def test_less_speed_slows_it_down_and_none_makes_it_wait(robot, client):
+def test_a_lower_speed_slows_it_down_and_zero_makes_it_wait(robot, client):
     robot.drive()
     robot.step(2.0)
     client.set_parameter('max_speed_rpm', 50)
@@ -166,7 +166,7 @@ def test_less_speed_slows_it_down_and_none_makes_it_wait(robot, client):
     assert robot.step(FOREVER).word == 'STOPPED'
 
 
-def test_safety_switched_off_on_the_way_ends_in_the_wall_and_only_a_new_drive_mends_it(robot, client, ros):
+def test_safety_switched_off_during_a_drive_ends_in_the_wall_until_the_next_drive(robot, client, ros):
     robot.drive()
     robot.step(3.0)
     client.set_parameter('enable_safety_mode', False)
@@ -178,7 +178,7 @@ def test_safety_switched_off_on_the_way_ends_in_the_wall_and_only_a_new_drive_me
     assert robot.step(FOREVER).word == 'STOPPED'
 
 
-def test_it_does_not_start_in_the_cold_but_goes_on_in_it(robot, client, ros):
+def test_it_does_not_start_in_the_cold_but_keeps_driving_in_it(robot, client, ros):
     client.set_parameter('min_operating_temperature_c', 16)
     robot.drive()
     assert robot.step(5.0).word == 'WAITING'
@@ -189,7 +189,7 @@ def test_it_does_not_start_in_the_cold_but_goes_on_in_it(robot, client, ros):
     assert robot.step(FOREVER).word == 'STOPPED'
 
 
-def test_where_a_drive_has_ended_a_change_counts_for_the_next(robot, client):
+def test_after_a_drive_a_change_counts_for_the_next_one(robot, client):
     robot.drive()
     robot.step(FOREVER)
     client.set_parameters({'sensor_offset_meters': 0.5, 'enable_safety_mode': False})
@@ -213,7 +213,7 @@ def test_what_it_rejects(robot, client, name, value, kind):
         assert robot.settings == before
 
 
-def test_a_rejected_atomic_set_changes_nothing_on_the_way(robot, client):
+def test_a_rejected_atomic_set_changes_nothing_during_a_drive(robot, client):
     robot.drive()
     robot.step(1.0)
     client.set_parameters_atomically({'max_acceleration_mps2': 2.0, 'robot_name': ''})
@@ -224,7 +224,7 @@ def test_a_rejected_atomic_set_changes_nothing_on_the_way(robot, client):
 
 
 @pytest.mark.slow
-def test_in_real_time_it_arrives_by_itself_and_then_its_timer_is_off(ros):
+def test_in_real_time_it_arrives_by_itself_and_then_stops_its_timer(ros):
     robot = ros.add(ClawbotNode, ros_args=['-p', 'max_speed_rpm:=300', '-p', 'max_acceleration_mps2:=2.0',
                                            '-p', 'simulation.track_length_meters:=2.0'])
     assert robot.timer.is_canceled()
@@ -242,7 +242,7 @@ def test_a_waiting_robot_has_no_timer(ros):
     assert robot.timer.is_canceled()
 
 
-def test_it_tells_when_it_begins_to_do_something_else_and_is_silent_while_it_stands(ros):
+def test_it_reports_each_new_phase_and_nothing_while_it_stands_still(ros):
     robot, told = ros.add(ClawbotNode, real_time=False), []
     stop = robot.on_motion(lambda: told.append(robot.state.word))
     robot.drive()

@@ -49,7 +49,7 @@ def client(ros):
     return ParameterClient(ros.add(SimpleParamNode))
 
 
-def test_the_robot_declares_the_seven_of_the_course(client):
+def test_the_robot_declares_the_seven_parameters_of_the_course(client):
     own = {name: value for name, value in client.get_parameters().items()
            if name not in ('use_sim_time', 'start_type_description_service')}
     assert own == {'robot_name': 'Clawbot', 'max_speed_rpm': 100, 'enable_safety_mode': True,
@@ -65,11 +65,11 @@ def test_the_robot_declares_the_seven_of_the_course(client):
     ('max_acceleration_mps2', 2.5, 'out of range'), ('min_operating_temperature_c', 51, 'out of range'),
     ('robot_serial_number', 'SN-2', 'read only'), ('enable_safety_mode', 1, 'wrong type'),
 ])
-def test_the_robot_judges(client, name, value, kind):
+def test_the_robot_rejects_what_makes_no_sense(client, name, value, kind):
     assert client.set_parameter(name, value).kind == kind
 
 
-def test_the_robot_reacts_to_what_is_stored_and_to_nothing_else(client, ros):
+def test_the_robot_reacts_to_stored_values_alone(client, ros):
     ros.node_log.read(until='robot_serial_number')
     client.set_parameters_atomically({'max_speed_rpm': 5, 'robot_name': ''})
     client.set_parameter('max_speed_rpm', 6)

@@ -77,6 +77,19 @@ def test_overrides_reach_the_node(ros):
     assert ParameterClient(node).get_parameter('rpm') == 7
 
 
+class CallsNodeByName(Node):
+    def __init__(self):
+        Node.__init__(self, 'by_name')
+        self.rpm = self.declare_parameter('max_speed_rpm', 100).value
+
+
+def test_a_class_may_call_the_constructor_of_node_by_its_name(ros):
+    first = ros.add(CallsNodeByName)
+    second = ros.add(CallsNodeByName, ros_args=['-p', 'max_speed_rpm:=150'])
+    assert (first.rpm, second.rpm) == (100, 150)
+    assert ros.nodes == (second,)
+
+
 def test_a_constructor_that_fails_leaves_nothing_behind(ros):
     class Broken(Speed):
         def __init__(self):
@@ -393,7 +406,8 @@ def test_stop_leaves_rclpy_as_it_was():
 def test_stop_leaves_all_of_rclpy_as_it_was():
     param_tutorial.stop()
     places = {rclpy: ('spin', 'init', 'shutdown', 'install_signal_handlers'),
-              Executor: ('spin', 'spin_until_future_complete', 'wait_for_ready_callbacks'), Client: ('call',)}
+              Executor: ('spin', 'spin_until_future_complete', 'wait_for_ready_callbacks'), Client: ('call',),
+              Node: ('__init__',)}
     before = [vars(owner)[name] for owner, names in places.items() for name in names]
     context = param_tutorial.start().context
     param_tutorial.stop()

@@ -264,6 +264,33 @@ def test_a_second_executor_takes_nodes_over_from_one_that_never_runs_again(other
     second.shutdown()
 
 
+class CallsNodeByName(Node):
+    def __init__(self, **options):
+        Node.__init__(self, 'named', **options)
+
+
+class CallsSuper(Node):
+    def __init__(self, **options):
+        super().__init__('named', **options)
+
+
+@pytest.mark.parametrize('node_class', [CallsNodeByName, CallsSuper])
+def test_every_class_of_nodes_gets_to_one_constructor_and_passes_its_arguments_by_name(other_context, node_class):
+    def turn(node, node_name, options):
+        calls.append((type(node), node_name))
+        options['cli_args'] = ['--ros-args', '-r', '__node:=turned']
+
+    calls = []
+    leave = rclpy_private.call_before_node_init(turn)
+    node = node_class(context=other_context)
+    leave()
+    after = node_class(context=other_context)
+    assert calls == [(node_class, 'named')]
+    assert (node.get_name(), after.get_name()) == ('turned', 'named')
+    node.destroy_node()
+    after.destroy_node()
+
+
 def test_an_attribute_of_a_node_says_whether_it_is_in_the_graph(ros):
     assert not rclpy_private.is_in_graph(Node.__new__(Node))
     assert rclpy_private.is_in_graph(ros.tool_node)

@@ -1,4 +1,4 @@
-"""What a learner hands in: the blanks and solutions in the notebooks, and answers made of them."""
+"""What a learner hands in: the blanks and solutions in the notebooks, and answers made from them."""
 
 import ast
 import functools
@@ -25,7 +25,7 @@ def cell(number, kind):
 
 
 def answer(number, source, kind):
-    """Run the source of a cell as its notebook would, and give what its check is handed."""
+    """Run the source of a cell as its notebook would, and return what its check is given."""
     space = {'__name__': '__main__'}
     for each in notebook(number, 'solutions' if kind == 'solution' else ''):
         if each.cell_type == 'code' and not each.source.startswith('%%'):
@@ -58,5 +58,5 @@ def solution(number, *replacements):
 
 
 def not_yet(result):
-    """Return what stands at the requirements that are not met."""
+    """Return what happened, for each requirement that is not met."""
     return {finding.sentence: finding.happened for finding in result.findings if finding.done is not True}

@@ -2,6 +2,7 @@
 
 import linecache
 import re
+import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -28,6 +29,12 @@ def expect_declared(trial: Trial, name: str, wanted: ParameterType, value: objec
     client = client_for(trial, name)
     found, start = client.describe_parameter(name).type, client.get_parameter(name)
     expect(found is wanted and start == value, _facts(wanted, value), _facts(found, start))
+
+
+def expect_fixed_type(client: ParameterClient, name: str) -> None:
+    """Expect a parameter to take values of its own type alone."""
+    expect(not client.describe_parameter(name).dynamic_typing, f'`{name}` keeps its type',
+           'with `dynamic_typing`, it takes values of any type')
 
 
 def _facts(parameter_type: ParameterType, value: object) -> str:
@@ -68,7 +75,7 @@ def run_lines(trial: Trial, **names: object) -> dict[str, Any]:
     :param names: What is there before.
     :raises NoUse: there is nothing to run, or it does not get to its end.
     """
-    text = trial.work
+    text = textwrap.dedent(trial.work)  # a notebook takes a cell that is indented as a whole
     if not text.strip():
         raise NoUse('some lines', 'there is none')
     space: dict[str, Any] = {'__name__': '__main__', **names}
@@ -83,7 +90,9 @@ def run_lines(trial: Trial, **names: object) -> dict[str, Any]:
 
 def client_in_corner(node: Node | str) -> ParameterClient:
     """Return what ``ParameterClient(node)`` is for the learner, whose nodes are in the corner during a check."""
-    return ParameterClient(f'{CORNER}/{node.lstrip("/")}' if isinstance(node, str) else node)
+    if isinstance(node, str) and not node.startswith(f'{CORNER}/'):  # a node's own full name is right already
+        return ParameterClient(f'{CORNER}/{node.lstrip("/")}')
+    return ParameterClient(node)
 
 
 def derive(mixin: type[NodeT], node_class: type[Node]) -> type[NodeT]:

@@ -231,6 +231,12 @@ def error_if_asked() -> ParameterToolError:
                               'code take the value as an argument or a parameter')
 
 
+def _error_if_stage_is_touched() -> ParameterToolError:
+    """Return what start() and stop() of the stage raise during a check."""
+    return ParameterToolError('during a check, param_tutorial.start() and stop() would take the check’s own nodes off '
+                              'the stage: leave this line out')
+
+
 @contextlib.contextmanager
 def borrowed_stage() -> Iterator[BackgroundExecutor]:
     """Yield the executor in the background, or a temporary one, and clear it of what was added.
@@ -242,7 +248,7 @@ def borrowed_stage() -> Iterator[BackgroundExecutor]:
     except ExecutorError:
         ros, borrowed = stage.start(), False
     try:
-        with cleared(ros):
+        with cleared(ros), stage.kept(_error_if_stage_is_touched):
             yield ros
         if ros.is_running:
             ros.run(lambda: ros.services.forget(CORNER), 'tidy up')

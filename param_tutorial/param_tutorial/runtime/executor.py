@@ -27,7 +27,7 @@ from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, rclpy_private
 from param_tutorial.runtime.graph import incarnations
 from param_tutorial.runtime.listeners import Listeners
-from param_tutorial.runtime.managed import Callback, CallbackWatch, is_managed, prepare
+from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_init, is_managed, prepare
 from param_tutorial.runtime.node_log import NodeLog
 from param_tutorial.runtime.services import Services
 from param_tutorial.runtime.streams import Guard
@@ -145,6 +145,7 @@ class BackgroundExecutor:
         self._allow_waiting = rclpy_private.forbid_waiting(self._error_if_in_callback, rclpy_private.WaitLimit(
             self._in_main_thread, WAIT_LIMIT_SEC, self._error_if_endless, self._error_if_in_vain))
         self._let_go_of_context = rclpy_private.keep_context(self.context, self._tell_who_keeps_rclpy)
+        self._let_go_of_nodes = rclpy_private.call_before_node_init(before_node_init)
         self._thread.start()
 
     @property
@@ -449,6 +450,7 @@ class BackgroundExecutor:
         self._stopping = True
         self._allow_waiting()
         self._let_go_of_context()
+        self._let_go_of_nodes()
         if self._thread.is_alive() and self.context.ok():
             self._executor.create_task(lambda: None)
         has_ended = self._ends_within(STOP_TIMEOUT_SEC) or self._interrupt(self._ends_within)

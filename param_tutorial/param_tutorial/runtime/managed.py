@@ -130,6 +130,14 @@ def prepare(node_class: type[Node], host: Host) -> Node:
     return node
 
 
+def before_node_init(node: Node, node_name: str, options: dict[str, Any]) -> None:
+    """Tell the host of a node that was prepared for the stage that the node is about to be created; as in Host."""
+    # A node's name is known only here, and two nodes of one name must never exist at once: both would obey every set,
+    # and the second would log nothing.
+    if isinstance(node, _Hooks):
+        node.host_of_node.before_node_init(node_name, options)
+
+
 def is_managed(node: object) -> bool:
     """True if a node was prepared for the stage; its constructor may still be running."""
     return isinstance(node, _Hooks)
@@ -145,12 +153,6 @@ def _managed(node_class: Any) -> 'type[_Hooks]':
 
 class _Hooks(Node):
     host_of_node: Host
-
-    def __init__(self, node_name: str, **options: Any):
-        # A node's name is known only here, and two nodes of one name must never exist at once: both would obey
-        # every set, and the second would log nothing.
-        self.host_of_node.before_node_init(node_name, options)
-        super().__init__(node_name, **options)
 
     # rclpy registers its own callbacks through these methods too: those of the parameter services among them.
 

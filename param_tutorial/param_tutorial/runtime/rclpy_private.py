@@ -196,6 +196,27 @@ def keep_context(context: Context, tell: Callable[[str], None]) -> Callable[[], 
 
 # -- nodes ----------------------------------------------------------------------------------------------------
 
+def call_before_node_init(before: Callable[[Node, str, dict[str, Any]], None]) -> Callable[[], None]:
+    """Call a function before each ``Node.__init__``, whether a class gets there by ``super()`` or by its name.
+
+    :param before: Called with the node, its name, and the other arguments, which it may change.
+    :return: Call it to leave rclpy as it was.
+    """
+    init = Node.__init__
+
+    @functools.wraps(init)
+    def tell_and_init(self: Node, node_name: str, **options: Any) -> None:
+        before(self, node_name, options)
+        init(self, node_name, **options)
+
+    Node.__init__ = tell_and_init  # type: ignore[method-assign]
+
+    def leave() -> None:
+        if Node.__init__ is tell_and_init:
+            Node.__init__ = init  # type: ignore[method-assign]
+    return leave
+
+
 def is_in_graph(node: Node) -> bool:
     """True if a node has got so far in its constructor that it exists for others, and has to be destroyed."""
     return hasattr(node, '_Node__node')

@@ -5,8 +5,9 @@ and listen with ``on_change``, so that they survive a stop and a new start.
 """
 
 import atexit
+import contextlib
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from param_tutorial.errors import ExecutorError
 from param_tutorial.pictures.diagrams import NodeGraph
@@ -18,6 +19,7 @@ _current: BackgroundExecutor | None = None
 _change_listeners: Listeners[[]] = Listeners()
 _start_listeners: Listeners[[]] = Listeners()
 _lifecycle_lock = threading.RLock()
+_error_if_touched: Callable[[], Exception] | None = None
 
 
 def start() -> BackgroundExecutor:
@@ -29,6 +31,7 @@ def start() -> BackgroundExecutor:
     :raises ExecutorError: other code has initialized rclpy in this process.
     """
     global _current
+    _require_free()
     _start_listeners.call()
     with _lifecycle_lock:
         if _current is not None and _current.is_running:
@@ -59,12 +62,29 @@ def current() -> BackgroundExecutor:
 def stop() -> None:
     """Stop the process's BackgroundExecutor, if there is one; safe to call more than once."""
     global _current
+    _require_free()
     with _lifecycle_lock:
         if _current is None:
             return
         _current.stop()
         _current = None
     _change_listeners.call()
+
+
+@contextlib.contextmanager
+def kept(error: Callable[[], Exception]) -> Iterator[None]:
+    """Keep the stage as it is in this block: start() and stop() raise the exception that a function returns."""
+    global _error_if_touched
+    before, _error_if_touched = _error_if_touched, error
+    try:
+        yield
+    finally:
+        _error_if_touched = before
+
+
+def _require_free() -> None:
+    if _error_if_touched is not None:
+        raise _error_if_touched()
 
 
 def on_change(listener: Callable[[], None]) -> Callable[[], None]:

@@ -58,6 +58,21 @@ WRONG = {
         ([('value * minutes', 'value * minutes\n        from rclpy.parameter import Parameter\n'
            "        self.set_parameters([Parameter('liters_per_min', value=2.5)])")], 2,
          '`liters` is `60.0`; before, it was 35'),
+        ([("self.get_parameter('liters_per_min').value", "(self.get_parameter('liters_per_min').value or 2.5)")], 2,
+         '`liters` is `57.5`; before, it was 45'),  # a pump that is told to rest
+        ([('self.liters +=', 'self.minutes = getattr(self, "minutes", 0) + minutes\n        self.liters ='),
+          ('value * minutes', 'value * self.minutes')], 2, '`liters` is `20.0`; before, it was 25'),
+        ([("_min', 2.5)",
+           "_min', 2.5, __import__('rcl_interfaces.msg').msg.ParameterDescriptor(dynamic_typing=True))")], 2,
+         'it takes values of any type'),
+        ([("self.declare_parameter('liters_per_min', 2.5)\n", "self.rate = self.declare_parameter('liters_per_min', "
+           '2.5).value\n        self.add_on_set_parameters_callback(self.judge)\n'),
+          ("self.get_parameter('liters_per_min').value * minutes", 'self.rate * minutes\n\n'
+           '    def judge(self, parameters):\n        self.rate = parameters[0].value\n'
+           "        return __import__('rcl_interfaces.msg').msg.SetParametersResult(successful=True)")], 2,
+         'that value was rejected in the end'),
+        ([('self.liters +=', '__import__("time").sleep(60 * minutes)\n        self.liters +=')], 0,
+         'it was still running after'),
     ],
 }
 
@@ -71,6 +86,7 @@ RIGHT = {
           "client.set_parameter('enable_safety_mode', True)\n",
           "client.set_parameters({'max_speed_rpm': 50, 'enable_safety_mode': True})\n")],
         [('client = ParameterClient(robot)\n', "client = ParameterClient('/clawbot_node')\n")],
+        [('ParameterClient(robot)', 'ParameterClient(robot.get_fully_qualified_name())')],
         [('client = ParameterClient(robot)\n'
           "client.set_parameter('max_speed_rpm', 50)\n"
           "client.set_parameter('enable_safety_mode', True)\n",
@@ -78,6 +94,7 @@ RIGHT = {
           "Parameter('enable_safety_mode', value=True)])\n")],
         [('50', '40')],
         [('robot.drive()\n', 'robot.drive()\nrobot.step(60)\n')],
+        [('client', '    client'), ('robot.drive()', '    robot.drive()')],
     ],
     '1a': [
         [("'max_acceleration_mps2': 1.0", "'max_acceleration_mps2': 2.0"), ("'max_speed_rpm': 95",
@@ -92,6 +109,10 @@ RIGHT = {
         [("self.get_parameter('liters_per_min').value", "self.get_parameters(['liters_per_min'])[0].value")],
         [("self.get_parameter('liters_per_min').value",
           "self.get_parameter('liters_per_min').get_parameter_value().double_value")],
+        [("super().__init__('pump')", "Node.__init__(self, 'pump')")],
+        [('self.liters = 0.0', 'self.runs = []'),
+         ('self.liters += ', 'self.runs.append('), ('value * minutes', 'value * minutes)\n\n'
+          '    liters = property(lambda self: sum(self.runs))')],
         [("self.declare_parameter('liters_per_min', 2.5)\n",
           "self.rate = self.declare_parameter('liters_per_min', 2.5).value\n"
           '        self.add_post_set_parameters_callback(self.changed)\n'),

@@ -18,6 +18,9 @@ WRONG = {
          0, 'it is not there, but in `~/install`'),
         ([('cd ~/ros2_ws\n', 'cd ~/ros2_ws/src\n')], 0, 'it is not there, but in `~/ros2_ws/src/install`'),
         ([('colcon build', 'colcon build --packages-select lift_node')], 0, 'no package that it should build'),
+        ([('colcon build', 'colcon build --packages-up-to lift_node')], 0, 'no package that it should build'),
+        ([('colcon build', 'colcon build --packages-skip lift')], 0, 'no package that it should build'),
+        ([('colcon build', 'colcon test')], 0, 'it is not there'),
         ([('lift_node', 'lift')], 2, 'it does not start; the terminal says `No executable found`'),
         ([('source install', 'bash install')], 1, 'it does not'),
         ([('source install', 'source build')], 1, 'it does not'),
@@ -54,12 +57,19 @@ WRONG = {
         ([('{package}', 'lift')], 3, "it returns `Package 'lift' not found`"),
         ([("'No executable found'", 'None')], 3, 'it returns `None`'),
         ([('return path if', 'return path.name if')], 0, 'it returns `lift_node`'),
+        ([("packages' / package).exists()", "packages').glob(f'{package}*') != []"), ('if (prefix', 'if list((prefix'),
+          ("*') != []", "*'))")], 3, 'The marker there is that of `lift_tools`'),
+        ([("return path if path.exists() else 'No executable found'",
+           "return next(path.parent.glob(f'{program}*'), 'No executable found')")], 3, 'lift_node_old'),
+        ([('return f"Package', 'raise FileNotFoundError(f"Package'), ('not found"', 'not found")')], 1,
+         "FileNotFoundError: Package 'lift' not found"),
     ],
 }
 
 RIGHT = {
     '2c': [
         [('source install/setup.bash\n', '. install/setup.bash\n')],
+        [('source install/setup.bash\n', 'cd install\nsource setup.bash\n'), ('lift_node\n', 'lift_node &\nwait\n')],
         [('source install/setup.bash\n', ''),
          ('cd ~/ros2_ws\n', 'cd ~/ros2_ws\n'),
          ('ros2 run lift lift_node\n', 'cd; . ~/ros2_ws/install/setup.bash\nros2 run lift lift_node\n')],
@@ -80,5 +90,6 @@ RIGHT = {
         [('for prefix in prefixes:\n', 'for prefix in map(str, prefixes):\n        from pathlib import Path\n'
           '        prefix = Path(prefix)\n')],
         [("return f\"Package '{package}' not found\"", 'return "Package \'" + package + "\' not found"')],
+        [('path if path.exists()', "path if __import__('os').access(path, 1)")],
     ],
 }

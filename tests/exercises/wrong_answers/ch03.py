@@ -5,6 +5,12 @@ SPEED = f"""'max_speed_mps', 1.0, ParameterDescriptor(
             floating_point_range=[{RANGE}]))"""
 WHEELS = "'wheels', 6, ParameterDescriptor(read_only=True))"
 SET_RESULT = "__import__('rcl_interfaces.msg').msg.SetParametersResult"
+# A post-set callback that comes too late.
+UNDO = """
+        def undo(parameters):
+            if self.get_parameter('{0}').value not in ({1}, 0.0, 2.0, 0.01, 1.37):
+                self.set_parameters([Parameter('{0}', value={1})])
+        self.add_post_set_parameters_callback(undo)"""
 
 WRONG = {
     '3c': [
@@ -19,6 +25,7 @@ WRONG = {
         ([("'label'", "'lable'")], 2, 'the node has none of that name'),
         ([("'7'", "'7.0'")], 2, "type string, value `'7.0'`"),
         ([("'door'", "'doors'")], 3, 'it is called `doors`'),
+        ([("'7'", "'7', ParameterDescriptor(dynamic_typing=True)")], 2, 'it takes values of any type'),
     ],
     '3a': [
         ([("'max_speed_mps', 1.0", "'max_speed_mps', 1")], 2, 'type integer, value `1`'),
@@ -28,6 +35,8 @@ WRONG = {
         ([('to_value=2.0', 'to_value=3.0')], 3, 'Its range goes from 0.0 to 3.0'),
         ([('from_value=0.0, to_value=2.0', 'from_value=0, to_value=2')], 3, 'are floats, with a dot: `2.0`'),
         ([('to_value=2.0', 'to_value=2.0, step=0.5')], 3, 'off the step'),
+        ([(SPEED, SPEED.replace('ParameterDescriptor(', 'ParameterDescriptor(dynamic_typing=True,'))], 3,
+         'it takes values of any type'),
         ([(SPEED, "'max_speed_mps', 1.0)\n        self.add_on_set_parameters_callback(lambda ps: "
            f'{SET_RESULT}(successful=all(p.name == "wheels" or 0 <= p.value <= 2 for p in ps)))')], 3,
          'the node starts with 3.0'),
@@ -35,6 +44,9 @@ WRONG = {
         ([("'wheels', 6", "'wheels', '6'")], 2, "type string, value `'6'`"),
         ([("'wheels', 6", "'wheels', 4")], 3, 'type integer, value `4`'),
         ([("'wheels'", "'weels'")], 2, 'none of that name'),
+        ([(WHEELS, f"'wheels', 6){UNDO.format('wheels', 6)}")], 3, 'put the value back only afterward'),
+        ([(SPEED, f"'max_speed_mps', 1.0){UNDO.format('max_speed_mps', 1.0)}")], 3,
+         'put the value back only afterward'),
     ],
     '3b': [
         ([('50.0', '50')], 2, 'type integer, value `50`'),
@@ -45,6 +57,9 @@ WRONG = {
         ([('50.0', '5.0')], 3, 'type double, value `5.0`'),
         ([("'warm_white', True", "'warm_white', 1")], 3, 'type integer, value `1`'),
         ([("'warm_white', True", "'warm_white', False")], 3, 'type boolean, value `False`'),
+        ([("'warm_white', True", "'warm_white', True, ParameterDescriptor(read_only=True)")], 3, 'read only'),
+        ([("'warm_white', True", "'warm_white', True, ParameterDescriptor(dynamic_typing=True)")], 3,
+         'it takes values of any type'),
         ([('Parameter.Type.DOUBLE', 'None')], 0, 'its constructor did not finish'),
         ([('Parameter.Type.DOUBLE', '0.0')], 3, 'type double, value `0.0`'),
         ([('Parameter.Type.DOUBLE', 'Parameter.Type.INTEGER')], 3, 'type integer, no value'),

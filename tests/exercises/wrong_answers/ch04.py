@@ -22,7 +22,9 @@ WRONG = {
            "        robot.declare_parameter('battery_volts', 12.0)\n    volts = ")],
          3, 'your function has declared `battery_volts`'),
         ([('    volts = ', "    robot.set_parameters([Parameter('max_speed_rpm', value=70)])\n    volts = ")],
-         3, 'your function has changed `max_speed_rpm`'),
+         2, 'your function has changed `max_speed_rpm`'),
+        ([('    volts = ', "    robot.set_parameters([Parameter('max_speed_rpm', value=100)])\n    volts = ")],
+         2, 'your function has changed `max_speed_rpm`'),
         ([("get_parameter_or('battery_volts', Parameter('battery_volts', value=12.0)",
            "get_parameter('battery_volts'")],
          0, 'ParameterNotDeclaredException: Invalid access to undeclared'),
@@ -62,6 +64,12 @@ WRONG = {
          "it is the string `'100'`"),
         ([(_RETURN, "return self.get_parameter('max_speed_rpm').value")], 0, 'it is `100`'),
         ([(_DECLARED, '\n')], 0, 'ParameterNotDeclaredException'),
+        ([(_RETURN, "return max(0, min(wanted_rpm, self.get_parameter('max_speed_rpm').value))")], 0, 'it is `0`'),
+        ([(_RETURN, "return min(int(wanted_rpm), self.get_parameter('max_speed_rpm').value)")], 0, 'it is `40`'),
+        ([(_RETURN, "return min(wanted_rpm, self.get_parameter('max_speed_rpm').value or 100)")], 3, 'it is `100`'),
+        ([(_DECLARED, f'{_DECLARED}        self.rpm = 0\n'),  # the highest limit that it has seen
+          (_RETURN, "self.rpm = max(self.rpm, self.get_parameter('max_speed_rpm').value)\n"
+                    '        return min(wanted_rpm, self.rpm)')], 3, 'it is `150`'),
     ],
     '4b': [
         ([("'photo.value': 100", "'photo.value': 150")], 4, 'the photograph is older'),
@@ -89,6 +97,7 @@ RIGHT = {
           'return tuple(each.get_parameter_value().integer_value or each.value for each in (speed, volts))')],
     ],
     '4a': [
+        [("super().__init__('wheel')", "Node.__init__(self, 'wheel')")],
         [(_RETURN, "limit = self.get_parameter('max_speed_rpm').get_parameter_value().integer_value\n"
                    '        return limit if wanted_rpm > limit else wanted_rpm')],
         [(_RETURN, "limit, = self.get_parameters(['max_speed_rpm'])\n"

@@ -7,7 +7,13 @@ from typing import Any, NamedTuple
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import client_in_corner, run_lines
+from param_tutorial.exercises.expectations import (
+    WithSecondJudge,
+    client_in_corner,
+    derive,
+    expect_fixed_type,
+    run_lines,
+)
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.parameters.client import ParameterClient
@@ -16,9 +22,9 @@ from param_tutorial.widgets.robot import vehicle_of
 
 CHAPTER = '01_what_are_parameters'
 WORDS = 'The words'
-OWN = 'Each node has its own'
+OWN = 'Two robots of one class'
 NUMBER = 'Why not write the number into the program?'
-DONE = 'Accepted, but not acted on'
+DONE = 'Ask once, or each time'
 START = 'Fixed at the start'
 
 COLD_C = -10
@@ -169,6 +175,7 @@ def declared(trial: Trial) -> None:
     if (found, value) != ('double', 2.5):
         raise NoUse('a double, 2.5', f'type {found}, value `{value!r}`')
     expect_pumped(trial, node, 4, 2.5)
+    expect_fixed_type(client, PARAMETER)
 
 
 @free.require(f'started with `-p {PARAMETER}:=4.0`, it pumps 40 liters in ten minutes', see=START)
@@ -185,11 +192,18 @@ def changed(trial: Trial) -> None:
     node, client = pump(trial)
     expect_pumped(trial, node, 10, 2.5)
     before = 25.0
-    for rate, minutes in ((1.0, 10), (7.5, 0.5), (2.5, 2)):
+    for rate, minutes in ((1.0, 10), (0.0, 5), (7.5, 0.5), (2.5, 2)):
         client.set_parameter(PARAMETER, rate).raise_for_reason()
         for _ in range(2):
             expect_pumped(trial, node, minutes, rate, before)
             before += rate * minutes
+    judged: Any = trial.start(derive(WithSecondJudge, trial.work))
+    judged.rejects = True
+    trial.client(judged).set_parameter(PARAMETER, 9.0)
+    rate = judged.get_parameter(PARAMETER).value
+    trial.call('`run(1)`', judged.run, 1)
+    expect(judged.liters != 9.0 or rate == 9.0, f'`liters` is {rate:g} after `run(1)` if 9.0 is rejected',
+           f'`liters` is `{judged.liters!r}`: that value was rejected in the end, and the parameter never held it')
 
 
 order = Exercise('1c', 'Put a drive in order', CHAPTER, TEXT, hints=(

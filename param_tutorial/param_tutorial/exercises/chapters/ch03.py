@@ -3,9 +3,10 @@
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_declared, expect_result
+from param_tutorial.exercises.expectations import expect_declared, expect_fixed_type, expect_result
 from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
@@ -14,6 +15,7 @@ CHAPTER = '03_declaring'
 TYPE = 'Build it: one declaration, one type'
 DESCRIPTOR = 'Build it: the descriptor'
 WHO_DECIDES = 'Who decides the type?'
+PUT_BACK = 'the node accepted it, and put the value back only afterward'
 
 
 def start_with(trial: Trial, name: str, wanted: ParameterType) -> tuple[Any, ParameterClient]:
@@ -28,9 +30,25 @@ def start_with(trial: Trial, name: str, wanted: ParameterType) -> tuple[Any, Par
     return node, client
 
 
+def expect_start(trial: Trial, name: str, wanted: ParameterType, value: object) -> None:
+    """Expect a parameter of a type that stays, with a value to start with."""
+    expect_declared(trial, name, wanted, value)
+    _, client = start_with(trial, name, wanted)
+    expect_fixed_type(client, name)
+
+
+def note_values(node: Node, name: str) -> list[Any]:
+    """Return a list of all values that a parameter is going to hold, however briefly; it grows with each set."""
+    held: list[Any] = []
+    node.add_post_set_parameters_callback(
+        lambda parameters: held.extend(each.value for each in parameters if each.name == name))
+    return held
+
+
 def expect_limits(trial: Trial, name: str, low: float, high: float, *between: float) -> None:
     """Expect a double to stay within two ends, in whatever way the node sees to it, and its description to agree."""
     node, client = start_with(trial, name, DOUBLE)
+    held = note_values(node, name)
     for value in (low, high, *between):
         expect_result(client, name, value, 'accepted')
     for beyond in (low - 0.01, high + 0.5, low - 1000.0, high + 0.01, high + 1000.0):
@@ -38,6 +56,7 @@ def expect_limits(trial: Trial, name: str, low: float, high: float, *between: fl
         stored = client.get_parameter(name)
         expect(stored is not None and low <= stored <= high, f'`{name} = {beyond!r}` is rejected',
                f'the node accepted it. {_what_limits(node.describe_parameter(name))}')
+        expect(beyond not in held, f'`{name} = {beyond!r}` is rejected', PUT_BACK)
     if described := client.describe_parameter(name).range:
         expect((described.from_value, described.to_value) == (low, high),
                f'the node describes the range as {low} to {high}',
@@ -71,7 +90,7 @@ declare = Exercise('3a', 'Declare a rover', CHAPTER, NODE_CLASS, node_name='rove
 
 @declare.require('`max_speed_mps` is a double and starts at one meter per second', see=TYPE)
 def speed(trial: Trial) -> None:
-    expect_declared(trial, 'max_speed_mps', DOUBLE, 1.0)
+    expect_start(trial, 'max_speed_mps', DOUBLE, 1.0)
 
 
 @declare.require('`max_speed_mps` can be anything from 0.0 to 2.0, both ends included, and nothing else',
@@ -87,12 +106,14 @@ def wheels(trial: Trial) -> None:
 
 @declare.require('nobody can change `wheels`', see=DESCRIPTOR)
 def wheels_locked(trial: Trial) -> None:
-    _, client = start_with(trial, 'wheels', INTEGER)
+    node, client = start_with(trial, 'wheels', INTEGER)
+    held = note_values(node, 'wheels')
     before = client.get_parameter('wheels')
     for other in (4, 8, 0):
         client.set_parameter('wheels', other)
         expect(client.get_parameter('wheels') == before, f'`wheels = {other}` is rejected',
                'the node accepted it. The field `read_only` of the descriptor makes a parameter read-only')
+        expect(other not in held, f'`wheels = {other}` is rejected', PUT_BACK)
 
 
 mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
@@ -104,7 +125,7 @@ mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hint
 
 @mend.require('`brightness_percent` is a double that starts at 50.0, and it takes halves', see=WHO_DECIDES)
 def halves(trial: Trial) -> None:
-    expect_declared(trial, 'brightness_percent', DOUBLE, 50.0)
+    expect_start(trial, 'brightness_percent', DOUBLE, 50.0)
     _, client = start_with(trial, 'brightness_percent', DOUBLE)
     for half in (62.5, 0.5):
         expect_result(client, 'brightness_percent', half, 'accepted')
@@ -118,12 +139,15 @@ def percent(trial: Trial) -> None:
 
 @mend.require('`warm_white` is a boolean, and it is on', see=TYPE)
 def warm_white(trial: Trial) -> None:
-    expect_declared(trial, 'warm_white', BOOL, True)
+    expect_start(trial, 'warm_white', BOOL, True)
+    _, client = start_with(trial, 'warm_white', BOOL)
+    for switched in (False, True):
+        expect_result(client, 'warm_white', switched, 'accepted')
 
 
 @mend.require('`calibration` is a double that has no value until somebody sets one', see=WHO_DECIDES)
 def calibration(trial: Trial) -> None:
-    expect_declared(trial, 'calibration', DOUBLE, None)
+    expect_start(trial, 'calibration', DOUBLE, None)
     _, client = start_with(trial, 'calibration', DOUBLE)
     for value in (0.98, -12.5):
         expect_result(client, 'calibration', value, 'accepted')
@@ -140,7 +164,7 @@ def require_gap(name: str, wanted: ParameterType, value: object) -> None:
 
     @fill.require(f'`{name}` is {article} {wanted.label}, and it is `{value!r}`', see=TYPE)
     def is_declared(trial: Trial) -> None:
-        expect_declared(trial, name, wanted, value)
+        expect_start(trial, name, wanted, value)
 
 
 require_gap('max_angle_deg', INTEGER, 90)

@@ -8,7 +8,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import WithSecondJudge, derive
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import NotTried, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters import values
 
@@ -24,7 +24,7 @@ read = Exercise('4a', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name
     'Python’s `min(a, b)` is the smaller of two numbers, so the method is one line: `return min(wanted_rpm, ...)`.'))
 
 
-def expect_limited(trial: Trial, wheel: Any, wanted_rpm: int, allowed_rpm: int, wrong: dict[int, str]) -> None:
+def expect_limited(trial: Trial, wheel: Any, wanted_rpm: float, allowed_rpm: int, wrong: dict[int, str]) -> None:
     """Expect what the method returns for a wanted speed.
 
     :param wrong: What to think of, for values that it may return instead.
@@ -42,11 +42,11 @@ def expect_limited(trial: Trial, wheel: Any, wanted_rpm: int, allowed_rpm: int, 
            f'it is {_format_given(given)}{because}')
 
 
-@read.require('`limited(500)` is 100 at the start, and `limited(40)` is 40', see=OBJECT)
+@read.require('`limited(500)` is 100 at the start, and any speed below that comes back as it is', see=OBJECT)
 def at_the_start(trial: Trial) -> None:
     wheel = trial.start()
     try:
-        for wanted_rpm in (500, 40, 100, 101):
+        for wanted_rpm in (500, 40, 100, 101, 0, 40.5, -40, -500):
             expect_limited(trial, wheel, wanted_rpm, 100, {})
     except NotYet as error:  # it would come to light in each requirement
         raise NoUse(error.expected, error.happened) from None
@@ -57,11 +57,11 @@ def after_a_change(trial: Trial) -> None:
     wheel, other = trial.start(), trial.start(namespace='/other')
     expect_limited(trial, wheel, 500, 100, {})
     before = 100
-    for rpm in (150, 60, 175):
+    for rpm in (150, 60, 0, 175):
         trial.client(wheel).set_parameter('max_speed_rpm', rpm).raise_for_reason()
         expect_limited(trial, wheel, 500, rpm, {
             before: f'The node accepted {rpm} and still uses a copy that it made earlier'})
-        expect_limited(trial, wheel, 40, rpm, {})
+        expect_limited(trial, wheel, min(40, rpm), rpm, {})
         before = rpm
     expect_limited(trial, other, 500, 100, {175: 'That is the parameter of another wheel'})
 
@@ -192,6 +192,8 @@ def reports_speed(trial: Trial) -> None:
     for rpm in (100, 150, 0):
         trial.client(robot).set_parameter('max_speed_rpm', rpm).raise_for_reason()
         speed, _ = report(trial, robot)
+        if trial.client(robot).get_parameter('max_speed_rpm') != rpm:
+            raise NotTried  # the last requirement says that the function has changed it
         _expect_number(speed, rpm)
     speed, _ = report(trial, other)
     _expect_number(speed, 80)
@@ -217,6 +219,7 @@ def leaves_alone(trial: Trial) -> None:
     for node_class in (SimpleParamNode, Battery):
         robot = trial.start(node_class)
         client = trial.client(robot)
+        client.set_parameter('max_speed_rpm', 120).raise_for_reason()  # back at the default is a change, too
         before = client.get_parameters()
         report(trial, robot)
         after = client.get_parameters()

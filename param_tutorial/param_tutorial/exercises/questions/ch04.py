@@ -19,7 +19,7 @@ RECALLS = (
         right('It keeps its own speed', 'A parameter lives in one node.'),
         wrong('It drives at 150 once it is started again', 'A restart brings back the default. What you set on '
               'one node does not reach the other.')),
-           chapter='1', section='Each node has its own'),
+           chapter='1', section='Two robots of one class'),
 )
 
 PREDICTIONS = (
