@@ -15,8 +15,8 @@ from pathlib import Path
 from ament_index_python.packages import get_package_prefix, get_package_share_directory
 
 from param_tutorial.ros2.session import CommandFailed
+from param_tutorial.runtime.surroundings import PACKAGE
 
-PACKAGE = 'param_tutorial'
 _SEARCH_PATH = 'AMENT_PREFIX_PATH'
 
 

@@ -11,6 +11,7 @@ from typing import NoReturn
 from param_tutorial import nodes
 from param_tutorial.ros2 import index
 from param_tutorial.ros2.session import CommandFailed, Commands, Session
+from param_tutorial.runtime.surroundings import PACKAGE
 
 
 def add_to(commands: Commands) -> None:
@@ -67,7 +68,7 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
 
 
 def _own_program(package: str, program: str, environment: Mapping[str, str]) -> list[str]:
-    if package != index.PACKAGE or environment.get('PARAM_TUTORIAL_OWN_NODES') == '0':
+    if package != PACKAGE or environment.get('PARAM_TUTORIAL_OWN_NODES') == '0':
         raise CommandFailed(f"Package '{package}' not found")
     if program not in node_programs():
         raise CommandFailed('No executable found')
