@@ -88,7 +88,7 @@ def ready(process):
     (['param', 'get', '/n'], 'the following arguments are required: parameter_name'),
     (['param', 'set', '/n', 'a'], 'the following arguments are required: value'),
     (['param', 'get', '/n', 'a', 'b'], 'unrecognized arguments: b'),
-    (['param', 'get', '--timeout', 'soon', '/n', 'a'], "invalid float value: 'soon'"),
+    (['param', 'get', '--timeout', '0.5', '/n', 'a'], "argument --timeout: invalid int value: '0.5'"),
     (['run', 'param_tutorial'], 'the following arguments are required: executable_name'),
 ])
 def test_a_usage_error_says_what_is_wrong_and_starts_nothing(words, complaint):
@@ -185,15 +185,43 @@ def test_a_dump_survives_a_parameter_that_is_also_a_prefix(ros):
     assert '    c:\n      d: 1\n      e: 1\n' in run('param', 'dump', '/odd')[0]
 
 
-def test_a_node_without_parameter_services_is_passed_over_and_named_when_asked(ros, monkeypatch):
+def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(ros, monkeypatch):
     monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
     monkeypatch.setattr(graph, 'SERVICES_SEC', 0.3)
-    ros.add(SimpleParamNode)
+    ros.add(Odd, 'odd')
     ros.add(Odd, 'mute', start_parameter_services=False)
-    assert run('param', 'list')[0].count(':\n') == 1
-    stdout, stderr, status = run('param', 'get', '/mute', 'anything')
-    assert (stdout, status) == ('', 1)
-    assert 'start_parameter_services=False' in stderr
+    sentence = 'Wait for service timed out waiting for parameter services for node'
+    listed = f"{sentence} NodeName(name='mute', namespace='/', full_name='/mute')\n"
+    assert run('param', 'list', '/mute') == (listed, '', 0)
+    stdout, stderr, status = run('param', 'list')
+    assert stdout.startswith(f'{listed}/odd:\n  anything\n')
+    assert (stderr, status) == ('', 0)
+    for words in (['get', '/mute', 'x'], ['set', '/mute', 'x', '1'], ['delete', '/mute', 'x'], ['dump', '/mute'],
+                  ['describe', '/mute', 'x']):
+        assert run('param', *words) == ('', f'{sentence} /mute\n', 1)
+
+
+@pytest.mark.parametrize('option', [['--filter', 'any.*'], ['--param-prefixes', 'limits']])
+def test_a_list_of_all_nodes_names_only_those_with_something_left(ros, option):
+    ros.add(SimpleParamNode)
+    odd = ros.add(Odd, 'odd')
+    odd.declare_parameter('limits.max', 1)
+    name = {'--filter': 'anything', '--param-prefixes': 'limits.max'}[option[0]]
+    assert run('param', 'list', *option) == (f'/odd:\n  {name}\n', '', 0)
+
+
+def test_a_hidden_namespace_hides_no_node(ros):
+    ros.add(Odd, 'plain', '/_hns')
+    assert run('node', 'list') == ('/_hns/plain\n', '', 0)
+    assert run('param', 'list')[0].startswith('/_hns/plain:\n  anything\n')
+
+
+def test_a_list_of_booleans_and_integers_is_one_of_integers(ros):
+    node = ros.add(Odd, 'odd')
+    node.declare_parameter('flags', [True])
+    assert run('param', 'set', '/odd', 'flags', '[true, 1]') == ('', "Setting parameter failed: Wrong parameter type, "
+                                                                  "expected 'Type.BOOL_ARRAY' got "
+                                                                  "'Type.INTEGER_ARRAY'\n", 0)
 
 
 @pytest.mark.slow

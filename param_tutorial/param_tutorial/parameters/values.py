@@ -179,6 +179,8 @@ def parse(text: str) -> Any:
     # ValueError: YAML takes 2024-13-01 for a date and then finds that it is none.
     except (yaml.YAMLError, ValueError):
         return text
+    if isinstance(value, list) and any(map(_is_int, value)) and all(isinstance(item, int) for item in value):
+        value = list(map(int, value))  # [true, 1]: rclpy sees two integers, because to Python True is one
     try:
         return text if value is None or (type_of(value) is BYTE_ARRAY and value) else value
     except InvalidValueError:

@@ -26,6 +26,12 @@ class NodeName(NamedTuple):
     namespace: str
     full_name: str
 
+    @classmethod
+    def parse(cls, full_name: str) -> 'NodeName':
+        """Split a fully qualified name."""
+        namespace, _, name = full_name.rpartition('/')
+        return cls(name, namespace or '/', full_name)
+
 
 class CommandFailed(Exception):
     """The command cannot be done; the message goes to standard error, and the exit status is 1."""
@@ -105,8 +111,13 @@ class Session:
         return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
-        """Call a parameter service of a node that has been found."""
+        """Call a parameter service of a node that has been found.
+
+        :raises CommandFailed: the node has no such service.
+        """
         self.wait_for_service(node, service)
+        if not self.executor.services.is_ready(node, service):
+            raise CommandFailed(without_services(node))
         return self.executor.services.call(
             node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC, discovery_timeout_sec=0.0)
 
@@ -134,6 +145,11 @@ class Session:
         for _ in futures:
             finished.acquire()
         return answers | {node: future.exception() or future.result() for node, future in futures.items()}
+
+
+def without_services(node: str | NodeName) -> str:
+    """Return what the genuine command says of a node that has no parameter services."""
+    return f'Wait for service timed out waiting for parameter services for node {node}'
 
 
 class Printed(Exception):
@@ -167,5 +183,6 @@ def add_node_options(parser: argparse.ArgumentParser) -> None:
     """Add the options and the argument that all verbs about one node have."""
     add_discovery_options(parser)
     parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
-    parser.add_argument('--timeout', type=float, metavar='N', help='wait up to N seconds for the node to appear')
+    # The genuine one takes whole seconds, too.
+    parser.add_argument('--timeout', type=int, metavar='N', help='wait up to N seconds for the node to appear')
     parser.add_argument('node_name', help='name of the node')
