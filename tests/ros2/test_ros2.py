@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 
+import psutil
 import pytest
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
@@ -39,18 +40,20 @@ def start_process(ros):
 
     def start(*words, **options):
         with interruptible():  # whatever has started the tests
-            started.append(subprocess.Popen([str(word) for word in words], text=True, **options))
+            started.append(subprocess.Popen(
+                [str(word) for word in words], text=True, start_new_session=True, **options))
         return started[-1]
 
     yield start
     for process in started:
         # Asked politely, a process takes leave of the others; killed, it would count as present for a while.
-        process.send_signal(signal.SIGINT)
-        process.send_signal(signal.SIGCONT)
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGINT)
+            os.killpg(process.pid, signal.SIGCONT)
         try:
             process.communicate(timeout=20)
         except subprocess.TimeoutExpired:
-            process.kill()
+            os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
     ros.remove_all()
     wait_until(lambda: ros.services.node_names(hidden=True) == [f'/{executor.TOOL_NODE_NAME}'],
@@ -298,10 +301,21 @@ def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
     process = start_process(*EMBEDDED, 'run', 'param_tutorial', program, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     # It answers, so its constructor is done.
     assert run('param', 'get', '--timeout', '30', f'/{program}', 'use_sim_time')[2] == 0
-    process.send_signal(signal.SIGINT)
-    _, stderr = process.communicate(timeout=60)
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+    stdout, stderr = process.communicate(timeout=60)
     assert process.returncode == 0
     assert 'Traceback' not in stderr
+    assert '[ros2run]' not in stdout
+
+
+@pytest.mark.slow
+def test_sigterm_ends_the_node_too(ros, start_process):
+    process = start_process(*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', stdout=subprocess.PIPE)
+    assert run('param', 'get', '--timeout', '30', '/simple_param_node', 'use_sim_time')[2] == 0
+    child, = psutil.Process(process.pid).children()
+    process.terminate()
+    process.communicate(timeout=60)
+    assert not child.is_running()
 
 
 @pytest.mark.slow
@@ -321,6 +335,7 @@ def test_run_gives_the_exit_status_and_takes_a_prefix():
         [*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', '--ros-args', '--params-file', '/nowhere'],
         capture_output=True, text=True, timeout=60)
     assert done.returncode == 1
+    assert done.stdout == '[ros2run]: Process exited with failure 1\n'
     done = subprocess.run([*EMBEDDED, 'run', '--prefix', 'echo -n', 'param_tutorial', 'simple_param_node', 'x'],
                           capture_output=True, text=True, timeout=60)
     assert done.stdout.endswith('param_tutorial.nodes.simple_param_node x')
@@ -335,18 +350,63 @@ def test_run_names_what_it_cannot_find(words, complaint):
     assert run('run', *words) == ('', f'{complaint}\n', 1)
 
 
-def test_run_starts_programs_of_a_sourced_workspace(tmp_path, monkeypatch):
+@pytest.fixture
+def workspace(tmp_path, monkeypatch):
+    """Source an install space with one package, ``mine``; gives a function that puts programs into it."""
     marker = tmp_path / 'share/ament_index/resource_index/packages/mine'
-    program = tmp_path / 'lib/mine/hello'
-    for path in (marker, program):
-        path.parent.mkdir(parents=True)
+    marker.parent.mkdir(parents=True)
     marker.touch()
-    program.write_text('#!/bin/sh\necho hello $1\nexit 3\n')
-    program.chmod(0o755)
     monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+
+    def add(name, text=''):
+        path = tmp_path / 'lib/mine' / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f'#!/bin/sh\n{text}\n')
+        path.chmod(0o755)
+        return path
+
+    return add
+
+
+@pytest.mark.parametrize(('last', 'said', 'status'), [
+    ('exit 0', '', 0), ('exit 3', '[ros2run]: Process exited with failure 3\n', 3),
+    ('kill -SEGV $$', '[ros2run]: Segmentation fault\n', 256 - signal.SIGSEGV),
+    ('kill -KILL $$', '[ros2run]: Killed\n', 256 - signal.SIGKILL)])
+def test_run_starts_programs_of_a_sourced_workspace_and_says_how_they_failed(workspace, last, said, status):
+    workspace('hello', f'echo hello $1\n{last}')
     done = subprocess.run([*EMBEDDED, 'run', 'mine', 'hello', 'you'], capture_output=True, text=True, timeout=60)
-    assert (done.stdout, done.stderr, done.returncode) == ('hello you\n', '', 3)
-    assert run('run', 'mine', 'bye') == ('', 'No executable found\n', 1)
+    assert (done.stdout, done.stderr, done.returncode) == (f'hello you\n{said}', '', status)
+
+
+def test_run_finds_a_program_in_a_sub_folder_and_there_must_be_one(workspace):
+    only, first, second = workspace('tools/only'), workspace('twice'), workspace('tools/twice')
+    workspace('.hidden/secret')
+    (only.parent / 'notes').write_text('not a program')
+    stderr = run('run', 'mine', 'only')[1]
+    assert 'Run it beside the notebook' in stderr
+    assert run('run', 'mine', 'twice') == ('', f'Multiple executables found:\n- {first}\n- {second}\n', 1)
+    for name in ('notes', 'secret', 'bye'):
+        assert run('run', 'mine', name) == ('', 'No executable found\n', 1)
+
+
+def test_pkg_tells_what_has_been_built_and_sourced(workspace, tmp_path, monkeypatch):
+    first, second = workspace('tools/z'), workspace('y')
+    for words in ([], ['mine']):
+        assert run('pkg', 'executables', *words) == (f'{first}\n{second}\n', '', 0)
+    assert run('pkg', 'list') == ('mine\n', '', 0)
+    assert run('pkg', 'prefix', 'mine') == (f'{tmp_path}\n', '', 0)
+    assert run('pkg', 'prefix', '--share', 'mine') == (f'{tmp_path}/share/mine\n', '', 0)
+    assert run('pkg', 'prefix', 'other') == ('', 'Package not found\n', 1)
+    assert run('pkg', 'executables', 'other') == ('', "Package 'other' not found\n", 1)
+    # Ours runs without having been built, and says so.
+    for words in (['prefix', 'param_tutorial'], ['executables', 'param_tutorial']):
+        stdout, stderr, status = run('pkg', *words)
+        assert (stdout, status) == ('', 1)
+        assert 'not found: param_tutorial has not been built' in stderr
+    monkeypatch.setenv('PARAM_TUTORIAL_OWN_NODES', '0')
+    assert run('pkg', 'prefix', 'param_tutorial') == ('', 'Package not found\n', 1)
+    monkeypatch.delenv('AMENT_PREFIX_PATH')
+    assert run('pkg', 'list') == run('pkg', 'executables') == ('', '', 0)
 
 
 def test_the_programs_that_colcon_installs_are_the_same(request):
@@ -384,6 +444,6 @@ def test_ctrl_c_ends_a_command_that_waits(ros, start_process):
     process = start_process(*EMBEDDED, 'param', 'get', '--timeout', '600', '/nobody', 'x',
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     wait_until(lambda: count() == 2, 'the command to join', 30)
-    process.send_signal(signal.SIGINT)
+    os.killpg(process.pid, signal.SIGINT)
     assert process.communicate(timeout=60) == ('', '')
     assert process.returncode == 2

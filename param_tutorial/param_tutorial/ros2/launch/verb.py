@@ -59,7 +59,8 @@ def programs(description: LaunchDescription, context: Context) -> list[Program]:
                 entity.set(context)
                 continue
             executable = perform(entity.executable, context)
-            program = find_program(perform(entity.package, context), executable)
+            # launch_ros, unlike `ros2 run`, finds none in a sub-folder.
+            program = find_program(perform(entity.package, context), executable, sub_folders=False)
             stdout, stderr = entity.streams_on_screen(context)
             programs.append(Program(entity.command(program, context), executable, stdout, stderr))
         except CommandFailed as error:
