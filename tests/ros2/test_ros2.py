@@ -11,7 +11,9 @@ import threading
 
 import psutil
 import pytest
+from rcl_interfaces.msg import Parameter as ParameterMessage
 from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -86,7 +88,7 @@ def ready(process):
 
 
 @pytest.mark.parametrize(('words', 'complaint'), [
-    (['topic', 'list'], "invalid choice: 'topic'"),
+    (['interface', 'show'], "invalid choice: 'interface'"),
     (['param', 'shout'], "invalid choice: 'shout'"),
     (['param', 'get', '/n'], 'the following arguments are required: parameter_name'),
     (['param', 'set', '/n', 'a'], 'the following arguments are required: value'),
@@ -99,6 +101,13 @@ def test_a_usage_error_says_what_is_wrong_and_starts_nothing(words, complaint):
     assert (stdout, status) == ('', 2)
     assert stderr.startswith('usage: ros2')
     assert complaint in stderr
+
+
+@pytest.mark.parametrize('words', [['interface', 'show', 'x'], ['topic', 'echo', '/parameter_events']])
+def test_a_command_that_only_the_genuine_one_has_is_said_to_be_there(words):
+    assert "This is the course's own ros2" in run(*words)[1]
+    assert 'The genuine one has many more: environment/README.md' in run(*words)[1]
+    assert "course's own" not in run('pkg', 'create', '--build-type', 'x', 'arm')[1]
 
 
 @pytest.mark.parametrize('words', [[], ['--help'], ['param'], ['node'], ['param', 'set', '-h'], ['run', '-h']])
@@ -290,6 +299,79 @@ def test_a_port_that_never_answers_is_not_waited_for_for_ever(ros, monkeypatch):
         assert not graph.is_complete(ros.tool_node)
         assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
     assert graph.is_complete(ros.tool_node)
+
+
+# -- topics and services -------------------------------------------------------------------------------------
+
+
+class Talker(Node):
+    """A node with something of every kind, hidden things among them."""
+
+    def __init__(self, **options):
+        super().__init__('talker', namespace='/lab', start_parameter_services=False, **options)
+        for topic in ('chatter', '_secret'):
+            self.create_publisher(ParameterMessage, topic, 1)
+        self.create_subscription(ParameterMessage, 'ear', print, 1)
+        self.create_service(GetParameters, 'ask', print)
+        self.create_service(GetParameters, '_hidden', print)
+        self.create_client(GetParameters, 'wish')
+
+
+def test_info_shows_what_a_node_has(ros, monkeypatch):
+    monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
+    ros.add(Talker)
+    assert run('node', 'info', '/lab/talker') == ("""/lab/talker
+  Subscribers:
+    /lab/ear: rcl_interfaces/msg/Parameter
+  Publishers:
+    /lab/chatter: rcl_interfaces/msg/Parameter
+    /parameter_events: rcl_interfaces/msg/ParameterEvent
+    /rosout: rcl_interfaces/msg/Log
+  Service Servers:
+    /lab/ask: rcl_interfaces/srv/GetParameters
+    /lab/talker/get_type_description: type_description_interfaces/srv/GetTypeDescription
+  Service Clients:
+    /lab/wish: rcl_interfaces/srv/GetParameters
+  Action Servers:
+
+  Action Clients:
+
+""", '', 0)
+    shown = run('node', 'info', '--include-hidden', '/lab/talker')[0]
+    assert '    /lab/_secret: ' in shown
+    assert '    /lab/_hidden: ' in shown
+    for name in ('lab/talker', '/nobody', '', '/'):
+        assert run('node', 'info', name) == ('', f"Unable to find node '{name}'\n", 1)
+
+
+def test_a_hidden_node_has_info_on_request(ros):
+    ros.add(Odd)
+    assert run('node', 'info', '/_odd') == ('', "Unable to find node '/_odd'\n", 1)
+    assert run('node', 'info', '--include-hidden', '/_odd')[0].startswith('/_odd\n')
+
+
+def test_topics_are_listed(ros):
+    ros.add(Talker)
+    assert run('topic', 'list') == ('/lab/chatter\n/lab/ear\n/parameter_events\n/rosout\n', '', 0)
+    assert run('topic', 'list', '-c') == ('4\n', '', 0)
+    assert '/lab/ear [rcl_interfaces/msg/Parameter]\n' in run('topic', 'list', '-t')[0]
+    assert '/lab/_secret\n' in run('topic', 'list', '--include-hidden-topics')[0]
+
+
+def test_services_are_listed(ros, monkeypatch):
+    monkeypatch.setattr(graph, 'SERVICES_SEC', 0.3)
+    ros.add(SimpleParamNode)
+    run('param', 'get', '/simple_param_node', 'robot_name')
+    ros.remove_all()
+    ros.add(Talker)
+    stdout, stderr, status = run('service', 'list')
+    # rclpy 7.1.6 leaves a destroyed node's get_type_description behind, while its process lives.
+    names = [name for name in stdout.splitlines() if not name.endswith('get_type_description')]
+    # The clients that our commands keep for nodes that have ended show nothing.
+    assert (names, stderr, status) == (['/lab/ask', '/lab/wish'], '', 0)
+    assert run('service', 'list', '-c') == (f'{stdout.count(chr(10))}\n', '', 0)
+    assert '/lab/ask [rcl_interfaces/srv/GetParameters]\n' in run('service', 'list', '-t')[0]
+    assert '/lab/_hidden\n' in run('service', '--include-hidden-services', 'list')[0]
 
 
 # -- run ------------------------------------------------------------------------------------------------------

@@ -6,9 +6,11 @@ answers ends with a sentence after some seconds, and "Node not found" is said on
 
     command  one command, in this process
     param    param list, get, set, describe, dump, load, delete
-    node     node list
+    node     node list, info
     run      run: the nodes of the course, and the programs of packages that colcon has built
-    pkg      pkg create: a new Python package
+    service  service list
+    topic    topic list
+    pkg      pkg create: a new Python package; executables, list, prefix
     launch   launch: what a launch file describes
     index    where packages are installed
     session  what the verbs share

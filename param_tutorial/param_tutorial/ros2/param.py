@@ -84,7 +84,7 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
         session.wait_for_service(nodes[0].full_name, 'list_parameters')
     else:
         session.wait_for_graph(args)
-        nodes = _listed_nodes(session, args)
+        nodes = listed_nodes(session, hidden=args.include_hidden_nodes)
     answers = session.call_all([each.full_name for each in nodes if _has_services(session, each)], 'list_parameters',
                                ListParameters.Request(prefixes=args.param_prefixes))
     for each in nodes:
@@ -107,9 +107,9 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
             session.print(f'  {name}{types.get(name, "")}')
 
 
-def _listed_nodes(session: Session, args: argparse.Namespace) -> list[NodeName]:
+def listed_nodes(session: Session, *, hidden: bool) -> list[NodeName]:
     """Return the nodes, each name once, in the order of the genuine command, when their services are known."""
-    nodes = {each for each in session.node_names(hidden=args.include_hidden_nodes) if each.name != TOOL_NODE_NAME}
+    nodes = {each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME}
     # Names and services of a node are announced apart. A few nodes have no services, so the wait has an end.
     graph.wait_for(lambda: all(_has_services(session, each) for each in nodes), session.executor.tool_node,
                    graph.SERVICES_SEC)

@@ -15,6 +15,8 @@ from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import nodes_in_graph
 
 SERVICE_TIMEOUT_SEC = 5.0
+OTHER_COMMANDS = ("This is the course's own ros2, with the commands that the lessons use. The genuine one has many "
+                  'more: environment/README.md says how to get it.')
 # What add_subparsers() returns; argparse has no public name for it.
 Commands: TypeAlias = 'argparse._SubParsersAction[Parser]'
 
@@ -68,6 +70,15 @@ class Session:
     def complain(self, *words: Any) -> None:
         """Print to standard error."""
         print(*words, file=self.stderr)
+
+    def print_names_and_types(self, entries: Sequence[tuple[str, Sequence[str]]], *, only_count: bool,
+                              show_types: bool) -> None:
+        """Print topics or services, one to a line, or how many there are."""
+        if only_count:
+            self.print(len(entries))
+            return
+        for name, types in entries:
+            self.print(f'{name} [{", ".join(types)}]' if show_types else name)
 
     def node_names(self, *, hidden: bool) -> list[NodeName]:
         """Return the nodes in the graph as far as it is known; a name twice if two nodes have it."""
@@ -164,7 +175,11 @@ class Parser(argparse.ArgumentParser):
     """Raise what argparse would print: the streams of a command are not always those of the process."""
 
     def error(self, message: str) -> NoReturn:
-        raise Printed(f'{self.format_usage()}{self.prog}: error: {message}\n', 2)
+        text = f'{self.format_usage()}{self.prog}: error: {message}\n'
+        # Somebody may know the command from the genuine ros2.
+        if message.startswith(('argument command: invalid choice', 'argument verb: invalid choice')):
+            text += f'{OTHER_COMMANDS}\n'
+        raise Printed(text, 2)
 
     def print_help(self, file: Any = None) -> NoReturn:
         raise Printed(self.format_help(), 0)
