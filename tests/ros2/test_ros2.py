@@ -103,10 +103,11 @@ def test_a_usage_error_says_what_is_wrong_and_starts_nothing(words, complaint):
     assert complaint in stderr
 
 
-@pytest.mark.parametrize('words', [['interface', 'show', 'x'], ['topic', 'echo', '/parameter_events']])
-def test_a_command_that_only_the_genuine_one_has_is_said_to_be_there(words):
+@pytest.mark.parametrize('words', [['interface', 'show', 'x'], ['topic', 'echo', '/parameter_events'],
+                                   ['topic', 'list', '-v'], ['launch', 'param_tutorial', 'x_launch.py', '--debug']])
+def test_what_only_the_genuine_one_has_is_said_to_be_there(words):
     assert "This is the course's own ros2" in run(*words)[1]
-    assert 'The genuine one has many more: environment/README.md' in run(*words)[1]
+    assert 'The genuine one has more: environment/README.md' in run(*words)[1]
     assert "course's own" not in run('pkg', 'create', '--build-type', 'x', 'arm')[1]
 
 

@@ -14,7 +14,7 @@ byte, as 61 recordings in tests/ros2/transcripts have it, the others as its sour
 - ``pkg create`` writes Python packages only, and no LICENSE.
 - ``launch`` reads Python files, with the actions and substitutions that the lessons use, and rejects all else by its
   name. It works out everything before it starts the first program, and keeps no log files.
-- Of the other commands and verbs, a usage error says that the genuine ros2 has more.
+- Of other commands, verbs and options, a usage error says that the genuine ros2 has more.
 
     command  one command, in this process
     param    param list, get, set, describe, dump, load, delete

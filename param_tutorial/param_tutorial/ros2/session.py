@@ -15,8 +15,8 @@ from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import nodes_in_graph
 
 SERVICE_TIMEOUT_SEC = 5.0
-OTHER_COMMANDS = ("This is the course's own ros2, with the commands that the lessons use. The genuine one has many "
-                  'more: environment/README.md says how to get it.')
+MORE_ELSEWHERE = ("This is the course's own ros2, with the commands and options that the lessons use. The genuine one "
+                  'has more: environment/README.md says how to get it.')
 # What add_subparsers() returns; argparse has no public name for it.
 Commands: TypeAlias = 'argparse._SubParsersAction[Parser]'
 
@@ -176,9 +176,10 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         text = f'{self.format_usage()}{self.prog}: error: {message}\n'
-        # Somebody may know the command from the genuine ros2.
-        if message.startswith(('argument command: invalid choice', 'argument verb: invalid choice')):
-            text += f'{OTHER_COMMANDS}\n'
+        # Somebody may know it from the genuine ros2.
+        if message.startswith(('argument command: invalid choice', 'argument verb: invalid choice',
+                               'unrecognized arguments: -')):
+            text += f'{MORE_ELSEWHERE}\n'
         raise Printed(text, 2)
 
     def print_help(self, file: Any = None) -> NoReturn:
