@@ -170,8 +170,8 @@ def format_value(value: Any, letters: int = 200) -> str:
 def parse(text: str) -> Any:
     """Return the value that ``ros2 param set`` makes of a word on the command line: YAML 1.1, like ros2cli.
 
-    Surprises included: ``off`` is False, ``1e5`` a string, ``12:30`` is 750, ``[true, 2]`` is [1, 2]. What YAML cannot read, or
-    reads as something that is no parameter (a date, a mapping, ``null``), stays the text that was typed,
+    Surprises included: ``off`` is False, ``1e5`` a string, ``12:30`` is 750, ``[true, 2]`` is [1, 2], and ``null`` the
+    text that was typed. So is what YAML cannot read, or reads as something that is no parameter (a date, a mapping),
     where the genuine command ends in a traceback.
     """
     try:
