@@ -175,12 +175,12 @@ class Parser(argparse.ArgumentParser):
     """Raise what argparse would print: the streams of a command are not always those of the process."""
 
     def error(self, message: str) -> NoReturn:
-        text = f'{self.format_usage()}{self.prog}: error: {message}\n'
+        text = self.format_usage()
         # Somebody may know it from the genuine ros2.
         if message.startswith(('argument command: invalid choice', 'argument verb: invalid choice',
                                'unrecognized arguments: -')):
             text += f'{MORE_ELSEWHERE}\n'
-        raise Printed(text, 2)
+        raise Printed(f'{text}{self.prog}: error: {message}\n', 2)
 
     def print_help(self, file: Any = None) -> NoReturn:
         raise Printed(self.format_help(), 0)
