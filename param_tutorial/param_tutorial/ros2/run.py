@@ -67,17 +67,17 @@ def _wait_for_end(command: Sequence[str]) -> int:
     program: subprocess.Popen[bytes] | None = None
 
     def pass_on(number: int, _frame: object) -> None:
-        came.append(number)
-        if program is not None:
+        if program is None:
+            came.append(number)
+        elif number == signal.SIGTERM:
             program.send_signal(number)
 
-    before = {signal.SIGTERM: signal.signal(signal.SIGTERM, pass_on)}
     # What a shell has started with & ignores Ctrl+C, and so does the program then.
-    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
-        before[signal.SIGINT] = signal.signal(signal.SIGINT, lambda _number, _frame: None)
+    before = {number: signal.signal(number, pass_on) for number in (signal.SIGINT, signal.SIGTERM)
+              if signal.getsignal(number) is not signal.SIG_IGN}
     try:
         program = subprocess.Popen(command)
-        for number in came:  # before there was a program
+        for number in came:  # before there was a program that they could reach
             program.send_signal(number)
         return program.wait()
     finally:
