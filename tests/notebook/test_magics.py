@@ -249,10 +249,10 @@ def test_the_courses_own_nodes_are_started_by_its_own_command(cell_with_genuine,
     theirs, ours = tmp_path / 'theirs_launch.py', tmp_path / 'ours_launch.py'
     theirs.write_text("Node(package='demo', executable='talker')")
     ours.write_text("Node(package='param_tutorial', executable='simple_param_node')")
-    assert genuine.runs(['launch', str(theirs)])
-    assert not genuine.runs(['launch', str(ours)])
-    assert not genuine.runs(['run', '--prefix', 'nice', 'param_tutorial', 'simple_param_node'])
-    assert genuine.runs(['param', 'list', '/param_tutorial'])
+    assert genuine.path_for(['launch', str(theirs)]) == genuine.path()
+    assert genuine.path_for(['launch', str(ours)]) is None
+    assert genuine.path_for(['run', '--prefix', 'nice', 'param_tutorial', 'simple_param_node']) is None
+    assert genuine.path_for(['param', 'list', '/param_tutorial']) == genuine.path()
 
 
 def test_an_old_build_of_the_course_is_not_found(tmp_path, monkeypatch, fake_ros2):

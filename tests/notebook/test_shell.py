@@ -121,6 +121,13 @@ def test_a_package_is_what_the_genuine_command_writes(here):
     assert "[WARNING]: Unknown license 'TODO: License declaration'.  This has been set in the package.xml" in out
 
 
+def test_a_question_mark_lists_the_licenses_and_writes_nothing(here):
+    out, err, status = create('arm', '--license', '?')
+    assert out.startswith('Supported licenses:\nApache-2.0\nBSL-1.0\n')
+    assert (err, status) == ('', 0)
+    assert not list(here.iterdir())
+
+
 def test_what_is_told_stands_in_the_files_whatever_it_is(here):
     from catkin_pkg.package import parse_package
 

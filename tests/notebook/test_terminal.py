@@ -35,6 +35,26 @@ def test_two_nodes_talk_and_both_end_in_good_order(ros):
     assert 'Traceback' not in robot.text + setter.text
 
 
+def test_what_differs_in_each_launch_is_left_out(tmp_path):
+    said = """[INFO] [launch]: All log files can be found below /home/robot/.ros/log/2024-05-13-robot-12
+[INFO] [launch]: Default logging verbosity is set to INFO
+[INFO] [a-1]: process started with pid [13]
+[a-1] process started with pid [14]
+[INFO] [a-1]: process has finished cleanly [pid 13]
+[ERROR] [b-2]: process has died [pid 15, exit code 1, cmd 'b'].
+"""
+    (tmp_path / 'said').write_text(said)
+    terminal = Terminal(f'cat {tmp_path}/said')
+    terminal.read(until='has died')
+    assert terminal.interrupt() == 0
+    assert terminal.text == """[INFO] [launch]: Default logging verbosity is set to INFO
+[INFO] [a-1]: process started
+[a-1] process started with pid [14]
+[INFO] [a-1]: process has finished cleanly
+[ERROR] [b-2]: process has died [exit code 1, cmd 'b'].
+"""
+
+
 def test_output_that_does_not_come_is_an_error_that_shows_what_came():
     terminal = Terminal(f'"{sys.executable}" -c "print(1234)"')
     with pytest.raises(WaitTimeoutError, match=r"the command ended before a line with 'x'.*\n1234"):

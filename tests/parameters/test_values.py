@@ -4,7 +4,7 @@ import math
 
 import hypothesis.strategies as st
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from rcl_interfaces.msg import ParameterType as RosType
 from rcl_interfaces.msg import ParameterValue
 from rclpy.parameter import Parameter, get_parameter_value, parameter_value_to_python
@@ -32,23 +32,20 @@ def test_a_value_survives_the_message_and_has_the_type_that_rclpy_gives_it(value
 
 # Where rclpy answers at all, the guess is the same; where it ends in a traceback, the text stays a text.
 @given(st.text(st.characters(codec='ascii', exclude_characters='\0'), max_size=12))
+@example('[true, 1]')
 def test_a_word_on_the_command_line_is_read_as_ros2_does(text):
     try:
-        theirs = parameter_value_to_python(get_parameter_value(text))
+        theirs = values.to_python(get_parameter_value(text))
+        values.type_of(theirs)  # a mapping, for example, is only found to be none when it is sent
     except Exception:
         return
-    if isinstance(theirs, (bool, int, float, str)) or (theirs and isinstance(theirs, list)):
-        try:
-            ours = values.parse(text)
-        except InvalidValueError:
-            assert not values.INT64_MIN <= theirs <= values.INT64_MAX
-        else:
-            assert values.same(ours, theirs) or not isinstance(theirs, (bool, int, float, list, str))
+    assert values.same(values.parse(text), theirs)
 
 
 @pytest.mark.parametrize(('text', 'value'), [
     ('150', 150), ('off', False), ('y', 'y'), ('1e-3', '1e-3'), ('1.0e-3', 0.001), ('12:30', 750), ('010', 8),
-    ('[1, 2.0]', '[1, 2.0]'), ('[]', []), ("'42'", '42'), ('null', 'null'), ('', ''),
+    ('[1, 2.0]', '[1, 2.0]'), ('[true, 1]', [1, 1]), ('[1, off]', [1, 0]), ('[true, 1.0]', '[true, 1.0]'),
+    ('[]', []), ("'42'", '42'), ('null', 'null'), ('', ''),
     ('2024-01-01', '2024-01-01'), ('2024-13-01', '2024-13-01'), ('a: b', 'a: b'), ('@x', '@x'), ('*a', '*a'),
 ])
 def test_words_that_surprise(text, value):

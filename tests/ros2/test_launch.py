@@ -172,7 +172,9 @@ def test_other_formats_are_rejected(launch_file, name):
 def test_a_file_that_is_none(tmp_path, text, why):
     path = tmp_path / 'x_launch.py'
     path.write_text(text)
-    assert not launch(path, in_notebook=False)[0]
+    out, err, status = launch(path, in_notebook=False)
+    assert (err, status) == ('', 1)
+    assert re.search(rf'\n\[ERROR\] \[launch\]: Caught exception in launch \(see debug for traceback\): .*{why}', out)
     with pytest.raises(LaunchFailed, match=why):
         load_description(path)
 
@@ -472,9 +474,9 @@ def test_arguments_are_shown_and_checked(launch_file):
                        ([], 'Required launch argument "robot" was not provided'),
                        (['fast'], "malformed launch argument 'fast'"),
                        (['robot:='], "malformed launch argument 'robot:='")):
-        _, err, status = launch(path, *words, in_notebook=False)
+        out, err, status = launch(path, *words, in_notebook=False)
         assert status == 1
-        assert why in err
+        assert why in (err if 'malformed' in why else out)  # before the launch begins, or in it
 
 
 def test_mistakes_have_a_sentence(launch_file):
@@ -483,8 +485,9 @@ def test_mistakes_have_a_sentence(launch_file):
     assert "Terminal('ros2 launch param_tutorial simple_param_launch.py')" in launch(
         'param_tutorial', 'simple_param_launch.py')[1]
     path = launch_file("        Node(package='param_tutorial', executable='nope')")
-    assert launch(path, in_notebook=False)[1:] == (
-        '[ERROR] [launch]: Caught exception in launch (see debug for traceback): No executable found\n', 1)
+    assert launch(path, in_notebook=False) == (
+        '[INFO] [launch]: Default logging verbosity is set to INFO\n'
+        '[ERROR] [launch]: Caught exception in launch (see debug for traceback): No executable found\n', '', 1)
 
 
 def test_a_launch_file_is_found_at_any_depth_and_must_be_the_only_one_of_its_name(tmp_path, monkeypatch):
@@ -546,5 +549,7 @@ def test_a_program_that_dies_is_told_of_and_ends_the_launch(launch_file):
     done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'launch', str(path)], capture_output=True, text=True,
                           env={**os.environ, 'ROS_DOMAIN_ID': '0', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'})
     assert done.returncode == 0  # as the genuine command: the launch itself did what it was told
-    assert '[ERROR] [simple_param_node-1]: process has died [exit code 1, cmd' in done.stdout
+    pid = re.search(r'\[INFO\] \[simple_param_node-1\]: process started with pid \[(\d+)\]\n', done.stdout)[1]
+    assert f'[ERROR] [simple_param_node-1]: process has died [pid {pid}, exit code 1, cmd' in done.stdout
+    assert done.stderr == ''
     assert "'max_speed_rpm' to 'fast' of type 'STRING', expecting type 'INTEGER'" in done.stdout

@@ -9,8 +9,11 @@ import subprocess
 import sys
 import threading
 
+import psutil
 import pytest
+from rcl_interfaces.msg import Parameter as ParameterMessage
 from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -39,18 +42,20 @@ def start_process(ros):
 
     def start(*words, **options):
         with interruptible():  # whatever has started the tests
-            started.append(subprocess.Popen([str(word) for word in words], text=True, **options))
+            started.append(subprocess.Popen(
+                [str(word) for word in words], text=True, start_new_session=True, **options))
         return started[-1]
 
     yield start
     for process in started:
         # Asked politely, a process takes leave of the others; killed, it would count as present for a while.
-        process.send_signal(signal.SIGINT)
-        process.send_signal(signal.SIGCONT)
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGINT)
+            os.killpg(process.pid, signal.SIGCONT)
         try:
             process.communicate(timeout=20)
         except subprocess.TimeoutExpired:
-            process.kill()
+            os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
     ros.remove_all()
     wait_until(lambda: ros.services.node_names(hidden=True) == [f'/{executor.TOOL_NODE_NAME}'],
@@ -83,12 +88,12 @@ def ready(process):
 
 
 @pytest.mark.parametrize(('words', 'complaint'), [
-    (['topic', 'list'], "invalid choice: 'topic'"),
+    (['interface', 'show'], "invalid choice: 'interface'"),
     (['param', 'shout'], "invalid choice: 'shout'"),
     (['param', 'get', '/n'], 'the following arguments are required: parameter_name'),
     (['param', 'set', '/n', 'a'], 'the following arguments are required: value'),
     (['param', 'get', '/n', 'a', 'b'], 'unrecognized arguments: b'),
-    (['param', 'get', '--timeout', 'soon', '/n', 'a'], "invalid float value: 'soon'"),
+    (['param', 'get', '--timeout', '0.5', '/n', 'a'], "argument --timeout: invalid int value: '0.5'"),
     (['run', 'param_tutorial'], 'the following arguments are required: executable_name'),
 ])
 def test_a_usage_error_says_what_is_wrong_and_starts_nothing(words, complaint):
@@ -96,6 +101,14 @@ def test_a_usage_error_says_what_is_wrong_and_starts_nothing(words, complaint):
     assert (stdout, status) == ('', 2)
     assert stderr.startswith('usage: ros2')
     assert complaint in stderr
+
+
+@pytest.mark.parametrize('words', [['interface', 'show', 'x'], ['topic', 'echo', '/parameter_events'],
+                                   ['topic', 'list', '-v'], ['launch', 'param_tutorial', 'x_launch.py', '--debug']])
+def test_what_only_the_genuine_one_has_is_said_to_be_there(words):
+    assert "This is the course's own ros2" in run(*words)[1]
+    assert 'The genuine one has more: environment/README.md' in run(*words)[1]
+    assert "course's own" not in run('pkg', 'create', '--build-type', 'x', 'arm')[1]
 
 
 @pytest.mark.parametrize('words', [[], ['--help'], ['param'], ['node'], ['param', 'set', '-h'], ['run', '-h']])
@@ -185,15 +198,43 @@ def test_a_dump_survives_a_parameter_that_is_also_a_prefix(ros):
     assert '    c:\n      d: 1\n      e: 1\n' in run('param', 'dump', '/odd')[0]
 
 
-def test_a_node_without_parameter_services_is_passed_over_and_named_when_asked(ros, monkeypatch):
+def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(ros, monkeypatch):
     monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
     monkeypatch.setattr(graph, 'SERVICES_SEC', 0.3)
-    ros.add(SimpleParamNode)
+    ros.add(Odd, 'odd')
     ros.add(Odd, 'mute', start_parameter_services=False)
-    assert run('param', 'list')[0].count(':\n') == 1
-    stdout, stderr, status = run('param', 'get', '/mute', 'anything')
-    assert (stdout, status) == ('', 1)
-    assert 'start_parameter_services=False' in stderr
+    sentence = 'Wait for service timed out waiting for parameter services for node'
+    listed = f"{sentence} NodeName(name='mute', namespace='/', full_name='/mute')\n"
+    assert run('param', 'list', '/mute') == (listed, '', 0)
+    stdout, stderr, status = run('param', 'list')
+    assert stdout.startswith(f'{listed}/odd:\n  anything\n')
+    assert (stderr, status) == ('', 0)
+    for words in (['get', '/mute', 'x'], ['set', '/mute', 'x', '1'], ['delete', '/mute', 'x'], ['dump', '/mute'],
+                  ['describe', '/mute', 'x']):
+        assert run('param', *words) == ('', f'{sentence} /mute\n', 1)
+
+
+@pytest.mark.parametrize('option', [['--filter', 'any.*'], ['--param-prefixes', 'limits']])
+def test_a_list_of_all_nodes_names_only_those_with_something_left(ros, option):
+    ros.add(SimpleParamNode)
+    odd = ros.add(Odd, 'odd')
+    odd.declare_parameter('limits.max', 1)
+    name = {'--filter': 'anything', '--param-prefixes': 'limits.max'}[option[0]]
+    assert run('param', 'list', *option) == (f'/odd:\n  {name}\n', '', 0)
+
+
+def test_a_hidden_namespace_hides_no_node(ros):
+    ros.add(Odd, 'plain', '/_hns')
+    assert run('node', 'list') == ('/_hns/plain\n', '', 0)
+    assert run('param', 'list')[0].startswith('/_hns/plain:\n  anything\n')
+
+
+def test_a_list_of_booleans_and_integers_is_one_of_integers(ros):
+    node = ros.add(Odd, 'odd')
+    node.declare_parameter('flags', [True])
+    assert run('param', 'set', '/odd', 'flags', '[true, 1]') == ('', "Setting parameter failed: Wrong parameter type, "
+                                                                  "expected 'Type.BOOL_ARRAY' got "
+                                                                  "'Type.INTEGER_ARRAY'\n", 0)
 
 
 @pytest.mark.slow
@@ -261,6 +302,79 @@ def test_a_port_that_never_answers_is_not_waited_for_for_ever(ros, monkeypatch):
     assert graph.is_complete(ros.tool_node)
 
 
+# -- topics and services -------------------------------------------------------------------------------------
+
+
+class Talker(Node):
+    """A node with something of every kind, hidden things among them."""
+
+    def __init__(self, **options):
+        super().__init__('talker', namespace='/lab', start_parameter_services=False, **options)
+        for topic in ('chatter', '_secret'):
+            self.create_publisher(ParameterMessage, topic, 1)
+        self.create_subscription(ParameterMessage, 'ear', print, 1)
+        self.create_service(GetParameters, 'ask', print)
+        self.create_service(GetParameters, '_hidden', print)
+        self.create_client(GetParameters, 'wish')
+
+
+def test_info_shows_what_a_node_has(ros, monkeypatch):
+    monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
+    ros.add(Talker)
+    assert run('node', 'info', '/lab/talker') == ("""/lab/talker
+  Subscribers:
+    /lab/ear: rcl_interfaces/msg/Parameter
+  Publishers:
+    /lab/chatter: rcl_interfaces/msg/Parameter
+    /parameter_events: rcl_interfaces/msg/ParameterEvent
+    /rosout: rcl_interfaces/msg/Log
+  Service Servers:
+    /lab/ask: rcl_interfaces/srv/GetParameters
+    /lab/talker/get_type_description: type_description_interfaces/srv/GetTypeDescription
+  Service Clients:
+    /lab/wish: rcl_interfaces/srv/GetParameters
+  Action Servers:
+
+  Action Clients:
+
+""", '', 0)
+    shown = run('node', 'info', '--include-hidden', '/lab/talker')[0]
+    assert '    /lab/_secret: ' in shown
+    assert '    /lab/_hidden: ' in shown
+    for name in ('lab/talker', '/nobody', '', '/'):
+        assert run('node', 'info', name) == ('', f"Unable to find node '{name}'\n", 1)
+
+
+def test_a_hidden_node_has_info_on_request(ros):
+    ros.add(Odd)
+    assert run('node', 'info', '/_odd') == ('', "Unable to find node '/_odd'\n", 1)
+    assert run('node', 'info', '--include-hidden', '/_odd')[0].startswith('/_odd\n')
+
+
+def test_topics_are_listed(ros):
+    ros.add(Talker)
+    assert run('topic', 'list') == ('/lab/chatter\n/lab/ear\n/parameter_events\n/rosout\n', '', 0)
+    assert run('topic', 'list', '-c') == ('4\n', '', 0)
+    assert '/lab/ear [rcl_interfaces/msg/Parameter]\n' in run('topic', 'list', '-t')[0]
+    assert '/lab/_secret\n' in run('topic', 'list', '--include-hidden-topics')[0]
+
+
+def test_services_are_listed(ros, monkeypatch):
+    monkeypatch.setattr(graph, 'SERVICES_SEC', 0.3)
+    ros.add(SimpleParamNode)
+    run('param', 'get', '/simple_param_node', 'robot_name')
+    ros.remove_all()
+    ros.add(Talker)
+    stdout, stderr, status = run('service', 'list')
+    # rclpy 7.1.6 leaves a destroyed node's get_type_description behind, while its process lives.
+    names = [name for name in stdout.splitlines() if not name.endswith('get_type_description')]
+    # The clients that our commands keep for nodes that have ended show nothing.
+    assert (names, stderr, status) == (['/lab/ask', '/lab/wish'], '', 0)
+    assert run('service', 'list', '-c') == (f'{stdout.count(chr(10))}\n', '', 0)
+    assert '/lab/ask [rcl_interfaces/srv/GetParameters]\n' in run('service', 'list', '-t')[0]
+    assert '/lab/_hidden\n' in run('service', '--include-hidden-services', 'list')[0]
+
+
 # -- run ------------------------------------------------------------------------------------------------------
 
 
@@ -270,10 +384,21 @@ def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
     process = start_process(*EMBEDDED, 'run', 'param_tutorial', program, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     # It answers, so its constructor is done.
     assert run('param', 'get', '--timeout', '30', f'/{program}', 'use_sim_time')[2] == 0
-    process.send_signal(signal.SIGINT)
-    _, stderr = process.communicate(timeout=60)
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+    stdout, stderr = process.communicate(timeout=60)
     assert process.returncode == 0
     assert 'Traceback' not in stderr
+    assert '[ros2run]' not in stdout
+
+
+@pytest.mark.slow
+def test_sigterm_ends_the_node_too(ros, start_process):
+    process = start_process(*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', stdout=subprocess.PIPE)
+    assert run('param', 'get', '--timeout', '30', '/simple_param_node', 'use_sim_time')[2] == 0
+    child, = psutil.Process(process.pid).children()
+    process.terminate()
+    process.communicate(timeout=60)
+    assert not child.is_running()
 
 
 @pytest.mark.slow
@@ -293,6 +418,7 @@ def test_run_gives_the_exit_status_and_takes_a_prefix():
         [*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', '--ros-args', '--params-file', '/nowhere'],
         capture_output=True, text=True, timeout=60)
     assert done.returncode == 1
+    assert done.stdout == '[ros2run]: Process exited with failure 1\n'
     done = subprocess.run([*EMBEDDED, 'run', '--prefix', 'echo -n', 'param_tutorial', 'simple_param_node', 'x'],
                           capture_output=True, text=True, timeout=60)
     assert done.stdout.endswith('param_tutorial.nodes.simple_param_node x')
@@ -307,18 +433,63 @@ def test_run_names_what_it_cannot_find(words, complaint):
     assert run('run', *words) == ('', f'{complaint}\n', 1)
 
 
-def test_run_starts_programs_of_a_sourced_workspace(tmp_path, monkeypatch):
+@pytest.fixture
+def workspace(tmp_path, monkeypatch):
+    """Source an install space with one package, ``mine``; gives a function that puts programs into it."""
     marker = tmp_path / 'share/ament_index/resource_index/packages/mine'
-    program = tmp_path / 'lib/mine/hello'
-    for path in (marker, program):
-        path.parent.mkdir(parents=True)
+    marker.parent.mkdir(parents=True)
     marker.touch()
-    program.write_text('#!/bin/sh\necho hello $1\nexit 3\n')
-    program.chmod(0o755)
     monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+
+    def add(name, text=''):
+        path = tmp_path / 'lib/mine' / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f'#!/bin/sh\n{text}\n')
+        path.chmod(0o755)
+        return path
+
+    return add
+
+
+@pytest.mark.parametrize(('last', 'said', 'status'), [
+    ('exit 0', '', 0), ('exit 3', '[ros2run]: Process exited with failure 3\n', 3),
+    ('kill -SEGV $$', '[ros2run]: Segmentation fault\n', 256 - signal.SIGSEGV),
+    ('kill -KILL $$', '[ros2run]: Killed\n', 256 - signal.SIGKILL)])
+def test_run_starts_programs_of_a_sourced_workspace_and_says_how_they_failed(workspace, last, said, status):
+    workspace('hello', f'echo hello $1\n{last}')
     done = subprocess.run([*EMBEDDED, 'run', 'mine', 'hello', 'you'], capture_output=True, text=True, timeout=60)
-    assert (done.stdout, done.stderr, done.returncode) == ('hello you\n', '', 3)
-    assert run('run', 'mine', 'bye') == ('', 'No executable found\n', 1)
+    assert (done.stdout, done.stderr, done.returncode) == (f'hello you\n{said}', '', status)
+
+
+def test_run_finds_a_program_in_a_sub_folder_and_there_must_be_one(workspace):
+    only, first, second = workspace('tools/only'), workspace('twice'), workspace('tools/twice')
+    workspace('.hidden/secret')
+    (only.parent / 'notes').write_text('not a program')
+    stderr = run('run', 'mine', 'only')[1]
+    assert 'Run it beside the notebook' in stderr
+    assert run('run', 'mine', 'twice') == ('', f'Multiple executables found:\n- {first}\n- {second}\n', 1)
+    for name in ('notes', 'secret', 'bye'):
+        assert run('run', 'mine', name) == ('', 'No executable found\n', 1)
+
+
+def test_pkg_tells_what_has_been_built_and_sourced(workspace, tmp_path, monkeypatch):
+    first, second = workspace('tools/z'), workspace('y')
+    for words in ([], ['mine']):
+        assert run('pkg', 'executables', *words) == (f'{first}\n{second}\n', '', 0)
+    assert run('pkg', 'list') == ('mine\n', '', 0)
+    assert run('pkg', 'prefix', 'mine') == (f'{tmp_path}\n', '', 0)
+    assert run('pkg', 'prefix', '--share', 'mine') == (f'{tmp_path}/share/mine\n', '', 0)
+    assert run('pkg', 'prefix', 'other') == ('', 'Package not found\n', 1)
+    assert run('pkg', 'executables', 'other') == ('', "Package 'other' not found\n", 1)
+    # Ours runs without having been built, and says so.
+    for words in (['prefix', 'param_tutorial'], ['executables', 'param_tutorial']):
+        stdout, stderr, status = run('pkg', *words)
+        assert (stdout, status) == ('', 1)
+        assert 'not found: param_tutorial has not been built' in stderr
+    monkeypatch.setenv('PARAM_TUTORIAL_OWN_NODES', '0')
+    assert run('pkg', 'prefix', 'param_tutorial') == ('', 'Package not found\n', 1)
+    monkeypatch.delenv('AMENT_PREFIX_PATH')
+    assert run('pkg', 'list') == run('pkg', 'executables') == ('', '', 0)
 
 
 def test_the_programs_that_colcon_installs_are_the_same(request):
@@ -356,6 +527,6 @@ def test_ctrl_c_ends_a_command_that_waits(ros, start_process):
     process = start_process(*EMBEDDED, 'param', 'get', '--timeout', '600', '/nobody', 'x',
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     wait_until(lambda: count() == 2, 'the command to join', 30)
-    process.send_signal(signal.SIGINT)
+    os.killpg(process.pid, signal.SIGINT)
     assert process.communicate(timeout=60) == ('', '')
     assert process.returncode == 2

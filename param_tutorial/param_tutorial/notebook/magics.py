@@ -194,13 +194,14 @@ def _run(command: _Command) -> int:
             output = stack.enter_context(path.open('a' if command.append else 'w', encoding='utf-8'))
         streams = _Streams(output, sys.stderr)
         try:
-            if not genuine.runs(command.words):
+            installed = genuine.path_for(command.words)
+            if installed is None:
                 return embedded.main(command.words, stdout=streams.stdout, stderr=streams.stderr,
                                  get_executor=stage.current, in_notebook=True)
             if command.words[0] in ('run', 'launch') and _ENDS_BY_ITSELF.isdisjoint(command.words):
                 streams.stderr.write(f'{keeps_busy(command.words)}\n')
                 return 1
-            return _run_genuine(command.words, streams)
+            return _run_genuine(installed, command.words, streams)
         finally:
             streams.flush()
 
@@ -233,10 +234,10 @@ class _Stream:
         self._stream.flush()
 
 
-def _run_genuine(words: list[str], streams: _Streams) -> int:
+def _run_genuine(installed: str, words: list[str], streams: _Streams) -> int:
     """Run the installed command, show what it prints as it comes, and pass an interrupt on."""
     domain.choose()
-    command, environment = genuine.command(words)
+    command, environment = genuine.command_of(installed, words)
     process = subprocess.Popen(
         command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
         start_new_session=True)

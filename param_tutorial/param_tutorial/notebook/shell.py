@@ -62,10 +62,12 @@ class Shell:
         """The home folder."""
         self.status = 0
         """The exit status of the last command."""
+        has_genuine = genuine.path() is not None
         with interruptible():
             self._process = subprocess.Popen(
                 ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(), start_new_session=True)
+                stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(has_genuine),
+                start_new_session=True)
         # Also when a cell that makes a shell runs again, and when the kernel ends.
         self._close = weakref.finalize(self, _close, self._process, folder)
         assert self._process.stdin and self._process.stdout  # both are pipes
@@ -73,17 +75,17 @@ class Shell:
         os.set_blocking(self._output.fileno(), False)
         # Ctrl+C ends the command and not the shell.
         self.run('trap : INT')
-        if genuine.path() is None:
+        if not has_genuine:
             self.run(f'ros2() {{ {shlex.join(genuine.embedded_words())} "$@"; }}')
 
-    def _first_environment(self) -> dict[str, str]:
-        outer = dict(os.environ) if genuine.path() is None else genuine.environment()
+    def _first_environment(self, has_genuine: bool) -> dict[str, str]:
+        outer = genuine.environment() if has_genuine else dict(os.environ)
         passed_on = {name: value for name, value in outer.items() if not _NOT_PASSED_ON.match(name)}
         # Where colcon was installed with this Python. First, so that the nodes that it builds find this Python's rclpy;
         # beside a genuine ROS, theirs is its own, and this colcon stands in for one that is missing.
         path = [str(Path(sys.executable).parent), passed_on.get('PATH', os.defpath)]
-        passed_on['PATH'] = os.pathsep.join(path if genuine.path() is None else reversed(path))
-        if genuine.path() is not None and 'PYTHONPATH' in outer:
+        passed_on['PATH'] = os.pathsep.join(reversed(path) if has_genuine else path)
+        if has_genuine and 'PYTHONPATH' in outer:
             passed_on['PYTHONPATH'] = outer['PYTHONPATH']
         # As on a machine on which nothing has been built yet, `ros2 run` finds no package.
         return {**passed_on, 'PARAM_TUTORIAL_OWN_NODES': '0', 'HOME': str(self.home), 'USER': 'learner',

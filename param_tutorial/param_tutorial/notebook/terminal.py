@@ -7,6 +7,7 @@ For commands that go on until Ctrl+C, such as ``ros2 run``. Those that end by th
 import atexit
 import contextlib
 import os
+import re
 import shlex
 import signal
 import subprocess
@@ -23,11 +24,18 @@ from param_tutorial.runtime import domain, stage, surroundings
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
 _LOG_FORMAT = '[{severity}] [{name}]: {message}'
+# The same holds for what `ros2 launch` says of processes, and of the folder of its log files.
+_PROCESS_ID = re.compile(r'(?<=: process started) with pid \[\d+\]$|(?<=: process has finished cleanly) \[pid \d+\]$|'
+                         r'(?<=: process has died \[)pid \d+, ')
+_LOG_FOLDER = '[INFO] [launch]: All log files can be found below '
 _open: 'weakref.WeakSet[Terminal]' = weakref.WeakSet()
 
 
 class Terminal:
-    """A running command; everything that it prints is kept.
+    """A running command; what it prints is kept.
+
+    Some things are left out, because they differ each time: the times of a node's log lines, and, of what ``ros2
+    launch`` says, process IDs and the folder of the log files.
 
     >>> terminal = Terminal('ros2 run param_tutorial simple_param_node')  # doctest: +SKIP
     >>> print(terminal.read(until='declared'))                            # doctest: +SKIP
@@ -153,8 +161,10 @@ class Terminal:
         assert self._process.stdout  # a pipe
         with self._process.stdout as lines:
             for line in lines:
+                if line.startswith(_LOG_FOLDER):
+                    continue
                 with self._changed:
-                    self._text += line
+                    self._text += _PROCESS_ID.sub('', line)
                     self._changed.notify_all()
         with self._changed:
             self._changed.notify_all()

@@ -170,8 +170,8 @@ def format_value(value: Any, letters: int = 200) -> str:
 def parse(text: str) -> Any:
     """Return the value that ``ros2 param set`` makes of a word on the command line: YAML 1.1, like ros2cli.
 
-    Surprises included: ``off`` is False, ``1e5`` a string, ``12:30`` is 750. What YAML cannot read, or
-    reads as something that is no parameter (a date, a mapping, ``null``), stays the text that was typed,
+    Surprises included: ``off`` is False, ``1e5`` a string, ``12:30`` is 750, ``[true, 2]`` is [1, 2], and ``null`` the
+    text that was typed. So is what YAML cannot read, or reads as something that is no parameter (a date, a mapping),
     where the genuine command ends in a traceback.
     """
     try:
@@ -179,6 +179,8 @@ def parse(text: str) -> Any:
     # ValueError: YAML takes 2024-13-01 for a date and then finds that it is none.
     except (yaml.YAMLError, ValueError):
         return text
+    if isinstance(value, list) and any(map(_is_int, value)) and all(isinstance(item, int) for item in value):
+        value = list(map(int, value))  # [true, 1]: rclpy sees two integers, because to Python True is one
     try:
         return text if value is None or (type_of(value) is BYTE_ARRAY and value) else value
     except InvalidValueError:

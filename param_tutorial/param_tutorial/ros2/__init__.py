@@ -1,14 +1,28 @@
 """The embedded ``ros2``: the verbs that the course teaches, for machines without an installed ROS.
 
-ros2cli is not on PyPI. These commands take the options of ros2cli 0.32.2 (Jazzy) and print what it prints, byte
-for byte where tests/ros2/transcripts says so. Two differences are meant: a call that the node never
-answers ends with a sentence after some seconds, and "Node not found" is said only when discovery has finished.
+ros2cli is not on PyPI. These commands print what ros2cli 0.32.2 (Jazzy) prints: ``param`` and ``node list`` byte for
+byte, as 61 recordings in tests/ros2/transcripts have it, the others as its source says. They differ on purpose:
+
+- Where the genuine command ends in a traceback, ours says in a sentence what is wrong: a file that is none, an integer
+  of more than 64 bits, a bad regular expression. Usage errors and ``--help`` have our own words.
+- ``param set`` keeps the text that was typed where the genuine command breaks on it (``@at``, ``a: b``, a date), and
+  ``param dump`` writes a parameter ``a.b`` under its full name if there is an ``a``, too.
+- A call that the node never answers ends with a sentence after some seconds, instead of never. "Node not found" is said
+  only when discovery has finished. There is no daemon, and simulated time makes no difference.
+- ``run`` and ``launch`` find the course's own package without a build, and a notebook's cell rejects what would keep it
+  busy. ``run`` passes SIGTERM on to its program.
+- ``pkg create`` writes Python packages only, and no LICENSE.
+- ``launch`` reads Python files, with the actions and substitutions that the lessons use, and rejects all else by its
+  name. It works out everything before it starts the first program, and keeps no log files.
+- Of other commands, verbs and options, a usage error says that the genuine ros2 has more.
 
     command  one command, in this process
     param    param list, get, set, describe, dump, load, delete
-    node     node list
+    node     node list, info
     run      run: the nodes of the course, and the programs of packages that colcon has built
-    pkg      pkg create: a new Python package
+    service  service list
+    topic    topic list
+    pkg      pkg create: a new Python package; executables, list, prefix
     launch   launch: what a launch file describes
     index    where packages are installed
     session  what the verbs share

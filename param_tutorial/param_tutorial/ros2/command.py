@@ -4,18 +4,17 @@ import functools
 from collections.abc import Callable, Sequence
 
 from param_tutorial.errors import ParameterToolError
-from param_tutorial.ros2 import node, param, pkg, run
+from param_tutorial.ros2 import node, param, pkg, run, service, topic
 from param_tutorial.ros2.launch import verb
-from param_tutorial.ros2.session import CommandFailed, Parser, Printed, Session, TextStream
+from param_tutorial.ros2.session import MORE_ELSEWHERE, CommandFailed, Parser, Printed, Session, TextStream
 from param_tutorial.runtime.executor import BackgroundExecutor
 
 
 @functools.cache
 def _parser() -> Parser:
-    parser = Parser(prog='ros2', description="The course's own ros2: the commands that the lessons use.", epilog=(
-        'All other commands come with an installation of ROS 2; environment/README.md says how to get one.'))
+    parser = Parser(prog='ros2', description=MORE_ELSEWHERE)
     commands = parser.add_subparsers(metavar='command', title='commands')
-    for module in (node, param, pkg, run, verb):
+    for module in (node, param, pkg, run, service, topic, verb):
         module.add_to(commands)
     return parser
 

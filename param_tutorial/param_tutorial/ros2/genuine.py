@@ -10,8 +10,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from param_tutorial.ros2 import index
 from param_tutorial.runtime import domain
+from param_tutorial.runtime.surroundings import PACKAGE
 
 # What this process's own rclpy needs and another build of it must not find, and what `make` keeps away for the
 # same reason.
@@ -29,21 +29,21 @@ def path() -> str | None:
     return None if os.environ.get('PARAM_TUTORIAL_ROS2') == 'embedded' else shutil.which('ros2')
 
 
-def runs(words: Sequence[str]) -> bool:
-    """True if the genuine command, and not the embedded one, is to run these words after ``ros2``.
+def path_for(words: Sequence[str]) -> str | None:
+    """Return the path of the genuine command if it runs these words after ``ros2``; None if the embedded one does.
 
     The course's own nodes are started by the course's own command. Nobody has built them, so the genuine one does not
     find them; and if somebody has, the build is for ROS's Python and holds what the package was then.
     """
-    return path() is not None and not (words[:1] in (['run'], ['launch']) and any(map(_is_ours, words[1:])))
+    return None if words[:1] in (['run'], ['launch']) and any(map(_is_ours, words[1:])) else path()
 
 
 def _is_ours(word: str) -> bool:
     """True for the course's package, and for a launch file that names it."""
-    if word == index.PACKAGE:
+    if word == PACKAGE:
         return True
     with contextlib.suppress(OSError, ValueError):
-        return word.endswith('.py') and index.PACKAGE in Path(word).read_text(encoding='utf-8')
+        return word.endswith('.py') and PACKAGE in Path(word).read_text(encoding='utf-8')
     return False
 
 
@@ -54,9 +54,12 @@ def embedded_words() -> list[str]:
 
 def command(words: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     """Return the command line for these words after ``ros2``, and the environment in which it works."""
-    genuine = path()
-    if genuine is None or not runs(words):
-        return [*embedded_words(), *words], dict(os.environ)
+    genuine = path_for(words)
+    return ([*embedded_words(), *words], dict(os.environ)) if genuine is None else command_of(genuine, words)
+
+
+def command_of(genuine: str, words: Sequence[str]) -> tuple[list[str], dict[str, str]]:
+    """Return the same where it is known that the genuine command, at this path, runs the words."""
     _stop_daemon_in_the_end()
     return [genuine, *words], environment()
 

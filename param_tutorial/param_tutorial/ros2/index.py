@@ -9,14 +9,18 @@ import contextlib
 import functools
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from ament_index_python.packages import get_package_prefix, get_package_share_directory
+from ament_index_python.packages import (
+    get_package_prefix,
+    get_package_share_directory,
+    get_packages_with_prefixes,
+)
 
 from param_tutorial.ros2.session import CommandFailed
+from param_tutorial.runtime.surroundings import PACKAGE
 
-PACKAGE = 'param_tutorial'
 _SEARCH_PATH = 'AMENT_PREFIX_PATH'
 
 
@@ -34,6 +38,11 @@ def prefix_of(package: str, search_path: str) -> Path:
         return Path(get_package_prefix(package))
 
 
+def sourced_packages() -> list[str]:
+    """Return the names of all packages in the install spaces that have been sourced, sorted; none if none has."""
+    return sorted(get_packages_with_prefixes()) if os.environ.get(_SEARCH_PATH) else []
+
+
 def share_folder_of(package: str) -> Path:
     """Return the folder that holds a package's launch and configuration files.
 
@@ -43,11 +52,16 @@ def share_folder_of(package: str) -> Path:
         return Path(get_package_share_directory(package))
 
 
+def has_own_nodes(environment: Mapping[str, str] = os.environ) -> bool:
+    """True if the course's own package counts as installed where nobody has built it."""
+    return environment.get('PARAM_TUTORIAL_OWN_NODES') != '0'
+
+
 @contextlib.contextmanager
 def own_package_installed() -> Iterator[None]:
     """Let ``ament_index_python`` find the course's own package, too, unless the environment forbids it."""
     spaces = [os.environ.get(_SEARCH_PATH, '')]
-    if os.environ.get('PARAM_TUTORIAL_OWN_NODES') != '0' and (checkout := _checkout()):
+    if has_own_nodes() and (checkout := _checkout()):
         # At the end: a package of this name that has been built and sourced comes first.
         spaces.append(_stand_in(checkout))
     with _searching(os.pathsep.join(filter(None, spaces))):

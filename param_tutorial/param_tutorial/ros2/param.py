@@ -12,7 +12,6 @@ from typing import Any
 import yaml
 from rcl_interfaces.msg import Parameter, ParameterDescriptor
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
-from rclpy.node import HIDDEN_NODE_PREFIX
 from rclpy.parameter import parameter_dict_from_yaml_file
 
 from param_tutorial.parameters import values
@@ -25,6 +24,7 @@ from param_tutorial.ros2.session import (
     Session,
     add_discovery_options,
     add_node_options,
+    without_services,
 )
 from param_tutorial.runtime import graph
 from param_tutorial.runtime.executor import TOOL_NODE_NAME
@@ -80,19 +80,24 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
     except re.error as error:
         raise CommandFailed(f'{args.filter!r} is not a regular expression: {error}') from None
     if args.node_name:
-        nodes = [session.find(args)]
-        session.wait_for_service(nodes[0], 'list_parameters')
+        nodes = [NodeName.parse(session.find(args))]
+        session.wait_for_service(nodes[0].full_name, 'list_parameters')
     else:
         session.wait_for_graph(args)
-        nodes = _with_parameters(session, args)
-    answers = session.call_all(nodes, 'list_parameters', ListParameters.Request(prefixes=args.param_prefixes))
-    for node in nodes:
+        nodes = listed_nodes(session, hidden=args.include_hidden_nodes)
+    answers = session.call_all([each.full_name for each in nodes if _has_services(session, each)], 'list_parameters',
+                               ListParameters.Request(prefixes=args.param_prefixes))
+    for each in nodes:
+        node = each.full_name
+        if node not in answers:
+            session.print(without_services(each))
+            continue
         if isinstance(answers[node], Exception):
             session.complain(f"Exception while calling service of node '{node}': {answers[node]}")
             continue
-        if not args.node_name:
-            session.print(f'{node}:')
         names = [name for name in sorted(answers[node].result.names) if wanted.match(name)]
+        if names and not args.node_name:
+            session.print(f'{node}:')
         types = {}
         if args.param_type and names:
             request = DescribeParameters.Request(names=names)
@@ -102,18 +107,17 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
             session.print(f'  {name}{types.get(name, "")}')
 
 
-def _with_parameters(session: Session, args: argparse.Namespace) -> list[str]:
-    """Return the nodes that have parameter services, each name once, in the order of the genuine command."""
-    nodes = {each for each in session.node_names(hidden=args.include_hidden_nodes)
-             if each.name != TOOL_NODE_NAME
-             and (args.include_hidden_nodes or f'/{HIDDEN_NODE_PREFIX}' not in each.full_name)}
-
-    def ready() -> set[NodeName]:
-        return {each for each in nodes if session.executor.services.is_ready(each.full_name, 'list_parameters')}
-
+def listed_nodes(session: Session, *, hidden: bool) -> list[NodeName]:
+    """Return the nodes, each name once, in the order of the genuine command, when their services are known."""
+    nodes = {each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME}
     # Names and services of a node are announced apart. A few nodes have no services, so the wait has an end.
-    graph.wait_for(lambda: ready() == nodes, session.executor.tool_node, graph.SERVICES_SEC)
-    return [each.full_name for each in sorted(ready())]
+    graph.wait_for(lambda: all(_has_services(session, each) for each in nodes), session.executor.tool_node,
+                   graph.SERVICES_SEC)
+    return sorted(nodes)
+
+
+def _has_services(session: Session, node: NodeName) -> bool:
+    return session.executor.services.is_ready(node.full_name, 'list_parameters')
 
 
 def get_parameter(session: Session, args: argparse.Namespace) -> None:

@@ -1,6 +1,7 @@
-"""ros2 pkg create: write a new Python package (ament_python) into a workspace.
+"""ros2 pkg create, executables, list and prefix.
 
-The files do what those of ros2pkg's templates do; their text is the course's own.
+``create`` writes a new Python package (ament_python) into a workspace. The files do what those of ros2pkg's templates
+do; their text is the course's own. The other verbs tell what has been built and sourced.
 """
 
 import argparse
@@ -14,7 +15,10 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
+from param_tutorial.ros2 import index
+from param_tutorial.ros2.run import installed_programs
 from param_tutorial.ros2.session import CommandFailed, Commands, Session
+from param_tutorial.runtime.surroundings import PACKAGE
 
 BUILD_TYPE = 'ament_python'
 # The names for which the genuine command writes a LICENSE file.
@@ -36,15 +40,17 @@ class _Package:
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``pkg`` and its verb."""
+    """Add the command ``pkg`` and its verbs."""
     pkg = commands.add_parser('pkg', help='packages')
     pkg.set_defaults(help_of=pkg)
-    create = pkg.add_subparsers(metavar='verb', title='verbs').add_parser('create', help='write a new Python package')
+    verbs = pkg.add_subparsers(metavar='verb', title='verbs')
+    create = verbs.add_parser('create', help='write a new Python package')
     create.add_argument('package_name', help='name of the package')
     create.add_argument('--package-format', '--package_format', type=int, default=3, choices=[3],
                         help='format of package.xml')
     create.add_argument('--description', default='TODO: Package description', help='what the package is for')
-    create.add_argument('--license', default='TODO: License declaration', help='e.g. Apache-2.0')
+    create.add_argument('--license', default='TODO: License declaration',
+                        help='e.g. Apache-2.0; ? lists those that are known')
     create.add_argument('--destination-directory', default=os.curdir, help='where to make its folder')
     create.add_argument('--build-type', default='ament_cmake', choices=['cmake', 'ament_cmake', BUILD_TYPE],
                         help=f'here always {BUILD_TYPE}')
@@ -53,10 +59,54 @@ def add_to(commands: Commands) -> None:
     create.add_argument('--maintainer-name', help='default: the name of the user')
     create.add_argument('--node-name', help='name of a first executable, which only greets')
     create.set_defaults(verb=create_package)
+    executables = verbs.add_parser('executables', help='list the programs of a package, or of all packages')
+    executables.add_argument('package_name', nargs='?', help='name of the package')
+    executables.set_defaults(verb=list_executables)
+    verbs.add_parser('list', help='list the packages that have been sourced').set_defaults(verb=list_packages)
+    prefix = verbs.add_parser('prefix', help='print where a package is installed')
+    prefix.add_argument('package_name', help='name of the package')
+    prefix.add_argument('--share', action='store_true', help='print its share folder')
+    prefix.set_defaults(verb=print_prefix)
+
+
+def list_executables(session: Session, args: argparse.Namespace) -> None:
+    """Print the paths of programs."""
+    for package in index.sourced_packages() if args.package_name is None else [args.package_name]:
+        try:
+            paths = installed_programs(package)
+        except index.PackageNotFound:
+            raise CommandFailed(f"Package '{package}' not found{_note_on_own(package)}") from None
+        for path in sorted(map(str, paths)):
+            session.print(path)
+
+
+def list_packages(session: Session, _args: argparse.Namespace) -> None:
+    """Print the names of the packages that have been sourced."""
+    for package in index.sourced_packages():
+        session.print(package)
+
+
+def print_prefix(session: Session, args: argparse.Namespace) -> None:
+    """Print the install space that holds a package, or the package's share folder in it."""
+    try:
+        prefix = index.prefix_of(args.package_name, os.environ.get('AMENT_PREFIX_PATH', ''))
+    except index.PackageNotFound:
+        raise CommandFailed(f'Package not found{_note_on_own(args.package_name)}') from None
+    session.print(prefix / 'share' / args.package_name if args.share else prefix)
+
+
+def _note_on_own(package: str) -> str:
+    """Return why ``ros2 run`` finds a package that has not been built."""
+    if package != PACKAGE or not index.has_own_nodes():
+        return ''
+    return f": {PACKAGE} has not been built and sourced. The course's own ros2 runs its nodes all the same"
 
 
 def create_package(session: Session, args: argparse.Namespace) -> None:
     """Write the package, and print each file."""
+    if args.license == '?':
+        session.print('Supported licenses:', *LICENSES, sep='\n')
+        return
     _check(args)
     maintainer = args.maintainer_name or getpass.getuser()
     package = _Package(

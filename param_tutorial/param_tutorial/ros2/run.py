@@ -4,13 +4,16 @@ import argparse
 import os
 import pkgutil
 import shlex
+import signal
+import subprocess
 import sys
 from collections.abc import Mapping, Sequence
-from typing import NoReturn
+from pathlib import Path
 
 from param_tutorial import nodes
 from param_tutorial.ros2 import index
 from param_tutorial.ros2.session import CommandFailed, Commands, Session
+from param_tutorial.runtime.surroundings import PACKAGE
 
 
 def add_to(commands: Commands) -> None:
@@ -36,8 +39,8 @@ def keeps_busy(words: Sequence[str]) -> str:
             f'in the notebook: ros.add(...)')
 
 
-def run_program(session: Session, args: argparse.Namespace) -> NoReturn:
-    """Become the program: Ctrl+C, the exit status and all else are then its own affair."""
+def run_program(session: Session, args: argparse.Namespace) -> int:
+    """Run the program, say if it failed, and return its exit status; negative if a signal ended it."""
     command = find_program(args.package_name, args.executable_name)
     if session.in_notebook:
         raise CommandFailed(keeps_busy(['run', args.package_name, args.executable_name, *args.argv]))
@@ -45,29 +48,82 @@ def run_program(session: Session, args: argparse.Namespace) -> NoReturn:
     session.stdout.flush()
     session.stderr.flush()
     try:
-        os.execvp(command[0], command)
+        status = _wait_for_end(command)
     except OSError as error:
         raise CommandFailed(f'cannot run {command[0]}: {error.strerror}') from None
+    if status:
+        session.print('[ros2run]:', signal.strsignal(-status) if -status in signal.valid_signals()
+                      else f'Process exited with failure {status}')
+    return status
 
 
-def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ) -> list[str]:
+def _wait_for_end(command: Sequence[str]) -> int:
+    """Run a command, and return its exit status, as ``subprocess`` has it.
+
+    Ctrl+C reaches this process and the program alike, and the program decides what comes of it. SIGTERM is passed on;
+    the genuine command ends and leaves the program running.
+    """
+    came: list[int] = []
+    program: subprocess.Popen[bytes] | None = None
+
+    def pass_on(number: int, _frame: object) -> None:
+        if program is None:
+            came.append(number)
+        elif number == signal.SIGTERM:
+            program.send_signal(number)
+
+    # What a shell has started with & ignores Ctrl+C, and so does the program then.
+    before = {number: signal.signal(number, pass_on) for number in (signal.SIGINT, signal.SIGTERM)
+              if signal.getsignal(number) is not signal.SIG_IGN}
+    try:
+        program = subprocess.Popen(command)
+        for number in came:  # before there was a program that they could reach
+            program.send_signal(number)
+        return program.wait()
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ, *,
+                 sub_folders: bool = True) -> list[str]:
     """Find a program: in the install spaces that have been sourced, else among the course's own nodes.
 
     :param environment: Tells what has been sourced.
+    :param sub_folders: Look below the package's folder of programs, too.
     :return: The words that start it.
-    :raises CommandFailed: there is no such package, or no such program in it.
+    :raises CommandFailed: there is no such package, no such program in it, or more than one.
     """
     try:
-        path = index.prefix_of(package, environment.get('AMENT_PREFIX_PATH', '')) / 'lib' / package / program
+        paths = [path for path in installed_programs(package, environment, sub_folders=sub_folders)
+                 if path.name == program]
     except index.PackageNotFound:
         return _own_program(package, program, environment)
-    if path.is_file() and os.access(path, os.X_OK):
-        return [str(path)]
-    raise CommandFailed('No executable found')
+    if not paths:
+        raise CommandFailed('No executable found')
+    if len(paths) > 1:
+        raise CommandFailed('\n- '.join(['Multiple executables found:', *map(str, paths)]))
+    return [str(paths[0])]
+
+
+def installed_programs(package: str, environment: Mapping[str, str] = os.environ, *,
+                       sub_folders: bool = True) -> list[Path]:
+    """Return the programs that a package has in the install spaces that have been sourced.
+
+    :param environment: Tells what has been sourced.
+    :param sub_folders: Look below the package's folder of programs, too.
+    :raises index.PackageNotFound: none of them holds the package.
+    """
+    found = []
+    prefix = index.prefix_of(package, environment.get('AMENT_PREFIX_PATH', ''))
+    for folder, below, names in os.walk(prefix / 'lib' / package):
+        below[:] = sorted(name for name in below if sub_folders and not name.startswith('.'))
+        found += [Path(folder, name) for name in sorted(names) if os.access(Path(folder, name), os.X_OK)]
+    return found
 
 
 def _own_program(package: str, program: str, environment: Mapping[str, str]) -> list[str]:
-    if package != index.PACKAGE or environment.get('PARAM_TUTORIAL_OWN_NODES') == '0':
+    if package != PACKAGE or not index.has_own_nodes(environment):
         raise CommandFailed(f"Package '{package}' not found")
     if program not in node_programs():
         raise CommandFailed('No executable found')

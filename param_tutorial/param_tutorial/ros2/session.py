@@ -15,6 +15,8 @@ from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import nodes_in_graph
 
 SERVICE_TIMEOUT_SEC = 5.0
+MORE_ELSEWHERE = ("This is the course's own ros2, with the commands and options that the lessons use. The genuine one "
+                  'has more: environment/README.md says how to get it.')
 # What add_subparsers() returns; argparse has no public name for it.
 Commands: TypeAlias = 'argparse._SubParsersAction[Parser]'
 
@@ -25,6 +27,12 @@ class NodeName(NamedTuple):
     name: str
     namespace: str
     full_name: str
+
+    @classmethod
+    def parse(cls, full_name: str) -> 'NodeName':
+        """Split a fully qualified name."""
+        namespace, _, name = full_name.rpartition('/')
+        return cls(name, namespace or '/', full_name)
 
 
 class CommandFailed(Exception):
@@ -62,6 +70,15 @@ class Session:
     def complain(self, *words: Any) -> None:
         """Print to standard error."""
         print(*words, file=self.stderr)
+
+    def print_names_and_types(self, entries: Sequence[tuple[str, Sequence[str]]], *, only_count: bool,
+                              show_types: bool) -> None:
+        """Print topics or services, one to a line, or how many there are."""
+        if only_count:
+            self.print(len(entries))
+            return
+        for name, types in entries:
+            self.print(f'{name} [{", ".join(types)}]' if show_types else name)
 
     def node_names(self, *, hidden: bool) -> list[NodeName]:
         """Return the nodes in the graph as far as it is known; a name twice if two nodes have it."""
@@ -105,8 +122,13 @@ class Session:
         return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
-        """Call a parameter service of a node that has been found."""
+        """Call a parameter service of a node that has been found.
+
+        :raises CommandFailed: the node has no such service.
+        """
         self.wait_for_service(node, service)
+        if not self.executor.services.is_ready(node, service):
+            raise CommandFailed(without_services(node))
         return self.executor.services.call(
             node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC, discovery_timeout_sec=0.0)
 
@@ -136,6 +158,11 @@ class Session:
         return answers | {node: future.exception() or future.result() for node, future in futures.items()}
 
 
+def without_services(node: str | NodeName) -> str:
+    """Return what the genuine command says of a node that has no parameter services."""
+    return f'Wait for service timed out waiting for parameter services for node {node}'
+
+
 class Printed(Exception):
     """argparse has something to say and no more to do."""
 
@@ -148,7 +175,12 @@ class Parser(argparse.ArgumentParser):
     """Raise what argparse would print: the streams of a command are not always those of the process."""
 
     def error(self, message: str) -> NoReturn:
-        raise Printed(f'{self.format_usage()}{self.prog}: error: {message}\n', 2)
+        text = self.format_usage()
+        # Somebody may know it from the genuine ros2.
+        if message.startswith(('argument command: invalid choice', 'argument verb: invalid choice',
+                               'unrecognized arguments: -')):
+            text += f'{MORE_ELSEWHERE}\n'
+        raise Printed(f'{text}{self.prog}: error: {message}\n', 2)
 
     def print_help(self, file: Any = None) -> NoReturn:
         raise Printed(self.format_help(), 0)
@@ -167,5 +199,6 @@ def add_node_options(parser: argparse.ArgumentParser) -> None:
     """Add the options and the argument that all verbs about one node have."""
     add_discovery_options(parser)
     parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
-    parser.add_argument('--timeout', type=float, metavar='N', help='wait up to N seconds for the node to appear')
+    # The genuine one takes whole seconds, too.
+    parser.add_argument('--timeout', type=int, metavar='N', help='wait up to N seconds for the node to appear')
     parser.add_argument('node_name', help='name of the node')

@@ -24,17 +24,17 @@ _claim: tuple[int, int] | None = None
 def choose() -> int:
     """Return the ROS domain of this process and put it into its environment.
 
-    The domain that the user chose with ROS_DOMAIN_ID, on the network that the user chose; otherwise one
-    that no other process on this machine has claimed, limited to this host, and without the settings that
-    are for a network. Processes that this one starts
-    inherit both, so that ``ros2`` in a subprocess finds the same nodes. Asking again gives the same answer.
+    The domain that the user chose with ROS_DOMAIN_ID, on the network that the user chose; otherwise one that no other
+    process on this machine has claimed, limited to this host, and without the settings that are for a network.
+    Processes that this one starts inherit both, so that ``ros2`` in a subprocess finds the same nodes. Asking again
+    gives the same answer.
 
     :raises ExecutorError: ROS_DOMAIN_ID is no domain, or all domains are taken.
     """
     global _claim
+    if is_claimed():
+        return int(os.environ['ROS_DOMAIN_ID'])
     chosen = os.environ.get('ROS_DOMAIN_ID')
-    if _claim is not None and is_claimed():
-        return _claim[0]
     if not chosen:
         surroundings.drop_networks()
     # Fast DDS 2.14 knows this name only; from 3.0 on it is FASTDDS_DEFAULT_PROFILES_FILE.

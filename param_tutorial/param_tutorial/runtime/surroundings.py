@@ -12,7 +12,8 @@ _MIDDLEWARE = 'RMW_IMPLEMENTATION'
 # error, or has every one of them print a warning.
 _NETWORKS = ('ROS_DISCOVERY_SERVER', 'ROS_SUPER_CLIENT', 'ROS_LOCALHOST_ONLY', 'ROS_SECURITY_ENABLE')
 _INSTALL_SPACES = ('AMENT_PREFIX_PATH', 'COLCON_PREFIX_PATH')
-_PACKAGE = __name__.partition('.')[0]
+# The name of the course's package, to ROS and to Python.
+PACKAGE = __name__.partition('.')[0]
 
 
 def drop_missing_middleware() -> None:
@@ -52,5 +53,5 @@ def drop_old_builds() -> None:
 
 def _holds_the_package(space: Path) -> bool:
     # With colcon's --merge-install, and without: there COLCON_PREFIX_PATH names the folder above.
-    marker = Path('share', 'ament_index', 'resource_index', 'packages', _PACKAGE)
-    return any((folder / marker).exists() for folder in (space, space / _PACKAGE))
+    marker = Path('share', 'ament_index', 'resource_index', 'packages', PACKAGE)
+    return any((folder / marker).exists() for folder in (space, space / PACKAGE))

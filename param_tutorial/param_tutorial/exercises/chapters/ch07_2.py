@@ -30,7 +30,6 @@ ARGUMENTS = 'Change it: arguments'
 NOT_INSTALLED = 'Break it: the file that was not installed'
 SOMEBODY_ELSE = 'Break it: a file for another node'
 FILE_NAME = 'my_launch.py'
-_BEFORE_A_CAUSE = '[ERROR] [launch]: Caught exception in launch (see debug for traceback): '
 
 
 class Reckless(SimpleParamNode):
@@ -74,8 +73,7 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
                 load_description(path), Context(dict(arguments), Path(folder), warn=lambda _: None)))
         except NotYet as error:
             raise NoUse('a launch file that `ros2 launch` can run',
-                        error.happened.replace(f'{folder}/', '').removeprefix(f'{LaunchFailed.__name__}: ')
-                        .removeprefix(_BEFORE_A_CAUSE)) from None
+                        error.happened.replace(f'{folder}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
         if [program.name for program in found] != ['simple_param_node']:
             names = ', '.join(f'`{program.name}`' for program in found) or 'nothing'
             raise NoUse('a launch file that starts the robot, `simple_param_node`, once', f'it starts {names}')

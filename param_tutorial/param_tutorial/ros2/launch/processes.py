@@ -83,7 +83,7 @@ class Launcher:
                                    f'{program.command[0]}')
             return
         self._running[name] = process
-        self.log('INFO', name, 'process started')
+        self.log('INFO', name, f'process started with pid [{process.pid}]')
         threading.Thread(target=self._watch, args=(name, program, process), daemon=True).start()
 
     def _watch(self, name: str, program: Program, process: subprocess.Popen[str]) -> None:
@@ -95,9 +95,10 @@ class Launcher:
             reader.join()
         status = process.wait()
         if status == 0:
-            self.log('INFO', name, 'process has finished cleanly')
+            self.log('INFO', name, f'process has finished cleanly [pid {process.pid}]')
         else:
-            self.log('ERROR', name, f"process has died [exit code {status}, cmd '{' '.join(program.command)}'].")
+            command = ' '.join(word for word in program.command if word.strip())
+            self.log('ERROR', name, f"process has died [pid {process.pid}, exit code {status}, cmd '{command}'].")
         self._events.put(name)
 
     def _copy(self, name: str, lines: IO[str], show: bool) -> None:

@@ -25,14 +25,16 @@ def add_to(commands: Commands) -> None:
     launch.set_defaults(verb=launch_file)
 
 
-def launch_file(session: Session, args: argparse.Namespace) -> None:
-    """Start what a launch file describes, and stay until all of it has ended."""
+def launch_file(session: Session, args: argparse.Namespace) -> int:
+    """Start what a launch file describes, and stay until all of it has ended.
+
+    :return: The exit status: 1 if the file cannot be carried out. A program that dies makes no difference.
+    """
     path, given = _path_and_arguments(args)
     arguments = dict(_argument(word) for word in given)
-    description = load_description(path)
     if args.show_args:
-        _show_arguments(session, description)
-        return
+        _show_arguments(session, load_description(path))
+        return 0
     if session.in_notebook:
         words = [word for word in (args.package_name, args.launch_file_name, *args.launch_arguments) if word]
         raise CommandFailed(keeps_busy(['launch', *words]))
@@ -41,13 +43,21 @@ def launch_file(session: Session, args: argparse.Namespace) -> None:
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         context = Context(
             arguments, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text))
-        launcher.run(programs(description, context))
+        try:
+            launcher.run(programs(load_description(path), context))
+        except LaunchFailed as error:
+            # To standard output, as all that launch logs.
+            launcher.log('ERROR', 'launch', f'Caught exception in launch (see debug for traceback): {error}')
+            return 1
+    return 0
 
 
 def programs(description: LaunchDescription, context: Context) -> list[Program]:
     """Return what is to be started.
 
     All is worked out before the first is started, so that a mistake leaves nothing running.
+
+    :raises LaunchFailed: something that the launch file asks for cannot be done.
     """
     programs = []
     for entity in description.entities:
@@ -59,12 +69,12 @@ def programs(description: LaunchDescription, context: Context) -> list[Program]:
                 entity.set(context)
                 continue
             executable = perform(entity.executable, context)
-            program = find_program(perform(entity.package, context), executable)
+            # launch_ros, unlike `ros2 run`, finds none in a sub-folder.
+            program = find_program(perform(entity.package, context), executable, sub_folders=False)
             stdout, stderr = entity.streams_on_screen(context)
             programs.append(Program(entity.command(program, context), executable, stdout, stderr))
         except CommandFailed as error:
-            raise LaunchFailed(f'[ERROR] [launch]: Caught exception in launch (see debug for traceback): {error}'
-                               ) from error
+            raise LaunchFailed(str(error)) from error
     return programs
 
 
