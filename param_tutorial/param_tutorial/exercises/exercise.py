@@ -40,7 +40,8 @@ class Kind(NamedTuple):
 
 NODE_CLASS = Kind('a class derived from `Node`, by its name alone and without parentheses',
                   lambda work: inspect.isclass(work) and issubclass(work, Node), 'MyNode')
-FUNCTION = Kind('a function, by its name alone and without parentheses', inspect.isroutine, 'my_function')
+FUNCTION = Kind('a function, by its name alone and without parentheses',
+                lambda work: callable(work) and not inspect.isclass(work), 'my_function')
 DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(work, dict),
                   'my_dictionary')
 TEXT = Kind('a string, as in the cell above', lambda work: isinstance(work, str), 'my_text')
