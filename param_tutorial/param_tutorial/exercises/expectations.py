@@ -69,7 +69,7 @@ def run_lines(trial: Trial, **names: object) -> dict[str, Any]:
     :param names: What is there before.
     :raises NoUse: there is nothing to run, or it does not get to its end.
     """
-    text = textwrap.dedent(trial.work)
+    text = textwrap.dedent(trial.work)  # as a cell would
     if not text.strip():
         raise NoUse('some lines', 'there is none')
     space: dict[str, Any] = {'__name__': '__main__', **names}

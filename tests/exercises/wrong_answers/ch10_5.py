@@ -34,6 +34,7 @@ WRONG = {
         ([('return before == after', 'return before == after or isinstance(before, float) and '
            'math.isclose(before, after)')], 1, 'returned `True`'),
         ([('all(', 'any(')], 0, 'returned `True`'),
+        ([('isinstance(before, float) and ', '')], 0, 'TypeError: must be real number, not str'),
         ([('same_value(*pair)', 'type(pair[0]) is type(pair[1])')], 1, 'returned `True`'),
         ([('same_value(*pair)', 'pair[0] == pair[1]')], 0, 'returned `True`'),
         ([('same_value(*pair)', 'type(pair[0]) is type(pair[1]) and pair[0] == pair[1]')], 1, 'returned `False`'),
@@ -55,8 +56,8 @@ WRONG = {
         # By the beginning of a name.
         ([('if name not in keep', 'if not name.startswith(tuple(keep))')], 2, 'it is `4000`'),
         ([('    return [outcome', '    keep.clear()\n    return [outcome')], 1, 'the function has made it `[]`'),
-        # A new node has its defaults.
-        ([(_BODY, '    param_tutorial.start().add(node_class)\n    return []')], 0,
+        # An end with the old node: a new one would have its defaults.
+        ([(_BODY, '    node.destroy_node()\n    return []')], 0,
          'the function has put an end to the node'),
         # One after the other: the rule of the lamp rejects dim_percent.
         ([(_BODY, '''    from param_tutorial import ParameterClient
