@@ -1,4 +1,4 @@
-"""Answers that people give to the exercises of chapter 10.4."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.4."""
 
 _CALL = ("Rules(self).matches('call_sign', '[A-Z]{3}').one_of('mode', ['hover', 'track', 'land']).check(\n"
          "            ['land_percent', 'home_percent'], lambda land, home: land < home,\n"

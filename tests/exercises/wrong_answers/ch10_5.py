@@ -1,4 +1,4 @@
-"""Answers that people give to the exercises of chapter 10.5."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.5."""
 
 _MEND = """    if isinstance(before, list):
         return len(before) == len(after) and all(same_value(*pair) for pair in zip(before, after))

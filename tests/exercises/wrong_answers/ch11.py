@@ -1,4 +1,4 @@
-"""Answers that people give to the steps of the capstone in chapter 11."""
+"""Wrong answers that people give, and unusual right ones, to the steps of the capstone in chapter 11."""
 
 _LIMITS = ', floating_point_range=[\n        FloatingPointRange(from_value=0.1, to_value=2.0)])'
 _SPEED = "self.declare_parameter('max_speed_mps', 1.0, limited('Speed along the aisle in m/s.'))"
