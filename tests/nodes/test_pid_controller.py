@@ -203,7 +203,7 @@ def test_the_wheel_itself_can_be_changed(controller, client):
 @pytest.mark.parametrize(('joints', 'error'), [
     ('[]', InvalidParameterValueException), ('[a, a]', InvalidParameterValueException),
     ('wheel_joint', InvalidParameterTypeException)])
-def test_it_does_not_start_without_joints_or_with_the_same_joint_twice(ros, tmp_path, joints, error):
+def test_it_does_not_start_without_a_list_of_different_joints(ros, tmp_path, joints, error):
     file = tmp_path / 'joints.yaml'
     file.write_text(f'/**: {{ros__parameters: {{dof_names: {joints}}}}}')
     with pytest.raises(error, match='dof_names'):
