@@ -155,7 +155,7 @@ def warnings_of(trial: Trial, request: Mapping[str, object], *ros_args: str) -> 
     try:
         wagon = trial.start(ros_args=ros_args)
         trial.client(wagon).set_parameters(request)
-        mark = f'{began_ns}'
+        mark = f'the check has read the log up to here ({began_ns})'
         wagon.get_logger().fatal(mark)  # it comes after all other lines of this node
         trial.wait(lambda: any(line.text == mark for line in lines), 'a node that logs', lambda: 'nothing comes')
     finally:
