@@ -209,9 +209,11 @@ def test_links_of_a_chapter(tmp_path):
 
 def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_path):
     index = tmp_path / 'index.md'
-    index.write_text('| 1 | [One](1_a.ipynb) | Why? | 20 |\n| 2 | [Two](2_b.ipynb) | How? | 30 |\n')
+    index.write_text('| 1 | [One](1_a.ipynb) | Why? | 20 |\n| 2 | [Two](2_b.ipynb) | How? | 30 |\n'
+                     '| 3 | [Three](3_c.ipynb) | When? | 30 + 25 |\n')
     facts = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': 'abc1234', 'changed': ''}
-    text = front_page.front_page_source(index, {tmp_path / '1_a.ipynb': {}}, facts)
+    text = front_page.front_page_source(index, {tmp_path / '1_a.ipynb': {}, tmp_path / '3_c.ipynb': {}}, facts)
     assert 'href="1_a.html"' in text and 'Why?' in text and 'Two' not in text
+    assert '20 minutes' in text and 'href="3_c.html"' in text and '30 + 25 minutes' in text
     assert re.search(r'2026-01-02 \(`abc1234`\), on Python 3\.12\.1\s+with rclpy 7\.1\.6', text)
     assert 'Drive' not in text

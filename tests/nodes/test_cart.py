@@ -1,4 +1,4 @@
-"""The cart of chapter 11: it moves by the closed form, and keeps its rule whatever is asked of it."""
+"""The cart of chapter 11 moves as its formula says, and keeps its rule whatever it is asked."""
 
 import itertools
 
@@ -37,7 +37,7 @@ LIMITED = st.floats(0.1, 2.0)
 
 @settings(deadline=None)
 @given(speed=LIMITED, acceleration=LIMITED)
-def test_it_objects_to_what_it_could_not_stop_from(speed, acceleration):
+def test_it_rejects_settings_with_which_it_could_not_stop_in_time(speed, acceleration):
     # It comes to rest after the time speed / acceleration, at half its speed on average.
     stopping_m = speed / acceleration * speed / 2
     assume(abs(stopping_m - SIGHT_M) > 1e-6)
@@ -53,7 +53,7 @@ def test_a_request_is_judged_as_a_whole_and_a_rejected_one_leaves_no_trace(cart,
     assert cart.trip_sec == 8.0
 
 
-def test_with_start_values_that_it_would_reject_it_does_not_start(ros):
+def test_it_does_not_start_with_values_that_it_would_reject(ros):
     with pytest.raises(InvalidParameterValueException, match=r'it would take 4.00 m to stop'):
         ros.add(CartNode, ros_args=['-p', 'max_speed_mps:=2.0'])
     assert ros.add(CartNode, ros_args=['-p', 'max_speed_mps:=2.0', '-p', 'max_acceleration_mps2:=1.0']).trip_sec == 8.0

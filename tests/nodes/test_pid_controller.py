@@ -1,4 +1,4 @@
-"""The PID controller and its simulated wheel: against closed forms, and what the node makes of its parameters."""
+"""The PID controller and its simulated wheel, compared with formulas, and what the node does with its parameters."""
 
 import math
 from dataclasses import replace
@@ -30,7 +30,7 @@ def respond(gains, motor=MOTOR, reference=10.0, *, rate_hz=100, duration_sec=3.0
 
 
 @given(st.floats(0.01, 0.3), st.floats(0.01, 0.1), st.floats(0.01, 0.1), st.floats(0.5, 20.0))
-def test_p_control_of_a_first_order_plant_is_its_closed_form(p, inertia, friction, reference):
+def test_p_control_of_a_first_order_plant_matches_the_formula(p, inertia, friction, reference):
     motor = replace(PROMPT, inertia=inertia, friction=friction)
     response = respond(Gains(p=p), motor, reference)
     kept = math.exp(-0.01 * friction / inertia)
@@ -41,7 +41,7 @@ def test_p_control_of_a_first_order_plant_is_its_closed_form(p, inertia, frictio
         assert speed == pytest.approx(final * (1 - factor ** index), abs=1e-6)
 
 
-def test_the_faster_it_computes_the_nearer_it_is_to_the_continuous_controller():
+def test_a_shorter_period_comes_closer_to_the_continuous_controller():
     def distance(rate_hz):
         response = respond(Gains(p=0.1), PROMPT, rate_hz=rate_hz, duration_sec=1.0)
         final, rate = 10.0 * 0.1 / 0.14, (0.1 + PROMPT.friction) / PROMPT.inertia
@@ -52,7 +52,7 @@ def test_the_faster_it_computes_the_nearer_it_is_to_the_continuous_controller():
 
 
 @pytest.mark.parametrize('lag_sec', [0.01, 0.1, 0.49999, 0.5, 0.50001])
-def test_a_lagging_motor_speeds_up_by_the_closed_form(lag_sec):
+def test_a_lagging_motor_speeds_up_as_the_formula_says(lag_sec):
     motor = replace(MOTOR, lag_sec=lag_sec, max_torque=0.4)
     slow_sec = motor.inertia / motor.friction  # 0.5 s: equal time constants are among the cases
     response = respond(Gains(p=2.0), motor, 1000.0, duration_sec=2.0)
@@ -67,12 +67,12 @@ def test_a_lagging_motor_speeds_up_by_the_closed_form(lag_sec):
 
 
 @given(st.floats(0.01, 0.3))
-def test_p_alone_leaves_the_error_that_friction_asks_for(p):
+def test_p_alone_leaves_the_error_that_overcomes_friction(p):
     figures = respond(Gains(p=p), duration_sec=10.0).figures
     assert figures.steady_state_error == pytest.approx(10.0 * MOTOR.friction / (p + MOTOR.friction), rel=1e-6)
 
 
-def test_the_integral_removes_the_error_and_overshoots_and_d_takes_that_back():
+def test_the_integral_removes_the_error_and_overshoots_and_d_reduces_that():
     pi, pid = respond(Gains(0.4, 0.4), duration_sec=10).figures, respond(Gains(0.4, 0.4, 0.03), duration_sec=10).figures
     assert pi.steady_state_error == pytest.approx(0.0, abs=1e-4)
     assert pid.steady_state_error == pytest.approx(0.0, abs=1e-3)
@@ -91,7 +91,7 @@ def test_a_clamp_winds_the_integral_up_and_each_strategy_prevents_it():
     assert max(overshoot['back_calculation'], overshoot['conditional_integration']) < 1
 
 
-def test_a_motor_at_its_limit_that_the_controller_does_not_know_of_winds_up_all_the_same():
+def test_a_motor_limit_that_the_controller_does_not_know_causes_windup_too():
     weak = replace(MOTOR, max_torque=0.6)
     unaware = respond(Gains(0.2, 0.4, antiwindup_strategy='conditional_integration'), weak)
     aware = respond(Gains(0.2, 0.4, 0.0, 0.6, -0.6, 'conditional_integration'), weak)
@@ -181,7 +181,7 @@ def test_clamps_that_cross_are_rejected_with_both_named(client):
     assert client.set_parameters_atomically({MIN: 2.0, MAX: 3.0}).successful
 
 
-def test_gains_are_put_to_use_when_they_are_stored_and_told_once(controller, client, ros):
+def test_gains_are_used_once_they_are_stored_and_logged_once(controller, client, ros):
     ros.node_log.read(until='p = 0.1')
     client.set_parameters_atomically({KP: 0.3, KI: -1.0})
     client.set_parameters_atomically({KP: 0.4, KI: 0.4, KD: 0.03}).raise_for_reason()
@@ -203,7 +203,7 @@ def test_the_wheel_itself_can_be_changed(controller, client):
 @pytest.mark.parametrize(('joints', 'error'), [
     ('[]', InvalidParameterValueException), ('[a, a]', InvalidParameterValueException),
     ('wheel_joint', InvalidParameterTypeException)])
-def test_it_does_not_start_without_distinct_joints(ros, tmp_path, joints, error):
+def test_it_does_not_start_without_a_list_of_different_joints(ros, tmp_path, joints, error):
     file = tmp_path / 'joints.yaml'
     file.write_text(f'/**: {{ros__parameters: {{dof_names: {joints}}}}}')
     with pytest.raises(error, match='dof_names'):
@@ -218,13 +218,13 @@ def test_what_it_would_reject_later_it_rejects_at_the_start(ros, override, word)
         ros.add(PidControllerNode, ros_args=['-p', override])
 
 
-def test_each_joint_has_gains_of_its_own(ros):
+def test_each_joint_has_its_own_gains(ros):
     robot = ros.add(PidControllerNode, ros_args=['-p', 'dof_names:=[left, right]', '-p', 'gains.right.p:=0.4'])
     assert robot.response() == robot.response('left') == respond(Gains(0.1))
     assert robot.response('right') == respond(Gains(0.4))
 
 
-def test_each_name_that_is_not_of_the_simulation_is_one_of_the_real_controller(controller, client):
+def test_every_parameter_outside_the_simulation_exists_in_the_real_controller(controller, client):
     names = {name for name in client.list_parameters() if not name.startswith('simulation.')}
     of_every_node = {'use_sim_time', 'start_type_description_service'}
     assert names - of_every_node <= {
@@ -265,8 +265,8 @@ def test_tuned_gains_are_saved_and_come_back(ros, tmp_path):
     assert next(node for node in ros.nodes if node.get_name() == 'wheel_controller').response() == response
 
 
-def test_wherever_it_runs_the_response_is_the_same(ros):
-    """A process of its own tells in its log what is computed here: nothing depends on when or where."""
+def test_the_response_is_the_same_in_any_process(ros):
+    """A separate process logs what is computed here: nothing depends on when or where."""
     terminal = param_tutorial.Terminal('ros2 run param_tutorial pid_controller_node --ros-args -p '
                                        'gains.wheel_joint.i:=0.2')
     told = terminal.read(until='rise time').splitlines()[-1]

@@ -238,3 +238,16 @@ def test_what_was_never_declared_is_rejected_and_the_node_lives(ros):
     client = ParameterClient(ros.add(Unfinished))
     assert client.set_parameter('old', 1).kind == 'undeclared'
     assert not ros.errors
+
+
+def test_a_mirror_by_hand_fails_for_a_read_only_parameter(ros):
+    class Mirror(Node):  # as in chapter 10.4, which says so
+        def __init__(self):
+            super().__init__('mirror')
+            old = self.declare_parameter('plate', 'none', ParameterDescriptor(read_only=True))
+            new = self.declare_parameter('plate_number', old.value, ParameterDescriptor(read_only=True))
+            self.written_back = self.set_parameters([new])[0].successful
+
+    mirror = ros.add(Mirror, ros_args=['-p', 'plate_number:=W-7'])
+    assert not mirror.written_back
+    assert ParameterClient(mirror).get_parameters(['plate', 'plate_number']) == {'plate': 'none', 'plate_number': 'W-7'}

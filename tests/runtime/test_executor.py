@@ -222,6 +222,16 @@ def test_run_gives_the_result_or_the_exception(ros):
     assert ros.run(lambda: ros.run(lambda: 5, 'nest'), 'nest') == 5
 
 
+def test_a_node_without_parameter_services_publishes_its_changes_too(ros):
+    events = []
+    stop_events = ros.on_parameter_event(events.append)
+    node = ros.add(Node, 'without_services', start_parameter_services=False)
+    ros.run(lambda: node.declare_parameter('rpm', 5), 'declare a parameter')
+    param_tutorial.wait_until(
+        lambda: any(e.node == '/without_services' and e.new_parameters[0].name == 'rpm' for e in events), 'the event')
+    stop_events()
+
+
 def test_listeners_hear_of_events_and_of_nodes_until_they_stop(ros):
     events, changes = [], []
     stop_events = ros.on_parameter_event(events.append)

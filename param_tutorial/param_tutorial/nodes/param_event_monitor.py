@@ -16,7 +16,7 @@ class ParamEventMonitor(Node):
 
     def __init__(self) -> None:
         super().__init__('param_event_monitor')
-        # The publishers' own profile: a shorter queue would lose the oldest events of a burst.
+        # The profile with which nodes publish their events.
         self.create_subscription(ParameterEvent, '/parameter_events', self.report, qos_profile_parameter_events)
         self.get_logger().info('ParamEventMonitor has been started.')
 

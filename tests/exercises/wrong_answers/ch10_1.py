@@ -54,7 +54,12 @@ WRONG = {
          "there is `('deleted', 'lamp', 'lamp')`"),
         ([('            for parameter in event.deleted_parameters:\n'
            "                self.pages.append(('deleted', parameter.name, None))", '')], 3,
-         "the pages are `[('new', 'lamp', 2), ('changed', 'lamp', 3), ('new', 'target', 2.5)]`"),
+         "('changed', 'lamp', 3), ('new', 'target', 2.5)]`"),
+        # Writes down only what differs from the page before.
+        ([("                self.pages.append(('changed', parameter.name, parameter_value_to_python(parameter.value)))",
+           "                page = 'changed', parameter.name, parameter_value_to_python(parameter.value)\n"
+           "                if page not in self.pages[-1:]:\n                    self.pages.append(page)")], 3,
+         "the pages are `[('new', 'lamp', 2), ('changed', 'lamp', 3), ('deleted', 'lamp', None), "),
         # One of several parameters in an event.
         ([('in event.changed_parameters', 'in event.changed_parameters[:1]')], 3,
          "[('changed', 'speed', 7), ('new', 'lamp', 0)]"),
@@ -111,6 +116,10 @@ RIGHT = {
          ('parameter_value_to_python(parameter.value)', 'Parameter.from_parameter_msg(parameter).value')],
         [('parameter in event', 'parameter in list(event'),
          ('changed_parameters}', 'changed_parameters)}')],
+        # An object that can be called.
+        [('def changes(event):', 'class Changes:\n    def __call__(self, event):'),
+         ('    return {', '        return {'), ('_parameters}', '_parameters}\n\n\nchanges = Changes()'),
+         ('    """', '        """')],
     ],
     '10.1a': [
         # A relative name, keywords, and a profile of one's own.

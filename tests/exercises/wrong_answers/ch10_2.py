@@ -45,6 +45,13 @@ WRONG = {
         ([('            if values:', '            if True:')], 2, 'IndexError'),
         ([('parameter_value_to_python(values[0])', 'parameter_value_to_python(values[0])\n'
            '            else:\n                self.found[name] = 0.0')], 2, "'calibration': 0.0"),
+        # All questions at once: the client keeps ten answers.
+        ([('        for name in answer.result.names:\n            values = (await self.get_client.call_async('
+           'GetParameters.Request(names=[name]))).values\n',
+           '        futures = [(name, self.get_client.call_async(GetParameters.Request(names=[name])))\n'
+           '                   for name in answer.result.names]\n'
+           '        for name, future in futures:\n            values = (await future).values\n')], 2,
+         '26 of 37 questions have no answer'),
         ([('if values:', 'if values and parameter_value_to_python(values[0]):')], 0, "it is `{'gains'"),
         ([('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 1, 'it is `{'),
         ([('self.found[name] = parameter_value_to_python(values[0])', 'self.found = {name: values[0]}')], 0,
@@ -87,6 +94,11 @@ WRONG = {
            '    for node, parameters in snapshot.items():\n        if name in parameters:\n'
            '            return {node: parameters[name]}\n    return {}')], 2, "returned `{'/gripper': 4}`"),
         ([('in parameters}', 'in parameters} | dict.fromkeys(snapshot.unanswered)')], 0, "'/dozing': None"),
+        # Takes it out of the caller's snapshot.
+        ([('parameters[name]', 'parameters.pop(name)')], 0, 'the function has changed it'),
+        ([('    return ' + HAS, '    for node in list(snapshot):\n        if name not in snapshot[node]:\n'
+           '            del snapshot[node]\n    return {node: snapshot[node][name] for node in snapshot}')], 0,
+         'the function has changed it'),
         ([('in parameters}', 'in parameters} or None')], 2, 'the function returned `None`'),
         ([('    return {', '    print({'), ('in parameters}', 'in parameters})')], 0, 'the function returned `None`'),
     ],
@@ -101,7 +113,7 @@ RIGHT = {
           '{names[i]: parameter_value_to_python(values[i]) for i in range(len(names))}')],
     ],
     '10.2a': [
-        # With callbacks, and only then one by one.
+        # With callbacks, and only then one by one: each question waits for the answer before.
         [('async def inspect(self):', 'def inspect(self):'),
          (READ, '        self.list_client.call_async(ListParameters.Request()).add_done_callback(self.on_names)\n\n'
                 '    def on_names(self, future):\n        self.ask(list(future.result().result.names))\n\n'
@@ -109,9 +121,18 @@ RIGHT = {
                 '        future = self.get_client.call_async(GetParameters.Request(names=names))\n'
                 '        future.add_done_callback(lambda future: self.on_values(names, future.result().values))\n\n'
                 '    def on_values(self, names, values):\n        if not values and len(names) > 1:\n'
-                '            for name in names:\n                self.ask([name])\n'
+                '            self.rest = list(names)\n'
                 '        for name, value in zip(names, values):\n'
-                '            self.found[name] = parameter_value_to_python(value)')],
+                '            self.found[name] = parameter_value_to_python(value)\n'
+                '        if getattr(self, "rest", []):\n            self.ask([self.rest.pop()])')],
+        # All questions at once, through a client that keeps as many answers.
+        [("'/rover/get_parameters')", "'/rover/get_parameters',\n            "
+          "qos_profile=__import__('rclpy').qos.QoSProfile(depth=1000))"),
+         ('        for name in answer.result.names:\n            values = (await self.get_client.call_async('
+          'GetParameters.Request(names=[name]))).values\n',
+          '        futures = [(name, self.get_client.call_async(GetParameters.Request(names=[name])))\n'
+          '                   for name in answer.result.names]\n'
+          '        for name, future in futures:\n            values = (await future).values\n')],
         # rclpy's own client.
         [("        self.list_client = self.create_client(ListParameters, '/rover/list_parameters')\n"
           "        self.get_client = self.create_client(GetParameters, '/rover/get_parameters')\n",
@@ -140,7 +161,8 @@ RIGHT = {
         [('    return ' + HAS, '    found = {}\n    for node in snapshot:\n        try:\n'
           '            found[node] = snapshot[node][name]\n        except KeyError:\n            pass\n'
           '    return found')],
-        [('    return ' + HAS, '    for node in list(snapshot):\n        if name not in snapshot[node]:\n'
-          '            del snapshot[node]\n    return {node: snapshot[node][name] for node in snapshot}')],
+        [('    return ' + HAS, '    mine = dict(snapshot)\n    for node in snapshot:\n'
+          '        if name not in mine[node]:\n            del mine[node]\n'
+          '    return {node: mine[node][name] for node in mine}')],
     ],
 }

@@ -1,4 +1,4 @@
-"""Answers that people give to the exercises of chapter 10.4."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.4."""
 
 _CALL = ("Rules(self).matches('call_sign', '[A-Z]{3}').one_of('mode', ['hover', 'track', 'land']).check(\n"
          "            ['land_percent', 'home_percent'], lambda land, home: land < home,\n"
@@ -68,7 +68,10 @@ WRONG = {
         ([(_ALIASES, "Aliases(self, {'width_mm': 'width', 'plate_number': 'plate'})")], 0, 'is an old name of'),
         ([(f'        {_ALIASES}\n', ''), ('read_only=True))', f'read_only=True))\n        {_ALIASES}')], 0,
          'before the first declaration'),
-        ([(', ParameterDescriptor(read_only=True)', '')], 3, 'it could be set'),
+        ([(', ParameterDescriptor(read_only=True)', '')], 4, 'it could be set'),
+        # The wrong way round: those who use the new names are warned.
+        ([(_ALIASES, "Aliases(self, {'width_mm': 'width', 'plate_number': 'plate'})"),
+          ("'width_mm', 800", "'width', 800"), ("'plate_number', 'none'", "'plate', 'none'")], 4, 'there is none'),
         # Both declared, and no alias: they do not follow one another.
         ([(_ALIASES, "self.declare_parameters('', [('width', 800), ('plate', 'none')])")], 0, 'it is `800`'),
         ([(", 'plate': 'plate_number'", '')], 0, 'there are only `width_mm`, `width`, `plate_number`'),
@@ -86,7 +89,7 @@ WRONG = {
             for name in (('width', 'width_mm') if p.name in ('width', 'width_mm') else [p.name])])""")], 2,
          'it is `'),
         ([("'width_mm', 800", "'width_mm', 800.0")], 0, 'Wrong parameter type'),
-        ([("'wagon'", "'waggon'")], 4, 'it is called `waggon`'),
+        ([("'wagon'", "'waggon'")], 5, 'it is called `waggon`'),
     ],
     '10.4d': [
         ([(f'        {_NAMES}\n', '')], 0, 'there are only `speed_mmps`, `limit_mmps`'),
@@ -140,9 +143,14 @@ RIGHT = {
         from rclpy.parameter import Parameter
         old = self.declare_parameter('width', 800).value
         plate = self.declare_parameter('plate', '', ParameterDescriptor(read_only=True)).value
+        for name in ('width', 'plate'):
+            if name in self._parameter_overrides:
+                self.get_logger().warning(f'{name} has another name now')
         names = ('width_mm', 'width')
 
         def mirror(parameters):
+            if any(p.name == 'width' for p in parameters):
+                self.get_logger().warning('width is old')
             return [Parameter(name, value=p.value) for p in parameters
                     for name in (names if p.name in names else [p.name])]
 

@@ -1,4 +1,4 @@
-"""Answers that people give to the exercises of chapter 10.5."""
+"""Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.5."""
 
 _MEND = """    if isinstance(before, list):
         return len(before) == len(after) and all(same_value(*pair) for pair in zip(before, after))
@@ -31,7 +31,10 @@ WRONG = {
         ([(_MEND, _MEND[_MEND.index('    if isinstance(before, float)'):])], 0, 'returned `True`'),
         ([(_MEND, '    return before == after\n')], 0, 'returned `True`'),
         ([('len(before) == len(after) and ', '')], 1, 'returned `True`'),
+        ([('return before == after', 'return before == after or isinstance(before, float) and '
+           'math.isclose(before, after)')], 1, 'returned `True`'),
         ([('all(', 'any(')], 0, 'returned `True`'),
+        ([('isinstance(before, float) and ', '')], 0, 'TypeError: must be real number, not str'),
         ([('same_value(*pair)', 'type(pair[0]) is type(pair[1])')], 1, 'returned `True`'),
         ([('same_value(*pair)', 'pair[0] == pair[1]')], 0, 'returned `True`'),
         ([('same_value(*pair)', 'type(pair[0]) is type(pair[1]) and pair[0] == pair[1]')], 1, 'returned `False`'),
@@ -50,6 +53,12 @@ WRONG = {
         ([('return [outcome', 'print([outcome'), ("!= 'set']", "!= 'set'])")], 1, 'it returned `None`'),
         ([('outcome.name for', 'outcome for')], 2, 'it returned `[Outcome'),
         ([('not in keep', 'not in keep[:1]')], 2, "it is `'white'`"),
+        # By the beginning of a name.
+        ([('if name not in keep', 'if not name.startswith(tuple(keep))')], 2, 'it is `4000`'),
+        ([('    return [outcome', '    keep.clear()\n    return [outcome')], 1, 'the function has made it `[]`'),
+        # An end with the old node: a new one would have its defaults.
+        ([(_BODY, '    node.destroy_node()\n    return []')], 0,
+         'the function has put an end to the node'),
         # One after the other: the rule of the lamp rejects dim_percent.
         ([(_BODY, '''    from param_tutorial import ParameterClient
     client = ParameterClient(node)
@@ -57,7 +66,8 @@ WRONG = {
     return [each.name for each in client.set_parameters(wanted) if not each.successful]
 ''')], 0, 'it is `1`'),
         # Hard-coded.
-        ([(_BODY, """    wanted = {'dim_percent': 10, 'full_percent': 90, 'color': 'white', 'plate': 'none'}
+        ([(_BODY, """    wanted = {'dim_percent': 10, 'full_percent': 90, 'color': 'white', 'color_temperature_k': 2700,
+              'plate': 'none'}
     wanted = {name: value for name, value in wanted.items() if name not in keep}
     return [outcome.name for outcome in restore(node, wanted) if outcome.word != 'set']
 """)], 1, 'it is `95.5`'),
@@ -76,6 +86,8 @@ RIGHT = {
         [(_COMPARE + _RESTORE, 'now = ParameterSet.of(client)\nrestore(client, then)\nchanged = compare(then, now)\n')],
         [(_RESTORE, 'client.set_parameters_atomically({name: then[name] for name in ("low_c", "high_c")})\n')],
         [('\n', '\n\n'), ('restore(client, then)', '# and back\nrestore(client, dict(then))')],
+        # Indented, all of them.
+        [('\n', '\n    ')],
     ],
     '10.5b': [
         [('all(same_value(*pair) for pair in zip(before, after))', 'all(map(same_value, before, after))')],

@@ -1,4 +1,4 @@
-"""Answers that people give to the steps of the capstone in chapter 11."""
+"""Wrong answers that people give, and unusual right ones, to the steps of the capstone in chapter 11."""
 
 _LIMITS = ', floating_point_range=[\n        FloatingPointRange(from_value=0.1, to_value=2.0)])'
 _SPEED = "self.declare_parameter('max_speed_mps', 1.0, limited('Speed along the aisle in m/s.'))"
@@ -102,6 +102,9 @@ WRONG = {
          'it is `14.0`'),
         ([('self.trip_sec =', 'trip_sec =')], 0, 'it is `None`'),
         ([('self.trip_sec =', 'self.trip_s =')], 0, 'it is `None`'),
+        # Right only later.
+        ([(f'        self.react([])\n        {_POST_SET}', '        self.create_timer(0.2, lambda: self.react([]))')],
+         2, 'it is `None`'),
         ([(_TRIP, f"{_TRIP}\n        self.trip_sec = f'{{self.trip_sec}}'")], 0, "it is `'14.0'`"),
         ([(_TRIP, 'self.trip_sec = AISLE_M // speed + speed // acceleration')], 0, 'it is `9.0`'),
         ([(_POST_SET, _POST_SET.replace('self.react', 'self.react([])'))], 0, 'must be callable'),
@@ -114,6 +117,12 @@ WRONG = {
          'the nodes that its first line'),
         ([("parameter_files.render('/**', values)", "parameter_files.render('/second_cart', values)")], 1,
          'the nodes that its first line'),
+        # For the root namespace alone.
+        ([("parameter_files.render('/**', values)", "parameter_files.render('/*', values)")], 1,
+         'the nodes that its first line'),
+        # Rounded: the first line is right.
+        ([(_SAVE, '''path.write_text('/**:\\n  ros__parameters:\\n' + ''.join(
+        f'    {name}: {value:.1f}\\n' for name, value in values.items()))''')], 1, '`max_acceleration_mps2 = 0.9`'),
         ([("['max_speed_mps', 'max_acceleration_mps2']", '')], 1, 'to read-only parameters, too'),
         ([("'max_speed_mps', ", '')], 1, '`max_speed_mps = 1.0`'),
         ([(_SAVE, 'return values')], 0, 'there is none'),
@@ -145,6 +154,11 @@ WRONG = {
         ([("executable='cart_node'", "executable='cart'")], 0, 'none came'),
         ([("'max_speed_mps': 1.5", "'max_speed_mps': '1.5'")], 0, 'STRING'),
         ([("'cart_config.yaml'", "'cart.yaml'")], 2, 'the file has not been loaded'),
+        # Relative to the folder in which it happens to be started.
+        ([(_CONFIG, "'config/cart_config.yaml'")], 2, 'the file has not been loaded'),
+        # A second one.
+        ([('return LaunchDescription([', "return LaunchDescription([Node(package='param_tutorial', "
+           "executable='cart_node'),")], 0, 'the launch starts 2 processes'),
         # Hangs.
         ([('    config = ', '    import time; time.sleep(60)\n    config = ')], 0, 'none came'),
         ([('return LaunchDescription', 'LaunchDescription')], 0, 'none came'),
@@ -158,7 +172,10 @@ WRONG = {
         ([("set_parameters_atomically({'max_speed_mps': 2.0, 'max_acceleration_mps2': 1.0})",
            "set_parameters({'max_acceleration_mps2': 1.0, 'max_speed_mps': 2.0})")], 2, '2 requests, with 1 and 1'),
         ([("'max_speed_mps': 2.0", "'max_speed_mps': 1.9")], 0, '8.22 s'),
-        ([(_SET, 'return 2.0, 1.0')], 0, '14.00 s'),
+        # Rounded down.
+        ([("'max_speed_mps': 2.0, 'max_acceleration_mps2': 1.0",
+           "'max_speed_mps': 1.9, 'max_acceleration_mps2': 1.1281")], 0, '8.000037 s'),
+        ([(_SET, 'return 2.0, 1.0')], 0, '14.00 s, with 1 m/s and 0.5 m/s², as before'),
         ([(_SET, "client.set_parameter('max_speed_mps', 2.0)")], 0, '14.00 s'),
         ([("'max_speed_mps': 2.0, 'max_acceleration_mps2': 1.0", "'max_speed_mps': 2, 'max_acceleration_mps2': 1")], 0,
          '14.00 s'),
@@ -220,7 +237,7 @@ RIGHT = {
         self.set_parameters([self.get_parameter('max_speed_mps')])""")],
     ],
     '11d': [
-        [("parameter_files.render('/**', values)", "parameter_files.render('/*', values)")],
+        [(_SAVE, "import json\n    path.write_text(json.dumps({'/**': {'ros__parameters': dict(values)}}))")],
         [(_SAVE, """path.write_text('/**:\\n  ros__parameters:\\n' + ''.join(
         f'    {name}: {value}\\n' for name, value in values.items()))""")],
         [(_SAVE, """import yaml

@@ -27,11 +27,7 @@ ALL = 'All parameters of all nodes'
 
 
 class Rover(Node):
-    """The robot to inspect, with values that are easily missed.
-
-    With those that every node has it has nine parameters. A client of default QoS keeps ten answers, so an inspector
-    that asks for each name at once hears them all.
-    """
+    """The robot to inspect, with values that are easily missed."""
 
     def __init__(self) -> None:
         super().__init__('rover')
@@ -41,11 +37,17 @@ class Rover(Node):
 
 
 class Sleigh(Node):
-    """Has the same name as the rover, and other parameters."""
+    """Has the same name as the rover, and other parameters.
+
+    A client of default QoS keeps ten answers. There are more parameters, so an inspector that sends all its questions
+    at once misses some.
+    """
 
     def __init__(self) -> None:
         super().__init__('rover')
         self.declare_parameters('', [('reindeer', 9), ('bells.count', 12), ('bells.of.brass', True), ('a', 0.5)])
+        for number in range(30):
+            self.declare_parameter(f'gifts.number_{number}', number)
 
 
 class Uncalibrated(Node):
@@ -96,6 +98,12 @@ def is_done(trial: Trial, inspector: NotingQuestions) -> bool:
     return len(questions) == len(inspector.questions)
 
 
+def _lost(inspector: NotingQuestions) -> str:
+    """Say how many questions have no answer, for a sentence; nothing if all have one."""
+    count = sum(not future.done() for future in inspector.questions)
+    return f', and {count} of {len(inspector.questions)} questions have no answer' if count else ''
+
+
 def found_in(trial: Trial, rover_class: type[Node]) -> None:
     """Put a rover and the learner's inspector on the stage, let it inspect, and expect it to find everything."""
     rover = trial.start(rover_class)
@@ -118,8 +126,8 @@ def found_in(trial: Trial, rover_class: type[Node]) -> None:
         trial.press('`inspect()`', button)
     except NotYet as error:
         raise NoUse(error.expected, error.happened) from None
-    trial.wait(lambda: is_done(trial, inspector) and has_found_all(), f'`self.found` is `{wanted!r}`',
-               lambda: f'it is `{inspector.found!r}`')
+    trial.wait(lambda: is_done(trial, inspector) and has_found_all(), f'`self.found` is `{shorten(repr(wanted), 400)}`',
+               lambda: f'it is `{shorten(repr(inspector.found), 400)}`{_lost(inspector)}')
     if raised := trial.raised():  # under rclpy.spin it would be the node's end
         raise NoUse('no callback raises an exception', raised)
 
@@ -129,7 +137,7 @@ def everything(trial: Trial) -> None:
     found_in(trial, Rover)
 
 
-@inspect.require('whatever the parameters are called', see=LIST_FIRST)
+@inspect.require('whatever the parameters are called, and however many there are', see=LIST_FIRST)
 def any_names(trial: Trial) -> None:
     found_in(trial, Sleigh)
 
@@ -162,9 +170,11 @@ def census(trial: Trial, *names: str) -> None:
     for name in names:
         wanted = {node: parameters[name] for node, parameters in snapshot().items() if name in parameters}
         try:
-            given = trial.call('the function', trial.work, snapshot(), name)
+            given = trial.call('the function', trial.work, handed := snapshot(), name)
         except NotYet as error:
             raise NoUse(f'for `{name}`: `{wanted!r}`', error.happened) from None
+        if handed != snapshot():
+            raise NoUse('the snapshot stays as it is', 'the function has changed it, for the next one who looks')
         expect(isinstance(given, dict) and given.keys() == wanted.keys()
                and all(values.same(given[node], wanted[node]) for node in wanted),
                f'for `{name}`: `{wanted!r}`', f'the function returned `{shorten(repr(given), 200)}`')

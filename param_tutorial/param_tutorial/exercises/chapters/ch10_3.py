@@ -21,7 +21,7 @@ from param_tutorial.parameters import files, values
 CHAPTER = '10_3_ros2_control'
 GAINS = 'Change it: what each gain does'
 FILE = 'The file of ros2_control'
-WHERE = 'Which controllers does a section reach?'
+WHERE = 'Which controllers does a block reach?'
 TOGETHER = 'Change it: three gains, one change'
 
 tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(

@@ -1,12 +1,16 @@
 """Exercises of chapter 10.4: state rules, rename parameters, and both in one node."""
 
+import re
+import time
 from collections.abc import Mapping, Sequence
+from textwrap import shorten
 
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import expect_accepted, expect_rejected
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.runtime.node_log import LogLine
 
 CHAPTER = '10_4_beyond_today'
 STATE = 'Build it: a rule in a dozen lines'
@@ -141,6 +145,39 @@ def contradiction(trial: Trial) -> None:
     for asked in ({'width': 1, 'width_mm': 2}, {'width_mm': 3, 'width': 4}, {'width': 800, 'width_mm': 5}):
         expect_rejected(trial, wagon, asked)
         expect_values(trial, wagon, {'width_mm': 800, 'width': 800}, 'after the rejection')
+
+
+def warnings_of(trial: Trial, request: Mapping[str, object], *ros_args: str) -> list[str]:
+    """Start the learner's node, set something, and return what the node has logged as a warning."""
+    began_ns = time.time_ns()
+    lines: list[LogLine] = []
+    stop_listening = trial.ros.node_log.on_line(lines.append)
+    try:
+        wagon = trial.start(ros_args=ros_args)
+        trial.client(wagon).set_parameters(request)
+        mark = f'the check has read the log up to here ({began_ns})'
+        wagon.get_logger().fatal(mark)  # it comes after all other lines of this node
+        trial.wait(lambda: any(line.text == mark for line in lines), 'a node that logs', lambda: 'nothing comes')
+    finally:
+        stop_listening()
+    return [line.text for line in lines if line.level in ('WARN', 'ERROR') and line.time_ns >= began_ns]
+
+
+@rename.require('the log warns of an old name that is used, and of no new one', see=ALIASES)
+def warns(trial: Trial) -> None:
+    expect_values(trial, trial.start(), {'width_mm': 800, 'width': 800, 'plate_number': 'none', 'plate': 'none'},
+                  'at first')
+    for width, plate, is_old in (('width', 'plate', True), ('width_mm', 'plate_number', False)):
+        for name, request, ros_args in ((width, {width: 700}, ()), (width, {}, ('-p', f'{width}:=600')),
+                                        (plate, {}, ('-p', f'{plate}:=W-7'))):
+            warnings = warnings_of(trial, request, *ros_args)
+            how = f'when `{name}` is set' if request else f'when an override sets `{name}`'
+            shown = f'it has `{shorten(" ".join(warnings), 200)}`' if warnings else 'there is none'
+            if is_old:
+                expect(any(re.search(rf'\b{name}\b', line) for line in warnings),
+                       f'a warning about `{name}`, {how}', shown)
+            else:
+                expect(not warnings, f'no warning, {how}', shown)
 
 
 # -- 10.4d ----------------------------------------------------------------------------------------------------

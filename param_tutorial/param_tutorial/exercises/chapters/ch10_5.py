@@ -9,7 +9,7 @@ from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
 from param_tutorial.exercises.expectations import client_in_corner, run_lines
-from param_tutorial.exercises.trial import Trial, expect
+from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.parameters.rules import Rules
 from param_tutorial.parameters.sets import Difference, ParameterSet, compare, restore
@@ -91,7 +91,10 @@ def expect_verdict(trial: Trial, wanted: bool, *pairs: tuple[object, object]) ->
     for pair in pairs:
         for before, after in (pair, pair[::-1]):
             asked = f'`{before!r}` and `{after!r}`'
-            found = trial.call(f'the function, for {asked},', trial.work, before, after)
+            try:
+                found = trial.call(f'the function, for {asked},', trial.work, before, after)
+            except NotYet as error:  # as it would for other pairs
+                raise NoUse(error.expected, error.happened) from None
             expect(isinstance(found, bool), '`True` or `False`', f'the function returned `{found!r}` for {asked}')
             expect(found is wanted, f'{asked} are {"the same" if wanted else "different"}',
                    f'the function returned `{found!r}`')
@@ -102,7 +105,8 @@ def different_is_different(trial: Trial) -> None:
     expect_verdict(trial, False, ([1, 2], [1.0, 2.0]), ([True], [1]), ([0.0, 1.0], [False, True]), ([0], [0.0]),
                    (1, 1.0), (True, 1), ('1', 1), ([1], 1), (None, False),
                    ([1, 2], [2, 1]), ([1, 2], [1, 2, 3]), ([], [1]), (['a'], ['b']), ([0.5, math.nan], [0.5, 0.5]),
-                   ([math.nan], [math.nan, math.nan]), (1, 2), ('a', 'b'), (math.nan, 0.0))
+                   ([math.nan], [math.nan, math.nan]), (1, 2), ('a', 'b'), (math.nan, 0.0),
+                   (0.1 + 0.2, 0.3), ([0.1 + 0.2], [0.3]), ('a', 'A'))
 
 
 @equal.require('equal values are the same, `nan` in an array as well', see=DIFFERS)
@@ -131,6 +135,7 @@ class Lamp(Node):
         self.declare_parameter('dim_percent', 10)
         self.declare_parameter('full_percent', 90)
         self.declare_parameter('color', 'white')
+        self.declare_parameter('color_temperature_k', 2700)
         self.declare_parameter('plate', 'none', ParameterDescriptor(read_only=True))
         Rules(self).check(['dim_percent', 'full_percent'], lambda dim, full: dim < full,
                           'dim_percent must be below full_percent')
@@ -147,7 +152,7 @@ class Kettle(Node):
 
 
 CHANGED: dict[type[Node], dict[str, object]] = {
-    Lamp: {'dim_percent': 1, 'full_percent': 5, 'color': 'red'},
+    Lamp: {'dim_percent': 1, 'full_percent': 5, 'color': 'red', 'color_temperature_k': 4000},
     Kettle: {'boil_c': 95.5, 'steps_c': [60.0]}}
 
 
@@ -162,7 +167,10 @@ def call(trial: Trial, node_class: type[Node], keep: list[str], ros_args: Sequen
     client.set_parameters_atomically(CHANGED[node_class])
     defaults = ParameterSet.defaults(node_class)
     asked = f'factory_settings({node.get_name()}, {node_class.__name__}, {keep})'
-    returned = trial.call(f'`{asked}`', trial.work, node, node_class, list(keep))
+    returned = trial.call(f'`{asked}`', trial.work, node, node_class, given := list(keep))
+    if not any(each is node for each in trial.ros.nodes):
+        raise NoUse(f'after `{asked}` the node runs on, with other values', 'the function has put an end to the node')
+    expect(given == keep, f'the list `keep` stays `{keep}`', f'the function has made it `{given!r}`')
     return ParameterSet.of(client), defaults, returned
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from param_tutorial.lessons.pages import drawing
 from param_tutorial.lessons.recording.recorded import Recordings
 
-_ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+) *\|')
+_ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|')
 
 _TEXT = '''# Mastering ROS 2 Parameters with Python
 
