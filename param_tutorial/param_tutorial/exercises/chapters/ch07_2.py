@@ -30,8 +30,8 @@ SEE = 'See it'
 READ = 'Read it'
 VALUES = 'Change it: values in the launch file'
 ARGUMENTS = 'Change it: arguments'
-NOT_INSTALLED = 'Break it: the file that was not installed'
-SOMEBODY_ELSE = 'Break it: a file for another node'
+NOT_INSTALLED = 'Break it: a package of your own'
+SOMEBODY_ELSE = 'Break it: a robot of another name'
 FILE_NAME = 'my_launch.py'
 _BEFORE_A_CAUSE = '[ERROR] [launch]: Caught exception in launch (see debug for traceback): '
 
@@ -168,8 +168,8 @@ def expect_covered(trial: Trial, name: str, because: str) -> None:
 def file_arrives(trial: Trial) -> None:
     starts(trial)
     found = launch(trial, trial.work)
-    expect(config() in [yaml.safe_load(text) for text in found.files.values()], 'the file in `parameters`',
-           'it does not arrive there. Is it in the list, and is its path right?')
+    expect(config() in [yaml.safe_load(text) for text in found.files.values()], 'the robot gets this file',
+           'it gets no such file. Is it in the list, and is its path right?')
     expect_holds(trial, 'robot_name', 'AlphaClaw', 'Is the file for a node of this name, and does nothing cover it?')
 
 
@@ -187,7 +187,7 @@ def override_arrives(trial: Trial) -> None:
 @complete.require('its speed is 90 rpm, and 60 with `max_speed_rpm:=60`', see=ARGUMENTS)
 def speed_arrives(trial: Trial) -> None:
     expect_covered(trial, 'max_speed_rpm', 'Is there a value for it, and does it come after the file?')
-    expect_holds(trial, 'max_speed_rpm', 90)
+    expect_holds(trial, 'max_speed_rpm', 90, 'Does the argument have this default, and is it used?')
     for speed in (60, 245):
         expect_holds(trial, 'max_speed_rpm', speed, 'Is the argument used?', max_speed_rpm=str(speed))
 
@@ -196,7 +196,7 @@ def speed_arrives(trial: Trial) -> None:
 def serial_arrives(trial: Trial) -> None:
     expect_covered(trial, 'robot_serial_number', 'The parameter is called `robot_serial_number`, and its value has to '
                                                  'come after the file')
-    expect_holds(trial, 'robot_serial_number', 'SN-1')
+    expect_holds(trial, 'robot_serial_number', 'SN-1', 'Does the argument have this default, and is it used?')
     for serial in ('0042', 'on', 'B 7'):
         expect_holds(trial, 'robot_serial_number', serial, 'Is the argument used, and does it stay a string?',
                      serial=serial)
