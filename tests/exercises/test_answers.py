@@ -83,7 +83,7 @@ class TestChapters10And11(Answers):
     ('9.2a', [("parameter.name == 'speed_rpm'", 'parameter.name == self.speed_rpm')]),
     ('9.2c', [("'speed', 0.5", "'speed', 0.0")]),
 ])
-def test_a_cause_is_told_once(ros, number, replacements):
+def test_one_cause_is_reported_once(ros, number, replacements):
     result = exercises.check(number, solution(number, *replacements))
     assert [finding.done for finding in result.findings].count(False) == 1, result
 
