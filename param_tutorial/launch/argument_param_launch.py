@@ -8,7 +8,10 @@ from launch_ros.parameter_descriptions import ParameterValue
 
 
 def generate_launch_description():
-    """Describe the arguments, and what to start with them."""
+    """Describe the arguments, and what to start with them.
+
+    A launch reads the string of an argument as YAML. A name must stay a string, even 42: ``ParameterValue`` sees to it.
+    """
     return LaunchDescription([
         DeclareLaunchArgument('robot_name', default_value='Clawbot', description='Name of the robot.'),
         DeclareLaunchArgument('max_speed_rpm', default_value='100', description='Maximum wheel speed in rpm.'),
@@ -18,7 +21,6 @@ def generate_launch_description():
             name='simple_param_node',
             output='screen',
             parameters=[{
-                # A launch reads the string of an argument as YAML. A name must stay a string, even 42.
                 'robot_name': ParameterValue(LaunchConfiguration('robot_name'), value_type=str),
                 'max_speed_rpm': LaunchConfiguration('max_speed_rpm'),
             }],

@@ -68,6 +68,26 @@ class TestChapters10And11(Answers):
     first, last = 10, 11
 
 
+@pytest.mark.parametrize(('number', 'replacements'), [
+    ('7.2a', [("'enable_safety_mode': True", "'enable_safety_mode': False"),
+              ("LaunchConfiguration('max_speed_rpm')", '180'),
+              ("ParameterValue(LaunchConfiguration('serial'), value_type=str)", "'SN-CLAW-001'")]),
+    ('7.3b', [('40', '4')]),
+    ('8a', [("'belt.speed_mps', 0.0", "'belt.speed_mps', 0")]),
+    ('8c', [("'fan.speed', 0.5", "'fan.speed', 1")]),
+    ('9.1a', [("'gains.kp', 2.0", "'gains.kp', 2")]),
+    ('9.1b', [("        self.unit = self.get_parameter('unit').value\n", "        self.unit = 'C'\n")]),
+    ('9.1c', [('kp: 2.0', 'kp: 2')]),
+    ('9.1c', [('/camera:', '/kamera:')]),
+    ('9.2a', [('parameter.value, 20), 300', 'parameter.value, 300), 20')]),
+    ('9.2a', [("parameter.name == 'speed_rpm'", 'parameter.name == self.speed_rpm')]),
+    ('9.2c', [("'speed', 0.5", "'speed', 0.0")]),
+])
+def test_one_cause_is_reported_once(ros, number, replacements):
+    result = exercises.check(number, solution(number, *replacements))
+    assert [finding.done for finding in result.findings].count(False) == 1, result
+
+
 def test_every_answer_is_in_a_class():
     classes = Answers.__subclasses__()
     for exercise in EXERCISES.values():

@@ -46,40 +46,46 @@ def client(ros):
     return ParameterClient(ros.add(PalletLiftNode))
 
 
-@pytest.mark.parametrize(('wish', 'word'), [
+@pytest.mark.parametrize(('asked', 'word'), [
     ({'lift.speed_mps': 0.4}, '1177 W, the motor has 1000'),
     ({'lift.max_load_kg': 600.0}, '600.0 kg at 0.2 m/s'),
     ({'lift.highest_m': 0.1}, 'not below the top'),
     ({'lift.lowest_m': 1.0, 'lift.highest_m': 0.9}, 'not below the top'),
     ({'controller.kp': 0.0}, 'out of range'),
 ])
-def test_what_does_not_fit_together_is_rejected_and_changes_nothing(ros, client, wish, word):
+def test_values_that_do_not_fit_together_are_rejected_and_change_nothing(ros, client, asked, word):
     node = ros.nodes[0]
     before = client.get_parameters(), node.settings
-    result = client.set_parameters_atomically(wish)
+    result = client.set_parameters_atomically(asked)
     assert not result.successful and word in result[0].reason
     assert (client.get_parameters(), node.settings) == before
 
 
-def test_what_fits_together_is_taken_over_at_once(ros, client):
+def test_values_that_fit_together_take_effect_at_once(ros, client):
     assert client.set_parameters_atomically({'lift.speed_mps': 0.4, 'lift.max_load_kg': 200.0}).successful
     assert (ros.nodes[0].settings.speed_mps, ros.nodes[0].settings.max_load_kg) == (0.4, 200.0)
     assert 'up to 200 kg at 0.4 m/s' in ros.node_log.read(until='0.4 m/s')
 
 
-def test_the_judge_is_asked_about_start_values_too(ros):
+def test_the_callback_checks_start_values_too(ros):
     with pytest.raises(ValueError, match=rf'cannot start.*800\.0 kg .* has {MOTOR_POWER_W:.0f}'):
         ros.add(PalletLiftNode, ros_args=['-p', 'lift.max_load_kg:=800.0'])
 
 
 @pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
 @pytest.mark.parametrize('namespace', ['/', '/hall_3'])
-def test_a_file_reaches_the_lift_wherever_it_is_and_each_of_its_values_is_taken(ros, path, namespace):
+def test_a_file_reaches_the_lift_in_any_namespace_and_sets_each_of_its_values(ros, path, namespace):
     node = ros.add(PalletLiftNode, ros_args=['-r', f'__ns:={namespace}', '--params-file', str(path)])
     present = ParameterClient(node).get_parameters()
     wanted = files.read(path, node.get_fully_qualified_name())
     assert len(wanted) >= 4
     assert {name: present.get(name) for name in wanted} == wanted
+
+
+@pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
+def test_a_file_holds_nothing_but_what_differs_from_the_defaults(client, path):
+    defaults = client.get_parameters()
+    assert [name for name, value in files.read(path, client.node).items() if value == defaults[name]] == []
 
 
 def test_the_launch_file_offers_each_of_the_files():

@@ -36,6 +36,7 @@ from param_tutorial.errors import (
 )
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters import values
+from param_tutorial.runtime.services import DISCOVERY_TIMEOUT_SEC
 from tests.support.strategies import VALUES
 
 
@@ -98,6 +99,15 @@ def remote_node():
     child.send_signal(signal.SIGCONT)
     child.send_signal(signal.SIGINT)
     child.communicate(timeout=30)
+
+
+def test_a_client_with_time_waits_for_a_node_that_starts_late(ros):
+    starts = threading.Timer(DISCOVERY_TIMEOUT_SEC + 0.5, ros.add, [Everything])
+    starts.start()
+    try:
+        assert ParameterClient('/lab/everything', timeout_sec=30.0).get_parameter('count') == 3
+    finally:
+        starts.join()
 
 
 def test_list(client):

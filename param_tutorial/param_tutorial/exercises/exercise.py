@@ -2,6 +2,7 @@
 
 import contextlib
 import inspect
+import time
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
@@ -45,7 +46,7 @@ FUNCTION = Kind('a function, by its name alone and without parentheses',
 DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(work, dict),
                   'my_dictionary')
 TEXT = Kind('a string, as in the cell above', lambda work: isinstance(work, str), 'my_text')
-LIST = Kind('a list, as in the cell above', lambda work: isinstance(work, list), 'my_list')
+LIST = Kind('a list, as in the cell above', lambda work: isinstance(work, (list, tuple)), 'my_list')
 
 
 class Requirement(NamedTuple):
@@ -133,10 +134,11 @@ class Exercise:
         findings: list[Finding] = []
         names: set[str] = set()
         waited, picture = False, ''
+        began_sec = time.monotonic()
         try:
             with guarded(error_if_asked), borrowed_stage() as ros:
                 for requirement in self.requirements:
-                    trial = Trial(ros, work, has_waited_in_vain=waited)
+                    trial = Trial(ros, work, has_waited_in_vain=waited, began_sec=began_sec)
                     try:
                         findings.append(_try_out(requirement, trial))
                     except NoUse as error:

@@ -1,9 +1,11 @@
 """What several chapters expect of a learner's work, each with words for work that does something else."""
 
+import inspect
 import linecache
 import re
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
+from types import CodeType
 from typing import Any
 
 from rcl_interfaces.msg import SetParametersResult
@@ -15,6 +17,19 @@ from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import ParameterType
 from param_tutorial.runtime import stage
+
+
+def expect_filled(trial: Trial) -> None:
+    """Expect the learner to have replaced each ``...`` in the methods of a class.
+
+    :raises NoUse: one is still there. What Python says of it would be about a type that nobody has written.
+    """
+    if any(_has_gap(each.__code__) for each in vars(trial.work).values() if inspect.isfunction(each)):
+        raise NoUse('a value in place of each `...`', 'a `...` is still there')
+
+
+def _has_gap(code: CodeType) -> bool:
+    return any(each is ... or (isinstance(each, CodeType) and _has_gap(each)) for each in code.co_consts)
 
 
 def client_for(trial: Trial, name: str) -> ParameterClient:

@@ -8,6 +8,7 @@ import re
 import signal
 import tempfile
 import threading
+import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -17,7 +18,14 @@ from typing import Any, TypeVar, overload
 import yaml
 from rclpy.node import Node
 
-from param_tutorial.errors import CallbackError, ExecutorError, ParameterToolError, StuckError, WaitTimeoutError
+from param_tutorial.errors import (
+    CallbackError,
+    ExecutorError,
+    NoAnswerError,
+    ParameterToolError,
+    StuckError,
+    WaitTimeoutError,
+)
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.ros2 import command
 from param_tutorial.runtime import stage
@@ -34,6 +42,9 @@ CORNER = '/_check'
 TIME_LIMIT_SEC = 5.0
 # How long a reaction may take after another one did not come: a check should not take minutes to say so.
 _SHORT_TIME_LIMIT_SEC = 1.0
+# When a check as a whole should have come to its end. What comes close to it gets less and less time, though never
+# less than the short limit: a callback that sleeps is asked a dozen times.
+_WHOLE_CHECK_SEC = 6.0
 
 
 # What rclpy raises for a parameter file, with rcl's own words in it.
@@ -64,6 +75,20 @@ class NoStart(NoUse):
     """A node does not get through its constructor."""
 
 
+def take_for_granted(trial: 'Trial', *earlier: Callable[['Trial'], None]) -> None:
+    """Raise NotTried unless earlier requirements are met.
+
+    :param earlier: The functions that try them out.
+    """
+    for examine in earlier:
+        try:
+            examine(trial)
+        except (NoAnswerError, ExecutorError):
+            raise
+        except Exception:  # also what a callback has raised: it is told where it comes up first
+            raise NotTried from None
+
+
 def expect(met: Any, expected: str, happened: str) -> None:
     """Raise NotYet unless it is met."""
     if not met:
@@ -73,20 +98,29 @@ def expect(met: Any, expected: str, happened: str) -> None:
 class TooLong(BaseException):
     """The time limit is over. No Exception, lest the learner's own ``except Exception`` catches it."""
 
+    def __init__(self, limit_sec: float):
+        super().__init__()
+        self.limit_sec = limit_sec
+
     def __str__(self) -> str:
-        return f'it was still running after {TIME_LIMIT_SEC:g} s'
+        return f'it was still running after {self.limit_sec:.2g} s'
 
 
 class Trial:
     """One attempt with a learner's work, for one requirement."""
 
-    def __init__(self, ros: BackgroundExecutor, work: Any, *, has_waited_in_vain: bool = False):
-        """:param has_waited_in_vain: In an earlier trial with this work."""
+    def __init__(self, ros: BackgroundExecutor, work: Any, *, has_waited_in_vain: bool = False,
+                 began_sec: float | None = None):
+        """
+        :param has_waited_in_vain: In an earlier trial with this work.
+        :param began_sec: When the first trial with this work began, by the monotonic clock. By default now.
+        """
         self.ros = ros
         self.work = work
         self.names: list[str] = []
         """The names of the nodes that were made of the work."""
         self.has_waited_in_vain = has_waited_in_vain
+        self._began_sec = time.monotonic() if began_sec is None else began_sec
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
     @overload
@@ -116,7 +150,7 @@ class Trial:
         # At the end, where it opens no block of parameters before others do.
         fewer = [] if all_services else ['-p', 'start_type_description_service:=false']
         try:
-            with _time_limit():
+            with _time_limit(self._limit_sec()):
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args, *fewer])
         except (Exception, TooLong, SystemExit) as error:
             raise NoStart('a node that starts',
@@ -142,12 +176,17 @@ class Trial:
                 return self.start(node_class, ros_args=ros_args, namespace=namespace)
             except NoStart as error:
                 if match := _NOT_A_PARAMETER_FILE.search(error.happened):
-                    raise NoUse('a file that rcl can read', f'it cannot: {match[1]}') from None
+                    raise NoUse('a file that rcl can read', f'it cannot: {match[1].strip()}') from None
                 raise
 
     def client(self, node: Node) -> ParameterClient:
         """Return a client for a node's parameters, with the time limit."""
-        return ParameterClient(node, timeout_sec=TIME_LIMIT_SEC, executor=self.ros)
+        return ParameterClient(node, timeout_sec=self._limit_sec(), executor=self.ros)
+
+    def _limit_sec(self) -> float:
+        """Return how long a constructor, function or answer may take now."""
+        left_sec = self._began_sec + _WHOLE_CHECK_SEC - time.monotonic()
+        return min(TIME_LIMIT_SEC, max(_SHORT_TIME_LIMIT_SEC, round(left_sec, 1)))
 
     def ros2(self, *words: str) -> str:
         """Type a command, as in a notebook, and return what it prints."""
@@ -163,7 +202,7 @@ class Trial:
         :raises NoUse: it did not return.
         """
         try:
-            with _time_limit():
+            with _time_limit(self._limit_sec()):
                 return function(*args)
         except (TooLong, WaitTimeoutError) as error:
             raise NoUse(f'{what} finishes', describe_error(error)) from None
@@ -270,17 +309,17 @@ def cleared(ros: BackgroundExecutor) -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def _time_limit() -> Iterator[None]:
-    """Interrupt the block after TIME_LIMIT_SEC with TooLong, where that is possible: in the main thread, on Unix."""
+def _time_limit(limit_sec: float) -> Iterator[None]:
+    """Interrupt the block after a time with TooLong, where that is possible: in the main thread, on Unix."""
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
         yield
         return
 
     def ring(_number: int, _frame: FrameType | None) -> None:
-        raise TooLong
+        raise TooLong(limit_sec)
 
     previous = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, TIME_LIMIT_SEC)
+    signal.setitimer(signal.ITIMER_REAL, limit_sec)
     try:
         yield
     finally:

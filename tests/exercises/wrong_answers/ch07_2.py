@@ -38,12 +38,12 @@ WRONG = {
     '7.2a': [
         ([("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml']),",
            '')],
-         3, 'Is its path right?'),
+         3, 'is its path right?'),
         ([('clawbot_config.yaml', 'clawbot.yaml')],
-         3, 'Is its path right?'),
+         3, 'is its path right?'),
         ([("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml'])",
            "{'robot_name': 'AlphaClaw'}")],
-         3, 'Is its path right?'),
+         3, 'is its path right?'),
         ([("name='simple_param_node'", "name='clawbot'")],
          3, 'Is the file for a node of this name'),
         ([('                {\n'
@@ -100,6 +100,22 @@ WRONG = {
          0, 'must return a LaunchDescription'),
         ([('def generate_launch_description', 'def describe')],
          0, 'does not contain a required function'),
+        ([("        DeclareLaunchArgument('serial'",
+           "        DeclareLaunchArgument('safe', default_value='true'),\n        DeclareLaunchArgument('serial'"),
+          ("'enable_safety_mode': True", "'enable_safety_mode': LaunchConfiguration('safe')")],
+         3, 'with `safe:=false` it is off'),
+        ([("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml'])",
+           "os.path.relpath(get_package_share_directory('param_tutorial') + '/config/clawbot_config.yaml')"),
+          ('from launch_ros.actions import Node',
+           'import os\n\nfrom ament_index_python.packages import get_package_share_directory\n'
+           'from launch_ros.actions import Node')],
+         0, 'config/clawbot_config.yaml` leads there only from the folder'),
+        ([("default_value='SN-1'", "default_value='SN-01'")],
+         3, "it is `'SN-01'`"),
+        ([("ParameterValue(LaunchConfiguration('serial'), value_type=str)", "str(LaunchConfiguration('serial'))")],
+         3, 'LaunchConfiguration object at'),
+        ([("                    'max_speed_rpm': LaunchConfiguration('max_speed_rpm'),\n", '')],
+         3, 'it is still `180`. Is there a value for it'),
     ],
     '7.2b': [
         ([("config]': 180", "config]': 100")],
@@ -134,6 +150,8 @@ RIGHT = {
         [("parameters=[{'max_speed_rpm': 150, 'robot_name': 'Berta'}]",
           "ros_arguments=['-p', 'max_speed_rpm:=150', '-p', 'robot_name:=Berta']")],
         [("name='simple_param_node',\n            p", "name='other', namespace='lab',\n            p")],
+        [('        Node(', "        SetParameter('max_speed_rpm', 150),\n        Node("),
+         ("'max_speed_rpm': 150, ", ''), ('import Node', 'import Node, SetParameter')],
     ],
     '7.2a': [
         [("ParameterValue(LaunchConfiguration('serial'), value_type=str)",
@@ -146,5 +164,15 @@ RIGHT = {
           ''),
          ("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml'])",
           "[FindPackageShare('param_tutorial'), '/config/clawbot_config.yaml']")],
+        [('    return LaunchDescription([\n'
+          "        DeclareLaunchArgument('max_speed_rpm', default_value='90'),\n"
+          "        DeclareLaunchArgument('serial', default_value='SN-1'),\n",
+          "    given = {'max_speed_rpm': '90', 'serial': 'SN-1'}\n"
+          '    return LaunchDescription([\n'
+          '        *(DeclareLaunchArgument(name, default_value=value) for name, value in given.items()),\n')],
+        [("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml'])",
+          "get_package_share_path('param_tutorial') / 'config' / 'clawbot_config.yaml'"),
+         ('from launch_ros.actions import Node',
+          'from ament_index_python.packages import get_package_share_path\nfrom launch_ros.actions import Node')],
     ],
 }

@@ -30,6 +30,8 @@ WRONG = {
          0, "the list is `['--params-file fast.yaml', '--params-file"),
         ([('-p speed', '-p robot:speed')],
          0, "'-p robot:speed:=400']`"),
+        ([('sources = [', 'sources = {'), ("400',\n]", "400',\n}")],
+         0, 'the check was given a `set`'),
     ],
     '7.3a': [
         ([("{\n    'mixed.yaml': 300", "{\n    'mixed.yaml': 200")],
@@ -43,7 +45,7 @@ WRONG = {
         ([("'every.yaml, mixed.yaml': 200", "'every.yaml, mixed.yaml': 300")],
          7, 'already opened that block'),
         ([("'mixed.yaml, any.yaml': 250", "'mixed.yaml, any.yaml': 200")],
-         7, 'The more exact name does not win'),
+         7, 'The more specific name does not win'),
         ([("'any.yaml, mixed.yaml, -p 400': 400", "'any.yaml, mixed.yaml, -p 400': 300")],
          7, 'another value'),
         ([("any.yaml, -p 400': 250", "any.yaml, -p 400': 400")],
@@ -79,6 +81,10 @@ WRONG = {
          4, '`force_n` is `12.0`'),
         ([('/lab/*/gripper', '/lab/l*/gripper')],
          0, 'it cannot'),
+        ([('    force_n: 12.0\n', '    force_n: &force 12.0\n'), ('20.0', '*force')],
+         0, 'it cannot: Will not support aliasing'),
+        ([('40', '4')],
+         1, '`speed_mmps` is `4`'),
     ],
 }
 
@@ -90,6 +96,7 @@ RIGHT = {
           "    '-p speed:=400',\n    '--params-file slow.yaml',\n")],
         [("'-p speed", "'-p  speed")],
         [("'--params-file fast.yaml'", "'--params-file ' + 'fast.yaml'")],
+        [('sources = [', 'sources = ('), ("400',\n]", "400',\n)")],
     ],
     '7.3b': [
         [('/lab/*/gripper', '/lab/**/gripper')],

@@ -10,7 +10,15 @@ WRONG = {
         ([("'Speed, as a part of the full speed.'", "''")], 2, 'there is none'),
         ([('from_value=0.0', 'from_value=0.25')],
          2, 'it was rejected: Parameter fan.speed out of range Min: 0.25,'),
-        ([("'Speed, as a part of the full speed.'", '...')], 0, 'it is `Ellipsis`'),
+        ([("'Speed, as a part of the full speed.'", '...')], 0, 'a `...` is still there'),
+        ([("'fan.speed', 0.5", "'fan.speed', ...")], 0, 'a `...` is still there'),
+        ([("'fan.speed', 0.5", '..., 0.5')], 0, 'a `...` is still there'),
+        ([('from_value=0.0, to_value=1.0', 'from_value=..., to_value=...')], 0, 'a `...` is still there'),
+        ([("'Speed, as a part of the full speed.'", '5')], 0, 'the description is `5`'),
+        ([("'Speed, as a part of the full speed.'", "'The speed of the fan.'")], 2, 'which the name says already'),
+        ([('            description=', '            dynamic_typing=True, description=')], 2, 'it was accepted'),
+        ([('        self.motor =', "        self.declare_parameter('fan.on', True)\n        self.motor =")],
+         2, 'there is also `fan.on`'),
         ([('            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0)]',
            '            ')], 2, 'it was accepted'),
         ([("'fan.speed', 0.5", "'fan/speed', 0.5")], 0, 'its constructor did not finish.'),
@@ -32,7 +40,7 @@ WRONG = {
          'an on-set callback has only a proposal'),
         ([("        self.motor_mps = self.get_parameter('belt.speed_mps').value\n        self.add_on",
            '        self.add_on')], 5, 'it is `None`'),
-        ([('gap_m < 0.3', 'gap_m <= 0.3')], 5, '0.3 m is too small'),
+        ([('gap_m < 0.3', 'gap_m <= 0.3')], 5, 'A gap of 0.3 m is enough'),
         ([("    def react(self, parameters):\n        self.motor_mps = self.get_parameter('belt.speed_mps').value",
            "    def react(self, parameters):\n        if parameters[0].name == 'belt.speed_mps':\n"
            '            self.motor_mps = parameters[0].value')], 5, 'it is `0.6`'),
@@ -50,6 +58,14 @@ WRONG = {
           ('        self.motor_mps =', '        Conveyor.motor_mps =')],
          5, 'Does each conveyor have a motor of its own?'),
         ([("'conveyor'", "'conveyer'")], 6, 'it is called `conveyer`'),
+        ([('    def react(self, parameters):\n',
+           "    def react(self, parameters):\n        if not self.get_parameter('belt.speed_mps').value:\n"
+           '            return\n')], 5, 'it is `0.5`'),
+        ([('gap_m < 0.3', 'gap_m < 30.0')], 3, 'is too small a gap'),
+        ([("            return SetParametersResult(successful=False, reason=f'{gap_m} m is too small a gap for "
+           "{speed_mps} m/s')", "            raise ValueError('too fast')")], 5, 'ValueError: too fast'),
+        ([('    def react(self, parameters):\n', '    def react(self, parameters):\n        import time\n'
+           '        time.sleep(3)\n')], 2, 'Does a callback wait'),
     ],
     '8b': [
         ([("at once.': 1", "at once.': 6")], 4, 'is not initialized'),
@@ -78,6 +94,11 @@ RIGHT = {
         [('if speed_mps > 1.0 and gap_m < 0.3:', 'if not (speed_mps <= 1 or gap_m >= 0.3):')],
         [("reason=f'{gap_m} m is too small a gap for {speed_mps} m/s'", "reason='no'")],
         [("description='Speed of the belt in m/s.',", "description='m/s',")],
+        [('        new = {parameter.name: parameter.value for parameter in parameters}\n',
+          "        stored = self.get_parameters_by_prefix('belt').values()\n"
+          '        new = {parameter.name: parameter.value for parameter in [*stored, *parameters]}\n'),
+         ("new.get('belt.speed_mps', self.get_parameter('belt.speed_mps').value)", "new['belt.speed_mps']"),
+         ("new.get('belt.gap_m', self.get_parameter('belt.gap_m').value)", "new['belt.gap_m']")],
     ],
     '8b': [
         [("weighs nothing.': 7", "weighs nothing.': 2")],

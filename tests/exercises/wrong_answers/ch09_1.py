@@ -19,6 +19,12 @@ WRONG = {
         ([("'gains.kp', 2.0", "'gains.kp', '2.0'")], 1, 'type string'),
         ([("'gains.kp', 2.0", "'gains.kp', 2.0, ignore_override=True")], 2, 'it is `2.0`'),
         ([('return ', 'print('), (' * error', ' * error)')], 2, 'it is `None`'),
+        ([("'gains.kp', 2.0", "'~gains/kp', 2.0")], 1, 'there is `~gains/kp`, as ROS 1 writes it'),
+        ([("self.get_parameter('gains.kp').value", "(self.get_parameter('gains.kp').value or 2.0)")],
+         2, 'it is `1.0`'),
+        ([("'gains.kp', 2.0", "'gains.kp', ...")], 0, 'a `...` is still there'),
+        ([("'max_speed_mps', 0.5", '..., 0.5')], 0, 'a `...` is still there'),
+        ([("self.get_parameter('gains.kp').value", '...')], 0, 'a `...` is still there'),
     ],
     '9.1b': [
         ([("'limit_c', 60.0", "'limit_c', 60")], 1, 'type integer, value `60`'),
@@ -47,7 +53,8 @@ WRONG = {
            "self.get_parameters_by_prefix('targets_c').items()}", "return {'left': 20.5, 'right': 21.0}")],
          2, "it returns `{'left': 20.5, 'right': 21.0}`"),
         ([('        self.react([])\n', '')], 1, 'it is `None`'),
-        ([("'heater'", "'Heater'")], 3, 'it is called `Heater`'),
+        ([("'heater'", "'Heater'")], 2, 'it is called `Heater`'),
+        ([('{name: parameter', "{f'targets_c.{name}': parameter")], 2, "it returns `{'targets_c.left': 20.5"),
     ],
     '9.1c': [
         ([('max_speed_mps: 1.0', 'max_speed_mps: 1')], 2, 'a double with its dot'),
@@ -60,6 +67,8 @@ WRONG = {
         ([('    base_frame: base_link', '    base_frame: base')], 4, "it is `'base'`"),
         ([('gains: {kd: 0.1, kp: 2.0}', 'gains/kd: 0.1\n    gains/kp: 2.0')], 4, 'it is `1.0`'),
         ([("'1e5'", '100000.0')], 2, 'a string that looks like a number in quotes'),
+        ([("'1e5'", '|-\n      1e5')], 2, 'a string that looks like a number in quotes'),
+        ([('/drive:', '/robot/drive:')], 3, 'it is `0.5`'),
     ],
 }
 
@@ -88,6 +97,12 @@ RIGHT = {
           '            setattr(self, name, self.get_parameter(name).value)\n')],
         [("{name: parameter.value for name, parameter in self.get_parameters_by_prefix('targets_c').items()}",
           "{side: self.get_parameter(f'targets_c.{side}').value for side in ('right', 'left')}")],
+        [('        self.add_post_set_parameters_callback(self.react)\n        self.react([])\n\n'
+          '    def react(self, parameters):\n'
+          "        self.limit_c = self.get_parameter('limit_c').value\n"
+          "        self.unit = self.get_parameter('unit').value\n",
+          "\n    def __getattr__(self, name):\n        if name not in ('limit_c', 'unit'):\n"
+          '            raise AttributeError(name)\n        return self.get_parameter(name).value\n')],
     ],
     '9.1c': [
         [('/**:\n  ros__parameters:\n    base_frame: base_link\n', ''),
@@ -99,5 +114,6 @@ RIGHT = {
           '/drive: {ros__parameters: {max_speed_mps: 1.0e+0, gains: {kp: 2.0, kd: 0.1}}}'),
          ('    gains: {kd: 0.1, kp: 2.0}\n    max_speed_mps: 1.0\n', '')],
         [("label: '1e5'", 'label: !!str 1e5')],
+        [('/**:', '/*:')],
     ],
 }

@@ -2,18 +2,26 @@
 
 WRONG = {
     '9.2a': [
-        ([('add_pre_set', 'add_on_set')], 0, 'invalid type'),
-        ([('add_pre_set', 'add_post_set')], 1, 'out of range'),
-        ([("parameter.name == 'speed_rpm'", "parameter.name == 'speed'")], 1, 'out of range'),
+        ([('add_pre_set', 'add_on_set')], 0, 'out of range'),
+        ([('add_pre_set', 'add_post_set')], 0, 'out of range'),
+        ([("parameter.name == 'speed_rpm'", "parameter.name == 'speed'")], 0, 'out of range'),
         ([("parameter.name == 'speed_rpm'", "parameter.name != 'speed'")], 2, 'it is `300`'),
-        ([('parameter.value, 20), 300', 'parameter.value, 0), 300')], 2, 'out of range'),
+        ([('parameter.value, 20), 300', 'parameter.value, 0), 300')], 0, 'out of range'),
         ([('parameter.value, 20), 300', 'parameter.value, 20), 30')], 0, 'it is `30`'),
         ([('parameter.value, 20), 300', 'parameter.value, 300), 20')], 0, 'it is `20`'),
         ([('            else:\n                bent.append(parameter)\n', '')], 2, 'it is `5`'),
-        ([('add_callback = self.add_pre_set_parameters_callback', 'add_callback = print')], 1, 'out of range'),
+        ([('add_callback = self.add_pre_set_parameters_callback', 'add_callback = print')], 0, 'out of range'),
         ([(' and parameter.type_ == Parameter.Type.INTEGER', ''),
           ('max(parameter.value', 'max(int(float(parameter.value))')], 2, 'ValueError'),
         ([("'mixer'", "'blender'")], 3, 'it is called `blender`'),
+        ([('add_callback = self.add_pre_set_parameters_callback', 'add_callback = ...')], 0, 'a `...` is still there'),
+        ([("parameter.name == 'speed_rpm'", 'parameter.name == ...')], 0, 'a `...` is still there'),
+        ([('parameter.value, 20), 300', 'parameter.value, ...), ...')], 0, 'a `...` is still there'),
+        ([('        bent = []\n', ''), ('bent', 'self.bent'),
+          ("'minutes', 5)\n", "'minutes', 5)\n        self.bent = []\n")], 2, 'come back with the next one?'),
+        ([(', ParameterDescriptor(\n            integer_range=[IntegerRange(from_value=20, to_value=300)])', '')],
+         0, 'no panel can know'),
+        ([('        return bent', '            return bent')], 2, 'it is `'),
     ],
     '9.2b': [
         ([("1': 0.5", "1': 1")], 5, 'ROS 1 would have stored it'),
@@ -34,11 +42,11 @@ WRONG = {
         ([('floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0)]', '')], 3, 'it was accepted'),
         ([("description='A part of the full speed, 3000 rpm.',", '')], 3, 'it has no description'),
         ([('Doubles the speed for a moment.', 'boost')], 3, 'its description is `boost`'),
-        ([('        self.react([])\n', '')], 3, 'it is `None`'),
-        ([('        self.react([])\n', '        self.motor_rpm = 1500.0\n')], 3, 'it is `1500.0`'),
+        ([('        self.react([])\n', '')], 2, 'it is `None`'),
+        ([('        self.react([])\n', '        self.motor_rpm = 1500.0\n')], 2, 'it is `1500.0`'),
         ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 3, 'it is `1500.0`'),
         ([("        factor = 2 if self.get_parameter('boost').value else 1\n", '        factor = 1\n')], 2,
-         'it is `750.0`'),
+         'it is `1500.0`'),
         ([('add_post_set_parameters_callback', 'add_on_set_parameters_callback'), (
             '* factor', '* factor\n        from rcl_interfaces.msg import SetParametersResult\n'
             '        return SetParametersResult(successful=True)')], 3, 'it is `1500.0`'),
@@ -50,6 +58,10 @@ WRONG = {
            "        elif parameters[0].name == 'speed':\n"
            '            self.motor_rpm = 3000 * parameters[0].value')], 3, 'it is `750.0`'),
         ([('3000 * self', '300 * self')], 2, 'it is `150.0`'),
+        ([("3000 * self.get_parameter('speed').value * factor",
+           "int(3000 * self.get_parameter('speed').value) * factor")], 3, 'it is `187`'),
+        ([('        self.add_post_set', "        self.declare_parameter('motor_rpm', 0.0)\n        self.add_post_set")],
+         1, 'there is also `motor_rpm`'),
     ],
 }
 

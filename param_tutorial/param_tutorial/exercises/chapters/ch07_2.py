@@ -2,6 +2,7 @@
 with."""
 
 import ast
+import contextlib
 import itertools
 import shlex
 import tempfile
@@ -13,11 +14,13 @@ import yaml
 
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.terminal import Terminal
 from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.index import share_folder_of
+from param_tutorial.ros2.launch.description import DeclareLaunchArgument, LaunchDescription
+from param_tutorial.ros2.launch.processes import Program
 from param_tutorial.ros2.launch.reading import load_description
 from param_tutorial.ros2.launch.substitutions import Context, LaunchFailed
 from param_tutorial.ros2.launch.verb import programs
@@ -27,8 +30,8 @@ SEE = 'See it'
 READ = 'Read it'
 VALUES = 'Change it: values in the launch file'
 ARGUMENTS = 'Change it: arguments'
-NOT_INSTALLED = 'Break it: the file that was not installed'
-SOMEBODY_ELSE = 'Break it: a file for another node'
+NOT_INSTALLED = 'Break it: a package of your own'
+SOMEBODY_ELSE = 'Break it: a robot of another name'
 FILE_NAME = 'my_launch.py'
 
 
@@ -46,6 +49,8 @@ class Launched(NamedTuple):
     """What follows ``--ros-args``; a parameter file by its name in ``files``."""
     files: dict[str, str]
     """The text of each parameter file."""
+    arguments: list[str]
+    """The names of the arguments that the launch file declares."""
 
     def start(self, trial: Trial, node_class: type[SimpleParamNode] = SimpleParamNode) -> SimpleParamNode:
         """Put the robot on the stage, in the corner.
@@ -68,9 +73,13 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         path = Path(folder, FILE_NAME)
         path.write_text(text, encoding='utf-8')
+
+        def work_out() -> tuple[LaunchDescription, list[Program]]:
+            description = load_description(path)
+            return description, programs(description, Context(dict(arguments), Path(folder), warn=lambda _: None))
+
         try:
-            found = trial.call('the launch file', lambda: programs(
-                load_description(path), Context(dict(arguments), Path(folder), warn=lambda _: None)))
+            description, found = trial.call('the launch file', work_out)
         except NotYet as error:
             raise NoUse('a launch file that `ros2 launch` can run',
                         error.happened.replace(f'{folder}/', '').removeprefix(f'{LaunchFailed.__name__}: ')) from None
@@ -80,9 +89,14 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
         command = found[0].command
         words = command[command.index('--ros-args') + 1:]
         paths = [word for option, word in itertools.pairwise(words) if option == '--params-file']
+        for each in paths:
+            if not Path(each).is_absolute():
+                raise NoUse('a path that leads to the file from every folder',
+                            f'`{each}` leads there only from the folder `{Path.cwd().name}`')
         short = {path: f'{position}.yaml' for position, path in enumerate(paths)}
         return Launched([short.get(word, word) for word in words],
-                        {name: Path(path).read_text(encoding='utf-8') for path, name in short.items()})
+                        {name: Path(path).read_text(encoding='utf-8') for path, name in short.items()},
+                        [each.name for each in description.entities if isinstance(each, DeclareLaunchArgument)])
 
 
 def _gaps(text: str) -> list[str]:
@@ -119,22 +133,41 @@ def starts(trial: Trial, node_class: type[SimpleParamNode] = SimpleParamNode, **
                      f'{error.happened}. A launch reads the string of an argument as YAML') from None
 
 
-def expect_holds(trial: Trial, name: str, value: object, because: str, **arguments: str) -> None:
-    """Expect the robot to start with a value."""
+def config() -> Any:
+    """Return what the course's file holds."""
+    return yaml.safe_load((share_folder_of('param_tutorial') / 'config' / 'clawbot_config.yaml').read_text())
+
+
+def expect_holds(trial: Trial, name: str, value: object, because: str = '', **arguments: str) -> None:
+    """Expect the robot to start with a value.
+
+    :param because: What to think of when it starts with another one.
+    """
     words = ' '.join(f'{argument}:={given}' for argument, given in arguments.items())
     found = starts(trial, SimpleParamNode, **arguments).get_parameter(name).value
     expect(type(found) is type(value) and found == value,
            f'`{name}` is `{value!r}`' + (f' with `{words}`' if words else ' without arguments'),
-           f'it is `{found!r}`. {because}')
+           f'it is `{found!r}`' + (f'. {because}' if because else ''))
+
+
+def expect_covered(trial: Trial, name: str, because: str) -> None:
+    """Expect the launch file to give a parameter another value than the course's file does.
+
+    :raises NotTried: the file covers the safety mode, too, and the requirement for that says so.
+    """
+    in_file = config()['/simple_param_node']['ros__parameters'][name]
+    found = starts(trial).get_parameter(name).value
+    if found == in_file:
+        take_for_granted(trial, override_arrives)
+    expect(found != in_file, f'a value for `{name}` that covers the file’s', f'it is still `{found!r}`. {because}')
 
 
 @complete.require('the robot starts, and has its name from `clawbot_config.yaml`', see=READ)
 def file_arrives(trial: Trial) -> None:
-    config = yaml.safe_load((share_folder_of('param_tutorial') / 'config' / 'clawbot_config.yaml').read_text())
     starts(trial)
     found = launch(trial, trial.work)
-    expect(config in [yaml.safe_load(text) for text in found.files.values()], 'the file in `parameters`',
-           'it is not there. Is its path right?')
+    expect(config() in [yaml.safe_load(text) for text in found.files.values()], 'the robot gets this file',
+           'it gets no such file. Is it in the list, and is its path right?')
     expect_holds(trial, 'robot_name', 'AlphaClaw', 'Is the file for a node of this name, and does nothing cover it?')
 
 
@@ -143,20 +176,25 @@ def override_arrives(trial: Trial) -> None:
     found = starts(trial, Reckless).get_parameter('enable_safety_mode').value
     expect(found, '`enable_safety_mode` is `True`, and does not depend on the default',
            f'it is `{found!r}`. Of two sources the later one wins')
+    for argument in launch(trial, trial.work).arguments:
+        with contextlib.suppress(NotYet):  # what else the word does to the robot is not asked here
+            found = starts(trial, Reckless, **{argument: 'false'}).get_parameter('enable_safety_mode').value
+        expect(found, 'the safety mode is always on', f'with `{argument}:=false` it is off')
 
 
 @complete.require('its speed is 90 rpm, and 60 with `max_speed_rpm:=60`', see=ARGUMENTS)
 def speed_arrives(trial: Trial) -> None:
-    expect_holds(trial, 'max_speed_rpm', 90, 'Does the argument have a default, and does its value come after the '
-                                             'file?')
+    expect_covered(trial, 'max_speed_rpm', 'Is there a value for it, and does it come after the file?')
+    expect_holds(trial, 'max_speed_rpm', 90, 'Does the argument have this default, and is it used?')
     for speed in (60, 245):
         expect_holds(trial, 'max_speed_rpm', speed, 'Is the argument used?', max_speed_rpm=str(speed))
 
 
 @complete.require('its serial number is `SN-1`, and `0042` with `serial:=0042`', see=ARGUMENTS)
 def serial_arrives(trial: Trial) -> None:
-    expect_holds(trial, 'robot_serial_number', 'SN-1', 'The parameter is called `robot_serial_number`, and its value '
-                                                       'has to come after the file')
+    expect_covered(trial, 'robot_serial_number', 'The parameter is called `robot_serial_number`, and its value has to '
+                                                 'come after the file')
+    expect_holds(trial, 'robot_serial_number', 'SN-1', 'Does the argument have this default, and is it used?')
     for serial in ('0042', 'on', 'B 7'):
         expect_holds(trial, 'robot_serial_number', serial, 'Is the argument used, and does it stay a string?',
                      serial=serial)
@@ -164,11 +202,7 @@ def serial_arrives(trial: Trial) -> None:
 
 @complete.require('`ros2 launch` starts it, in a process of its own', see=SEE)
 def runs(trial: Trial) -> None:
-    for each in (file_arrives, override_arrives, speed_arrives, serial_arrives):
-        try:
-            each(trial)
-        except NotYet:
-            raise NotTried from None
+    take_for_granted(trial, file_arrives, override_arrives, speed_arrives, serial_arrives)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, FILE_NAME)
         path.write_text(trial.work, encoding='utf-8')

@@ -8,7 +8,7 @@ from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import DICTIONARY, LIST, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_text
-from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '07_3_overrides'
 TWO = 'Two sources'
@@ -58,7 +58,7 @@ def require_foresight(sources: str, because: Mapping[object, str], see: str = TH
 
 
 require_foresight('mixed.yaml', {
-    200: 'The later block wins, not the more exact name', 100: 'Both blocks match the robot'})
+    200: 'The later block wins, not the more specific name', 100: 'Both blocks match the robot'})
 require_foresight('mixed.yaml, -p 400', {
     300: '`-p` changes the block that is the last one here', 200: 'Which block is opened last?'})
 require_foresight('-p 400, mixed.yaml', {
@@ -67,7 +67,7 @@ require_foresight('-p 400, mixed.yaml', {
 require_foresight('every.yaml, mixed.yaml', {
     300: 'The first file has already opened that block', 350: 'The second file changes this value'})
 require_foresight('mixed.yaml, any.yaml', {
-    300: 'Which block comes after this one?', 200: 'The more exact name does not win'}, REACHES)
+    300: 'Which block comes after this one?', 200: 'The more specific name does not win'}, REACHES)
 require_foresight('any.yaml, mixed.yaml, -p 400', {
     250: 'Two more blocks are opened after this one', 300: '`-p` gives this block another value',
     200: 'Which block is opened last?'})
@@ -94,11 +94,16 @@ reach = Exercise('7.3b', 'Two of five', CHAPTER, TEXT, hints=(
 
 def expect_holds(trial: Trial, place: str, name: str, force_n: float, speed_mmps: int) -> None:
     """Expect a node that starts with the learner's file to have these values."""
+    wanted = {'force_n': force_n, 'speed_mmps': speed_mmps}
+    found = held(trial, place, name)
+    expect(found == wanted, _format_values(wanted), _format_values(found))
+
+
+def held(trial: Trial, place: str, name: str) -> dict[str, object]:
+    """Return the values of a node that starts with the learner's file."""
     node = trial.start_with_files(Gripper, {'lab.yaml': trial.work}, '--params-file', 'lab.yaml',
                                   '-r', f'__node:={name}', namespace=place)
-    wanted = {'force_n': force_n, 'speed_mmps': speed_mmps}
-    found = trial.client(node).get_parameters(wanted)
-    expect(dict(found) == wanted, _format_values(wanted), _format_values(found))
+    return dict(trial.client(node).get_parameters(['force_n', 'speed_mmps']))
 
 
 def _format_values(held: Mapping[str, object]) -> str:
@@ -119,7 +124,16 @@ def left(trial: Trial) -> None:
 
 @reach.require('`/lab/right/gripper` starts with 20.0 N and 40 mm/s', see=THREE)
 def right(trial: Trial) -> None:
+    if held(trial, '/lab/right', 'gripper')['force_n'] == 20.0:
+        # Its speed is then that of the left one, or a mistake of its own.
+        take_for_granted(trial, same_speed_on_the_left)
     expect_holds(trial, '/lab/right', 'gripper', 20.0, 40)
+
+
+def same_speed_on_the_left(trial: Trial) -> None:
+    """Expect the speed of the left gripper to be right, unless the right one has another."""
+    left_one, right_one = (held(trial, place, 'gripper')['speed_mmps'] for place in ('/lab/left', '/lab/right'))
+    expect(left_one != right_one or left_one == 40, '', '')
 
 
 def expect_a_gripper(trial: Trial) -> None:

@@ -12,8 +12,14 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.errors import ParameterFileError
 from param_tutorial.exercises.exercise import NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import expect_declared, expect_follows, expect_left_alone, format_found
-from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.expectations import (
+    expect_declared,
+    expect_filled,
+    expect_follows,
+    expect_left_alone,
+    format_found,
+)
+from param_tutorial.exercises.trial import CORNER, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.parameters import files, values
 
 CHAPTER = '09_1_moving_from_ros1'
@@ -28,12 +34,13 @@ fill = Exercise('9.1a', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='drive'
     'takes the place of the slash.',
     'The default settles the type: both numbers are doubles, so each default has a dot.',
     'The last gap is the value of the gain, read when `command` needs it: `self.get_parameter(…).value`.'))
-OLD_NAMES = ('~max_speed_mps', '~gains/kp', 'gains/kp')
 
 
 def expect_translated(trial: Trial, name: str, value: float) -> None:
+    expect_filled(trial)
     found = trial.client(trial.start()).list_parameters()
-    old = [f'`{each}`' for each in found if each in OLD_NAMES]
+    slashed = name.replace('.', '/')
+    old = [f'`{each}`' for each in (f'~{slashed}', slashed, f'~{name}') if each in found]
     expect(name in found, f'a parameter `{name}`',
            f'there is {old[0]}, as ROS 1 writes it' if old else 'the node has none of that name')
     expect_declared(trial, name, values.DOUBLE, value)
@@ -51,12 +58,13 @@ def gain_translated(trial: Trial) -> None:
 
 @fill.require('`command(error)` uses the gain that the node has at that moment', see=TRANSLATE)
 def commands(trial: Trial) -> None:
+    plain = trial.client(trial.start())
+    if 'gains.kp' not in plain.list_parameters() or plain.describe_parameter('gains.kp').type is not values.DOUBLE:
+        raise NotTried
     drive = trial.start(ros_args=['-p', 'gains.kp:=4.0'])
-    if 'gains.kp' not in trial.client(drive).list_parameters():
-        raise NotYet('a gain that can be changed', 'there is no parameter `gains.kp`')
     held = trial.client(drive).get_parameter('gains.kp')
     expect(held == 4.0, '`gains.kp` is `4.0` after a start with `-p gains.kp:=4.0`', f'it is `{held!r}`')
-    for gain in (4.0, 3.0, -1.5):
+    for gain in (4.0, 3.0, -1.5, 0.0):
         trial.client(drive).set_parameter('gains.kp', gain).raise_for_reason()
         for error in (0.5, -2.0):
             given = trial.call(f'`command({error})`', drive.command, error)
@@ -105,15 +113,23 @@ def group_declared(trial: Trial) -> None:
 
 @mend.require('it starts with the file, and has its values', see=TRANSLATE)
 def starts_with_file(trial: Trial) -> None:
-    for text, limit_c, unit, left, right in ((FILE, 62.5, 'K', 19.0, 22.5), (ANOTHER_FILE, 144.5, 'F', 66.0, 70.5)):
+    take_for_granted(trial, plain_declared, group_declared)
+    for text, left, right in ((FILE, 19.0, 22.5), (ANOTHER_FILE, 66.0, 70.5)):
+        heater = trial.start_with_files(trial.work, {'heater.yaml': text}, '--params-file', 'heater.yaml')
+        expect_targets(trial, heater, left=left, right=right)
+    held_from_file(trial)
+
+
+def held_from_file(trial: Trial) -> None:
+    """Expect the attributes to hold what a file has brought."""
+    for text, limit_c, unit in ((FILE, 62.5, 'K'), (ANOTHER_FILE, 144.5, 'F')):
         heater = trial.start_with_files(trial.work, {'heater.yaml': text}, '--params-file', 'heater.yaml')
         expect_held(heater, limit_c=limit_c, unit=unit)
-        expect_targets(trial, heater, left=left, right=right)
 
 
 @mend.require('`self.limit_c` and `self.unit` follow what is stored, and only that', see=TRANSLATE)
 def follows(trial: Trial) -> None:
-    expect_held(trial.start(), limit_c=60.0, unit='C')
+    take_for_granted(trial, plain_declared, held_from_file)
     heater = expect_follows(trial, 'limit_c', [({'limit_c': 65.5}, 65.5), ({'unit': 'K'}, 65.5),
                                                ({'unit': 'F', 'limit_c': 70.0}, 70.0)])
     expect_held(heater, unit='F')
@@ -163,10 +179,41 @@ translate = Exercise('9.1c', 'Translate a file', CHAPTER, TEXT, hints=(
     'What belonged to everybody goes into a block `/**:`, with `ros__parameters` below it as well.'))
 
 
+# What tells whether a node has started with the file, and holds something of its own block.
+SIGNS: Mapping[type[Node], Mapping[str, object]] = {
+    TranslatedDrive: {'max_speed_mps': 0.5, 'gains.kp': 1.0, 'gains.kd': 0.0},
+    TranslatedCamera: {'label': 'none', 'rates_hz': [5.0]}}
+
+
+def take_for_granted_that_it_starts(trial: Trial, node_class: type[Node], *, is_reached: bool = True) -> None:
+    """Raise NotTried unless a node starts with the file; the first requirement for that node says why.
+
+    :param is_reached: True if something of the file's has to reach it.
+    """
+    try:
+        held = trial.client(started(trial, node_class)).get_parameters(SIGNS[node_class])
+    except NotYet:
+        raise NotTried from None
+    if is_reached and all(values.same(held[name], default) for name, default in SIGNS[node_class].items()):
+        raise NotTried
+
+
 def expect_values(trial: Trial, node_class: type[Node], wanted: Mapping[str, Any], because: str = '') -> None:
     """Start a node with the learner's file, and expect it to hold some values.
 
     :param because: What to think of when it holds others.
+    """
+    held = trial.client(started(trial, node_class)).get_parameters(wanted)
+    for parameter, value in wanted.items():
+        expect(values.same(held[parameter], value), f'`{parameter}` is `{value!r}`',
+               f'it is `{held[parameter]!r}`' + (f'. {because}' if because else ''))
+
+
+def started(trial: Trial, node_class: type[Node]) -> Node:
+    """Start a node with the learner's file.
+
+    :raises NotYet: the node does not start.
+    :raises NoUse: rcl cannot read the file.
     """
     if not trial.work.strip():
         raise NoUse('', 'the file is still empty')
@@ -181,14 +228,10 @@ def expect_values(trial: Trial, node_class: type[Node], wanted: Mapping[str, Any
             raise NoUse(f'a file that rcl reads, with values for `{name}`',
                         str(error).replace(f'{folder}/', '')) from None
         try:
-            node = trial.start(node_class, ros_args=['--params-file', str(file)])
+            return trial.start(node_class, ros_args=['--params-file', str(file)])
         except NoUse as error:
             raise NotYet(error.expected, f'{error.happened}. Write each value as the type that was declared: a double '
                                          f'with its dot, a string that looks like a number in quotes') from None
-    held = trial.client(node).get_parameters(wanted)
-    for parameter, value in wanted.items():
-        expect(values.same(held[parameter], value), f'`{parameter}` is `{value!r}`',
-               f'it is `{held[parameter]!r}`' + (f'. {because}' if because else ''))
 
 
 @translate.require('`/drive` starts with it, at a maximum of 1.0 m/s', see=TRANSLATE)
@@ -198,6 +241,7 @@ def speed(trial: Trial) -> None:
 
 @translate.require('`/drive` has the gains 2.0 and 0.1', see=TRANSLATE)
 def gains(trial: Trial) -> None:
+    take_for_granted_that_it_starts(trial, TranslatedDrive)
     expect_values(trial, TranslatedDrive, {'gains.kp': 2.0, 'gains.kd': 0.1})
 
 
@@ -208,12 +252,14 @@ def label(trial: Trial) -> None:
 
 @translate.require('`/camera` has the rates 10.0 and 12.5', see=TYPES)
 def rates(trial: Trial) -> None:
+    take_for_granted_that_it_starts(trial, TranslatedCamera)
     expect_values(trial, TranslatedCamera, {'rates_hz': [10.0, 12.5]})
 
 
 @translate.require('both know that `base_frame` is `base_link`', see=TRANSLATE)
 def frame(trial: Trial) -> None:
     for node_class in (TranslatedDrive, TranslatedCamera):
+        take_for_granted_that_it_starts(trial, node_class, is_reached=False)
         expect_values(trial, node_class, {'base_frame': 'base_link'},
                       'Nothing belongs to everybody any more: the key `/**` gives it to each node')
 

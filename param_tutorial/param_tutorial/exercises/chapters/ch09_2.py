@@ -1,24 +1,28 @@
 """Exercises of chapter 9.2: bend a request as ROS 1 did, predict what ROS 2 makes of ROS 1's habits, and replace a
 server of dynamic_reconfigure."""
 
+import contextlib
 from collections.abc import Mapping
 from typing import Any
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 
+from param_tutorial.errors import CallbackError
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import (
     expect_accepted,
     expect_declared,
+    expect_filled,
     expect_follows,
     expect_left_alone,
     expect_range,
     expect_rejected,
     format_found,
 )
-from param_tutorial.exercises.trial import NoUse, Trial, expect
+from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
 from param_tutorial.parameters import values
+from param_tutorial.parameters.client import is_housekeeping
 
 CHAPTER = '09_2_ros1_and_ros2'
 STORE = 'Who keeps the values?'
@@ -36,14 +40,17 @@ LOWEST, HIGHEST = 20, 300
 
 @bend.require('a speed beyond the limits becomes the nearest limit', see=RULES)
 def bends(trial: Trial) -> None:
+    expect_filled(trial)
     mixer = trial.start()
     for asked, wanted in ((900, HIGHEST), (-5, LOWEST), (301, HIGHEST), (19, LOWEST)):
         expect_accepted(trial, mixer, {'speed_rpm': asked})
         expect_held(trial, mixer, f'`speed_rpm = {asked}`', speed_rpm=wanted)
+    expect_range(trial.client(mixer), 'speed_rpm', LOWEST, HIGHEST)
 
 
 @bend.require('a speed within them, and `minutes`, stay as they were asked for', see=CHANGES)
 def leaves_alone(trial: Trial) -> None:
+    take_for_granted(trial, bends)
     mixer = trial.start()
     expect_held(trial, mixer, 'the start', speed_rpm=100, minutes=5)
     for speed_rpm, minutes in ((150, 900), (LOWEST, 0), (HIGHEST, -5), (21, 301)):
@@ -52,10 +59,14 @@ def leaves_alone(trial: Trial) -> None:
                     speed_rpm=speed_rpm, minutes=minutes)
     expect_accepted(trial, mixer, {'speed_rpm': 1000, 'minutes': 1000})
     expect_held(trial, mixer, '`speed_rpm = 1000` and `minutes = 1000`', speed_rpm=HIGHEST, minutes=1000)
+    with contextlib.suppress(CallbackError):  # the requirement for words says so
+        trial.client(mixer).set_parameter('speed_rpm', 'fast')
+        expect_accepted(trial, mixer, {'minutes': 7}, '. Does a request that was rejected come back with the next one?')
 
 
 @bend.require('a word is rejected, and so is a double', see=CHANGES)
 def rejects(trial: Trial) -> None:
+    take_for_granted(trial, bends)
     mixer = trial.start()
     expect_accepted(trial, mixer, {'speed_rpm': 200})
     for wrong in ('fast', 900.5):
@@ -128,6 +139,8 @@ def fan_declared(trial: Trial) -> None:
     found = trial.client(trial.start()).list_parameters()
     if missing := [f'`{name}`' for name in DESCRIPTIONS if name not in found]:
         raise NoUse('both parameters', f'the node has no {" and no ".join(missing)}')
+    others = [f'`{name}`' for name in found if name not in DESCRIPTIONS and not is_housekeeping(name)]
+    expect(not others, 'the same two parameters', f'there is also {", ".join(others)}')
     expect_declared(trial, 'speed', values.DOUBLE, 0.5)
     expect_declared(trial, 'boost', values.BOOL, False)
 
@@ -151,6 +164,7 @@ def fan_described(trial: Trial) -> None:
 
 @replace.require('`self.motor_rpm` is right at the start, with an override too', see=CHANGES)
 def fan_starts(trial: Trial) -> None:
+    take_for_granted(trial, fan_declared)
     for ros_args, wanted in (([], 1500), (['-p', 'speed:=0.25'], 750), (['-p', 'boost:=true'], 3000),
                              (['-p', 'boost:=true', '-p', 'speed:=0.125'], 750)):
         fan = trial.start(ros_args=ros_args)
@@ -161,8 +175,10 @@ def fan_starts(trial: Trial) -> None:
 
 @replace.require('`self.motor_rpm` follows what is stored, and only that', see=CHANGES)
 def fan_follows(trial: Trial) -> None:
+    take_for_granted(trial, fan_declared, fan_starts)
     fan = expect_follows(trial, 'motor_rpm', [
-        ({'speed': 0.25}, 750), ({'boost': True}, 1500), ({'speed': 0.5}, 3000), ({'boost': False, 'speed': 1.0}, 3000),
+        ({'speed': 0.0625}, 187.5), ({'speed': 0.25}, 750), ({'boost': True}, 1500), ({'speed': 0.5}, 3000),
+        ({'boost': False, 'speed': 1.0}, 3000),
         ({'speed': 0.125, 'boost': True}, 750), ({'boost': False}, 375)])
     expect_left_alone(trial, fan, 'motor_rpm', {'speed': 0.75, 'boost': True})
 

@@ -59,8 +59,8 @@ PREDICTIONS = (
               'drives with its defaults.'),
         wrong('Yes, with the values of the file in src', 'Nothing looks in `src`. The file is not in the install '
               'space, so nobody reads its values.'))),
-    Prediction('7.2-6', 'The first line of the file is `/simple_param_node:`, and it names the robot AlphaClaw. A node '
-               'called `other_robot` starts with it. What is its name afterwards?', (
+    Prediction('7.2-6', 'The key at the top of the file is `/simple_param_node`, and below it the robot is named '
+               'AlphaClaw. A node called `other_robot` starts with the file. What is its `robot_name`?', (
         wrong('AlphaClaw: it was given the file', 'A file is for the node that it names. It holds nothing for this '
               'one.'),
         right('Clawbot: it ignores the file', 'The file is for another node, so this one ignores it without a word.'),

@@ -13,7 +13,7 @@ RECALLS = (
               'and that is not `berta`.'),
         wrong('The launch ends with an error', 'rcl can read the file, so there is no error. The file is for another '
               'node, and berta ignores it.')),
-           chapter='7.2', section='Break it: a file for another node'),
+           chapter='7.2', section='Break it: a robot of another name'),
     Recall('7.3-r2', 'A node declares the string `serial_number`. Its parameter file says `serial_number: 0042`, '
            'without quotes. How does the node start?', (
         wrong("with the string '0042'", 'To rcl, `0042` without quotes is a number, whatever the node declares.'),
