@@ -216,6 +216,10 @@ class Trial:
         """
         if self.ros.is_running:
             self.ros.run(lambda: None, 'see the callbacks through')
+        return self.failed()
+
+    def failed(self) -> str:
+        """Return what a callback is known to have raised so far; as above."""
         failure = self._failure()
         return '' if failure is None else f'{failure} raised {describe_error(failure.error)}'
 
