@@ -66,6 +66,9 @@ WRONG = {
          0, 'this callback already runs inside the executor that it waits for'),
         ([(ASK, 'future = self.client.call_async(request)\n        while not future.done():\n            pass\n'
            '        self.on_answer(future)')], 0, 'it was still running after some seconds'),
+        ([(ASK, f'import time\n        time.sleep(0.5)\n        {ASK}')], 0, 'time.sleep() blocks the thread'),
+        ([('value=0.2)]', "value=0.2), Parameter('use_sim_time', value=False)]")], 2,
+         'it is asked for `use_sim_time` too'),
         # Too early: the answer has not come.
         ([(ASK, 'self.on_answer(self.client.call_async(request))')], 0,
          "AttributeError: 'NoneType' object has no attribute 'result'"),

@@ -1,7 +1,9 @@
 """Exercises of chapter 5.3: order the lines of a request, set two parameters of another node together, and read an
 answer."""
 
-from collections.abc import Mapping
+import contextlib
+import time
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Any
 
@@ -15,6 +17,7 @@ from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exerci
 from param_tutorial.exercises.expectations import run_lines, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.client import ParameterValues
+from param_tutorial.runtime import stage
 
 CHAPTER = '05_3_from_another_node'
 HOW = 'How it works'
@@ -91,6 +94,23 @@ class CountsRequests(Node):
         return client
 
 
+@contextlib.contextmanager
+def awake() -> Iterator[None]:
+    """Let ``time.sleep`` raise an exception in the executor's thread: a short sleep blocks it too."""
+    sleep = time.sleep
+
+    def sleep_elsewhere(seconds: Any) -> None:
+        if stage.current().services.in_executor_thread():
+            raise RuntimeError('time.sleep() blocks the thread, and no answer comes while it does')
+        sleep(seconds)
+
+    time.sleep = sleep_elsewhere
+    try:
+        yield
+    finally:
+        time.sleep = sleep
+
+
 def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
     """Put a rover and the learner's supervisor on the stage, and press the supervisor's button.
 
@@ -104,7 +124,8 @@ def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
     if not callable(button):
         raise NoUse('a method `slow_down`', 'the class has none')
     try:
-        trial.press('`slow_down()`', button)
+        with awake():
+            trial.press('`slow_down()`', button)
     except NotYet as error:
         raise NoUse(error.expected, error.happened) from None
     return rover, supervisor
@@ -120,6 +141,8 @@ def both(trial: Trial) -> None:
                        f', and `self.rejection` is `{supervisor.rejection!r}`' if supervisor.rejection else ''))
     except NotYet as error:  # what rovers reject can tell nothing about other values
         raise NoUse(error.expected, trial.raised() or error.happened) from None
+    others = ' and '.join(f'`{name}`' for name in sorted(rover.asked - set(NEW)))
+    expect(not others, 'the rover is asked for nothing else', f'it is asked for {others} too')
 
 
 @supervise.require('`self.rejection` is the reason of a rover that rejects', see=HOW)
