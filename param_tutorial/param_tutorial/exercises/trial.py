@@ -219,9 +219,11 @@ class Trial:
         return self.failed()
 
     def failed(self) -> str:
-        """Return what a callback is known to have raised so far; as above."""
+        """Return what a callback is known to have raised so far; as above. One that was interrupted raised nothing."""
         failure = self._failure()
-        return '' if failure is None else f'{failure}{_describe_raised(failure.error)}'
+        if failure is None or not isinstance(failure.error, (Exception, SystemExit)):
+            return ''
+        return f'{failure}{_describe_raised(failure.error)}'
 
     def _failure(self) -> Failure | None:
         return next((failure for failure in list(self.ros.failures)
