@@ -135,7 +135,7 @@ class NeverReturns(Heater):
             pass
 
 
-def test_an_exception_in_a_callback_is_told(ros):
+def test_an_exception_in_a_callback_is_reported(ros):
     result = exercises.check('5.2a', RaisesInCallback)
     assert "a callback raised AttributeError: 'Parameter' object has no attribute 'valeu'" in repr(result)
     assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 4]
@@ -153,7 +153,7 @@ def test_a_callback_that_never_returns_is_interrupted(ros, monkeypatch):
     assert exercises.check('5.2a', solution('5.2a')).done  # the executor is as good as before
 
 
-def test_a_callback_that_keeps_the_executor_for_good_is_told(ros, monkeypatch):
+def test_a_callback_that_blocks_the_executor_for_good_is_reported(ros, monkeypatch):
     def remove(self, node):
         if isinstance(node, Node):  # a name is removed to make room for another node
             raise ExecutorError('restart the kernel')
@@ -180,7 +180,7 @@ def waits(parameters, results):
 
 
 @pytest.mark.slow
-def test_what_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
+def test_work_that_never_returns_in_this_thread_is_interrupted(ros, monkeypatch):
     monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
     result = exercises.check('3a', WaitsInConstructor)
     assert 'it was still running after 0.5 s' in repr(result)
@@ -201,7 +201,7 @@ class Loops(Node):
 
 
 @pytest.mark.slow
-def test_a_button_that_never_comes_up_is_told(ros):
+def test_a_method_that_never_returns_is_reported(ros):
     result = exercises.check('5.3a', Loops)
     assert 'kept the executor busy' in repr(result)
     assert exercises.check('5.3a', solution('5.3a')).done
@@ -217,7 +217,7 @@ class Spins(Loops):
         rclpy.spin_until_future_complete(self, self.client.call_async(ch05_3.SetParameters.Request()))
 
 
-def test_a_button_that_waits_for_its_own_executor_is_told_at_once(ros):
+def test_a_method_that_waits_for_its_own_executor_is_reported_at_once(ros):
     result = exercises.check('5.3a', Spins)
     assert 'runs inside the executor that it waits for' in result.findings[0].happened
     assert stage.current() is ros
@@ -225,7 +225,7 @@ def test_a_button_that_waits_for_its_own_executor_is_told_at_once(ros):
 
 
 @pytest.mark.slow
-def test_a_button_that_cannot_be_interrupted_is_told_and_the_next_check_is_as_ever(ros):
+def test_a_method_that_cannot_be_interrupted_is_reported_and_the_next_check_works(ros):
     result = exercises.check('5.3a', Sleeps)
     assert 'does not return and cannot be interrupted' in result.findings[0].happened
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried']
