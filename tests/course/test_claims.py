@@ -113,23 +113,6 @@ def test_any_name_but_the_empty_one_can_be_declared(ros):
         ros.run(lambda: node.declare_parameter('', 1), 'declare')
 
 
-# Chapter 6.1 says so of every declaration.
-@pytest.mark.parametrize(('default', 'options', 'type_'), [
-    (5, {}, ParameterType.PARAMETER_INTEGER),
-    (Parameter.Type.DOUBLE, {}, ParameterType.PARAMETER_DOUBLE),
-    ([True], {'read_only': True}, ParameterType.PARAMETER_BOOL_ARRAY),
-    (5, {'dynamic_typing': True}, ParameterType.PARAMETER_INTEGER),
-    (None, {'dynamic_typing': True}, ParameterType.PARAMETER_NOT_SET),
-])
-@pytest.mark.parametrize('together', [False, True])
-def test_a_declaration_overwrites_name_and_type_in_its_descriptor(ros, robot, default, options, type_, together):
-    descriptor = ParameterDescriptor(name='other', type=ParameterType.PARAMETER_STRING, **options)
-    ros.run(lambda: robot.declare_parameters('', [('new', default, descriptor)]) if together
-            else robot.declare_parameter('new', default, descriptor), 'declare')
-    assert (descriptor.name, descriptor.type) == ('new', type_)
-    assert robot.describe_parameter('new') == descriptor
-
-
 # A085
 def test_with_two_ranges_a_node_cannot_describe_itself(ros):
     class TwoRanges(Node):
