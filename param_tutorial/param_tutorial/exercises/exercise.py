@@ -209,7 +209,8 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     except NotYet as error:
         return _finding(requirement, error)
     except NoAnswerError as error:
-        raise NoUse('an answer', trial.failed() or f'{error}. Does a callback wait, or loop forever?') from None
+        happened = trial.raised_by_itself() or f'{error}. Does a callback wait, or loop forever?'
+        raise NoUse('an answer', happened) from None
     except ExecutorError:
         raise
     except (Exception, SystemExit) as error:  # whatever a learner's object may do when it is looked at

@@ -216,10 +216,11 @@ class Trial:
         """
         if self.ros.is_running:
             self.ros.run(lambda: None, 'see the callbacks through')
-        return self.failed()
+        failure = self._failure()
+        return '' if failure is None else f'{failure}{_describe_raised(failure.error)}'
 
-    def failed(self) -> str:
-        """Return what a callback is known to have raised so far; as above. One that was interrupted raised nothing."""
+    def raised_by_itself(self) -> str:
+        """Return the same without waiting, and nothing for a callback that was interrupted."""
         failure = self._failure()
         if failure is None or not isinstance(failure.error, (Exception, SystemExit)):
             return ''
