@@ -123,6 +123,20 @@ def test_the_client_alone_is_enough_to_hang_it_whoever_is_asked(client_has_own_g
                        expected=client_has_own_group) is client_has_own_group
 
 
+@pytest.mark.parametrize('create', [
+    lambda node, group: node.create_timer(60.0, print, callback_group=group),
+    lambda node, group: node.create_subscription(ParameterEvent, 'told', print, 10, callback_group=group),
+    lambda node, group: node.create_client(GetParameters, 'ask', callback_group=group),
+    lambda node, group: node.create_service(GetParameters, 'ask', print, callback_group=group),
+], ids=['timer', 'subscription', 'client', 'service'])
+def test_what_a_node_creates_belongs_to_its_default_group_unless_another_is_named(ros, create):
+    node = ros.add(Node, 'creates')
+    assert isinstance(node.default_callback_group, MutuallyExclusiveCallbackGroup)
+    assert ros.run(lambda: create(node, None), 'create').callback_group is node.default_callback_group
+    group = ReentrantCallbackGroup()
+    assert ros.run(lambda: create(node, group), 'create').callback_group is group
+
+
 def test_rclpys_loop_is_not_that_of_asyncio():
     with spinning(SingleThreadedExecutor, lambda context: Asking(context, 'sleep')) as (asking,):
         assert asking.is_answered.wait(60)

@@ -3,7 +3,7 @@
 import contextlib
 import inspect
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from rclpy.node import Node
@@ -47,6 +47,10 @@ DICTIONARY = Kind('a dictionary, as in the cell above', lambda work: isinstance(
                   'my_dictionary')
 TEXT = Kind('a string, as in the cell above', lambda work: isinstance(work, str), 'my_text')
 LIST = Kind('a list, as in the cell above', lambda work: isinstance(work, (list, tuple)), 'my_list')
+
+
+# What people write between the two halves of a word.
+_SPACES = str.maketrans('-_', '  ')
 
 
 class Requirement(NamedTuple):
@@ -93,12 +97,13 @@ class Exercise:
         return add
 
     def require_prediction(self, question: str, *, see: str,
-                           because: Mapping[Any, str]) -> Callable[[FindOut], FindOut]:
+                           because: Mapping[Any, str], words: Sequence[str] = ()) -> Callable[[FindOut], FindOut]:
         """Add a requirement for a dictionary: that it holds, for a question, what the decorated function finds out.
 
         It is found out once: what a node of ours says does not depend on the learner's work.
 
         :param because: For wrong answers that one may well give, what to think of; a tuple stands for a list.
+        :param words: Those that the answer is one of, if it is a word; capitals and hyphens do not count.
         """
         def add(find_out: FindOut) -> FindOut:
             truth: list[Any] = []
@@ -107,13 +112,19 @@ class Exercise:
             def examine(trial: Trial) -> None:
                 given = trial.work.get(question, ...)
                 expect(given is not ..., '', 'there is no prediction yet')
+                if isinstance(given, tuple):
+                    given = list(given)
+                if words:
+                    given = str(given).strip(' .').casefold().translate(_SPACES)
+                    expect(given in words, ', '.join(f'`{each!r}`' for each in words[:-1]) + f' or `{words[-1]!r}`',
+                           f'`{trial.work[question]!r}` is none of these words')
                 # The node's answer is not given away: to look at it is the next step, and the learner's.
-                words = next((f'. {text}' for wrong, text in because.items()
-                              if values.same(list(wrong) if isinstance(wrong, tuple) else wrong, given)), '')
+                remark = next((f'. {text}' for wrong, text in because.items()
+                               if values.same(list(wrong) if isinstance(wrong, tuple) else wrong, given)), '')
                 if not truth:
                     truth.append(find_out(trial))
                 expect(values.same(truth[0], given), 'what the node says when the check asks it',
-                       f'it does not say `{given!r}`{words or _of_another_type(given, truth[0])}')
+                       f'it does not say `{given!r}`{remark or _of_another_type(given, truth[0])}')
             return find_out
         return add
 
@@ -200,7 +211,8 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     except NotYet as error:
         return _finding(requirement, error)
     except NoAnswerError as error:
-        raise NoUse('an answer', f'{error}. Does a callback wait, or loop forever?') from None
+        happened = trial.raised_by_itself() or f'{error}. Does a callback wait, or loop forever?'
+        raise NoUse('an answer', happened) from None
     except ExecutorError:
         raise
     except (Exception, SystemExit) as error:  # whatever a learner's object may do when it is looked at

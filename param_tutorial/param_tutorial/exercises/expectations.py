@@ -14,6 +14,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import ParameterType
 from param_tutorial.runtime import stage
@@ -43,7 +44,8 @@ def expect_declared(trial: Trial, name: str, wanted: ParameterType, value: objec
     """Expect a parameter of a type, with a value to start with."""
     client = client_for(trial, name)
     found, start = client.describe_parameter(name).type, client.get_parameter(name)
-    expect(found is wanted and start == value, _facts(wanted, value), _facts(found, start))
+    # A descriptor that two declarations share may name another type than the value has.
+    expect(found is wanted and values.same(start, value), _facts(wanted, value), _facts(found, start))
 
 
 def expect_fixed_type(client: ParameterClient, name: str) -> None:
@@ -244,13 +246,51 @@ def expect_text(trial: Trial) -> None:
         raise NoUse('the text of a parameter file', 'there is nothing in it yet')
 
 
-def expect_range(client: ParameterClient, name: str, lowest: float, highest: float) -> None:
-    """Expect the descriptor of a parameter to have a range."""
-    wanted = f'the descriptor of `{name}` has a range from {lowest!r} to {highest!r}'
+def expect_range(client: ParameterClient, name: str, lowest: float, highest: float, step: float | None = None) -> None:
+    """Expect the descriptor of a parameter to have a range, with its ends in either order.
+
+    :param step: 0 for any value between the ends, None for any step.
+    """
+    steps = '' if step is None else f' in steps of {step!r}' if step else ', in any steps'
+    wanted = f'the descriptor of `{name}` has a range from {lowest!r} to {highest!r}{steps}'
     limits = client.describe_parameter(name).range
     if limits is None:
-        raise NotYet(wanted, 'it has none: a callback may reject, but no panel can know')
+        raise NotYet(wanted, 'it has none for its type: a callback may reject, but no panel can know')
     # An integer in a range for doubles comes out as another number on each Python, so it is not shown.
-    ends = ((limits.from_value, lowest, 'from_value'), (limits.to_value, highest, 'to_value'))
-    for found, end, field in ends:
-        expect(found == end, wanted, f'its `{field}` is not {end!r}. Does it have a dot?')
+    fields = sorted(((limits.from_value, 'from_value'), (limits.to_value, 'to_value')))
+    for (found, field), end in zip(fields, (lowest, highest), strict=True):
+        expect(found == end, wanted, f'its `{field}` is not {end!r}' + (
+            '. Does it have a dot?' if isinstance(end, float) else ''))
+    expect(step is None or limits.step == step, wanted, f'its `step` is {limits.step!r}')
+
+
+def expect_override(trial: Trial, name: str, word: str, value: object) -> None:
+    """Expect a parameter of the learner's node to have a value after a start with an override.
+
+    :param word: The value in the command line.
+    """
+    found = trial.client(trial.start(ros_args=['-p', f'{name}:={word}'])).get_parameter(name)
+    expect(values.same(found, value), f'`{name}` is `{value!r}` after a start with `-p {name}:="{word}"`',
+           f'it is `{found!r}`')
+
+
+def expect_no_override(trial: Trial, name: str, word: str) -> None:
+    """Expect the learner's node not to start with a value of another type; as above."""
+    try:
+        trial.start(ros_args=['-p', f'{name}:={word}'])
+    except NoStart:
+        return
+    raise NotYet(f'no start with `-p {name}:="{word}"`, which has another type',
+                 'the node started with it: the type is free')
+
+
+def expect_no_gap(shown: str = '', names: Sequence[str] = ()) -> None:
+    """Expect each `...` of the learner's work to be filled in.
+
+    :param shown: An exception or a message as text. Python calls the three dots an ellipsis.
+    :param names: Of what still has a gap, if they are known.
+    :raises NoUse: a gap is left, so that nothing else would say more.
+    """
+    if names or 'ellipsis' in shown.casefold():
+        raise NoUse('something in place of each `...`',
+                    'a `...` is still there' + (f', for {", ".join(names)}' if names else ''))

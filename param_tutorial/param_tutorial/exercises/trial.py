@@ -256,7 +256,14 @@ class Trial:
         if self.ros.is_running:
             self.ros.run(lambda: None, 'see the callbacks through')
         failure = self._failure()
-        return '' if failure is None else f'{failure} raised {describe_error(failure.error)}'
+        return '' if failure is None else f'{failure}{_describe_raised(failure.error)}'
+
+    def raised_by_itself(self) -> str:
+        """Return the same without waiting, and nothing for a callback that was interrupted."""
+        failure = self._failure()
+        if failure is None or not isinstance(failure.error, (Exception, SystemExit)):
+            return ''
+        return f'{failure}{_describe_raised(failure.error)}'
 
     def _failure(self) -> Failure | None:
         return next((failure for failure in list(self.ros.failures)
@@ -342,11 +349,20 @@ def _in_corner(text: str) -> str:
     return text
 
 
+def _describe_raised(error: BaseException) -> str:
+    """Return what a callback has raised, to follow its name."""
+    return f'{": " if _is_sentence(error) else " raised "}{describe_error(error)}'
+
+
+def _is_sentence(error: BaseException) -> bool:
+    return isinstance(error, (TooLong, ParameterToolError))
+
+
 def describe_error(error: BaseException) -> str:
     """Return an exception as a sentence, with the line of the learner's code that it comes from."""
     if isinstance(error, CallbackError) and error.__cause__:
-        return f'a callback raised {describe_error(error.__cause__)}'
-    if isinstance(error, (TooLong, ParameterToolError)):
+        return f'a callback{_describe_raised(error.__cause__)}'
+    if _is_sentence(error):
         return str(error)
     said = str(error).rstrip('.')  # the line may follow
     words = f'{type(error).__name__}: {said}' if said else type(error).__name__

@@ -52,7 +52,16 @@ WRONG = {
         ([(_ACCEPTED, '        return True')], 0, 'has to return a `SetParametersResult`'),
         ([(_REJECTED, 'return False')], 3, 'the reason is rclpy’s own'),
         ([(_ACCEPTED, '')], 0, 'has to return a `SetParametersResult`'),
-        ([(_REJECTED, "raise ValueError('not below')")], 3, 'ValueError: not below'),
+        ([(_REJECTED, "raise ValueError('not below')")], 0, 'a callback raised ValueError: not below'),
+        ([(_REJECTED, 'input()')], 0, 'a callback: nobody can type an answer'),
+        ([('low_c >= high_c', "parameters[0].name == 'use_sim_time' or low_c >= high_c")], 4, '-3 is not below 12'),
+        ([("reason=f'{low_c} is not below {high_c}'", 'reason=low_c')], 0, 'TypeError'),
+        ([('low_c >= high_c', 'low_c >= high_c or high_c > 40')], 4, 'it was rejected'),  # a rule too many
+        # Starts right, and then adds a new limit to the default of the other one.
+        ([(_AT_THE_START, f"{_AT_THE_START}        self.limits = {{'low_c': 18, 'high_c': 22}}\n"),
+          (_REACT, 'if parameters:\n            self.limits.update({p.name: p.value for p in parameters})\n'
+                   "            self.target_c = (self.limits['low_c'] + self.limits['high_c']) / 2\n"
+                   f'        else:\n            {_REACT}')], 4, 'not its default'),
     ],
     '5.2b': [
         ([(_EACH, _EACH.replace('parameters:', 'parameters[:1]:'))], 2, 'it was accepted'),
@@ -79,15 +88,21 @@ WRONG = {
            "                return SetParametersResult(successful=False, reason='not an integer')\n"
            '            if not')], 0, 'look at what the comparison compares'),
         ([(_REGISTER_JUDGE, '')], 1, 'it was accepted'),
+        ([(_MOTOR_REACT,
+           f'def react(self, parameters):\n        import rclpy\n        rclpy.spin_once(self)\n{_MOTOR}')],
+         0, 'this callback already runs inside the executor that it waits for'),
+        ([('if not 0', 'if parameter.value == self.get_parameter(parameter.name).value or not 0')], 2,
+         '50 is not a percentage'),  # rejects what is stored already
     ],
     '5.2c': [
         ([('dbeca', 'bdeca')], 3, 'called its pre-set callback, and then rejected'),
         ([('dbeca', 'debca')], 3, 'never called its on-set callback'),
         ([('dbeca', 'dbcea')], 3, 'still held 100'),
         ([('dbeca', 'dbeac')], 3, 'held 150'),
-        ([('dbeca', 'dbec')], 0, "your order is 'dbec'"),
+        ([('dbeca', 'dbec')], 0, "your order is `'dbec'`"),
         ([('dbeca', 'acebd')], 0, 'held 150'),
-        ([('dbeca', 'dbecaa')], 0, "your order is 'dbecaa'"),
+        ([('dbeca', 'dbecaa')], 0, "your order is `'dbecaa'`"),
+        ([("'dbeca'", '12345')], 0, 'the check was given `12345`'),
     ],
 }
 
@@ -139,5 +154,6 @@ RIGHT = {
         [('dbeca', 'D, B, E, C, A')],
         [('dbeca', 'd > b > e > c > a')],
         [("'dbeca'", "'''d\nb\ne\nc\na'''")],
+        [("'dbeca'", "('d', 'b', 'e', 'c', 'a')")],
     ],
 }

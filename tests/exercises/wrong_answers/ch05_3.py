@@ -36,6 +36,9 @@ WRONG = {
         ([('value=50', 'value=50.0')], 0, 'it holds 100'),
         ([('/rover/', '/rovr/')], 0, 'there is no service `/rovr/set_parameters` of that type'),
         ([('results.extend(answer.result().results)', 'answer')], 1, '`results` is empty'),
+        # A line twice: the first request gets no answer that anybody reads.
+        ([('future = client.call_async(request)\n',
+           'future = client.call_async(request)\nfuture = client.call_async(request)\n')], 0, 'it is asked 2 times'),
     ],
     '5.3a': [
         # Not atomic: the other service, whose answer has a list of results.
@@ -63,6 +66,9 @@ WRONG = {
          0, 'this callback already runs inside the executor that it waits for'),
         ([(ASK, 'future = self.client.call_async(request)\n        while not future.done():\n            pass\n'
            '        self.on_answer(future)')], 0, 'it was still running after some seconds'),
+        ([(ASK, f'import time\n        time.sleep(0.5)\n        {ASK}')], 0, 'time.sleep() blocks the thread'),
+        ([('value=0.2)]', "value=0.2), Parameter('use_sim_time', value=False)]")], 2,
+         'it is asked for `use_sim_time` too'),
         # Too early: the answer has not come.
         ([(ASK, 'self.on_answer(self.client.call_async(request))')], 0,
          "AttributeError: 'NoneType' object has no attribute 'result'"),
@@ -82,6 +88,8 @@ WRONG = {
         ([(ASK, 'self.set_parameters_atomically(wanted)')], 0, 'ParameterNotDeclaredException'),
         ([('def slow_down', 'def slowdown')], 0, 'the class has none'),
         ([("super().__init__('supervisor')", "super().__init__('boss')")], 3, 'it is called `boss`'),
+        ([("/rover/set_parameters_atomically')\n",
+           "/rover/set_parameters_atomically')\n        self.slow_down()\n")], 0, 'the constructor has sent one'),
     ],
     '5.3b': [
         ([('parameter.name: result.reason', 'result.name: result.reason')], 0, 'A result has no name'),
@@ -110,6 +118,11 @@ WRONG = {
         ([(READ, "    return {'max_acceleration_mps2': results[1].reason}")], 0,
          "returned `{'max_acceleration_mps2': ''}`"),
         ([('def rejected(parameters, results)', 'def rejected(results)')], 0, 'takes 1 positional argument'),
+        ([('parameters, results):', 'parameters, results, found={}):'),
+          (READ, f'    found.update({READ.strip().removeprefix("return ")})\n    return found')],
+         0, 'from an earlier call'),
+        ([(READ, READ.replace('return {', 'yield {'))], 0, 'the function returned `<generator'),
+        ([('zip(parameters, results)', 'list(zip(parameters, results))[:4]')], 2, 'the function returned'),
     ],
 }
 
@@ -127,6 +140,8 @@ RIGHT = {
           'future.add_done_callback(lambda answer: results.extend(answer.result().results))\n',
           'results.extend(client.call(request).results)\n')],
         [("'/rover/set", "'rover/set")],
+        # Indented, like a block of a function.
+        [('results))\n"""', 'results))\n""".replace("\\n", "\\n    ")')],
     ],
     '5.3a': [
         # With await.
@@ -160,5 +175,10 @@ RIGHT = {
         [(READ, '    reasons = {}\n    for parameter in parameters:\n        result = results.pop(0)\n'
                 '        if result.successful:\n            continue\n'
                 '        reasons[parameter.name] = result.reason\n    return reasons')],
+        # An object that is called like a function.
+        [('def rejected(parameters, results):', 'def reasons(no_reason, parameters, results):'),
+         (': result.reason', ': result.reason or no_reason'),
+         ('not result.successful}',
+          "not result.successful}\n\nimport functools\nrejected = functools.partial(reasons, '')")],
     ],
 }

@@ -14,7 +14,7 @@ WRONG = {
         ([("'rejected by the node'", "'accepted'")], 7, 'asked after the descriptor'),
         ([("225.0': 'wrong type'", "225.0': 'accepted'")], 7, 'ROS converts nothing'),
         ([("7': 'read only'", "7': 'accepted'")], 7, 'does not compare the new value'),
-        ([("7': 'read only'", "7': 'read-only'")], 7, 'no hyphen'),
+        ([("7': 'read only'", "7': 'locked'")], 7, 'none of these words'),
         ([("12': 'read only'", "12': 'out of range'")], 7, 'that check comes later'),
         ([("50': 'accepted'", "50': 'out of range'")], 7, 'written without a dot'),
         ([("50': 'accepted'", "50': ...")], 7, 'there is no prediction yet'),
@@ -33,8 +33,8 @@ WRONG = {
         ([("'H-01'", "'H-1'")], 2, "value `'H-1'`"),
         ([("'label', 'north'", "'label', 'north', ParameterDescriptor(dynamic_typing=True)")], 2, 'Its type is free'),
         ([("'label', 'north'", "'label', 'north', ParameterDescriptor(read_only=True)")], 2, '(read only)'),
-        ([("'label', 'north'", "'label', 'south'")], 2, "it is `'south'`"),
-        ([("'label', 'north'", "'label', Parameter.Type.STRING")], 2, 'it is `None`'),
+        ([("'label', 'north'", "'label', 'south'")], 2, "value `'south'`"),
+        ([("'label', 'north'", "'label', Parameter.Type.STRING")], 2, 'no value'),
         ([("'stops_m', Parameter.Type.DOUBLE_ARRAY)\n", "'stops_m', [])\n")], 2, 'type byte array, value `[]`'),
         ([(_SET_IF_UNSET, "        self.declare_parameter('stops_m', Parameter.Type.DOUBLE_ARRAY)")], 2, 'no value'),
         ([(_SET_IF_UNSET, "        self.declare_parameter('stops_m', [0.0])")], 2, 'value `[0.0]`'),
@@ -45,20 +45,25 @@ WRONG = {
         ([(_SET_IF_UNSET, "        self.declare_parameter('stops_m', [], ParameterDescriptor(dynamic_typing=True))")],
          2, 'type byte array'),
         ([('DOUBLE_ARRAY', 'INTEGER_ARRAY')], 2, 'type integer array'),
+        # Takes an override that equals its own default for no override.
+        ([(_SET_IF_UNSET, "        if self.declare_parameter('stops_m', [-1.0]).value == [-1.0]:\n    " + _SET)], 2,
+         'it is `[]`'),
+        ([('(read_only=True)', '(read_only=True, dynamic_typing=True)')], 2, 'the type is free'),
     ],
     '6.2c': [
         ([('read_only=True', "description='Never changes.'")], 2, '`read_only`'),
         ([('(read_only=True)', '(read_only=True), ignore_override=True')], 2, "it is `'IMX219'`"),
         ([("'IMX219'", "'IMX477'")], 2, "value `'IMX477'`"),
         ([('dynamic_typing=True', '')], 2, "expected 'Type.STRING' got 'Type.INTEGER'"),
-        ([("'tag', 'day'", "'tag', None")], 2, 'it is `None`'),
-        ([("'tag', 'day'", "'tag', 'night'")], 2, "it is `'night'`"),
+        ([("'tag', 'day'", "'tag', None")], 2, 'no value'),
+        ([("'tag', 'day'", "'tag', 'night'")], 2, "value `'night'`"),
         ([('dynamic_typing=True', 'dynamic_typing=True, read_only=True')], 2, '(read only)'),
         ([('Parameter.Type.INTEGER_ARRAY', '[]')], 2, 'type byte array, value `[]`'),
         ([('Parameter.Type.INTEGER_ARRAY', '[0]')], 2, 'value `[0]`'),
         ([('Parameter.Type.INTEGER_ARRAY', 'Parameter.Type.DOUBLE_ARRAY')], 2, 'type double array'),
         ([('Parameter.Type.INTEGER_ARRAY', 'Parameter.Type.INTEGER')], 2, 'type integer, no value'),
         ([('Parameter.Type.INTEGER_ARRAY', 'None, ParameterDescriptor(dynamic_typing=True)')], 2, 'type not set'),
+        ([('(read_only=True)', '(read_only=True, dynamic_typing=True)')], 2, 'the type is free'),
     ],
 }
 
@@ -66,10 +71,11 @@ RIGHT = {
     '6.2a': [
         [('kinds = {\n', "kinds = {\n    'gain = 1': 'accepted',\n")],
         [("'gain = 50': 'accepted'", "'gain = 50': str('accepted')")],
+        [("7': 'read only'", "7': 'Read-only'"), ("12': 'read only'", "12': 'read_only'"),
+         ("'off the step'", "' off the step.'")],
         [('kinds = {', 'kinds = dict({'), ("'gain = 50': 'accepted',\n}", "'gain = 50': 'accepted',\n})")],
     ],
     '6.2b': [
-        [(_SET_IF_UNSET, "        if not self.declare_parameter('stops_m', [0.0]).value != [0.0]:\n    " + _SET)],
         [(_SET_IF_UNSET, "        self.declare_parameter('stops_m', Parameter.Type.DOUBLE_ARRAY)\n"
           "        self.set_parameters([self.get_parameter_or('stops_m', Parameter('stops_m', "
           'Parameter.Type.DOUBLE_ARRAY, []))])')],

@@ -114,4 +114,10 @@ RIGHT = {
         [('    gains:\n      kp: 1.5', '    gains.kp: 15.0e-1'), ('20.0', '2e1'), ("'1.10'", '!!str 1.10')],
         [('/lab/recorder:', '/**:\n  ros__parameters:\n    rate_hz: 5.0\n/lab/recorder:')],
     ],
+    '7.1b': [
+        [("['dock']", "('dock',)"), ('2000.0', '2e3'), (': False', ': not True')],
+        [('came_back = {', 'came_back = dict(reversed({'), ("['dock'],\n}", "['dock'],\n}.items()))")],
+        [('came_back = {', 'came_back = {}\nfor question, value in {'),
+         ("['dock'],\n}", "['dock'],\n}.items():\n    came_back[question] = value")],
+    ],
 }

@@ -83,7 +83,7 @@ WRONG = {
          2, "there is `('changed', 'speed', ["),
         ([('        if event.node', '        self.pages.clear()\n        if event.node')], 0, 'there are none'),
         ([('        if event.node', "        __import__('rclpy').spin_once(self)\n        if event.node")], 0,
-         'raised'),
+         'already runs inside the executor'),
         ([('        if event.node', '        while True:\n            pass\n        if event.node')],
          0, 'this callback did not return'),
         # Waits in the callback.

@@ -46,7 +46,7 @@ WRONG = {
                                                                       'description, dynamic_typing=True')], 2,
          'accepted'),
         # Deaf to what it is started with.
-        ([(_SPEED, _SPEED.replace("m/s.')", "m/s.'), ignore_override=True"))], 3, 'it has `1.0`'),
+        ([(_SPEED, _SPEED.replace("m/s.')", "m/s.'), ignore_override=True"))], 3, 'it is `1.0`'),
     ],
     '11b': [
         ([(_ON_SET, '')], 1, 'it was accepted'),

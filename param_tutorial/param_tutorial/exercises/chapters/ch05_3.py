@@ -1,7 +1,10 @@
 """Exercises of chapter 5.3: order the lines of a request, set two parameters of another node together, and read an
 answer."""
 
-from collections.abc import Mapping
+import contextlib
+import time
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any
 
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
@@ -14,6 +17,7 @@ from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exerci
 from param_tutorial.exercises.expectations import run_lines, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.client import ParameterValues
+from param_tutorial.runtime import stage
 
 CHAPTER = '05_3_from_another_node'
 HOW = 'How it works'
@@ -73,18 +77,55 @@ supervise = Exercise('5.3a', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name
     '`future.result().result` is the one result, and it has a `reason`.'))
 
 
+class CountsRequests(Node):
+    """A mixin: counts the requests that the clients of a node send."""
+
+    requests_sent = 0
+
+    def create_client(self, *args: Any, **options: Any) -> Client:
+        client = super().create_client(*args, **options)
+        call_async = client.call_async  # call() goes through it, too
+
+        def call_and_count(request: Any) -> Any:
+            self.requests_sent += 1
+            return call_async(request)
+
+        client.call_async = call_and_count  # type: ignore[method-assign]  # for this one client
+        return client
+
+
+@contextlib.contextmanager
+def awake() -> Iterator[None]:
+    """Let ``time.sleep`` raise an exception in the executor's thread: a short sleep blocks it too."""
+    sleep = time.sleep
+
+    def sleep_elsewhere(seconds: Any) -> None:
+        if stage.current().services.in_executor_thread():
+            raise RuntimeError('time.sleep() blocks the thread, and no answer comes while it does')
+        sleep(seconds)
+
+    time.sleep = sleep_elsewhere
+    try:
+        yield
+    finally:
+        time.sleep = sleep
+
+
 def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
     """Put a rover and the learner's supervisor on the stage, and press the supervisor's button.
 
-    :raises NoUse: the button cannot be pressed, or does not get to its end.
+    :raises NoUse: it asks before that, or the button cannot be pressed, or does not get to its end.
     """
     rover = trial.start(rover_class)
-    supervisor = start_asking(trial)
+    supervisor = start_asking(trial, CountsRequests)
+    if supervisor.requests_sent:
+        raise NoUse('no request before `slow_down()` is called', 'the constructor has sent one')
     button = getattr(supervisor, 'slow_down', None)
     if not callable(button):
         raise NoUse('a method `slow_down`', 'the class has none')
     try:
-        trial.press('`slow_down()`', button)
+        with awake():
+            trial.press('`slow_down()`', button)
     except NotYet as error:
         raise NoUse(error.expected, error.happened) from None
     return rover, supervisor
@@ -100,6 +141,8 @@ def both(trial: Trial) -> None:
                        f', and `self.rejection` is `{supervisor.rejection!r}`' if supervisor.rejection else ''))
     except NotYet as error:  # what rovers reject can tell nothing about other values
         raise NoUse(error.expected, trial.raised() or error.happened) from None
+    others = ' and '.join(f'`{name}`' for name in sorted(rover.asked - set(NEW)))
+    expect(not others, 'the rover is asked for nothing else', f'it is asked for {others} too')
 
 
 @supervise.require('`self.rejection` is the reason of a rover that rejects', see=HOW)
@@ -162,8 +205,13 @@ class Judge(Node):
             name, 'too fast'))
 
 
-def expect_reasons(trial: Trial, node_class: type[Node], wanted: Mapping[str, object]) -> None:
-    """Set parameters one by one, and expect the learner's function to find each rejection in the answer."""
+def expect_reasons(trial: Trial, node_class: type[Node], wanted: Mapping[str, object],
+                   earlier: Mapping[str, str] = MappingProxyType({})) -> dict[str, str]:
+    """Set parameters one by one, and expect the learner's function to find each rejection in the answer.
+
+    :param earlier: What it had to find in an earlier answer.
+    :return: What it had to find in this one.
+    """
     node = trial.start(node_class)
     parameters = [Parameter(name, value=value) for name, value in wanted.items()]
     request = SetParameters.Request(parameters=[each.to_parameter_msg() for each in parameters])
@@ -176,12 +224,18 @@ def expect_reasons(trial: Trial, node_class: type[Node], wanted: Mapping[str, ob
         if "'SetParametersResult' object has no attribute 'name'" in error.happened:
             because = '. A result has no name: results come in the order of the request'
         raise NoUse(error.expected, error.happened + because) from None
+    if not isinstance(given, dict):
+        raise NoUse(f'a dictionary, `{true!r}`', f'the function returned `{given!r}`')
+    if any(name not in true and given.get(name) == reason for name, reason in earlier.items()):
+        raise NoUse(f'`{true!r}`', f'the function returned `{given!r}`. Some of it is from an earlier call: each call '
+                    'needs a new dictionary')
     expect(given == true, f'`{true!r}`', f'the function returned `{given!r}`{why_some_lack(given, true)}')
+    return true
 
 
-def why_some_lack(given: object, true: dict[str, str]) -> str:
+def why_some_lack(given: dict[str, str], true: dict[str, str]) -> str:
     """Return what to think of when a function found only some of the rejections."""
-    if given in ({}, true) or not isinstance(given, dict) or not given.items() < true.items():
+    if not given or not given.items() < true.items():
         return ''
     if given == dict([*true.items()][:1]):
         return '. Does it return before the loop has ended?'
@@ -192,14 +246,15 @@ def why_some_lack(given: object, true: dict[str, str]) -> str:
 
 @read.require('one rejection among three: its name, and the reason', see=HOW)
 def one(trial: Trial) -> None:
-    expect_reasons(trial, Rover, {'max_speed_rpm': 50, 'max_acceleration_mps2': 9.0, 'use_sim_time': False})
-    expect_reasons(trial, Rover, {'max_speed_rpm': 'fast', 'max_acceleration_mps2': 0.5, 'use_sim_time': False})
+    found = expect_reasons(trial, Rover, {'max_speed_rpm': 50, 'max_acceleration_mps2': 9.0, 'use_sim_time': False})
+    expect_reasons(trial, Rover, {'max_speed_rpm': 'fast', 'max_acceleration_mps2': 0.5, 'use_sim_time': False}, found)
 
 
 @read.require('several rejections: all of them, also in the same words or without a word', see=ONE_BY_ONE)
 def several(trial: Trial) -> None:
     expect_reasons(trial, Rover, {'max_speed_rpm': 'fast', 'use_sim_time': False, 'max_acceleration_mps2': 9.0})
     expect_reasons(trial, Judge, {'left_rpm': 2, 'note': 'now', 'right_rpm': 2, 'lift_rpm': 2})
+    expect_reasons(trial, Judge, {'note': 'now', 'use_sim_time': False, 'lift_rpm': 2, 'left_rpm': 3, 'right_rpm': 4})
 
 
 @read.require('no rejection: an empty dictionary', see=HOW)
@@ -213,7 +268,7 @@ order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, hints=(
     'that the call returns.'))
 
 
-class Asking(Node):
+class Asking(CountsRequests):
     """A node whose clients are created only once their service is found: an earlier request would be lost."""
 
     def __init__(self) -> None:
@@ -228,13 +283,18 @@ class Asking(Node):
 
 
 def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
-    """Run the learner's lines beside a rover, and return it with the results that have arrived."""
+    """Run the learner's lines beside a rover, and return it with the results that have arrived.
+
+    :raises NoUse: the lines do not run to their end, find no rover, or ask it more than once.
+    """
     rover = trial.start(Rover)
     node = trial.start(Asking)
     results: list[Any] = []
     run_lines(trial, node=node, results=results, SetParameters=SetParameters, Parameter=Parameter)
     if node.not_found:
         raise NoUse('the client finds its service', f'there is no service `{node.not_found}` of that type')
+    if node.requests_sent > 1:
+        raise NoUse('the rover is asked once', f'it is asked {node.requests_sent} times. Is a line there twice?')
     return rover, results
 
 

@@ -5,17 +5,15 @@ from typing import Any
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_answers
-from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
-from param_tutorial.parameters import values
+from param_tutorial.exercises.expectations import expect_answers, expect_declared, expect_no_gap, expect_range
+from param_tutorial.exercises.trial import NoStart, NotYet, Trial, expect
 from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.values import DOUBLE, INTEGER
 
 CHAPTER = '06_1_descriptors_and_ranges'
 LIMITS = 'Change it: limits and steps'
 IGNORED = 'Break it: a range that nobody looks at'
 SHARED = 'Break it: one descriptor for two'
-# What is expected, and what happens, while the stub still has a gap.
-_GAP = 'a value in place of each `...`', 'a `...` is still there'
 
 
 def start(trial: Trial, name: str) -> ParameterClient:
@@ -24,13 +22,12 @@ def start(trial: Trial, name: str) -> ParameterClient:
     rclpy looks at no field of a descriptor: it sends an integer in place of a double as garbage, and never answers
     with a double in place of an integer.
 
-    :raises NoUse: the node does not start.
+    :raises NoUse: the node does not start, or a gap is left.
     """
     try:
         node = trial.start()
     except NoStart as error:
-        if 'ellipsis' in error.happened.casefold():
-            raise NoUse(*_GAP) from None
+        expect_no_gap(error.happened)
         raise
     expect(node.has_parameter(name), f'a parameter `{name}`', 'the node has none of that name')
     descriptor = node.describe_parameter(name)
@@ -42,8 +39,7 @@ def start(trial: Trial, name: str) -> ParameterClient:
         for each in descriptor.floating_point_range:
             FloatingPointRange(**_fields(each), check_fields=True)
     except AssertionError as error:
-        if 'Ellipsis' in repr(descriptor):
-            raise NotYet(*_GAP) from None
+        expect_no_gap(repr(descriptor))
         raise NotYet(f'the range of `{name}` has fields of the right types',
                      f'with `check_fields=True` Python raises AssertionError: {error}') from None
     return trial.client(node)
@@ -51,27 +47,6 @@ def start(trial: Trial, name: str) -> ParameterClient:
 
 def _fields(message: IntegerRange | FloatingPointRange) -> dict[str, Any]:
     return {name: getattr(message, name) for name in message.get_fields_and_field_types()}
-
-
-def expect_start(client: ParameterClient, name: str, value: object) -> None:
-    """Expect a parameter to start with a value, of its type."""
-    found = client.get_parameter(name)
-    expect(values.same(found, value), f'`{name}` starts at `{value!r}`',
-           'it has no value' if found is None else f'it starts at `{found!r}`')
-
-
-def expect_range(client: ParameterClient, name: str, low: float, high: float, step: float = 0) -> None:
-    """Expect a node to describe a range, so that a panel can show it; its ends in either order."""
-    expected = f'the node describes {_format(low, high, step)}'
-    found = client.describe_parameter(name).range
-    if found is None:
-        raise NotYet(expected, 'it describes no range of the type of the parameter')
-    first, last = sorted((found.from_value, found.to_value))
-    expect((first, last, found.step) == (low, high, step), expected, f'it describes {_format(first, last, found.step)}')
-
-
-def _format(low: float, high: float, step: float) -> str:
-    return f'a range from `{low!r}` to `{high!r}`' + (f' in steps of `{step!r}`' if step else ', in any steps')
 
 
 fill = Exercise('6.1a', 'Fill the gaps', CHAPTER, NODE_CLASS, node_name='valve', hints=(
@@ -94,11 +69,11 @@ def opening(trial: Trial) -> None:
 @fill.require('`pressure_bar` starts at 2.5 and takes every double from 0.0 to 6.0', see=LIMITS)
 def pressure(trial: Trial) -> None:
     client = start(trial, 'pressure_bar')
-    expect_start(client, 'pressure_bar', 2.5)
+    expect_declared(trial, 'pressure_bar', DOUBLE, 2.5)
     expect_answers(client, 'pressure_bar', 'accepted', 0.0, 0.001, 1.234, 6.0)
     expect_answers(client, 'pressure_bar', 'out of range', -0.001, 6.001)
     expect_answers(client, 'pressure_bar', 'wrong type', 3)
-    expect_range(client, 'pressure_bar', 0.0, 6.0)
+    expect_range(client, 'pressure_bar', 0.0, 6.0, 0)
 
 
 mend = Exercise('6.1b', 'Mend two silent faults', CHAPTER, NODE_CLASS, node_name='winch', hints=(
@@ -112,11 +87,12 @@ mend = Exercise('6.1b', 'Mend two silent faults', CHAPTER, NODE_CLASS, node_name
 def limits(trial: Trial) -> None:
     for name, value in (('rope_m', 10.0), ('hook_m', 0.0)):
         client = start(trial, name)
-        expect_start(client, name, value)
+        expect_declared(trial, name, DOUBLE, value)
         expect_answers(client, name, 'accepted', 0.0, 0.001, 12.34, 30.0)
-        expect_answers(client, name, 'out of range', -0.001, 30.001, because='Does it have a range?')
+        expect_answers(client, name, 'out of range', -0.001, 30.001,
+                       because='Does it have a range of doubles, with these two ends?')
         expect_answers(client, name, 'wrong type', 20)
-        expect_range(client, name, 0.0, 30.0)
+        expect_range(client, name, 0.0, 30.0, 0)
 
 
 @mend.require('each of the two has a descriptor of its own', see=SHARED)
@@ -140,10 +116,10 @@ describe = Exercise('6.1c', 'Say it in the descriptor', CHAPTER, NODE_CLASS, nod
 @describe.require('`exposure_us` is an integer, 500, and takes 100, 200, 300 and so on up to 10000', see=LIMITS)
 def exposure(trial: Trial) -> None:
     client = start(trial, 'exposure_us')
-    expect_start(client, 'exposure_us', 500)
+    expect_declared(trial, 'exposure_us', INTEGER, 500)
     expect_answers(client, 'exposure_us', 'accepted', 100, 200, 300, 700, 9900, 10000)
     expect_answers(client, 'exposure_us', 'out of range', 0, 10100, 99, 10001,
-                   because='The limits of an integer belong in `integer_range`')
+                   because='The limits of an integer are the two ends of its `integer_range`')
     expect_answers(client, 'exposure_us', 'off the step', 101, 150, 9999,
                    because='The step is the third field of `IntegerRange`')
     expect_answers(client, 'exposure_us', 'wrong type', 200.0)
@@ -153,12 +129,12 @@ def exposure(trial: Trial) -> None:
 @describe.require('`gain` is a double, 1.0, and takes every double from 0.0 to 16.0', see=LIMITS)
 def gain(trial: Trial) -> None:
     client = start(trial, 'gain')
-    expect_start(client, 'gain', 1.0)
+    expect_declared(trial, 'gain', DOUBLE, 1.0)
     expect_answers(client, 'gain', 'accepted', 0.0, 0.001, 12.345, 16.0)
     expect_answers(client, 'gain', 'out of range', -0.001, 16.001,
-                   because='The limits of a double belong in `floating_point_range`')
+                   because='The limits of a double are the two ends of its `floating_point_range`')
     expect_answers(client, 'gain', 'wrong type', 2)
-    expect_range(client, 'gain', 0.0, 16.0)
+    expect_range(client, 'gain', 0.0, 16.0, 0)
 
 
 EXERCISES = (fill, mend, describe)

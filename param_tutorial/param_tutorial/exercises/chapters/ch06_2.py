@@ -10,9 +10,15 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import client_for, expect_answers, expect_declared
+from param_tutorial.exercises.expectations import (
+    client_for,
+    derive,
+    expect_answers,
+    expect_declared,
+    expect_no_override,
+    expect_override,
+)
 from param_tutorial.exercises.trial import Trial, expect
-from param_tutorial.parameters import values
 from param_tutorial.parameters.values import DOUBLE_ARRAY, INTEGER_ARRAY, STRING
 
 CHAPTER = '06_2_locks_types_and_order'
@@ -21,13 +27,6 @@ FREE = 'Change it: a free type'
 ARRAYS = 'Arrays'
 EMPTY = 'Build it: an array that starts empty'
 ORDER = 'Who rejects, and in which order?'
-
-
-def expect_started_with(trial: Trial, name: str, word: str, value: object) -> None:
-    """Expect a parameter to have a value after the start with an override."""
-    found = trial.client(trial.start(ros_args=['-p', f'{name}:={word}'])).get_parameter(name)
-    expect(values.same(found, value), f'`{name}` is `{value!r}` after a start with `-p {name}:="{word}"`',
-           f'it is `{found!r}`')
 
 
 class Oven(Node):
@@ -57,6 +56,9 @@ foresee = Exercise('6.2a', 'Predict who rejects', CHAPTER, DICTIONARY, hints=(
     'end?'))
 
 
+KINDS = ('accepted', 'undeclared', 'read only', 'wrong type', 'out of range', 'off the step', 'rejected by the node')
+
+
 def require_foresight(request: str, because: Mapping[object, str], see: str = ORDER) -> None:
     """Add the requirement to know the kind of the oven's answer to a request.
 
@@ -64,12 +66,10 @@ def require_foresight(request: str, because: Mapping[object, str], see: str = OR
     """
     name, value = request.split(' = ')
 
-    @foresee.require_prediction(request, see=see, because=because)
+    @foresee.require_prediction(request, see=see, because=because, words=KINDS)
     def answers(trial: Trial) -> Any:
         return trial.client(trial.start(Oven)).set_parameter(name, ast.literal_eval(value)).kind
 
-
-_SPELLING: dict[object, str] = {'read-only': 'The word for this kind has no hyphen: `read only`'}
 
 require_foresight('target_c = 260', {
     'off the step': 'No step leads there, and yet there is something special about it',
@@ -85,9 +85,9 @@ require_foresight('target_c = 225.0', {
     'rejected by the node': 'The callback was not called: another check comes before it',
     'accepted': 'ROS converts nothing'})
 require_foresight('serial = 7', {
-    'accepted': 'The lock does not compare the new value with the old one', **_SPELLING}, LOCK)
+    'accepted': 'The lock does not compare the new value with the old one'}, LOCK)
 require_foresight('serial = 12', {
-    'out of range': 'It is out of range too, and that check comes later', 'accepted': 'It is locked', **_SPELLING})
+    'out of range': 'It is out of range too, and that check comes later', 'accepted': 'It is locked'})
 require_foresight('gain = 50', {
     'out of range': 'The default is written without a dot. Which type does the range belong to?',
     'wrong type': 'Which type does the default have?'})
@@ -102,19 +102,40 @@ mend = Exercise('6.2b', 'Mend three declarations', CHAPTER, NODE_CLASS, node_nam
     "`Parameter('stops_m', Parameter.Type.DOUBLE_ARRAY, [])`."))
 
 
+class NotesDefaults(Node):
+    """A mixin: notes the default of each declaration."""
+
+    defaults: dict[str, list[object]]
+
+    def declare_parameters(self, *args: Any, **options: Any) -> list[Parameter]:
+        noted = self.__dict__.setdefault('defaults', {})
+        for name, *rest in options.get('parameters', args[1:2] and args[1]):
+            noted.setdefault(name, []).extend(rest[:1])
+        return super().declare_parameters(*args, **options)
+
+
+def defaults(trial: Trial, name: str) -> list[list[object]]:
+    """Return the lists that the learner's node declares a parameter with, other than the empty one.
+
+    Each may be an override, too, and a node must not take that for its default.
+    """
+    node = trial.start(derive(NotesDefaults, trial.work))
+    return [each for each in node.defaults.get(name, []) if isinstance(each, list) and each]
+
+
 @mend.require('`serial` is `H-01` and read-only, and a start with `-p serial:=H-07` gives another', see=LOCK)
 def serial(trial: Trial) -> None:
     expect_declared(trial, 'serial', STRING, 'H-01')
     expect_answers(client_for(trial, 'serial'), 'serial', 'read only', 'H-02', 'H-01',
                    because='A description enforces nothing; `read_only` does')
-    expect_started_with(trial, 'serial', 'H-07', 'H-07')
+    expect_override(trial, 'serial', 'H-07', 'H-07')
+    expect_no_override(trial, 'serial', '7')
 
 
 @mend.require('`label` starts as `north`, takes any string and nothing else, and cannot be deleted', see=FREE)
 def label(trial: Trial) -> None:
+    expect_declared(trial, 'label', STRING, 'north')
     client = client_for(trial, 'label')
-    found = client.get_parameter('label')
-    expect(found == 'north', "`label` starts as `'north'`", f'it is `{found!r}`')
     expect_answers(client, 'label', 'accepted', 'south', '7', '')
     for other in (7, 0.5, True, ['south']):
         result = client.set_parameter('label', other)
@@ -129,7 +150,8 @@ def stops(trial: Trial) -> None:
     client = client_for(trial, 'stops_m')
     expect_answers(client, 'stops_m', 'accepted', [2.5, 10.0], [0.0], [])
     expect_answers(client, 'stops_m', 'wrong type', ['dock'], [1, 2], because='With a free type everything goes in')
-    expect_started_with(trial, 'stops_m', '[1.5, 2.5]', [1.5, 2.5])
+    for override in ([1.5, 2.5], *defaults(trial, 'stops_m')):
+        expect_override(trial, 'stops_m', str(override), override)
 
 
 describe = Exercise('6.2c', 'Lock, free and leave open', CHAPTER, NODE_CLASS, node_name='camera', hints=(
@@ -145,18 +167,18 @@ def sensor(trial: Trial) -> None:
     expect_declared(trial, 'sensor', STRING, 'IMX219')
     expect_answers(client_for(trial, 'sensor'), 'sensor', 'read only', 'IMX477', 'IMX219',
                    because='The lock is a field of the descriptor, `read_only`')
-    expect_started_with(trial, 'sensor', 'IMX477', 'IMX477')
+    expect_override(trial, 'sensor', 'IMX477', 'IMX477')
+    expect_no_override(trial, 'sensor', '477')
 
 
 @describe.require('`tag` starts as `day`, takes a value of any type, and can be deleted', see=FREE)
 def tag(trial: Trial) -> None:
+    expect_declared(trial, 'tag', STRING, 'day')
     client = client_for(trial, 'tag')
-    found = client.get_parameter('tag')
-    expect(found == 'day', "`tag` starts as `'day'`", f'it is `{found!r}`')
     expect_answers(client, 'tag', 'accepted', 'night', 7, 0.5, True, [0.5, 1.5], ['day', 'night'])
     result = client.delete_parameter('tag')
     expect(result.successful, '`tag` can be deleted', f'{result}')
-    expect_started_with(trial, 'tag', 'night', 'night')
+    expect_override(trial, 'tag', 'night', 'night')
 
 
 @describe.require('`crop_px` takes a list of integers, also an empty one, and has no value yet', see=ARRAYS)
@@ -165,7 +187,7 @@ def crop(trial: Trial) -> None:
     client = client_for(trial, 'crop_px')
     expect_answers(client, 'crop_px', 'accepted', [0, 0, 640, 480], [5], [])
     expect_answers(client, 'crop_px', 'wrong type', [0.5], ['left'], 7, because='With a free type everything goes in')
-    expect_started_with(trial, 'crop_px', '[1, 2]', [1, 2])
+    expect_override(trial, 'crop_px', '[1, 2]', [1, 2])
 
 
 EXERCISES = (foresee, mend, describe)

@@ -14,7 +14,8 @@ import yaml
 
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect, take_for_granted
+from param_tutorial.exercises.expectations import expect_no_gap
+from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.terminal import Terminal
 from param_tutorial.ros2 import genuine
@@ -68,8 +69,7 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
     :param arguments: Of the launch file.
     :raises NoUse: it cannot be carried out, or starts something else.
     """
-    if gaps := _gaps(text):
-        raise NoUse('something in place of each `...`', f'still missing: {", ".join(gaps)}')
+    expect_no_gap(names=_gaps(text))
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         path = Path(folder, FILE_NAME)
         path.write_text(text, encoding='utf-8')

@@ -13,7 +13,7 @@ from rclpy.task import Future
 
 from param_tutorial.errors import NoAnswerError
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import start_asking
+from param_tutorial.exercises.expectations import expect_no_gap, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterValues
@@ -208,8 +208,7 @@ def pairs(trial: Trial, *names: str) -> None:
     try:
         given = trial.call('the function', trial.work, list(names), list(answer))
     except NotYet as error:
-        if "'ellipsis' object is not iterable" in error.happened:
-            raise NoUse('something in the place of each `...`', 'there is still a `...`') from None
+        expect_no_gap(error.happened)
         raise NoUse(error.expected, error.happened) from None
     expect(isinstance(given, dict), 'a dictionary', f'it returned `{shorten(repr(given), 120)}`')
     held = trial.client(rover).get_parameters(names)

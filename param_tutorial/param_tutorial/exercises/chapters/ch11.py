@@ -28,6 +28,7 @@ from param_tutorial.exercises.expectations import (
     expect_answer,
     expect_declared,
     expect_left_alone,
+    expect_override,
     expect_rejected,
     expect_result,
 )
@@ -73,13 +74,6 @@ declare = Exercise('11a', 'Declare the cart', CHAPTER, NODE_CLASS, node_name='ca
 NAMES = ('cart_id', 'max_speed_mps', 'max_acceleration_mps2')
 
 
-def expect_start_value(trial: Trial, name: str, value: object) -> None:
-    """Expect an override of a parameter to arrive."""
-    client = trial.client(trial.start(ros_args=['-p', f'{name}:={value}']))
-    found = client.get_parameter(name)
-    expect(found == value, f'a cart that is started with `{name}:={value}` has it', f'it has `{found!r}`')
-
-
 @declare.require('each of the three has its own descriptor, with a description', see=DECLARE)
 def described(trial: Trial) -> None:
     for name in NAMES:
@@ -96,7 +90,7 @@ def described(trial: Trial) -> None:
 def cart_id(trial: Trial) -> None:
     expect_declared(trial, 'cart_id', STRING, 'CART-01')
     expect_answer(trial, 'cart_id', 'CART-02', 'read only', 'The descriptor has a field for it, `read_only`')
-    expect_start_value(trial, 'cart_id', 'CART-09')
+    expect_override(trial, 'cart_id', 'CART-09', 'CART-09')
 
 
 def expect_limits(trial: Trial, name: str, start: float) -> None:
@@ -108,7 +102,7 @@ def expect_limits(trial: Trial, name: str, start: float) -> None:
     for beyond in (0.099, 2.001, -1.0, 3.0):
         expect_result(client, name, beyond, 'out of range', 'A double has its `floating_point_range`')
     expect_result(client, name, 1, 'wrong type', 'A parameter of a dynamic type takes anything')
-    expect_start_value(trial, name, 1.5)
+    expect_override(trial, name, '1.5', 1.5)
 
 
 @declare.require('`max_speed_mps` is a double, starts at 1.0, and has a range from 0.1 to 2.0', see=DECLARE)

@@ -55,12 +55,15 @@ PREDICTIONS = (
         wrong("['dock']", 'The file takes the default away, and puts nothing in its place.'),
         right('an exception: there is no value', 'The empty array takes the default away and puts nothing in its '
               'place.'))),
-    Prediction('7.1-6', 'A node has a name, a speed, and a calibration that it declared but never set. What does '
-               '`ros2 param dump` save?', (
-        wrong('name and speed', 'A node that is asked for several values answers with nothing at all if one of them is '
-              'unset.'),
+    Prediction('7.1-6', 'Since last night `saved.yaml` holds a name, a speed and a calibration. Now the calibration '
+               'is not set, and the script runs `ros2 param dump /uncalibrated > saved.yaml` again. Which values are '
+               'in the file then?', (
+        wrong("last night's: a dump that fails writes nothing", 'The dump does not fail: its exit status is 0. It '
+              'writes a file without values over the one that had them.'),
+        wrong('a name and a speed', 'A node that is asked for several values answers with nothing at all if one of '
+              'them is unset.'),
         wrong('all three, the last as null', 'There is no null in a parameter file. Because of this one parameter, the '
               'node answers with nothing at all.'),
-        right('nothing', 'A node that is asked for several values answers with nothing at all if one of them is unset. '
-              'The exit status is 0.'))),
+        right('none', 'One parameter without a value, and the dump is empty. The exit status is 0, and nobody notices '
+              "until last night's values are needed."))),
 )
