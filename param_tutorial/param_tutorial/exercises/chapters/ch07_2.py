@@ -15,7 +15,7 @@ import yaml
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_no_gap
-from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.terminal import Terminal
 from param_tutorial.ros2 import genuine
