@@ -109,6 +109,12 @@ class LiveParameters:
         """Why the parameters cannot be changed now; empty if they can."""
         return self._state.status
 
+    @property
+    def is_busy(self) -> bool:
+        """True while something that was asked for is unanswered, or what came of it is not yet read."""
+        with self._lock:
+            return self._state.has_unread_answers
+
     def first_look(self) -> None:
         """Read everything from the node and show it; waits for a node that is just starting."""
         self._require_other_thread()

@@ -1,68 +1,60 @@
 """The parameter panel: the parameters of any node as controls that show what the node confirmed.
 
-``parameters.live`` follows the node, ``editors`` has the controls; here they are put on the page and kept in step.
+``parameters.live`` follows the node, ``pictures.panel`` draws the controls, and ``panel.js`` lets a person use them, in
+the browser; here the three are kept in step, and what was done is kept for undo.
 
-Threads. A hand's changes come in the kernel's main thread and go straight to ``LiveParameter.ask``, before
+Threads. What a person enters comes in the kernel's main thread and goes straight to ``LiveParameter.ask``, before
 anything is drawn. Everything that is drawn is drawn in ``_show``, which ``live`` calls in its worker's thread or
-in that of ``settle``. Both write to widgets with the panel's lock held, and ``Editor.quietly`` keeps what the
-panel writes apart from what a hand enters, so nothing goes round in circles. No lock is held while a request is
-sent; the executor's thread takes no lock of a panel at all.
+in that of ``settle``, with the panel's lock held. No lock is held while a request is sent; the executor's thread takes
+no lock of a panel at all.
 """
 
-import html
+import math
 import threading
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
-import ipywidgets as widgets
+import anywidget
+import traitlets
 from rclpy.node import Node
 
 from param_tutorial.errors import ParameterNotDeclaredError
 from param_tutorial.parameters import values
-from param_tutorial.parameters.client import Descriptor, ParameterClient, is_housekeeping, node_name
+from param_tutorial.parameters.client import Descriptor, ParameterClient, node_name
 from param_tutorial.parameters.live import LiveParameter, LiveParameters
-from param_tutorial.parameters.text import fit
-from param_tutorial.pictures.styles import style
+from param_tutorial.parameters.text import fit, format_value, parse_value
+from param_tutorial.pictures.panel import PanelRow, RowState, arrange, panel_markup
+from param_tutorial.pictures.styles import sheet, style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.widgets.cells import close_with_cell
-from param_tutorial.widgets.editors import (
-    CheckBoxEditor,
-    DoubleSliderEditor,
-    Editor,
-    IntegerSliderEditor,
-    LinesEditor,
-    Positions,
-    editor_class,
-    range_of,
-    whole_positions,
-)
-from param_tutorial.widgets.recordable import ControlFacts, Scale, WholeNumbers
+from param_tutorial.widgets.editors import row_of, scale_of
+from param_tutorial.widgets.edits import Edits, State
+from param_tutorial.widgets.recordable import ControlFacts, Scale
 from param_tutorial.widgets.view import View
 
-# Seldom what one came for, and of qos_overrides.… there may be dozens.
-HOUSEKEEPING_HEADING = 'In every node'
+_WAITING = 'Waiting for the node to answer…'
 
-_STYLE = style('widgets/panel.css')
+
+class _Front(anywidget.AnyWidget):
+    """The panel in the browser: markup, and what changes in it."""
+
+    _esm = sheet('widgets/panel.js')
+    markup = traitlets.Unicode().tag(sync=True)
+    state = traitlets.Dict().tag(sync=True)
 
 
 class Control:
     """One parameter on a panel: ``panel['max_speed_rpm']``."""
 
-    def __init__(self, parameter: LiveParameter, label: str, lock: threading.RLock):
+    def __init__(self, parameter: LiveParameter, edits: Edits):
         self._parameter = parameter
-        self._label = label
-        self._lock = lock
+        self._edits = edits
+        self.first = parameter.value
+        """What it had when the panel first saw it."""
         self._shape: Any = None
-        self._editor: Editor
-        self._line = widgets.HBox()
-        self._line.add_class('param-line')
-        self._help, self._message = widgets.HTML(), widgets.HTML()
-        self._help.add_class('param-note')
-        self._message.add_class('param-note')
-        self.widget = widgets.VBox([self._line, self._help, self._message])
-        self.widget.add_class('param-row')
-        self.show(enabled=False)
+        self._row: PanelRow
+        self._scale: Scale | None = None
 
     def __repr__(self) -> str:
         return f'<Control: {self.name} = {self.value!r}>'
@@ -74,55 +66,96 @@ class Control:
 
     @property
     def value(self) -> Any:
-        """The value that the node confirmed last. Assigning to it moves the control the way a hand would."""
+        """The value that the node confirmed last. Assigning to it moves the control as a person would."""
         return self._parameter.value
 
     @value.setter
     def value(self, value: Any) -> None:
-        self._parameter.ask(fit(self._parameter.descriptor, value))
+        self._ask(fit(self._parameter.descriptor, value))
 
     @property
     def message(self) -> str:
-        """Why the last change was not taken, in the node's words; empty if it was."""
+        """Why the node rejected the last change, in the node's words; empty if it did not."""
         return self._parameter.message
 
     @property
     def descriptor(self) -> Descriptor:
-        """What the node tells about the parameter."""
+        """What the node says about the parameter."""
         return self._parameter.descriptor
 
     @property
-    def editors(self) -> tuple[widgets.Widget, ...]:
-        """The widgets that a hand can change: a check box, a text box, or a text box and a slider."""
-        return self._editor.widgets
+    def row(self) -> PanelRow:
+        """What the panel says of the parameter, but for its value."""
+        self._look()
+        return self._row
 
-    def show(self, *, enabled: bool) -> None:
-        """Draw what is known of the parameter."""
-        parameter = self._parameter
-        descriptor, value = parameter.descriptor, parameter.value
-        shape = descriptor, editor_class(descriptor, value)
+    @property
+    def scale(self) -> Scale | None:
+        """Where its slider can stand; None if it has none."""
+        self._look()
+        return self._scale
+
+    def enter(self, text: str) -> None:
+        """Type a text into the control, and press Enter. For a check box, the texts are 'true' and 'false'."""
+        try:
+            value = parse_value(self.descriptor, text)
+        except ValueError as error:
+            self._parameter.reject(str(error))
+        else:
+            self._ask(value)
+
+    def slide(self, position: int, grip: object = None) -> None:
+        """Pull the slider to a position.
+
+        :param position: Counted from 0.
+        :param grip: Says which pull it belongs to: what is done in one pull is undone at once.
+        """
+        if self.scale is not None:
+            self._ask(self.scale.value(min(max(0, position), self.scale.last)), grip)
+
+    def state(self, *, is_locked: bool) -> RowState:
+        """Return what the panel shows of the parameter's value.
+
+        :param is_locked: True if nothing can be changed now.
+        """
+        parameter, descriptor = self._parameter, self.descriptor
+        value, text = parameter.value, format_value(parameter.descriptor, parameter.value)
+        message: tuple[str, str] | None = None
+        if parameter.late:
+            message = 'waiting', _WAITING
+        elif parameter.message:
+            message = 'rejected', parameter.message
+        elif parameter.adjusted is not ...:
+            asked = format_value(descriptor, parameter.adjusted)
+            message = 'adjusted', f'You asked for {asked}, and the node has stored {text}.'
+        first = format_value(descriptor, self.first) if self.is_changed else None
+        return RowState(text, self._position(value), is_locked or descriptor.read_only, parameter.busy, message, first)
+
+    @property
+    def is_changed(self) -> bool:
+        """True if it can be brought back to another value, which it had when the panel first saw it."""
+        return not (self.descriptor.read_only or self.first is None or values.same(self.first, self.value))
+
+    def give_way(self) -> None:
+        """Leave the processor to the node for the moment that its answer takes if it lives in this process."""
+        self._parameter.give_way()
+
+    def _ask(self, value: Any, grip: object = None) -> None:
+        self._edits.begin(self.name, grip)
+        self._parameter.ask(value)
+
+    def _position(self, value: Any) -> int | None:
+        scale = self.scale
+        return scale.nearest(value) if scale is not None and math.isfinite(value) else None
+
+    def _look(self) -> None:
+        """Work out editor and scale anew where the node describes the parameter in another way."""
+        descriptor, value = self.descriptor, self.value
+        shape = descriptor, value is None, isinstance(value, str) and ('\n' in value or '\r' in value)
         if shape != self._shape:
             self._shape = shape
-            self._build(*shape)
-        if not parameter.busy:
-            self._editor.show(value)
-        self._editor.enable(enabled and not descriptor.read_only)
-        self._message.value = _message_markup(parameter)
-
-    def _build(self, descriptor: Descriptor, editor: type[Editor]) -> None:
-        parameter = self._parameter
-        self._editor = editor(descriptor, self._label, self._lock, parameter.ask, parameter.reject, parameter.give_way)
-        old, self._line.children = self._line.children, self._editor.widgets
-        for widget in old:
-            widget.close()
-        is_number = descriptor.type in (values.INTEGER, values.DOUBLE) and not descriptor.dynamic_typing
-        (self._line.remove_class if is_number else self._line.add_class)('param-long')
-        self._help.value = help_markup(descriptor)
-
-    def close(self) -> None:
-        """Remove the control from the page."""
-        for widget in (*self._line.children, *self.widget.children, self.widget):
-            widget.close()
+            self._scale = scale_of(descriptor, value)
+            self._row = row_of(descriptor, value, self._scale)
 
 
 class ParameterPanel(View):
@@ -141,13 +174,13 @@ class ParameterPanel(View):
         """
         self._node = node_name(node)
         self._controls: dict[str, Control] = {}
-        # What each parameter had when the panel first saw it.
-        self._first: dict[str, Any] = {}
-        self._headings: dict[str, widgets.HTML] = {}
         self._in_order = names is not None
-        self._style, self._head = widgets.HTML(_STYLE), widgets.HTML()
-        self._head.add_class('param-head')
-        super().__init__([self._style, self._head], 'param-panel')
+        self._edits = Edits(self._state, self._bring)
+        self._followed: list[tuple[str, LiveParameter]] = []
+        self._rows: list[PanelRow] | None = None
+        self._front = _Front()
+        self._front.on_msg(self._on_message)
+        super().__init__([self._front], 'param-panel')
         self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
         self._live.first_look()
         close_with_cell(self)
@@ -158,7 +191,7 @@ class ParameterPanel(View):
         elif self._live.status:
             fact = 'not available'
         else:
-            fact = _format_count(len(self._controls))
+            fact = f'{len(self._controls)} parameter{"" if len(self._controls) == 1 else "s"}'
         return f'<ParameterPanel: {self._node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
@@ -189,6 +222,11 @@ class ParameterPanel(View):
         """Why nothing can be changed now, e.g. because the node is not running; empty if it can."""
         return self._live.status
 
+    @property
+    def changed(self) -> dict[str, Any]:
+        """What differs from what the panel first saw: the values that it saw, by the parameters' names."""
+        return {name: control.first for name, control in self._controls.items() if control.is_changed}
+
     def settle(self, timeout_sec: float = 10.0) -> None:
         """Wait until the node has answered every change made so far and the panel shows what the node has now.
 
@@ -196,153 +234,125 @@ class ParameterPanel(View):
         """
         self._live.settle(timeout_sec)
 
-    def reset(self) -> None:
-        """Set every parameter back to what the panel first saw, and wait until the node has it.
+    def undo(self) -> dict[str, str]:
+        """Take back what was done last in this panel, and wait until the node has done so.
+
+        :return: What could not be brought back, and why, by the parameters' names.
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        self.settle()
+        return self._edits.undo()
+
+    def redo(self) -> dict[str, str]:
+        """Do again what was taken back last, and wait until the node has done so.
+
+        :return: What could not be done again, and why, by the parameters' names.
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        self.settle()
+        return self._edits.redo()
+
+    def reset(self, *names: str) -> dict[str, str]:
+        """Set parameters back to what the panel first saw, and wait until the node has it.
 
         A value that the node rejects stays as it is, and the panel shows the reason.
 
+        :param names: By default all.
+        :return: What could not be brought back, and why, by the parameters' names.
         :raises WaitTimeoutError: the node does not answer in time.
         """
-        self.settle()  # what a hand did just now may still be on its way
-        changed = self._changed()
-        # In any order: a value that a rule rejects at first may be accepted once the others are back.
-        for _ in range(len(changed)):
-            for name in changed:
-                self[name].value = self._first[name]
-            self.settle()
-            changed = self._changed()
+        self.settle()  # what was entered just now may still be on its way
+        self._edits.begin('', None)
+        left = self._bring({name: value for name, value in self.changed.items() if not names or name in names})
+        self._edits.end()
+        return left
 
-    def _changed(self) -> list[str]:
-        return [name for name, control in self._controls.items() if not control.descriptor.read_only
-                and self._first[name] is not None and not values.same(control.value, self._first[name])]
+    def _bring(self, wanted: State) -> dict[str, str]:
+        """Ask for values until the node has them; return the reasons for those that it does not take."""
+        # In any order: a value that a rule rejects at first may be accepted once the others are there.
+        for _ in range(len(wanted)):
+            different = [name for name, value in wanted.items() if self._differs(name, value)]
+            if not different:
+                break
+            for name in different:
+                self[name]._parameter.ask(wanted[name])
+            self.settle()
+        return {name: self[name].message or 'the node has another value' if name in self else 'it is no longer there'
+                for name, value in wanted.items() if name not in self or self._differs(name, value)}
+
+    def _differs(self, name: str, value: Any) -> bool:
+        return name in self and not values.same(self[name].value, value)
+
+    def _state(self) -> State:
+        return {name: control.value for name, control in self._controls.items() if not control.descriptor.read_only}
 
     def _end(self) -> None:
         self._live.close()
+
+    # -- the browser ------------------------------------------------------------------------------------
+
+    def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
+        """Do what a person did in the browser; called by ipywidgets in the kernel's main thread."""
+        if content['do'] == 'enter':
+            self._enter(content)
+        else:
+            names = [content['name']] if content.get('name') else []
+            job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
+                                         'reset': lambda: self.reset(*names)}[content['do']]
+            # It waits for the node, and the kernel must not.
+            threading.Thread(target=job, name=f'{content["do"]} on the panel of {self._node}', daemon=True).start()
+
+    def _enter(self, content: dict[str, Any]) -> None:
+        control = self._controls.get(content['name'])
+        if control is not None:  # and not deleted meanwhile
+            if 'position' in content:
+                control.slide(content['position'], (content['client'], content['grip']))
+            else:
+                control.enter(content['text'])
+            control.give_way()
+        self._show()
+        self._front.send({each: content[each] for each in ('client', 'name', 'number')})
 
     def _show(self) -> None:
         with self._drawing:
             if self._closed:
                 return
             live = self._live
-            if list(self._controls) != self._arrange(live.parameters):
+            if list(live.parameters.items()) != self._followed:
                 self._rebuild(live.parameters)
-            for name, control in self._controls.items():
-                if name in live.parameters:
-                    control.show(enabled=not live.status)
-            self._head.value = _head_markup(self._node, live.status, len(self._controls))
-            self._place()
-
-    def _arrange(self, names: Iterable[str]) -> list[str]:
-        """Put the names in the order of the page: groups together, what every node has last."""
-        names = list(names)
-        if self._in_order:
-            return names
-        first_of_group: dict[str, int] = {}
-        for index, name in enumerate(names):
-            first_of_group.setdefault(group_of(name), index)
-        return sorted(names, key=lambda name: (is_housekeeping(name), first_of_group[group_of(name)],
-                                               names.index(name)))
+            if not live.is_busy:
+                self._edits.end()
+            states = {name: control.state(is_locked=bool(live.status)) for name, control in self._controls.items()}
+            rows = [control.row for control in self._controls.values()]
+            if rows != self._rows:
+                self._rows = rows
+                self._front.markup = style('pictures/panel.css') + panel_markup(
+                    self._node, rows, states, status=live.status, in_order=self._in_order)
+            self._front.state = {'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
+                                 'rows': {name: state.as_json() for name, state in states.items()}}
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
         """Make the controls that are missing and drop those whose parameter is gone; keep all others as they are."""
+        self._followed = list(parameters.items())
         old, controls = self._controls, {}
-        for name in self._arrange(parameters):
-            control = old.pop(name, None)
-            if control is None or control._parameter is not parameters[name]:
-                if control is not None:
-                    control.close()
-                group = group_of(name)
-                control = Control(parameters[name], name.removeprefix(f'{group}.') if group else name, self._drawing)
-                if is_housekeeping(name):
-                    control.widget.add_class('param-quiet')
+        for name, parameter in parameters.items():
+            control = old.get(name)
+            if control is None or control._parameter is not parameter:
+                control = Control(parameter, self._edits)
+                if name in old:
+                    control.first = old[name].first
             controls[name] = control
-            self._first.setdefault(name, control.value)
-        self._controls = controls
-        for control in old.values():
-            control.close()
-
-    def _place(self) -> None:
-        """Put the controls onto the page, each group under its heading."""
-        children: list[widgets.Widget] = [self._style, self._head]
-        headings: dict[str, widgets.HTML] = {}
-        group = ''
-        for name, control in self._controls.items():
-            wanted = HOUSEKEEPING_HEADING if is_housekeeping(name) else group_of(name)
-            if wanted and wanted != group:
-                heading = headings.get(wanted) or self._headings.pop(wanted, None) or _heading(wanted)
-                headings[wanted] = heading
-                children.append(heading)
-            group = wanted
-            children.append(control.widget)
-        for heading in self._headings.values():
-            heading.close()
-        self._headings = headings
-        if tuple(children) != self.children:
-            self.children = tuple(children)
+        rows = [control.row for control in controls.values()]
+        self._controls = {row.name: controls[row.name] for row in (rows if self._in_order else arrange(rows))}
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
 
     def snapshot(self) -> dict[str, Any]:
         """Return what a page without a kernel needs to draw it as it stands, beside its controls."""
-        return {'kind': 'panel', 'node': self.node, 'status': self.status, 'rows': []}
+        return {'kind': 'panel', 'node': self.node, 'status': self.status, 'in_order': self._in_order, 'rows': []}
 
     def controls(self) -> dict[str, ControlFacts]:
-        """Return what a hand can change, by the parameters' names."""
-        return {name: _control_facts(control, bool(self.status)) for name, control in self._controls.items()}
-
-
-def _control_facts(control: Control, unavailable: bool) -> ControlFacts:
-    name, descriptor = control.name, control.descriptor
-    editor, group, quiet = editor_class(descriptor, control.value), group_of(name), is_housekeeping(name)
-    scale: Scale | None = None
-    if issubclass(editor, DoubleSliderEditor):
-        scale = Positions(range_of(descriptor))
-    elif issubclass(editor, IntegerSliderEditor):
-        first, last, step = whole_positions(range_of(descriptor))
-        scale = WholeNumbers(first, step, (last - first) // step)
-    return ControlFacts(
-        descriptor=descriptor, value=control.value, message=control.message,
-        label=name.removeprefix(f'{group}.') if group else name,
-        heading=HOUSEKEEPING_HEADING if quiet else group, quiet=quiet,
-        locked=descriptor.read_only or unavailable, help_html=help_markup(descriptor),
-        editor='check' if editor is CheckBoxEditor else 'lines' if editor is LinesEditor else 'text', scale=scale)
-
-
-def group_of(name: str) -> str:
-    """Return what a parameter's name has before its last dot, which is the heading of its group."""
-    return '' if is_housekeeping(name) else name.rpartition('.')[0]
-
-
-def _format_count(count: int) -> str:
-    return f'{count} parameter{"" if count == 1 else "s"}'
-
-
-def _heading(group: str) -> widgets.HTML:
-    heading = widgets.HTML(f'<div role="heading" aria-level="4">{html.escape(group)}</div>')
-    heading.add_class('param-group')
-    return heading
-
-
-def _head_markup(node: str, status: str, count: int) -> str:
-    words = (f'<span class="param-status">{_format_count(count)}</span>' if not status else
-             f'<span class="param-status param-status-bad">&#9888; {html.escape(status)}</span>')
-    return f'<div role="status"><span class="param-node">{html.escape(node)}</span>{words}</div>'
-
-
-def help_markup(descriptor: Descriptor) -> str:
-    facts = [descriptor.type.label]
-    if descriptor.range:
-        facts.append(f'{descriptor.range.from_value} to {descriptor.range.to_value}'
-                     + (f' in steps of {descriptor.range.step}' if descriptor.range.step else ''))
-    facts += ['any type'] * descriptor.dynamic_typing + ['<b>read only</b>'] * descriptor.read_only
-    texts = [html.escape(text) for text in (descriptor.description, descriptor.additional_constraints) if text]
-    return f'<div class="param-help">{" ".join(texts)} <span class="param-facts">({", ".join(facts)})</span></div>'
-
-
-def _message_markup(parameter: LiveParameter) -> str:
-    # An alert is read out when it comes onto the page, which is how ipywidgets updates HTML.
-    if parameter.late:
-        return '<div class="param-message param-waiting" role="status">Waiting for the node to answer…</div>'
-    if not parameter.message:
-        return ''
-    return f'<div class="param-message" role="alert"><b>Rejected:</b> {html.escape(parameter.message)}</div>'
+        """Return what a person can change, by the parameters' names."""
+        return {name: ControlFacts(control.descriptor, control.value, control.row,
+                                   control.state(is_locked=bool(self.status)), control.scale)
+                for name, control in self._controls.items()}
