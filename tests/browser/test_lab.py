@@ -146,7 +146,9 @@ def test_a_learner_and_a_terminal(request, opened):
     expect(page.message('max_speed_rpm')).to_have_count(0)
     assert value(lab, 'max_speed_rpm') == 120
 
-    # Tab went on to the next control, which is a check box; the space bar turns it.
+    # Tab goes on to what brings the value back, and then to the next control, a check box; the space bar turns it.
+    page.row('max_speed_rpm').get_by_role('button').focus()
+    page.page.keyboard.press('Tab')
     safety = page.box('enable_safety_mode')
     expect(safety).to_be_focused()
     ticked = safety.is_checked()

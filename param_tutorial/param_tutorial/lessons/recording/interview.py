@@ -1,6 +1,5 @@
 """Asks the node behind a view's controls what a reader of a page without a kernel could ask it."""
 
-import dataclasses
 import functools
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -72,7 +71,8 @@ def _row(name: str, control: ControlFacts, positions: int) -> Row:
     descriptor, state = control.descriptor, control.state
     message = state.message[1] if state.message and state.message[0] == 'rejected' else ''
     row: Row = {'name': name, 'text': state.text, 'message': message, 'locked': state.is_locked,
-                'quiet': control.row.is_quiet, 'editor': control.row.editor, 'row': dataclasses.asdict(control.row)}
+                'quiet': control.row.is_quiet, 'editor': control.row.editor,
+                'row': {**vars(control.row), 'facts': list(control.row.facts), 'choices': list(control.row.choices)}}
     if control.scale:
         row['positions'] = [format_value(descriptor, each)
                             for each in questions.positions(control.scale, control.value, positions)]
