@@ -22,6 +22,11 @@ def slide(panel, name, position, grip=0):
     _send(panel, name, position=position, grip=grip)
 
 
+def press(panel, button, **details):
+    """Do what the browser does when somebody has pressed one of the panel's buttons."""
+    panel._front._handle_custom_msg({'do': button, **details}, [])
+
+
 def _send(panel, name, **entry):
     panel._front._handle_custom_msg({'do': 'enter', 'name': name, 'client': 'test', 'number': 1, **entry}, [])
 

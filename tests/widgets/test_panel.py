@@ -27,7 +27,7 @@ from param_tutorial.runtime import stage
 from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets.panel import ParameterPanel
 from tests.support.nodes import Arm, Counter, Gate
-from tests.support.widgets import enter, is_locked, says, shows, slide, wait_for_value, worker_threads
+from tests.support.widgets import enter, is_locked, press, says, shows, slide, wait_for_value, worker_threads
 
 NODE = '/arm'
 
@@ -579,12 +579,12 @@ def test_one_value_is_brought_back_alone(arm):
     enter(arm, 'offset', '2')
     arm.settle()
     assert arm._front.state['rows']['tool']['first'] == 'gripper'
-    arm._front._handle_custom_msg({'do': 'reset', 'name': 'tool'}, [])
+    press(arm, 'reset', name='tool')
     wait_for_value(arm, 'tool', 'gripper')
     wait_until(lambda: 'first' not in arm._front.state['rows']['tool'], 'the mark to go')
     assert arm['offset'].value == 2.0
     arm.settle()
-    arm._front._handle_custom_msg({'do': 'undo'}, [])
+    press(arm, 'undo')
     wait_for_value(arm, 'tool', 'saw')
 
 
@@ -629,3 +629,47 @@ def test_a_value_that_a_rule_chooses_is_chosen_from_a_list(ros):
     enter(panel, 'color', 'gre;en')
     panel.settle()
     assert panel['color'].value == 'gre;en'
+
+
+# -- together -------------------------------------------------------------------------------------------
+
+
+def test_gathered_changes_are_one_request(ros):
+    node = ros.add(Band)
+    panel = ParameterPanel('/band')
+    press(panel, 'gather')
+    wait_until(lambda: panel.gathered == {}, 'the panel to gather')
+    enter(panel, 'low', '10')
+    enter(panel, 'high', '20')
+    enter(panel, 'name', 'other')
+    enter(panel, 'name', 'band')  # what the node has anyway
+    panel.settle()
+    assert panel.gathered == {'low': 10, 'high': 20}
+    assert (shows(panel, 'low'), says(panel, 'low')) == (('10',), ('gathering', 'Now 1; not sent yet.'))
+    assert panel._front.state['note'] == '2 changes gathered, not sent yet.'
+    assert node.get_parameter('low').value == 1
+    assert panel.apply() == ''
+    assert (panel.gathered, panel['low'].value, panel['high'].value) == (None, 10, 20)
+    assert panel.undo() == {}
+    assert (panel['low'].value, panel['high'].value) == (1, 2)
+
+
+def test_what_is_rejected_stays_gathered_until_it_is_mended_or_discarded(ros):
+    ros.add(Band)
+    panel = ParameterPanel('/band')
+    panel.gather()
+    panel['low'].value = 30
+    panel['high'].value = 20
+    assert panel.apply() == '30 is not below 20'
+    assert panel._front.state['note'] == '2 changes gathered, not sent yet.\nRejected: 30 is not below 20'
+    panel['low'].value = 5
+    assert panel.apply() == ''
+    assert (panel['low'].value, panel['high'].value) == (5, 20)
+    panel.gather()
+    panel['low'].value = 6
+    press(panel, 'discard')
+    wait_until(lambda: panel.gathered is None and shows(panel, 'low') == ('5',), 'it to be forgotten')
+    ros.remove_all()
+    panel.gather()
+    panel['low'].value = 6
+    assert 'there is no node /band' in panel.apply()

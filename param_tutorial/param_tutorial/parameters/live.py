@@ -115,6 +115,13 @@ class LiveParameters:
         with self._lock:
             return self._state.has_unread_answers
 
+    def client(self) -> ParameterClient:
+        """Return a client of the node, which waits for each answer.
+
+        :raises ExecutorError: the executor is stopped, or none is running.
+        """
+        return ParameterClient(self.node, executor=self._require_executor(), timeout_sec=self._timeout_sec)
+
     def first_look(self) -> None:
         """Read everything from the node and show it; waits for a node that is just starting."""
         self._require_other_thread()
@@ -249,7 +256,7 @@ class LiveParameters:
         """Ask the node which parameters it has now, of which kind, and for their values; return that as an event."""
         executor = self._require_executor()
         executor.services.greet(self.node, timeout_sec=self._timeout_sec)
-        client = ParameterClient(self.node, executor=executor, timeout_sec=self._timeout_sec)
+        client = self.client()
         for attempts_left in reversed(range(_DESCRIBE_ATTEMPTS)):
             existing = client.list_parameters()
             names = existing if self.names is None else [name for name in self.names if name in existing]
@@ -263,8 +270,7 @@ class LiveParameters:
 
     def _read(self, names: list[str]) -> Callable[[], Todo]:
         """Ask the node for some values; return them as an event."""
-        client = ParameterClient(self.node, executor=self._require_executor(), timeout_sec=self._timeout_sec)
-        return functools.partial(self._state.have_read, client.get_parameters(names))
+        return functools.partial(self._state.have_read, self.client().get_parameters(names))
 
     def _show_step(self) -> float | None:
         if self._state.closed:

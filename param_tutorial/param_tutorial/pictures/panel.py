@@ -19,6 +19,10 @@ CHECK, TEXT, LINES, CHOICE = 'check', 'text', 'lines', 'choice'
 _SEARCH_FROM = 13
 _FOLD_HOUSEKEEPING_FROM = 7
 
+_BAR = ('<div class="param-bar" hidden><span class="param-gathered" role="status"></span>'
+        '<button type="button" class="param-apply">Apply together</button>'
+        '<button type="button" class="param-discard">Discard</button></div>')
+
 
 @dataclass(frozen=True)
 class PanelRow:
@@ -60,6 +64,8 @@ class RowState:
     """What to say beside the control: 'rejected', 'waiting' or 'adjusted', and the words."""
     first: str | None = None
     """What it had at first, if that is something else."""
+    is_gathered: bool = False
+    """True if the text is what the node will be asked for together with other changes."""
 
     def as_json(self) -> dict[str, Any]:
         """Return it as the script takes it: with what is other than usual."""
@@ -119,6 +125,9 @@ def _head(node: str, count: int, status: str, tools: bool, mark: str) -> str:
               f'aria-label="Search the parameters of {html.escape(node)}" autocomplete="off" spellcheck="false">'
               if count >= _SEARCH_FROM else '')
     buttons = ('<span class="param-tools" role="group" aria-label="Changes made here">'
+               '<button type="button" class="param-gather" aria-pressed="false" disabled '
+               'title="Gather changes, and apply them together as one request that the node accepts or rejects '
+               'as a whole">Gather</button>'
                '<button type="button" class="param-undo" disabled>Undo</button>'
                '<button type="button" class="param-redo" disabled>Redo</button>'
                '<button type="button" class="param-reset" disabled '
@@ -128,7 +137,7 @@ def _head(node: str, count: int, status: str, tools: bool, mark: str) -> str:
     bad = ' param-status-bad' if status else ''
     return (f'<div class="param-head"><span role="status"><span class="param-node">{html.escape(node)}</span>'
             f'<span class="param-status{bad}" data-count="{told}">{html.escape(status) or told}</span></span>'
-            f'{buttons}{marked}{search}<span class="param-found" role="status"></span></div>')
+            f'{buttons}{marked}{search}<span class="param-found" role="status"></span>{_BAR if tools else ""}</div>')
 
 
 class _Drawing:

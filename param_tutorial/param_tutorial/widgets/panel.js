@@ -88,6 +88,7 @@ class PanelRow {
     }
     const isChanged = first !== null;
     this.element.classList.toggle('param-changed', isChanged);
+    this.element.classList.toggle('param-is-gathered', Boolean(this.state.is_gathered));
     if (this.back) {
       // A button that goes while it has the focus takes the focus with it.
       if (this.back === this.back.getRootNode().activeElement && !isChanged) this.box.focus();
@@ -130,7 +131,8 @@ class PanelRow {
 
 /** A node's parameters as controls.
 
-    `wire` takes what is entered: `enter(name, entry)`, `bringBack(name)` with null for all, `undo()`, `redo()`;
+    `wire` takes what is entered: `enter(name, entry)`, `bringBack(name)` with null for all, and what the buttons do:
+    `undo()`, `redo()`, `gather(isWanted)`, `apply()`;
     `patience` is what to say while it does not even take it up. */
 class ParameterPanel {
   constructor(root, wire) {
@@ -141,7 +143,8 @@ class ParameterPanel {
     }
     this.status = root.querySelector('.param-status');
     this.search = root.querySelector('.param-search');
-    this.buttons = Object.fromEntries(['undo', 'redo', 'reset'].map(each => [each, root.querySelector(`.param-${each}`)]));
+    this.bar = root.querySelector('.param-bar');
+    this.buttons = Object.fromEntries(['gather', 'undo', 'redo', 'reset', 'apply', 'discard'].map(each => [each, root.querySelector(`.param-${each}`)]));
     if (this.search) {
       this.search.addEventListener('input', () => this.find());
       this.search.addEventListener('keydown', event => {
@@ -153,6 +156,9 @@ class ParameterPanel {
       this.buttons.undo.addEventListener('click', () => wire.undo());
       this.buttons.redo.addEventListener('click', () => wire.redo());
       this.buttons.reset.addEventListener('click', () => wire.bringBack(null));
+      this.buttons.gather.addEventListener('click', () => wire.gather(this.bar.hidden));
+      this.buttons.apply.addEventListener('click', () => wire.apply());
+      this.buttons.discard.addEventListener('click', () => wire.gather(false));
       root.addEventListener('keydown', event => this.onKey(event));
     }
   }
@@ -172,6 +178,12 @@ class ParameterPanel {
     this.status.classList.toggle('param-status-bad', this.isLocked);
     for (const [name, row] of this.rows) if (state.rows[name]) row.show(state.rows[name]);
     if (this.buttons.undo) {
+      const isGathering = 'gathered' in state;
+      this.buttons.gather.disabled = this.isLocked;
+      this.buttons.gather.setAttribute('aria-pressed', String(isGathering));
+      this.bar.hidden = !isGathering;
+      this.buttons.apply.disabled = this.isLocked || !(state.gathered > 0);
+      this.bar.querySelector('.param-gathered').textContent = isGathering ? state.note : '';
       this.buttons.undo.disabled = this.isLocked || !state.undo;
       this.buttons.redo.disabled = this.isLocked || !state.redo;
       this.buttons.reset.disabled = this.isLocked || ![...this.rows.values()].some(row => 'first' in row.state);
@@ -233,6 +245,8 @@ function render({model, el}) {
     bringBack: name => model.send({do: 'reset', name}),
     undo: () => model.send({do: 'undo'}),
     redo: () => model.send({do: 'redo'}),
+    gather: isWanted => model.send({do: isWanted ? 'gather' : 'discard'}),
+    apply: () => model.send({do: 'apply'}),
   };
   const root = document.createElement('div');
   el.append(root);

@@ -18,7 +18,7 @@ import anywidget
 import traitlets
 from rclpy.node import Node
 
-from param_tutorial.errors import ParameterNotDeclaredError
+from param_tutorial.errors import ParameterNotDeclaredError, ParameterToolError, describe_error
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor, ParameterClient, node_name
 from param_tutorial.parameters.live import LiveParameter, LiveParameters
@@ -47,9 +47,10 @@ class _Front(anywidget.AnyWidget):
 class Control:
     """One parameter on a panel: ``panel['max_speed_rpm']``."""
 
-    def __init__(self, parameter: LiveParameter, edits: Edits):
+    def __init__(self, parameter: LiveParameter, take: 'Callable[[Control, Any, object], None]'):
+        """:param take: Called with the control, a value that somebody wants, and the grip: see ``slide``."""
         self._parameter = parameter
-        self._edits = edits
+        self._take = take
         self.first = parameter.value
         """What it had when the panel first saw it."""
         self._shape: Any = None
@@ -71,7 +72,7 @@ class Control:
 
     @value.setter
     def value(self, value: Any) -> None:
-        self._ask(fit(self._parameter.descriptor, value))
+        self._take(self, fit(self._parameter.descriptor, value), None)
 
     @property
     def message(self) -> str:
@@ -102,7 +103,7 @@ class Control:
         except ValueError as error:
             self._parameter.reject(str(error))
         else:
-            self._ask(value)
+            self._take(self, value, None)
 
     def slide(self, position: int, grip: object = None) -> None:
         """Pull the slider to a position.
@@ -111,15 +112,20 @@ class Control:
         :param grip: Says which pull it belongs to: what is done in one pull is undone at once.
         """
         if self.scale is not None:
-            self._ask(self.scale.value(min(max(0, position), self.scale.last)), grip)
+            self._take(self, self.scale.value(min(max(0, position), self.scale.last)), grip)
 
-    def state(self, *, is_locked: bool) -> RowState:
+    def state(self, *, is_locked: bool, gathered: Any = ...) -> RowState:
         """Return what the panel shows of the parameter's value.
 
         :param is_locked: True if nothing can be changed now.
+        :param gathered: The value that is wanted together with other changes; ``...`` for none.
         """
         parameter, descriptor = self._parameter, self.descriptor
         value, text = parameter.value, format_value(parameter.descriptor, parameter.value)
+        if gathered is not ...:
+            wanted = format_value(descriptor, gathered)
+            return RowState(wanted, self._position(gathered), is_locked, is_gathered=True,
+                            message=('gathering', f'Now {text}; not sent yet.'))
         message: tuple[str, str] | None = None
         if parameter.late:
             message = 'waiting', _WAITING
@@ -140,8 +146,8 @@ class Control:
         """Leave the processor to the node for the moment that its answer takes if it lives in this process."""
         self._parameter.give_way()
 
-    def _ask(self, value: Any, grip: object = None) -> None:
-        self._edits.begin(self.name, grip)
+    def ask(self, value: Any) -> None:
+        """Ask the node for a value, whatever becomes of it."""
         self._parameter.ask(value)
 
     def _position(self, value: Any) -> int | None:
@@ -178,6 +184,9 @@ class ParameterPanel(View):
         self._edits = Edits(self._state, self._bring)
         self._followed: list[tuple[str, LiveParameter]] = []
         self._rows: list[PanelRow] | None = None
+        # What is wanted together, by name; None if each change is sent at once.
+        self._gathered: State | None = None
+        self._note = ''
         self._front = _Front()
         self._front.on_msg(self._on_message)
         super().__init__([self._front], 'param-panel')
@@ -227,6 +236,42 @@ class ParameterPanel(View):
         """What differs from what the panel first saw: the values that it saw, by the parameters' names."""
         return {name: control.first for name, control in self._controls.items() if control.is_changed}
 
+    @property
+    def gathered(self) -> State | None:
+        """The changes that ``apply`` will send, by the parameters' names; None if each change is sent at once."""
+        return None if self._gathered is None else dict(self._gathered)
+
+    def gather(self) -> None:
+        """From now on gather changes, until ``apply`` sends them together or ``discard`` forgets them."""
+        if self._gathered is None:
+            self._gathered, self._note = {}, ''
+            self._show()
+
+    def discard(self) -> None:
+        """Forget what was gathered, and send each change at once again."""
+        self._gathered = None
+        self._show()
+
+    def apply(self) -> str:
+        """Send what was gathered as one request, which the node accepts or rejects as a whole.
+
+        :return: Why the node rejected it, in which case it stays gathered; empty if it was accepted.
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        wanted = self._gathered or {}
+        self.settle()
+        self._edits.begin('', None)
+        try:
+            results = self._live.client().set_parameters_atomically(wanted) if wanted else []
+            self._note = next((result.reason or 'The node gave no reason.'
+                               for result in results if not result.successful), '')
+        except ParameterToolError as error:
+            self._note = describe_error(error)
+        if not self._note:
+            self._gathered = None
+        self.settle()
+        return self._note
+
     def settle(self, timeout_sec: float = 10.0) -> None:
         """Wait until the node has answered every change made so far and the panel shows what the node has now.
 
@@ -275,7 +320,7 @@ class ParameterPanel(View):
             if not different:
                 break
             for name in different:
-                self[name]._parameter.ask(wanted[name])
+                self[name].ask(wanted[name])
             self.settle()
         return {name: self[name].message or 'the node has another value' if name in self else 'it is no longer there'
                 for name, value in wanted.items() if name not in self or self._differs(name, value)}
@@ -298,7 +343,8 @@ class ParameterPanel(View):
         else:
             names = [content['name']] if content.get('name') else []
             job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
-                                         'reset': lambda: self.reset(*names)}[content['do']]
+                                         'reset': lambda: self.reset(*names), 'gather': self.gather,
+                                         'discard': self.discard, 'apply': self.apply}[content['do']]
             # It waits for the node, and the kernel must not.
             threading.Thread(target=job, name=f'{content["do"]} on the panel of {self._node}', daemon=True).start()
 
@@ -322,14 +368,37 @@ class ParameterPanel(View):
                 self._rebuild(live.parameters)
             if not live.is_busy:
                 self._edits.end()
-            states = {name: control.state(is_locked=bool(live.status)) for name, control in self._controls.items()}
+            gathered = self._gathered or {}
+            states = {name: control.state(is_locked=bool(live.status), gathered=gathered.get(name, ...))
+                      for name, control in self._controls.items()}
             rows = [control.row for control in self._controls.values()]
             if rows != self._rows:
                 self._rows = rows
                 self._front.markup = style('pictures/panel.css') + panel_markup(
                     self._node, rows, states, status=live.status, in_order=self._in_order)
             self._front.state = {'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
-                                 'rows': {name: state.as_json() for name, state in states.items()}}
+                                 'rows': {name: state.as_json() for name, state in states.items()},
+                                 **self._gathering()}
+
+    def _gathering(self) -> dict[str, Any]:
+        """Return what the script has to know of what is gathered; nothing if each change is sent at once."""
+        if self._gathered is None:
+            return {}
+        count = len(self._gathered)
+        told = f'{count} change{"" if count == 1 else "s"} gathered, not sent yet.'
+        return {'gathered': count, 'note': f'{told}\nRejected: {self._note}' if self._note else told}
+
+    def _take(self, control: Control, value: Any, grip: object) -> None:
+        """Ask for a value that somebody wants, or gather it."""
+        if self._gathered is None:
+            self._edits.begin(control.name, grip)
+            control.ask(value)
+            return
+        self._gathered = {**self._gathered, control.name: value}
+        if values.same(value, control.value):
+            del self._gathered[control.name]
+        self._note = ''
+        self._show()
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
         """Make the controls that are missing and drop those whose parameter is gone; keep all others as they are."""
@@ -338,7 +407,7 @@ class ParameterPanel(View):
         for name, parameter in parameters.items():
             control = old.get(name)
             if control is None or control._parameter is not parameter:
-                control = Control(parameter, self._edits)
+                control = Control(parameter, self._take)
                 if name in old:
                     control.first = old[name].first
             controls[name] = control
