@@ -270,6 +270,9 @@ function render({model, el}) {
       const heir = row && panel.rows.get(row.dataset.name);
       const target = heir ? heir.element.querySelector(`.${focused.className}`) : shown.querySelector(`.${focused.className}`);
       if (target) target.focus();
+      if (heir && heir.isTyping && target === heir.box) {
+        target.setSelectionRange(focused.selectionStart, focused.selectionEnd);
+      }
     }
   }
 
