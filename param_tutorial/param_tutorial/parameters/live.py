@@ -40,7 +40,7 @@ from param_tutorial.runtime.worker import Worker
 _SHOW_PERIOD_SEC = 1 / 30
 _READ_PERIOD_SEC = 1 / 60
 _GIVE_WAY_SEC = 0.002
-_FIRST_LOOK_TIMEOUT_SEC = 10.0
+FIRST_LOOK_TIMEOUT_SEC = 10.0
 _DESCRIBE_ATTEMPTS = 4
 
 P = ParamSpec('P')
@@ -122,11 +122,18 @@ class LiveParameters:
         """
         return ParameterClient(self.node, executor=self._require_executor(), timeout_sec=self._timeout_sec)
 
-    def first_look(self) -> None:
-        """Read everything from the node and show it; waits for a node that is just starting."""
+    def first_look(self, timeout_sec: float = FIRST_LOOK_TIMEOUT_SEC) -> None:
+        """Read everything from the node and show it; waits for a node that is just starting.
+
+        :param timeout_sec: How long to wait for each of the two; 0 to go on at once, and show what comes.
+        """
+        if not timeout_sec:
+            self._reader.wake()
+            self._shower.wake()
+            return
         self._require_other_thread()
-        self._reader.call_now(_FIRST_LOOK_TIMEOUT_SEC)
-        self._shower.call_now(_FIRST_LOOK_TIMEOUT_SEC)
+        self._reader.call_now(timeout_sec)
+        self._shower.call_now(timeout_sec)
 
     def settle(self, timeout_sec: float) -> None:
         """Wait until all that was asked so far is answered, then read everything from the node and show it.

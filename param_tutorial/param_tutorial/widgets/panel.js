@@ -220,10 +220,7 @@ class ParameterPanel {
     for (const group of this.root.querySelectorAll('.param-group')) {
       if (folded.has(titles(group))) group.open = folded.get(titles(group));
     }
-    if (old.search && this.search && old.search.value) {
-      this.search.value = old.search.value;
-      this.find();
-    }
+    if (old.search && this.search) this.search.value = old.search.value;
     for (const [name, row] of old.rows) {
       const heir = this.rows.get(name);
       if (!heir) continue;
@@ -262,8 +259,13 @@ function render({model, el}) {
       .replace(/aria-describedby="panel-(\d+)-help panel-(\d+)-said"/g,
         `aria-describedby="panel-${panelsOnPage}-$1-help panel-${panelsOnPage}-$2-said"`);
     panel = new ParameterPanel(shown, wire);
-    if (old) panel.takeOver(old);
+    if (old) {
+      panel.takeOver(old);
+    } else if (panel.search && model.get('search')) {
+      panel.search.value = model.get('search');
+    }
     panel.show(model.get('state'));
+    if (panel.search) panel.find();
     root.replaceChildren(shown);
     if (focused) {
       const row = focused.closest('.param-row');

@@ -9,31 +9,33 @@ in that of ``settle``, with the panel's lock held. No lock is held while a reque
 no lock of a panel at all.
 """
 
-import math
 import threading
 from collections.abc import Callable, Iterable
 from typing import Any
 
 import anywidget
+import ipywidgets as widgets
 import traitlets
 from rclpy.node import Node
 
 from param_tutorial.errors import ParameterNotDeclaredError, ParameterToolError, describe_error
 from param_tutorial.parameters import values
-from param_tutorial.parameters.client import Descriptor, ParameterClient, node_name
-from param_tutorial.parameters.live import LiveParameter, LiveParameters
-from param_tutorial.parameters.text import fit, format_value, parse_value
-from param_tutorial.pictures.panel import PanelRow, RowState, arrange, panel_markup
+from param_tutorial.parameters.catalog import Catalog, CatalogNode
+from param_tutorial.parameters.client import ParameterClient, node_name
+from param_tutorial.parameters.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
+from param_tutorial.parameters.text import format_value
+from param_tutorial.pictures.panel import PanelRow, arrange, panel_markup
 from param_tutorial.pictures.styles import sheet, style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.widgets.cells import close_with_cell
-from param_tutorial.widgets.editors import row_of, scale_of
+from param_tutorial.widgets.control import Control
 from param_tutorial.widgets.edits import Edits, State
-from param_tutorial.widgets.recordable import ControlFacts, Scale
-from param_tutorial.widgets.view import View
+from param_tutorial.widgets.recordable import ControlFacts
+from param_tutorial.widgets.view import FollowingView, View
 
-_WAITING = 'Waiting for the node to answer…'
+# Of a node in which a search finds more, these are shown; its panel shows all.
+_HITS = 8
 
 
 class _Front(anywidget.AnyWidget):
@@ -42,141 +44,38 @@ class _Front(anywidget.AnyWidget):
     _esm = sheet('widgets/panel.js')
     markup = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
+    search = traitlets.Unicode().tag(sync=True)
 
 
-class Control:
-    """One parameter on a panel: ``panel['max_speed_rpm']``."""
+class _BrowserFront(anywidget.AnyWidget):
+    """The list of nodes in the browser."""
 
-    def __init__(self, parameter: LiveParameter, take: 'Callable[[Control, Any, object], None]'):
-        """:param take: Called with the control, a value that somebody wants, and the grip: see ``slide``."""
-        self._parameter = parameter
-        self._take = take
-        self.first = parameter.value
-        """What it had when the panel first saw it."""
-        self._shape: Any = None
-        self._row: PanelRow
-        self._scale: Scale | None = None
-
-    def __repr__(self) -> str:
-        return f'<Control: {self.name} = {self.value!r}>'
-
-    @property
-    def name(self) -> str:
-        """The parameter's full name."""
-        return self._parameter.name
-
-    @property
-    def value(self) -> Any:
-        """The value that the node confirmed last. Assigning to it moves the control as a person would."""
-        return self._parameter.value
-
-    @value.setter
-    def value(self, value: Any) -> None:
-        self._take(self, fit(self._parameter.descriptor, value), None)
-
-    @property
-    def message(self) -> str:
-        """Why the node rejected the last change, in the node's words; empty if it did not."""
-        return self._parameter.message
-
-    @property
-    def descriptor(self) -> Descriptor:
-        """What the node says about the parameter."""
-        return self._parameter.descriptor
-
-    @property
-    def row(self) -> PanelRow:
-        """What the panel says of the parameter, but for its value."""
-        self._look()
-        return self._row
-
-    @property
-    def scale(self) -> Scale | None:
-        """Where its slider can stand; None if it has none."""
-        self._look()
-        return self._scale
-
-    def enter(self, text: str) -> None:
-        """Type a text into the control, and press Enter. For a check box, the texts are 'true' and 'false'."""
-        try:
-            value = parse_value(self.descriptor, text)
-        except ValueError as error:
-            self._parameter.reject(str(error))
-        else:
-            self._take(self, value, None)
-
-    def slide(self, position: int, grip: object = None) -> None:
-        """Pull the slider to a position.
-
-        :param position: Counted from 0.
-        :param grip: Says which pull it belongs to: what is done in one pull is undone at once.
-        """
-        if self.scale is not None:
-            self._take(self, self.scale.value(min(max(0, position), self.scale.last)), grip)
-
-    def state(self, *, is_locked: bool, gathered: Any = ...) -> RowState:
-        """Return what the panel shows of the parameter's value.
-
-        :param is_locked: True if nothing can be changed now.
-        :param gathered: The value that is wanted together with other changes; ``...`` for none.
-        """
-        parameter, descriptor = self._parameter, self.descriptor
-        value, text = parameter.value, format_value(parameter.descriptor, parameter.value)
-        if gathered is not ...:
-            wanted = format_value(descriptor, gathered)
-            return RowState(wanted, self._position(gathered), is_locked, is_gathered=True,
-                            message=('gathering', f'Now {text}; not sent yet.'))
-        message: tuple[str, str] | None = None
-        if parameter.late:
-            message = 'waiting', _WAITING
-        elif parameter.message:
-            message = 'rejected', parameter.message
-        elif parameter.adjusted is not ...:
-            asked = format_value(descriptor, parameter.adjusted)
-            message = 'adjusted', f'You asked for {asked}, and the node has stored {text}.'
-        first = format_value(descriptor, self.first) if self.is_changed else None
-        return RowState(text, self._position(value), is_locked or descriptor.read_only, parameter.busy, message, first)
-
-    @property
-    def is_changed(self) -> bool:
-        """True if it can be brought back to another value, which it had when the panel first saw it."""
-        return not (self.descriptor.read_only or self.first is None or values.same(self.first, self.value))
-
-    def give_way(self) -> None:
-        """Leave the processor to the node for the moment that its answer takes if it lives in this process."""
-        self._parameter.give_way()
-
-    def ask(self, value: Any) -> None:
-        """Ask the node for a value, whatever becomes of it."""
-        self._parameter.ask(value)
-
-    def _position(self, value: Any) -> int | None:
-        scale = self.scale
-        return scale.nearest(value) if scale is not None and math.isfinite(value) else None
-
-    def _look(self) -> None:
-        """Work out editor and scale anew where the node describes the parameter in another way."""
-        descriptor, value = self.descriptor, self.value
-        shape = descriptor, value is None, isinstance(value, str) and ('\n' in value or '\r' in value)
-        if shape != self._shape:
-            self._shape = shape
-            self._scale = scale_of(descriptor, value)
-            self._row = row_of(descriptor, value, self._scale)
+    _esm = sheet('widgets/browser.js')
+    _css = sheet('pictures/panel.css') + sheet('widgets/browser.css')
+    state = traitlets.Dict().tag(sync=True)
 
 
 class ParameterPanel(View):
     """The parameters of a node as controls, as long as it is not closed.
 
-    Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control.
+    Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control. Without a node it is a
+    ``ParameterBrowser``: the nodes that there are.
     """
 
+    def __new__(cls, node: str | Node | ParameterClient | None = None, **options: Any) -> Any:
+        """Return a panel, or a ParameterBrowser if no node is named."""
+        return ParameterBrowser(**options) if node is None else super().__new__(cls)
+
     def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
+                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC,
+                 patience_sec: float = FIRST_LOOK_TIMEOUT_SEC, search: str = ''):
         """
         :param node: The node or its name; it may be on a robot far away, and it may be absent now.
         :param names: Only these parameters, in this order; by default all that the node has.
         :param executor: Carries the requests; by default whichever runs in the background.
         :param timeout_sec: How long the node may take for each answer.
+        :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
+        :param search: What its search field begins with.
         """
         self._node = node_name(node)
         self._controls: dict[str, Control] = {}
@@ -187,11 +86,11 @@ class ParameterPanel(View):
         # What is wanted together, by name; None if each change is sent at once.
         self._gathered: State | None = None
         self._note = ''
-        self._front = _Front()
+        self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
         super().__init__([self._front], 'param-panel')
         self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
-        self._live.first_look()
+        self._live.first_look(patience_sec)
         close_with_cell(self)
 
     def __repr__(self) -> str:
@@ -406,7 +305,7 @@ class ParameterPanel(View):
         old, controls = self._controls, {}
         for name, parameter in parameters.items():
             control = old.get(name)
-            if control is None or control._parameter is not parameter:
+            if control is None or control.parameter is not parameter:
                 control = Control(parameter, self._take)
                 if name in old:
                     control.first = old[name].first
@@ -425,3 +324,116 @@ class ParameterPanel(View):
         return {name: ControlFacts(control.descriptor, control.value, control.row,
                                    control.state(is_locked=bool(self.status)), control.scale)
                 for name, control in self._controls.items()}
+
+
+class ParameterBrowser(FollowingView):
+    """The nodes of a robot as they come and go, a search over all their parameters, and panels of what is opened.
+
+    Show it as the last line of a cell; ``ParameterPanel()`` makes one. ``browser['/node']`` is the node's panel.
+    """
+
+    def __init__(self, *, executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
+        """
+        :param executor: Carries the requests; by default whichever runs in the background.
+        :param timeout_sec: How long a node may take for each answer.
+        """
+        self._timeout_sec = timeout_sec
+        self._catalog: Catalog | None = None
+        self._search = ''
+        self._panels: dict[str, ParameterPanel] = {}
+        self._front = _BrowserFront(state={'nodes': [], 'status': ''})
+        self._front.add_class('param-panel')
+        self._front.add_class('param-nodes')
+        self._front.on_msg(self._on_message)
+        self._box = widgets.Box()
+        self._box.add_class('node-panels')
+        super().__init__([self._front, self._box], 'param-browser')
+        self._begin(executor)
+
+    def __repr__(self) -> str:
+        return f'<ParameterBrowser{": closed" if self._closed else ""}>'
+
+    def __getitem__(self, node: str) -> ParameterPanel:
+        """Return the panel of a node that is open.
+
+        :raises KeyError: it is not open.
+        """
+        return self._panels[node]
+
+    @property
+    def node(self) -> str:
+        """What it shows, in the place of one node's name."""
+        return 'all nodes'
+
+    @property
+    def nodes(self) -> list[str]:
+        """The fully qualified names of the nodes that are there."""
+        return list(self._catalog.nodes) if self._catalog else []
+
+    def find(self, text: str) -> dict[str, list[str]]:
+        """Find parameters by words in their node, name, description or value; return their names by node."""
+        return self._catalog.find(text) if self._catalog else {}
+
+    def show(self, node: str, *, search: str = '') -> ParameterPanel:
+        """Open the panel of a node, without waiting for its answers.
+
+        :param search: What the panel's search field begins with.
+        """
+        with self._drawing:
+            if node in self._panels and search:
+                self.hide(node)
+            if node not in self._panels:
+                self._panels[node] = ParameterPanel(node, executor=self._chosen_executor, search=search,
+                                                    timeout_sec=self._timeout_sec, patience_sec=0.0)
+                self._box.children = tuple(self._panels.values())
+        self._worker.wake()
+        return self._panels[node]
+
+    def hide(self, node: str) -> None:
+        """Close the panel of a node, if it is open."""
+        with self._drawing:
+            if panel := self._panels.pop(node, None):
+                self._box.children = tuple(self._panels.values())
+                panel.close()
+        self._worker.wake()
+
+    def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
+        """Do what a person did in the browser; called by ipywidgets in the kernel's main thread."""
+        if content['do'] == 'find':
+            self._search = content['text']
+            self._worker.wake()
+        elif content['do'] == 'toggle' and content['node'] in self._panels:
+            self.hide(content['node'])
+        else:
+            self.show(content['node'], search=content.get('search', ''))
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], object]:
+        self._catalog = Catalog(executor, self._worker.wake, timeout_sec=self._timeout_sec)
+        return self._catalog.close
+
+    def _lose(self) -> None:
+        self._catalog = None
+
+    def _show(self) -> None:
+        nodes = self._catalog.nodes if self._catalog else {}
+        found = self.find(self._search) if self._search.strip() else dict.fromkeys(nodes, ())
+        shown = [node for node in nodes.values() if node.name in found or node.name in self._panels]
+        status = 'no executor is running' if self._catalog is None else f'{len(nodes)} node{"s" * (len(nodes) != 1)}'
+        if self._search.strip():
+            status += f', {sum(map(len, found.values()))} parameters found in {len(found)}'
+        self._front.state = {'status': status, 'nodes': [
+            {'name': node.name, 'is_open': node.name in self._panels, 'is_bad': bool(node.problem),
+             'says': _says(node), 'hits': [[name, format_value(node.descriptors[name], node.values[name])]
+                                           for name in list(found.get(node.name, ()))[:_HITS]]} for node in shown]}
+
+    def _end(self) -> None:
+        super()._end()
+        for node in list(self._panels):
+            self._panels.pop(node).close()
+
+
+def _says(node: CatalogNode) -> str:
+    if node.problem:
+        return node.problem
+    count = len(node.descriptors)
+    return f'{count} parameter{"" if count == 1 else "s"}' if node.is_read else 'asking …'
