@@ -86,6 +86,7 @@ class ParameterPanel(View):
         # What is wanted together, by name; None if each change is sent at once.
         self._gathered: State | None = None
         self._note = ''
+        self._not_restored: dict[str, str] = {}
         self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
         super().__init__([self._front], 'param-panel')
@@ -178,38 +179,40 @@ class ParameterPanel(View):
         """
         self._live.settle(timeout_sec)
 
-    def undo(self) -> dict[str, str]:
-        """Take back what was done last in this panel, and wait until the node has done so.
+    @property
+    def not_restored(self) -> dict[str, str]:
+        """What the last ``undo``, ``redo`` or ``reset`` could not bring back, and why, by the parameters' names."""
+        return dict(self._not_restored)
 
-        :return: What could not be brought back, and why, by the parameters' names.
+    def undo(self) -> None:
+        """Take back what was done last in this panel, and wait until the node has done so; see ``not_restored``.
+
         :raises WaitTimeoutError: the node does not answer in time.
         """
         self.settle()
-        return self._edits.undo()
+        self._not_restored = self._edits.undo()
 
-    def redo(self) -> dict[str, str]:
-        """Do again what was taken back last, and wait until the node has done so.
+    def redo(self) -> None:
+        """Do again what was taken back last, and wait until the node has done so; see ``not_restored``.
 
-        :return: What could not be done again, and why, by the parameters' names.
         :raises WaitTimeoutError: the node does not answer in time.
         """
         self.settle()
-        return self._edits.redo()
+        self._not_restored = self._edits.redo()
 
-    def reset(self, *names: str) -> dict[str, str]:
-        """Set parameters back to what the panel first saw, and wait until the node has it.
+    def reset(self, *names: str) -> None:
+        """Set parameters back to what the panel first saw, and wait until the node has it; see ``not_restored``.
 
         A value that the node rejects stays as it is, and the panel shows the reason.
 
         :param names: By default all.
-        :return: What could not be brought back, and why, by the parameters' names.
         :raises WaitTimeoutError: the node does not answer in time.
         """
         self.settle()  # what was entered just now may still be on its way
         self._edits.begin('', None)
-        left = self._bring({name: value for name, value in self.changed.items() if not names or name in names})
+        self._not_restored = self._bring({name: value for name, value in self.changed.items()
+                                          if not names or name in names})
         self._edits.end()
-        return left
 
     def _bring(self, wanted: State) -> dict[str, str]:
         """Ask for values until the node has them; return the reasons for those that it does not take."""
