@@ -42,6 +42,7 @@ _HOMES = {
     'LogView': 'widgets.log',
     'MessageView': 'widgets.motion',
     'NumberLineView': 'widgets.motion',
+    'ParameterBrowser': 'widgets.panel',
     'ParameterClient': 'parameters.client',
     'ParameterHistory': 'parameters.history',
     'ParameterPanel': 'widgets.panel',

@@ -85,29 +85,32 @@ def value(lab, name):
 
 def position(page):
     """Return the value of max_acceleration_mps2 at which its slider stands: it counts hundredths from 0.01."""
-    return round(0.01 + 0.01 * float(page.handle('max_acceleration_mps2').get_attribute('aria-valuenow')), 2)
+    return round(0.01 + 0.01 * float(page.slider('max_acceleration_mps2').input_value()), 2)
 
 
-def drag(page, handle):
-    """Take hold of a slider's handle and pull it to the right, in steps as a hand does."""
-    handle.hover()  # which scrolls there, and waits until it stands still
-    box = handle.bounding_box()
+def drag(page, slider):
+    """Take hold of a slider where it stands, and pull it to the right, in steps as a hand does."""
+    slider.hover()  # which scrolls there, and waits until it stands still
+    box = slider.bounding_box()
+    share = float(slider.input_value()) / float(slider.get_attribute('max'))
+    start, middle = box['x'] + 8 + share * (box['width'] - 16), box['y'] + box['height'] / 2
+    page.page.mouse.move(start, middle)
     page.page.mouse.down()
-    page.page.mouse.move(box['x'] + box['width'] / 2 + 60, box['y'] + box['height'] / 2, steps=20)
+    page.page.mouse.move(start + 60, middle, steps=20)
     page.page.mouse.up()
 
 
 @pytest.mark.parametrize('opened', ['open_lesson', 'open_chapter'])
 def test_a_learner_and_a_terminal(request, opened):
     lab, page = request.getfixturevalue(opened)
-    handle, box = page.handle('max_acceleration_mps2'), page.box('max_acceleration_mps2')
-    expect(handle).to_be_visible()
+    slider, box = page.slider('max_acceleration_mps2'), page.box('max_acceleration_mps2')
+    expect(slider).to_be_visible()
     before = float(box.input_value())
 
     # The page may still be growing above the slider and push it from under the mouse: then the hand takes hold of it
     # again.
     def dragged():
-        drag(page, handle)
+        drag(page, slider)
         return float(box.input_value()) > before
 
     lab_module.wait_for(dragged, 'the slider to be dragged')
@@ -123,7 +126,7 @@ def test_a_learner_and_a_terminal(request, opened):
     lab_module.wait_for(lambda: position(page) == 1.75, 'the slider to follow the node')
 
     # By keyboard.
-    handle.focus()
+    slider.focus()
     page.page.keyboard.press('ArrowLeft')
     expect(box).to_have_value('1.74')
     page.page.keyboard.press('End')
@@ -143,7 +146,9 @@ def test_a_learner_and_a_terminal(request, opened):
     expect(page.message('max_speed_rpm')).to_have_count(0)
     assert value(lab, 'max_speed_rpm') == 120
 
-    # Tab went on to the next control, which is a check box; the space bar turns it.
+    # Tab goes on to what brings the value back, and then to the next control, a check box; the space bar turns it.
+    page.row('max_speed_rpm').get_by_role('button').focus()
+    page.page.keyboard.press('Tab')
     safety = page.box('enable_safety_mode')
     expect(safety).to_be_focused()
     ticked = safety.is_checked()
@@ -165,7 +170,7 @@ def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     page.command('notebook:create-output-view')
     panels = page.page.locator('.param-panel')
     expect(panels).to_have_count(2)
-    expect(panels.nth(1).locator('.noUi-handle').first).to_be_visible()
+    expect(panels.nth(1).get_by_role('slider').first).to_be_visible()
     # Messages keep their order, so this one comes after whatever the second view had to say.
     second = panels.nth(1).get_by_label('robot_name', exact=True)
     second.fill('Second')

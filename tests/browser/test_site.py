@@ -158,7 +158,7 @@ def files(folder):
 
 
 def row(page, name):
-    return page.locator(f'.rec-row[data-name="{name}"]').first
+    return page.locator(f'.param-row[data-name="{name}"]').first
 
 
 def box(page, name):
@@ -166,7 +166,7 @@ def box(page, name):
 
 
 def message(page, name):
-    return row(page, name).get_by_role('status')
+    return row(page, name).locator('.param-message')
 
 
 def type_into(page, name, text):

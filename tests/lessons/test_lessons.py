@@ -13,8 +13,7 @@ from param_tutorial.lessons.pages import chapter, drawing, front_page
 from param_tutorial.lessons.recording import recorder, run
 from param_tutorial.lessons.recording.questions import positions
 from param_tutorial.parameters.client import Range
-from param_tutorial.widgets.editors import Positions
-from param_tutorial.widgets.recordable import WholeNumbers
+from param_tutorial.widgets.editors import Positions, WholePositions
 
 
 def write(path, *cells):
@@ -170,9 +169,9 @@ def test_a_panel_whose_node_is_not_there(ros):
 
 
 @pytest.mark.parametrize('scale, value, at_most, expected', [
-    (WholeNumbers(first=0, step=1, last=10), 3, 11, list(range(11))),
-    (WholeNumbers(first=0, step=1, last=10), 3, 6, [0, 2, 3, 4, 6, 8, 10]),
-    (WholeNumbers(first=1, step=4, last=2), 5, 50, [1, 5, 9]),
+    (WholePositions(Range(0, 10, 1)), 3, 11, list(range(11))),
+    (WholePositions(Range(0, 10, 1)), 3, 6, [0, 2, 3, 4, 6, 8, 10]),
+    (WholePositions(Range(1, 9, 4)), 5, 50, [1, 5, 9]),
 ])
 def test_positions_of_whole_numbers(scale, value, at_most, expected):
     assert positions(scale, value, at_most) == expected
@@ -189,10 +188,11 @@ def test_positions_of_doubles_are_those_of_the_panel_or_round_ones_among_them():
 
 
 def test_what_a_node_says_is_text_and_not_markup():
-    row = {'name': '<b>', 'label': '<b>', 'group': '', 'quiet': False, 'help': '', 'text': '"<script>',
-           'message': '<i>', 'type': 'string', 'locked': False, 'editor': 'text',
+    row = {'name': '<b>', 'text': '"<script>', 'message': '<i>', 'locked': False, 'quiet': False, 'editor': 'text',
+           'row': {'name': '<b>', 'editor': 'text', 'kind': 'string', 'facts': [], 'choices': []},
            'answers': {'x': {'reason': '</script><i>'}}}
-    drawn = drawing.Drawer('page').draw({'kind': 'panel', 'node': '/<n>', 'status': '', 'rows': [row]})
+    recording = {'kind': 'panel', 'node': '/<n>', 'status': '', 'in_order': False, 'rows': [row]}
+    drawn = drawing.Drawer('page').draw(recording)
     assert '<b>' not in drawn.replace('<b>Rejected:</b>', '') and '<i>' not in drawn and '/<n>' not in drawn
     assert drawn.count('<script') == drawn.count('</script>') == 1
 

@@ -270,16 +270,16 @@ class LabPage:
 
     def row(self, name: str) -> Locator:
         """Find a parameter's row on the panel by its label."""
-        label = self.page.locator(f'label:text-is("{name}"), label span:text-is("{name}")')
+        label = self.page.locator(f'label:text-is("{name}")')
         return self.page.locator('.param-row').filter(has=label).first
 
     def box(self, name: str) -> Locator:
         """Find a parameter's text box, or check box, as a screen reader does: by its label."""
         return self.row(name).get_by_label(name, exact=True)
 
-    def handle(self, name: str) -> Locator:
-        """Find the handle of a parameter's slider."""
-        return self.row(name).locator('.noUi-handle')
+    def slider(self, name: str) -> Locator:
+        """Find a parameter's slider, which counts its positions from 0."""
+        return self.row(name).get_by_role('slider')
 
     def message(self, name: str) -> Locator:
         """Find what stands beside a parameter's control."""

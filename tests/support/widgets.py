@@ -12,13 +12,27 @@ def worker_threads():
     return [each.name for each in threading.enumerate() if each.name.startswith(THREAD_NAME_PREFIX)]
 
 
-def by_hand(widget, value):
-    """Do what a front end does when a hand has changed a widget."""
-    widget.set_state({'value': value})
+def enter(panel, name, text):
+    """Do what the browser does when somebody has typed a text, or clicked a check box."""
+    _send(panel, name, text=text)
+
+
+def slide(panel, name, position, grip=0):
+    """Do what the browser does when somebody has pulled a slider; positions count from 0."""
+    _send(panel, name, position=position, grip=grip)
+
+
+def press(panel, button, **details):
+    """Do what the browser does when somebody has pressed one of the panel's buttons."""
+    panel._front._handle_custom_msg({'do': button, **details}, [])
+
+
+def _send(panel, name, **entry):
+    panel._front._handle_custom_msg({'do': 'enter', 'name': name, 'client': 'test', 'number': 1, **entry}, [])
 
 
 def texts(panel):
-    """Return all the HTML of a panel or view."""
+    """Return all the HTML of a view."""
     pieces, waiting = [], list(panel.children)
     while waiting:
         widget = waiting.pop()
@@ -29,8 +43,19 @@ def texts(panel):
 
 
 def shows(panel, name):
-    """Return what the widgets of a control hold."""
-    return tuple(widget.value for widget in panel[name].editors)
+    """Return what the control of a parameter shows: its text, and where its slider stands, if it has one."""
+    state = panel._front.state['rows'][name]
+    return (state['text'], state['position']) if 'position' in state else (state['text'],)
+
+
+def says(panel, name):
+    """Return what stands beside the control of a parameter: what kind of message, and its words."""
+    return panel._front.state['rows'][name].get('message')
+
+
+def is_locked(panel, name):
+    """Return whether nobody can use the control of a parameter."""
+    return panel._front.state['rows'][name].get('is_locked', False)
 
 
 def wait_for_value(panel, name, value):

@@ -81,7 +81,8 @@ def by_python(number):
 def by_browser(number):
     """Let the browser's message arrive."""
     start = time.monotonic()
-    control.editors[0].set_state({'value': str(number)})
+    message = {'do': 'enter', 'name': 'panel', 'text': str(number), 'client': '', 'number': 1}
+    panel._front._handle_custom_msg(message, [])
     return confirmed(number) - start
 
 def confirmed(number):
@@ -159,7 +160,8 @@ def load(moves):
     """Move a gain 30 times a second as a browser does; give the processor time in percent of one core."""
     start, before = time.monotonic(), sum(me.cpu_times()[:2])
     for number in range(moves):
-        panel['gains.wheel_joint.p'].editors[0].set_state({'value': str(0.1 + number % 100 / 100)})
+        panel['gains.wheel_joint.p'].enter(str(0.1 + number % 100 / 100))
+        panel._show()
         time.sleep(max(0.0, start + (number + 1) / 30 - time.monotonic()))
     return 100 * (sum(me.cpu_times()[:2]) - before) / (time.monotonic() - start)
 
@@ -249,7 +251,7 @@ def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
                 page.page.evaluate(
                     '() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
                 page.command('notebook:run-all-cells')
-                expect(page.handle('max_acceleration_mps2')).to_be_visible()
+                expect(page.slider('max_acceleration_mps2')).to_be_visible()
                 first_panel.append(time.monotonic() - start)
                 page.run_all()
             kernel = psutil.Process(int(lab.ask_kernel("__import__('os').getpid()")))

@@ -40,7 +40,7 @@ from param_tutorial.runtime.worker import Worker
 _SHOW_PERIOD_SEC = 1 / 30
 _READ_PERIOD_SEC = 1 / 60
 _GIVE_WAY_SEC = 0.002
-_FIRST_LOOK_TIMEOUT_SEC = 10.0
+FIRST_LOOK_TIMEOUT_SEC = 10.0
 _DESCRIBE_ATTEMPTS = 4
 
 P = ParamSpec('P')
@@ -109,11 +109,31 @@ class LiveParameters:
         """Why the parameters cannot be changed now; empty if they can."""
         return self._state.status
 
-    def first_look(self) -> None:
-        """Read everything from the node and show it; waits for a node that is just starting."""
+    @property
+    def is_busy(self) -> bool:
+        """True while something that was asked for is unanswered, or what came of it is not yet read."""
+        with self._lock:
+            return self._state.has_unread_answers
+
+    def client(self) -> ParameterClient:
+        """Return a client of the node, which waits for each answer.
+
+        :raises ExecutorError: the executor is stopped, or none is running.
+        """
+        return ParameterClient(self.node, executor=self._require_executor(), timeout_sec=self._timeout_sec)
+
+    def first_look(self, timeout_sec: float = FIRST_LOOK_TIMEOUT_SEC) -> None:
+        """Read everything from the node and show it; waits for a node that is just starting.
+
+        :param timeout_sec: How long to wait for each of the two; 0 to go on at once, and show what comes.
+        """
+        if not timeout_sec:
+            self._reader.wake()
+            self._shower.wake()
+            return
         self._require_other_thread()
-        self._reader.call_now(_FIRST_LOOK_TIMEOUT_SEC)
-        self._shower.call_now(_FIRST_LOOK_TIMEOUT_SEC)
+        self._reader.call_now(timeout_sec)
+        self._shower.call_now(timeout_sec)
 
     def settle(self, timeout_sec: float) -> None:
         """Wait until all that was asked so far is answered, then read everything from the node and show it.
@@ -243,7 +263,7 @@ class LiveParameters:
         """Ask the node which parameters it has now, of which kind, and for their values; return that as an event."""
         executor = self._require_executor()
         executor.services.greet(self.node, timeout_sec=self._timeout_sec)
-        client = ParameterClient(self.node, executor=executor, timeout_sec=self._timeout_sec)
+        client = self.client()
         for attempts_left in reversed(range(_DESCRIBE_ATTEMPTS)):
             existing = client.list_parameters()
             names = existing if self.names is None else [name for name in self.names if name in existing]
@@ -257,8 +277,7 @@ class LiveParameters:
 
     def _read(self, names: list[str]) -> Callable[[], Todo]:
         """Ask the node for some values; return them as an event."""
-        client = ParameterClient(self.node, executor=self._require_executor(), timeout_sec=self._timeout_sec)
-        return functools.partial(self._state.have_read, client.get_parameters(names))
+        return functools.partial(self._state.have_read, self.client().get_parameters(names))
 
     def _show_step(self) -> float | None:
         if self._state.closed:

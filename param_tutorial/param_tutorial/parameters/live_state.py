@@ -57,6 +57,10 @@ class ParameterState:
         """The request that is under way."""
         self.waiting: Request | None = None
         """The newest request that is to follow it."""
+        self.accepted: Any = ...
+        """What the node accepted last, until it has been read what it stored; ``...`` for nothing."""
+        self.adjusted: Any = ...
+        """What the node accepted last, if it then had another value; ``...`` if it did not."""
 
     @property
     def name(self) -> str:
@@ -153,6 +157,11 @@ class LiveState(Generic[ParameterT]):
     def busy_names(self) -> list[str]:
         """The parameters with a request under way."""
         return [name for name, parameter in self.parameters.items() if parameter.busy]
+
+    @property
+    def has_unread_answers(self) -> bool:
+        """True while a request is under way, or what came of one has not been read."""
+        return bool(self.busy_names or self._must_read or self._reading)
 
     @property
     def is_settled(self) -> bool:
@@ -390,6 +399,7 @@ class LiveState(Generic[ParameterT]):
     def _begin(self, request: Request, now: float) -> Todo:
         request.parameter.request = request
         request.parameter.asked_at = now
+        request.parameter.accepted = request.parameter.adjusted = ...
         return Todo(send=request, watch=True)
 
     def _end(self, request: Request, reason: str, now: float, *, doubtful: bool) -> Todo:
@@ -404,6 +414,7 @@ class LiveState(Generic[ParameterT]):
         parameter.answered_at = now
         if not reason:
             parameter.value = request.value
+            parameter.accepted = request.value
         following, parameter.request, parameter.waiting = parameter.waiting, None, None
         if following is not None:
             return self._begin(following, now)._replace(read=self._must_describe)
@@ -442,6 +453,11 @@ class LiveState(Generic[ParameterT]):
         if parameter.busy:
             self._must_read.add(parameter.name)
         elif parameter.name not in self._must_read:
+            if parameter.accepted is not ...:
+                is_other = not values.same(value, parameter.accepted)
+                parameter.adjusted, parameter.accepted = parameter.accepted if is_other else ..., ...
+            elif not values.same(value, parameter.value):
+                parameter.adjusted = ...
             parameter.value = value
 
     def _have_news(self) -> Todo:
@@ -451,3 +467,4 @@ class LiveState(Generic[ParameterT]):
     def _clear_messages(self) -> None:
         for parameter in self.parameters.values():
             parameter.message = ''
+            parameter.accepted = parameter.adjusted = ...

@@ -35,6 +35,8 @@ _TOLERANCE = Fraction(1, 10**6)
 _NUMBER = r'[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?'
 # How much of a value a reason repeats.
 _LETTERS = 60
+# By these words ``text.choices_of`` knows the rule again.
+ONE_OF = 'must be one of '
 
 
 @dataclass(frozen=True)
@@ -124,7 +126,7 @@ class Rules:
             if wanted not in (None, found) and wanted.name != f'{found.name}_ARRAY':
                 raise RuleError(f'cannot state a rule for {name}: it is a parameter of type {wanted.label} and can '
                                 f'never be {choice!r}, of type {found.label}')
-        return self._state_for_each(name, f'must be one of {", ".join(map(repr, listed))}',
+        return self._state_for_each(name, f'{ONE_OF}{", ".join(map(repr, listed))}',
                                     lambda value: any(values.same(value, choice) for choice in listed))
 
     def multiple_of(self, name: str, step: float, unit: str = '') -> 'Rules':

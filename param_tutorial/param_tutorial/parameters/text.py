@@ -4,6 +4,7 @@ Numbers are edited as text: JavaScript has no 64-bit integers, and no browser's 
 wrong with "1,5".
 """
 
+import ast
 import math
 import re
 from collections.abc import Callable
@@ -14,6 +15,7 @@ import yaml
 
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor
+from param_tutorial.parameters.rules import ONE_OF
 
 
 @dataclass(frozen=True)
@@ -146,3 +148,22 @@ def fit(descriptor: Descriptor, value: Any) -> Any:
         if descriptor.type is values.DOUBLE_ARRAY and isinstance(value, list):
             return [float(item) if type(item) is int else item for item in value]
     return value
+
+
+def choices_of(descriptor: Descriptor) -> list[Any]:
+    """Return the values that ``Rules.one_of`` leaves to a parameter; none if its constraints name no such rule.
+
+    Of a node in another process, the words of a rule are all that one knows of it.
+    """
+    _, found, rest = descriptor.additional_constraints.partition(ONE_OF.capitalize())
+    if not found or descriptor.type.is_array:
+        return []
+    # Other rules may follow, and a choice may hold what stands between two of them.
+    parts = rest.split('; ')
+    for end in range(1, len(parts) + 1):
+        try:
+            choices = ast.literal_eval(f'[{"; ".join(parts[:end])}]')
+        except (ValueError, SyntaxError):
+            continue
+        return list(choices)
+    return []

@@ -1,155 +1,97 @@
 """The parameter panel: the parameters of any node as controls that show what the node confirmed.
 
-``parameters.live`` follows the node, ``editors`` has the controls; here they are put on the page and kept in step.
+``parameters.live`` follows the node, ``pictures.panel`` draws the controls, and ``panel.js`` lets a person use them, in
+the browser; here the three are kept in step, and what was done is kept for undo.
 
-Threads. A hand's changes come in the kernel's main thread and go straight to ``LiveParameter.ask``, before
+Threads. What a person enters comes in the kernel's main thread and goes straight to ``LiveParameter.ask``, before
 anything is drawn. Everything that is drawn is drawn in ``_show``, which ``live`` calls in its worker's thread or
-in that of ``settle``. Both write to widgets with the panel's lock held, and ``Editor.quietly`` keeps what the
-panel writes apart from what a hand enters, so nothing goes round in circles. No lock is held while a request is
-sent; the executor's thread takes no lock of a panel at all.
+in that of ``settle``, with the panel's lock held. No lock is held while a request is sent; the executor's thread takes
+no lock of a panel at all.
 """
 
-import html
 import threading
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
+import anywidget
 import ipywidgets as widgets
+import traitlets
 from rclpy.node import Node
 
-from param_tutorial.errors import ParameterNotDeclaredError
+from param_tutorial.errors import ParameterNotDeclaredError, ParameterToolError, describe_error
 from param_tutorial.parameters import values
-from param_tutorial.parameters.client import Descriptor, ParameterClient, is_housekeeping, node_name
-from param_tutorial.parameters.live import LiveParameter, LiveParameters
-from param_tutorial.parameters.text import fit
-from param_tutorial.pictures.styles import style
+from param_tutorial.parameters.catalog import Catalog, CatalogNode
+from param_tutorial.parameters.client import ParameterClient, node_name
+from param_tutorial.parameters.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
+from param_tutorial.parameters.text import format_value
+from param_tutorial.pictures.panel import PanelRow, arrange, panel_markup
+from param_tutorial.pictures.styles import sheet, style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.widgets.cells import close_with_cell
-from param_tutorial.widgets.editors import (
-    CheckBoxEditor,
-    DoubleSliderEditor,
-    Editor,
-    IntegerSliderEditor,
-    LinesEditor,
-    Positions,
-    editor_class,
-    range_of,
-    whole_positions,
-)
-from param_tutorial.widgets.recordable import ControlFacts, Scale, WholeNumbers
-from param_tutorial.widgets.view import View
+from param_tutorial.widgets.control import Control
+from param_tutorial.widgets.edits import Edits, State
+from param_tutorial.widgets.recordable import ControlFacts
+from param_tutorial.widgets.view import FollowingView, View
 
-# Seldom what one came for, and of qos_overrides.… there may be dozens.
-HOUSEKEEPING_HEADING = 'In every node'
-
-_STYLE = style('widgets/panel.css')
+# Of a node in which a search finds more, these are shown; its panel shows all.
+_HITS = 8
 
 
-class Control:
-    """One parameter on a panel: ``panel['max_speed_rpm']``."""
+class _Front(anywidget.AnyWidget):
+    """The panel in the browser: markup, and what changes in it."""
 
-    def __init__(self, parameter: LiveParameter, label: str, lock: threading.RLock):
-        self._parameter = parameter
-        self._label = label
-        self._lock = lock
-        self._shape: Any = None
-        self._editor: Editor
-        self._line = widgets.HBox()
-        self._line.add_class('param-line')
-        self._help, self._message = widgets.HTML(), widgets.HTML()
-        self._help.add_class('param-note')
-        self._message.add_class('param-note')
-        self.widget = widgets.VBox([self._line, self._help, self._message])
-        self.widget.add_class('param-row')
-        self.show(enabled=False)
+    _esm = sheet('widgets/panel.js')
+    markup = traitlets.Unicode().tag(sync=True)
+    state = traitlets.Dict().tag(sync=True)
+    search = traitlets.Unicode().tag(sync=True)
 
-    def __repr__(self) -> str:
-        return f'<Control: {self.name} = {self.value!r}>'
 
-    @property
-    def name(self) -> str:
-        """The parameter's full name."""
-        return self._parameter.name
+class _BrowserFront(anywidget.AnyWidget):
+    """The list of nodes in the browser."""
 
-    @property
-    def value(self) -> Any:
-        """The value that the node confirmed last. Assigning to it moves the control the way a hand would."""
-        return self._parameter.value
-
-    @value.setter
-    def value(self, value: Any) -> None:
-        self._parameter.ask(fit(self._parameter.descriptor, value))
-
-    @property
-    def message(self) -> str:
-        """Why the last change was not taken, in the node's words; empty if it was."""
-        return self._parameter.message
-
-    @property
-    def descriptor(self) -> Descriptor:
-        """What the node tells about the parameter."""
-        return self._parameter.descriptor
-
-    @property
-    def editors(self) -> tuple[widgets.Widget, ...]:
-        """The widgets that a hand can change: a check box, a text box, or a text box and a slider."""
-        return self._editor.widgets
-
-    def show(self, *, enabled: bool) -> None:
-        """Draw what is known of the parameter."""
-        parameter = self._parameter
-        descriptor, value = parameter.descriptor, parameter.value
-        shape = descriptor, editor_class(descriptor, value)
-        if shape != self._shape:
-            self._shape = shape
-            self._build(*shape)
-        if not parameter.busy:
-            self._editor.show(value)
-        self._editor.enable(enabled and not descriptor.read_only)
-        self._message.value = _message_markup(parameter)
-
-    def _build(self, descriptor: Descriptor, editor: type[Editor]) -> None:
-        parameter = self._parameter
-        self._editor = editor(descriptor, self._label, self._lock, parameter.ask, parameter.reject, parameter.give_way)
-        old, self._line.children = self._line.children, self._editor.widgets
-        for widget in old:
-            widget.close()
-        is_number = descriptor.type in (values.INTEGER, values.DOUBLE) and not descriptor.dynamic_typing
-        (self._line.remove_class if is_number else self._line.add_class)('param-long')
-        self._help.value = help_markup(descriptor)
-
-    def close(self) -> None:
-        """Remove the control from the page."""
-        for widget in (*self._line.children, *self.widget.children, self.widget):
-            widget.close()
+    _esm = sheet('widgets/browser.js')
+    _css = sheet('pictures/panel.css') + sheet('widgets/browser.css')
+    state = traitlets.Dict().tag(sync=True)
 
 
 class ParameterPanel(View):
     """The parameters of a node as controls, as long as it is not closed.
 
-    Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control.
+    Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control. Without a node it is a
+    ``ParameterBrowser``: the nodes that there are.
     """
 
+    def __new__(cls, node: str | Node | ParameterClient | None = None, **options: Any) -> Any:
+        """Return a panel, or a ParameterBrowser if no node is named."""
+        return ParameterBrowser(**options) if node is None else super().__new__(cls)
+
     def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
+                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC,
+                 patience_sec: float = FIRST_LOOK_TIMEOUT_SEC, search: str = ''):
         """
         :param node: The node or its name; it may be on a robot far away, and it may be absent now.
         :param names: Only these parameters, in this order; by default all that the node has.
         :param executor: Carries the requests; by default whichever runs in the background.
         :param timeout_sec: How long the node may take for each answer.
+        :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
+        :param search: What its search field begins with.
         """
         self._node = node_name(node)
         self._controls: dict[str, Control] = {}
-        # What each parameter had when the panel first saw it.
-        self._first: dict[str, Any] = {}
-        self._headings: dict[str, widgets.HTML] = {}
         self._in_order = names is not None
-        self._style, self._head = widgets.HTML(_STYLE), widgets.HTML()
-        self._head.add_class('param-head')
-        super().__init__([self._style, self._head], 'param-panel')
+        self._edits = Edits(self._state, self._bring)
+        self._followed: list[tuple[str, LiveParameter]] = []
+        self._rows: list[PanelRow] | None = None
+        # What is wanted together, by name; None if each change is sent at once.
+        self._gathered: State | None = None
+        self._note = ''
+        self._not_restored: dict[str, str] = {}
+        self._front = _Front(search=search)
+        self._front.on_msg(self._on_message)
+        super().__init__([self._front], 'param-panel')
         self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
-        self._live.first_look()
+        self._live.first_look(patience_sec)
         close_with_cell(self)
 
     def __repr__(self) -> str:
@@ -158,7 +100,7 @@ class ParameterPanel(View):
         elif self._live.status:
             fact = 'not available'
         else:
-            fact = _format_count(len(self._controls))
+            fact = f'{len(self._controls)} parameter{"" if len(self._controls) == 1 else "s"}'
         return f'<ParameterPanel: {self._node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
@@ -189,6 +131,47 @@ class ParameterPanel(View):
         """Why nothing can be changed now, e.g. because the node is not running; empty if it can."""
         return self._live.status
 
+    @property
+    def changed(self) -> dict[str, Any]:
+        """What differs from what the panel first saw: the values that it saw, by the parameters' names."""
+        return {name: control.first for name, control in self._controls.items() if control.is_changed}
+
+    @property
+    def gathered(self) -> State | None:
+        """The changes that ``apply`` will send, by the parameters' names; None if each change is sent at once."""
+        return None if self._gathered is None else dict(self._gathered)
+
+    def gather(self) -> None:
+        """From now on gather changes, until ``apply`` sends them together or ``discard`` forgets them."""
+        if self._gathered is None:
+            self._gathered, self._note = {}, ''
+            self._show()
+
+    def discard(self) -> None:
+        """Forget what was gathered, and send each change at once again."""
+        self._gathered = None
+        self._show()
+
+    def apply(self) -> str:
+        """Send what was gathered as one request, which the node accepts or rejects as a whole.
+
+        :return: Why the node rejected it, in which case it stays gathered; empty if it was accepted.
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        wanted = self._gathered or {}
+        self.settle()
+        self._edits.begin('', None)
+        try:
+            results = self._live.client().set_parameters_atomically(wanted) if wanted else []
+            self._note = next((result.reason or 'The node gave no reason.'
+                               for result in results if not result.successful), '')
+        except ParameterToolError as error:
+            self._note = describe_error(error)
+        if not self._note:
+            self._gathered = None
+        self.settle()
+        return self._note
+
     def settle(self, timeout_sec: float = 10.0) -> None:
         """Wait until the node has answered every change made so far and the panel shows what the node has now.
 
@@ -196,153 +179,264 @@ class ParameterPanel(View):
         """
         self._live.settle(timeout_sec)
 
-    def reset(self) -> None:
-        """Set every parameter back to what the panel first saw, and wait until the node has it.
+    @property
+    def not_restored(self) -> dict[str, str]:
+        """What the last ``undo``, ``redo`` or ``reset`` could not bring back, and why, by the parameters' names."""
+        return dict(self._not_restored)
 
-        A value that the node rejects stays as it is, and the panel shows the reason.
+    def undo(self) -> None:
+        """Take back what was done last in this panel, and wait until the node has done so; see ``not_restored``.
 
         :raises WaitTimeoutError: the node does not answer in time.
         """
-        self.settle()  # what a hand did just now may still be on its way
-        changed = self._changed()
-        # In any order: a value that a rule rejects at first may be accepted once the others are back.
-        for _ in range(len(changed)):
-            for name in changed:
-                self[name].value = self._first[name]
-            self.settle()
-            changed = self._changed()
+        self.settle()
+        self._not_restored = self._edits.undo()
 
-    def _changed(self) -> list[str]:
-        return [name for name, control in self._controls.items() if not control.descriptor.read_only
-                and self._first[name] is not None and not values.same(control.value, self._first[name])]
+    def redo(self) -> None:
+        """Do again what was taken back last, and wait until the node has done so; see ``not_restored``.
+
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        self.settle()
+        self._not_restored = self._edits.redo()
+
+    def reset(self, *names: str) -> None:
+        """Set parameters back to what the panel first saw, and wait until the node has it; see ``not_restored``.
+
+        A value that the node rejects stays as it is, and the panel shows the reason.
+
+        :param names: By default all.
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        self.settle()  # what was entered just now may still be on its way
+        self._edits.begin('', None)
+        self._not_restored = self._bring({name: value for name, value in self.changed.items()
+                                          if not names or name in names})
+        self._edits.end()
+
+    def _bring(self, wanted: State) -> dict[str, str]:
+        """Ask for values until the node has them; return the reasons for those that it does not take."""
+        # In any order: a value that a rule rejects at first may be accepted once the others are there.
+        for _ in range(len(wanted)):
+            different = [name for name, value in wanted.items() if self._differs(name, value)]
+            if not different:
+                break
+            for name in different:
+                self[name].ask(wanted[name])
+            self.settle()
+        return {name: self[name].message or 'the node has another value' if name in self else 'it is no longer there'
+                for name, value in wanted.items() if name not in self or self._differs(name, value)}
+
+    def _differs(self, name: str, value: Any) -> bool:
+        return name in self and not values.same(self[name].value, value)
+
+    def _state(self) -> State:
+        return {name: control.value for name, control in self._controls.items() if not control.descriptor.read_only}
 
     def _end(self) -> None:
         self._live.close()
+
+    # -- the browser ------------------------------------------------------------------------------------
+
+    def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
+        """Do what a person did in the browser; called by ipywidgets in the kernel's main thread."""
+        if content['do'] == 'enter':
+            self._enter(content)
+        else:
+            names = [content['name']] if content.get('name') else []
+            job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
+                                         'reset': lambda: self.reset(*names), 'gather': self.gather,
+                                         'discard': self.discard, 'apply': self.apply}[content['do']]
+            # It waits for the node, and the kernel must not.
+            threading.Thread(target=job, name=f'{content["do"]} on the panel of {self._node}', daemon=True).start()
+
+    def _enter(self, content: dict[str, Any]) -> None:
+        control = self._controls.get(content['name'])
+        if control is not None:  # and not deleted meanwhile
+            if 'position' in content:
+                control.slide(content['position'], (content['client'], content['grip']))
+            else:
+                control.enter(content['text'])
+            control.give_way()
+        self._show()
+        self._front.send({each: content[each] for each in ('client', 'name', 'number')})
 
     def _show(self) -> None:
         with self._drawing:
             if self._closed:
                 return
             live = self._live
-            if list(self._controls) != self._arrange(live.parameters):
+            if list(live.parameters.items()) != self._followed:
                 self._rebuild(live.parameters)
-            for name, control in self._controls.items():
-                if name in live.parameters:
-                    control.show(enabled=not live.status)
-            self._head.value = _head_markup(self._node, live.status, len(self._controls))
-            self._place()
+            if not live.is_busy:
+                self._edits.end()
+            gathered = self._gathered or {}
+            states = {name: control.state(is_locked=bool(live.status), gathered=gathered.get(name, ...))
+                      for name, control in self._controls.items()}
+            rows = [control.row for control in self._controls.values()]
+            if rows != self._rows:
+                self._rows = rows
+                self._front.markup = style('pictures/panel.css') + panel_markup(
+                    self._node, rows, states, status=live.status, in_order=self._in_order)
+            self._front.state = {'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
+                                 'rows': {name: state.as_json() for name, state in states.items()},
+                                 **self._gathering()}
 
-    def _arrange(self, names: Iterable[str]) -> list[str]:
-        """Put the names in the order of the page: groups together, what every node has last."""
-        names = list(names)
-        if self._in_order:
-            return names
-        first_of_group: dict[str, int] = {}
-        for index, name in enumerate(names):
-            first_of_group.setdefault(group_of(name), index)
-        return sorted(names, key=lambda name: (is_housekeeping(name), first_of_group[group_of(name)],
-                                               names.index(name)))
+    def _gathering(self) -> dict[str, Any]:
+        """Return what the script has to know of what is gathered; nothing if each change is sent at once."""
+        if self._gathered is None:
+            return {}
+        count = len(self._gathered)
+        told = f'{count} change{"" if count == 1 else "s"} gathered, not sent yet.'
+        return {'gathered': count, 'note': f'{told}\nRejected: {self._note}' if self._note else told}
+
+    def _take(self, control: Control, value: Any, grip: object) -> None:
+        """Ask for a value that somebody wants, or gather it."""
+        if self._gathered is None:
+            self._edits.begin(control.name, grip)
+            control.ask(value)
+            return
+        self._gathered = {**self._gathered, control.name: value}
+        if values.same(value, control.value):
+            del self._gathered[control.name]
+        self._note = ''
+        self._show()
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
         """Make the controls that are missing and drop those whose parameter is gone; keep all others as they are."""
+        self._followed = list(parameters.items())
         old, controls = self._controls, {}
-        for name in self._arrange(parameters):
-            control = old.pop(name, None)
-            if control is None or control._parameter is not parameters[name]:
-                if control is not None:
-                    control.close()
-                group = group_of(name)
-                control = Control(parameters[name], name.removeprefix(f'{group}.') if group else name, self._drawing)
-                if is_housekeeping(name):
-                    control.widget.add_class('param-quiet')
+        for name, parameter in parameters.items():
+            control = old.get(name)
+            if control is None or control.parameter is not parameter:
+                control = Control(parameter, self._take)
+                if name in old:
+                    control.first = old[name].first
             controls[name] = control
-            self._first.setdefault(name, control.value)
-        self._controls = controls
-        for control in old.values():
-            control.close()
-
-    def _place(self) -> None:
-        """Put the controls onto the page, each group under its heading."""
-        children: list[widgets.Widget] = [self._style, self._head]
-        headings: dict[str, widgets.HTML] = {}
-        group = ''
-        for name, control in self._controls.items():
-            wanted = HOUSEKEEPING_HEADING if is_housekeeping(name) else group_of(name)
-            if wanted and wanted != group:
-                heading = headings.get(wanted) or self._headings.pop(wanted, None) or _heading(wanted)
-                headings[wanted] = heading
-                children.append(heading)
-            group = wanted
-            children.append(control.widget)
-        for heading in self._headings.values():
-            heading.close()
-        self._headings = headings
-        if tuple(children) != self.children:
-            self.children = tuple(children)
+        rows = [control.row for control in controls.values()]
+        self._controls = {row.name: controls[row.name] for row in (rows if self._in_order else arrange(rows))}
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
 
     def snapshot(self) -> dict[str, Any]:
         """Return what a page without a kernel needs to draw it as it stands, beside its controls."""
-        return {'kind': 'panel', 'node': self.node, 'status': self.status, 'rows': []}
+        return {'kind': 'panel', 'node': self.node, 'status': self.status, 'in_order': self._in_order, 'rows': []}
 
     def controls(self) -> dict[str, ControlFacts]:
-        """Return what a hand can change, by the parameters' names."""
-        return {name: _control_facts(control, bool(self.status)) for name, control in self._controls.items()}
+        """Return what a person can change, by the parameters' names."""
+        return {name: ControlFacts(control.descriptor, control.value, control.row,
+                                   control.state(is_locked=bool(self.status)), control.scale)
+                for name, control in self._controls.items()}
 
 
-def _control_facts(control: Control, unavailable: bool) -> ControlFacts:
-    name, descriptor = control.name, control.descriptor
-    editor, group, quiet = editor_class(descriptor, control.value), group_of(name), is_housekeeping(name)
-    scale: Scale | None = None
-    if issubclass(editor, DoubleSliderEditor):
-        scale = Positions(range_of(descriptor))
-    elif issubclass(editor, IntegerSliderEditor):
-        first, last, step = whole_positions(range_of(descriptor))
-        scale = WholeNumbers(first, step, (last - first) // step)
-    return ControlFacts(
-        descriptor=descriptor, value=control.value, message=control.message,
-        label=name.removeprefix(f'{group}.') if group else name,
-        heading=HOUSEKEEPING_HEADING if quiet else group, quiet=quiet,
-        locked=descriptor.read_only or unavailable, help_html=help_markup(descriptor),
-        editor='check' if editor is CheckBoxEditor else 'lines' if editor is LinesEditor else 'text', scale=scale)
+class ParameterBrowser(FollowingView):
+    """The nodes of a robot as they come and go, a search over all their parameters, and panels of what is opened.
+
+    Show it as the last line of a cell; ``ParameterPanel()`` makes one. ``browser['/node']`` is the node's panel.
+    """
+
+    def __init__(self, *, executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
+        """
+        :param executor: Carries the requests; by default whichever runs in the background.
+        :param timeout_sec: How long a node may take for each answer.
+        """
+        self._timeout_sec = timeout_sec
+        self._catalog: Catalog | None = None
+        self._search = ''
+        self._panels: dict[str, ParameterPanel] = {}
+        self._front = _BrowserFront(state={'nodes': [], 'status': ''})
+        self._front.add_class('param-panel')
+        self._front.add_class('param-nodes')
+        self._front.on_msg(self._on_message)
+        self._box = widgets.Box()
+        self._box.add_class('node-panels')
+        super().__init__([self._front, self._box], 'param-browser')
+        self._begin(executor)
+
+    def __repr__(self) -> str:
+        return f'<ParameterBrowser{": closed" if self._closed else ""}>'
+
+    def __getitem__(self, node: str) -> ParameterPanel:
+        """Return the panel of a node that is open.
+
+        :raises KeyError: it is not open.
+        """
+        return self._panels[node]
+
+    @property
+    def node(self) -> str:
+        """What it shows, in the place of one node's name."""
+        return 'all nodes'
+
+    @property
+    def nodes(self) -> list[str]:
+        """The fully qualified names of the nodes that are there."""
+        return list(self._catalog.nodes) if self._catalog else []
+
+    def find(self, text: str) -> dict[str, list[str]]:
+        """Find parameters by words in their node, name, description or value; return their names by node."""
+        return self._catalog.find(text) if self._catalog else {}
+
+    def show(self, node: str, *, search: str = '') -> ParameterPanel:
+        """Open the panel of a node, without waiting for its answers.
+
+        :param search: What the panel's search field begins with.
+        """
+        with self._drawing:
+            if node in self._panels and search:
+                self.hide(node)
+            if node not in self._panels:
+                self._panels[node] = ParameterPanel(node, executor=self._chosen_executor, search=search,
+                                                    timeout_sec=self._timeout_sec, patience_sec=0.0)
+                self._box.children = tuple(self._panels.values())
+        self._worker.wake()
+        return self._panels[node]
+
+    def hide(self, node: str) -> None:
+        """Close the panel of a node, if it is open."""
+        with self._drawing:
+            if panel := self._panels.pop(node, None):
+                self._box.children = tuple(self._panels.values())
+                panel.close()
+        self._worker.wake()
+
+    def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
+        """Do what a person did in the browser; called by ipywidgets in the kernel's main thread."""
+        if content['do'] == 'find':
+            self._search = content['text']
+            self._worker.wake()
+        elif content['do'] == 'toggle' and content['node'] in self._panels:
+            self.hide(content['node'])
+        else:
+            self.show(content['node'], search=content.get('search', ''))
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], object]:
+        self._catalog = Catalog(executor, self._worker.wake, timeout_sec=self._timeout_sec)
+        return self._catalog.close
+
+    def _lose(self) -> None:
+        self._catalog = None
+
+    def _show(self) -> None:
+        nodes = self._catalog.nodes if self._catalog else {}
+        found = self.find(self._search) if self._search.strip() else dict.fromkeys(nodes, ())
+        shown = [node for node in nodes.values() if node.name in found or node.name in self._panels]
+        status = 'no executor is running' if self._catalog is None else f'{len(nodes)} node{"s" * (len(nodes) != 1)}'
+        if self._search.strip():
+            status += f', {sum(map(len, found.values()))} parameters found in {len(found)}'
+        self._front.state = {'status': status, 'nodes': [
+            {'name': node.name, 'is_open': node.name in self._panels, 'is_bad': bool(node.problem),
+             'says': _says(node), 'hits': [[name, format_value(node.descriptors[name], node.values[name])]
+                                           for name in list(found.get(node.name, ()))[:_HITS]]} for node in shown]}
+
+    def _end(self) -> None:
+        super()._end()
+        for node in list(self._panels):
+            self._panels.pop(node).close()
 
 
-def group_of(name: str) -> str:
-    """Return what a parameter's name has before its last dot, which is the heading of its group."""
-    return '' if is_housekeeping(name) else name.rpartition('.')[0]
-
-
-def _format_count(count: int) -> str:
-    return f'{count} parameter{"" if count == 1 else "s"}'
-
-
-def _heading(group: str) -> widgets.HTML:
-    heading = widgets.HTML(f'<div role="heading" aria-level="4">{html.escape(group)}</div>')
-    heading.add_class('param-group')
-    return heading
-
-
-def _head_markup(node: str, status: str, count: int) -> str:
-    words = (f'<span class="param-status">{_format_count(count)}</span>' if not status else
-             f'<span class="param-status param-status-bad">&#9888; {html.escape(status)}</span>')
-    return f'<div role="status"><span class="param-node">{html.escape(node)}</span>{words}</div>'
-
-
-def help_markup(descriptor: Descriptor) -> str:
-    facts = [descriptor.type.label]
-    if descriptor.range:
-        facts.append(f'{descriptor.range.from_value} to {descriptor.range.to_value}'
-                     + (f' in steps of {descriptor.range.step}' if descriptor.range.step else ''))
-    facts += ['any type'] * descriptor.dynamic_typing + ['<b>read only</b>'] * descriptor.read_only
-    texts = [html.escape(text) for text in (descriptor.description, descriptor.additional_constraints) if text]
-    return f'<div class="param-help">{" ".join(texts)} <span class="param-facts">({", ".join(facts)})</span></div>'
-
-
-def _message_markup(parameter: LiveParameter) -> str:
-    # An alert is read out when it comes onto the page, which is how ipywidgets updates HTML.
-    if parameter.late:
-        return '<div class="param-message param-waiting" role="status">Waiting for the node to answer…</div>'
-    if not parameter.message:
-        return ''
-    return f'<div class="param-message" role="alert"><b>Rejected:</b> {html.escape(parameter.message)}</div>'
+def _says(node: CatalogNode) -> str:
+    if node.problem:
+        return node.problem
+    count = len(node.descriptors)
+    return f'{count} parameter{"" if count == 1 else "s"}' if node.is_read else 'asking …'

@@ -13,6 +13,7 @@ from typing import Any, Protocol, runtime_checkable
 import ipywidgets as widgets
 
 from param_tutorial.parameters.client import Descriptor
+from param_tutorial.pictures.panel import PanelRow, RowState
 
 LOG = 'log'
 EVENTS = 'events'
@@ -28,18 +29,8 @@ class Scale(Protocol):
     def value(self, position: int, /) -> Any:
         """Return the value at a position."""
 
-
-@dataclass(frozen=True)
-class WholeNumbers:
-    """The scale of a slider of whole numbers."""
-
-    first: int
-    step: int
-    last: int
-
-    def value(self, position: int) -> int:
-        """Return the value at a position."""
-        return self.first + position * self.step
+    def nearest(self, value: Any, /) -> int:
+        """Return the position next to a value."""
 
 
 @dataclass(frozen=True)
@@ -49,17 +40,8 @@ class ControlFacts:
     descriptor: Descriptor
     value: Any
     """What the node confirmed last."""
-    message: str
-    """Why it rejected the last change; empty if it did not."""
-    label: str
-    heading: str
-    """Of the group under which the control stands; empty if there is none."""
-    quiet: bool
-    """True for what every node has, which is seldom what one came for."""
-    locked: bool
-    help_html: str
-    editor: str
-    """'check' for a check box, 'lines' for several lines of text, 'text' for one."""
+    row: PanelRow
+    state: RowState
     scale: Scale | None
     """Of the slider beside the text; None if there is no slider."""
 

@@ -20,6 +20,7 @@ from param_tutorial.exercises.predicting import STYLE as PREDICTION_STYLE
 from param_tutorial.exercises.predicting import verdict
 from param_tutorial.exercises.prediction import Prediction, plain_answer
 from param_tutorial.lessons.recording.recorded import Recording, Row
+from param_tutorial.pictures.panel import PanelRow, RowState, panel_markup
 from param_tutorial.pictures.tables import with_code
 
 RUN_IT = 'run the notebook'
@@ -58,14 +59,10 @@ class Drawer:
                 f'<p class="rec-says" role="status"></p>{_packed(facts)}</form>')
 
     def _panel(self, recording: Recording, name: str) -> str:
-        node, count = html.escape(recording['node']), len(recording['rows'])
-        parts, group = [], ''
-        for number, row in enumerate(recording['rows']):
-            if row['group'] and row['group'] != group:
-                parts.append(f'<p class="rec-group">{html.escape(row["group"])}</p>')
-            group = row['group']
-            parts.append(_row(row, f'{name}-{number}'))
-        told = html.escape(recording['status']) or f'{count} parameter{"" if count == 1 else "s"}'
+        rows = [_panel_row(row) for row in recording['rows']]
+        markup = panel_markup(recording['node'], rows, {row['name']: _state(row) for row in recording['rows']},
+                              status=recording['status'], in_order=recording['in_order'], tools=False,
+                              mark='recorded', prefix=name)
         facts = {
             'node': recording['node'],
             'rows': [{key: row[key] for key in ('name', 'text', 'editor', 'positions', 'answers', 'depends',
@@ -74,12 +71,11 @@ class Drawer:
             'films': recording.get('films', []),
             'pictures': recording.get('pictures', []),
         }
+        node = html.escape(recording['node'])
         return (
-            f'<div role="group" class="rec rec-panel" id="{name}" data-node="{node}" aria-labelledby="{name}-head">'
-            f'<div class="rec-head"><span class="rec-node" id="{name}-head">{node}</span>'
-            f'<span class="rec-count">{told}</span><span class="rec-mark">recorded</span></div>'
+            f'<div role="group" class="rec rec-panel" id="{name}" data-node="{node}" aria-label="Parameters of {node}">'
             f'<noscript><p class="rec-note">The controls answer only where the page may run its script.</p></noscript>'
-            f'{"".join(parts)}'
+            f'<div class="param-panel">{markup}</div>'
             f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
             f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}</div>')
 
@@ -138,34 +134,18 @@ def _explanation(recording: Recording) -> str:
     return told
 
 
-def _row(row: Row, name: str) -> str:
-    label, full = html.escape(row['label']), html.escape(row['name'])
-    off = 'disabled'  # until the script is there to answer
-    help_id, data = f'{name}-help', f'data-name="{full}"'
-    common = f'id="{name}" {off} aria-describedby="{help_id} {name}-message"'
-    if row['editor'] == 'check':
-        checked = ' checked' if row['text'] == 'true' else ''
-        control = f'<input type="checkbox" class="rec-check" {common}{checked}>'
-    elif row['editor'] == 'lines':
-        control = (f'<textarea class="rec-text" rows="3" spellcheck="false" {common}>'
-                   f'{html.escape(row["text"])}</textarea>')
-    else:
-        empty = ' placeholder="not set"' if row['text'] == '' else ''
-        mode = ' inputmode="decimal"' if row['type'] == 'double' else ''
-        control = (f'<input type="text" class="rec-text" autocomplete="off" spellcheck="false" {common}{empty}{mode} '
-                   f'value="{html.escape(row["text"])}">')
-    if 'positions' in row:
-        last, at = len(row['positions']) - 1, row['positions'].index(row['text'])
-        control += (f'<input type="range" class="rec-slider" {off} min="0" max="{last}" value="{at}" '
-                    f'aria-label="{label}, slider" aria-valuetext="{html.escape(row["text"])}">')
-    kind = ' rec-quiet' if row['quiet'] else ''
-    kind += ' rec-locked' if row['locked'] else ''
-    message = (f'<span class="rec-rejected"><b>Rejected:</b> {html.escape(row["message"])}</span>'
-               if row['message'] else '')
-    return (f'<div class="rec-row{kind}" {data}>'
-            f'<div class="rec-line"><label for="{name}">{label}</label>{control}</div>'
-            f'<div class="rec-help" id="{help_id}">{row["help"]}</div>'
-            f'<div class="rec-message" id="{name}-message" role="status">{message}</div></div>')
+def _panel_row(row: Row) -> PanelRow:
+    """Return a recorded row as the panel draws it; its slider stands at the recorded positions only."""
+    last = len(row['positions']) - 1 if 'positions' in row else None
+    return PanelRow(**{**row['row'], 'facts': tuple(row['row']['facts']), 'choices': tuple(row['row']['choices']),
+                       'last': last})
+
+
+def _state(row: Row) -> RowState:
+    """Return how a recorded row stands; it is locked until the script is there to answer."""
+    position = row['positions'].index(row['text']) if 'positions' in row else None
+    return RowState(row['text'], position, is_locked=True,
+                    message=('rejected', row['message']) if row['message'] else None)
 
 
 def _packed(facts: dict[str, Any]) -> str:

@@ -61,7 +61,7 @@ def _key(changed: Mapping[str, str]) -> str:
 def _sets_to_see(rows: list[Row]) -> Iterator[dict[str, str]]:
     """Yield the sets of changed parameters that are to be seen: none, each alone, and some together."""
     shown = {row['name']: row['text'] for row in rows}
-    moving = {row['name']: row for row in rows if not row['quiet'] and (row['editor'] == 'check' or 'positions' in row)}
+    moving = {row['name']: row for row in rows if not row['quiet'] and choices(row)}
     seen = set()
     for chosen in itertools.chain([{}], _each_alone(moving), _together(moving)):
         changed = {name: text for name, text in chosen.items() if text != shown[name]}

@@ -68,11 +68,11 @@ def _rows(controls: Mapping[str, ControlFacts]) -> list[Row]:
 
 
 def _row(name: str, control: ControlFacts, positions: int) -> Row:
-    descriptor = control.descriptor
-    row: Row = {
-        'name': name, 'label': control.label, 'group': control.heading, 'quiet': control.quiet,
-        'help': control.help_html, 'text': format_value(descriptor, control.value), 'message': control.message,
-        'type': descriptor.type.label, 'locked': control.locked, 'editor': control.editor}
+    descriptor, state = control.descriptor, control.state
+    message = state.message[1] if state.message and state.message[0] == 'rejected' else ''
+    row: Row = {'name': name, 'text': state.text, 'message': message, 'locked': state.is_locked,
+                'quiet': control.row.is_quiet, 'editor': control.row.editor,
+                'row': {**vars(control.row), 'facts': list(control.row.facts), 'choices': list(control.row.choices)}}
     if control.scale:
         row['positions'] = [format_value(descriptor, each)
                             for each in questions.positions(control.scale, control.value, positions)]

@@ -42,7 +42,7 @@ def texts_to_try(row: Row, descriptor: Descriptor, value: Any, literals: Iterabl
     if row['editor'] == 'check':
         return ['true', 'false']
     # Where any type goes, those of all types may be tried; the range's ends, and what lies just beyond them.
-    texts = [row['text'], *row.get('positions', ()), *_near_the_ends(descriptor),
+    texts = [row['text'], *row.get('positions', ()), *row['row']['choices'], *_near_the_ends(descriptor),
              *_TYPED[values.NOT_SET if descriptor.dynamic_typing else descriptor.type]]
     texts += [text for literal in literals if (text := _as_typed(descriptor, literal)) is not None]
     if isinstance(value, list) and value:
@@ -60,7 +60,7 @@ def positions(scale: Scale, value: Any, at_most: int) -> list[Any]:
 
 def choices(row: Row) -> list[str]:
     """Return the texts that the mouse can choose: of a check box, or of a slider."""
-    return ['true', 'false'] if row['editor'] == 'check' else row['positions']
+    return ['true', 'false'] if row['editor'] == 'check' else row.get('positions') or list(row['row']['choices'])
 
 
 def accepted(row: Row) -> list[str]:

@@ -25,15 +25,14 @@ class Answer(TypedDict, total=False):
 
 class _Shown(TypedDict):
     name: str
-    label: str
-    group: str
-    quiet: bool
-    help: str
     text: str
     message: str
-    type: str
+    """Why the node rejected the last change; empty if it did not."""
     locked: bool
+    quiet: bool
     editor: str
+    row: dict[str, Any]
+    """The fields of a PanelRow."""
 
 
 class Row(_Shown, total=False):

@@ -31,15 +31,22 @@
     return `Not recorded: no ${what} with ${values}. Run the notebook to see it.`;
   }
 
-  class Panel {
+  /** A panel whose answers were recorded. */
+  class RecordedPanel {
     constructor(section, facts) {
       this.section = section;
       this.node = facts.node;
       this.films = new Map(facts.films.map(film => [key(film.changed), film]));
       this.pictures = new Map(facts.pictures.map(picture => [key(picture.changed), picture]));
-      this.rows = new Map(facts.rows.map(row => [row.name, new Row(this, row)]));
+      this.rows = new Map(facts.rows.map(row => [row.name, new RecordedRow(this, row)]));
       this.resetButton = section.querySelector('.rec-reset');
       this.resetButton.addEventListener('click', () => this.reset());
+      this.shown = new ParameterPanel(section.querySelector('.param-panel'), {
+        patience: '',
+        enter: (name, entry) => this.enter(name, entry),
+        bringBack: name => this.rows.get(name).ask(this.rows.get(name).shown),
+      });
+      this.draw();
     }
 
     /** What differs from the state in which the lesson shows the node. */
@@ -49,19 +56,32 @@
       return changed;
     }
 
+    enter(name, entry) {
+      const row = this.rows.get(name);
+      row.ask('text' in entry ? entry.text : row.facts.positions[entry.position]);
+      this.shown.answer(name, entry.number);
+    }
+
+    draw() {
+      const rows = {};
+      for (const row of this.rows.values()) rows[row.name] = row.state;
+      this.shown.show({rows});
+      this.resetButton.disabled = !Object.keys(this.changed).length;
+    }
+
     /** Take over what the node did to its parameters. */
     take(texts) {
       for (const [name, text] of Object.entries(texts)) {
         const row = this.rows.get(name);
-        if (row) row.show(text);
+        if (row) row.text = text;
       }
-      this.resetButton.disabled = !Object.keys(this.changed).length;
+      this.draw();
       for (const robot of robots) if (robot.belongsTo(this)) robot.follow(this);
-      for (const view of document.querySelectorAll('.rec-steps')) if (view.dataset.node === this.node) this.draw(view);
+      for (const view of document.querySelectorAll('.rec-steps')) if (view.dataset.node === this.node) this.picture(view);
     }
 
     /** Show the picture that belongs to the parameters, if there is one. */
-    draw(view) {
+    picture(view) {
       const picture = this.pictures.get(key(this.changed));
       if (picture) view.querySelector('.rec-picture').innerHTML = picture.look;
       view.querySelector('.rec-says').textContent = picture ? '' : unknown('picture', this.changed);
@@ -88,42 +108,23 @@
     }
 
     reset() {
-      for (const row of this.rows.values()) { row.show(row.shown); row.say(); }
+      for (const row of this.rows.values()) { row.text = row.shown; row.message = null; }
       this.take({});
-      this.section.querySelector('input:enabled, textarea:enabled').focus();
+      this.section.querySelector('.param-row :is(input, textarea, select):enabled').focus();
     }
   }
 
-  class Row {
+  class RecordedRow {
     constructor(panel, facts) {
-      Object.assign(this, {panel, name: facts.name, shown: facts.text, text: facts.text, facts});
-      const element = [...panel.section.querySelectorAll('.rec-row')].find(row => row.dataset.name === this.name);
-      this.box = element.querySelector('.rec-text, .rec-check');
-      this.slider = element.querySelector('.rec-slider');
-      this.message = element.querySelector('.rec-message');
-      this.box.disabled = false;
-      this.box.addEventListener('change', () => this.ask(this.facts.editor === 'check' ? String(this.box.checked) : this.box.value));
-      if (this.facts.editor === 'text') {
-        this.box.addEventListener('keydown', event => { if (event.key === 'Escape') this.show(this.text); });
-      }
-      if (this.slider) {
-        this.slider.disabled = false;
-        this.slider.addEventListener('input', () => this.ask(this.facts.positions[this.slider.value]));
-      }
+      Object.assign(this, {panel, name: facts.name, shown: facts.text, text: facts.text, facts, message: null});
     }
 
-    /** Show a value that the node confirmed. */
-    show(text) {
-      this.text = text;
-      if (this.facts.editor === 'check') {
-        this.box.checked = text === 'true';
-      } else {
-        this.box.value = text;
-      }
-      if (this.slider) {
-        this.slider.value = this.position(text);
-        this.slider.setAttribute('aria-valuetext', text);
-      }
+    /** How the panel shows it. */
+    get state() {
+      const state = {text: this.text, message: this.message};
+      if (this.facts.positions) state.position = this.position(this.text);
+      if (this.text !== this.shown) state.first = this.shown;
+      return state;
     }
 
     position(text) {
@@ -137,19 +138,18 @@
     ask(typed) {
       const [answer, because] = this.lookUp(typed);
       if (!answer) {
-        this.show(this.text);
-        this.say('rec-unknown', 'Not recorded:', because);
+        this.message = ['unknown', because];
+        this.panel.draw();
         return;
       }
       if ('reason' in answer) {
-        this.show(this.text);
-        this.say('rec-rejected', 'Rejected:', answer.reason);
+        this.message = ['rejected', answer.reason];
       } else {
-        this.show(answer.value);
+        this.text = answer.value;
         const others = Object.keys(this.panel.changed).filter(name => name !== this.name);
-        this.say('rec-accepted', 'Accepted.',
-          (answer.value === this.text && this.same(typed, answer.value) ? '' : `The node has made it ${answer.value}. `)
-          + (others.length && !this.inContext() ? 'Recorded with the other values as first shown.' : ''));
+        this.message = ['accepted', (this.same(typed, answer.value) ? ''
+          : `The node has made it ${answer.value}. `)
+          + (others.length && !this.inTheWay.length ? 'Recorded with the other values as first shown.' : '')];
       }
       this.panel.take(answer.also || {});
       this.tellLog(answer);
@@ -165,10 +165,6 @@
       return (this.facts.depends || []).filter(name => this.panel.rows.get(name).text !== this.panel.rows.get(name).shown);
     }
 
-    inContext() {
-      return this.inTheWay.length > 0;
-    }
-
     lookUp(typed) {
       const inTheWay = this.inTheWay;
       let answers = this.facts.answers;
@@ -181,7 +177,7 @@
             + 'Go back to the start below, or run the notebook to try it.'];
         }
       }
-      const text = typed in answers ? typed : Object.keys(answers).find(each => this.means(typed, each));
+      const text = Object.hasOwn(answers, typed) ? typed : Object.keys(answers).find(each => this.means(typed, each));
       if (text !== undefined) return [answers[text]];
       return [null, `the node was not asked for ${typed === '' ? 'an empty text' : `“${typed}”`} when this page was made. `
         + 'Run the notebook to try it.'];
@@ -201,17 +197,6 @@
       } else {
         this.panel.log(answer.log);
       }
-    }
-
-    say(kind, word, rest) {
-      this.message.replaceChildren();
-      if (!kind) return;
-      const told = document.createElement('span');
-      const strong = document.createElement('b');
-      told.className = kind;
-      strong.textContent = word;
-      told.append(strong, ` ${rest}`);
-      this.message.append(told);
     }
   }
 
@@ -303,7 +288,7 @@
     const views = [...document.querySelectorAll('.rec-robot')];
     for (const [number, section] of views.entries()) robots.push(new Robot(section, await unpack(section), number));
     for (const section of document.querySelectorAll('.rec-panel')) {
-      const panel = new Panel(section, await unpack(section));
+      const panel = new RecordedPanel(section, await unpack(section));
       panels.push(panel);
       for (const robot of robots) {
         // The first panel of a node speaks for its robot, until a hand moves another one.

@@ -1,0 +1,153 @@
+"""The panel in JupyterLab beyond one change: search, undo by keyboard, changes gathered, and what is being typed."""
+
+import ast
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.support import lesson
+from tests.support.lab import Lab, LabPage, wait_for
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+
+CELLS = (
+    '# A planner\nWith many parameters:',
+    '''import param_tutorial
+from param_tutorial import ParameterClient, ParameterPanel
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from rclpy.node import Node
+
+
+class Planner(Node):
+    def __init__(self):
+        super().__init__('planner')
+        self.declare_parameter('rate_hz', 10, ParameterDescriptor(
+            description='How often it plans.', integer_range=[IntegerRange(from_value=0, to_value=100, step=5)]))
+        self.declare_parameter('map_name', 'hall')
+        for critic in ('path', 'goal'):
+            for number in range(100):
+                self.declare_parameter(f'critics.{critic}.weight_{number}', number)
+
+
+ros = param_tutorial.start()
+node = ros.add(Planner)
+client = ParameterClient(node)
+panel = ParameterPanel(node)
+panel''',
+)
+
+
+@pytest.fixture(scope='module')
+def opened(browser, tmp_path_factory):
+    """Return a server on the notebook, and a page with it."""
+    folder = tmp_path_factory.mktemp('planner')
+    with Lab(folder / 'lab', [lesson.write(folder / 'planner.ipynb', CELLS)]) as lab:
+        yield lab, LabPage(lab, browser, 'planner.ipynb')
+
+
+@pytest.fixture
+def planner(opened):
+    """Return the server and the page, on which running the cell has made a new node; it must not complain."""
+    lab, page = opened
+    page.run_all()
+    expect(page.box('rate_hz')).to_have_value('10')
+    yield lab, page
+    assert page.strange_errors() == []
+
+
+def value(lab, name):
+    return ast.literal_eval(lab.ask_kernel(f'client.get_parameter({name!r})'))
+
+
+def button(page, name):
+    return page.page.locator('.param-head').get_by_role('button', name=name)
+
+
+def test_a_search_shows_what_fits_and_where_it_stands(planner):
+    _, page = planner
+    search = page.page.get_by_role('searchbox', name='Search the parameters of /planner')
+    rows = page.page.locator('.param-row:visible')
+    search.fill('goal weight_7')
+    expect(page.page.locator('.param-found')).to_have_text('11 of 204 found')
+    expect(rows).to_have_count(11)
+    expect(page.page.get_by_role('heading', name='path')).to_be_hidden()
+    search.fill('how often')  # in a description
+    expect(rows).to_have_count(1)
+    search.press('Escape')
+    expect(page.page.locator('.param-found')).to_be_hidden()
+    expect(page.row('map_name')).to_be_visible()
+
+
+def test_undo_and_redo_by_keyboard_and_a_value_brought_back(planner):
+    lab, page = planner
+    page.box('rate_hz').fill('20')
+    page.box('rate_hz').press('Enter')
+    expect(page.row('rate_hz').get_by_role('button')).to_have_text('↺ 10')
+    page.box('map_name').fill('yard')
+    page.box('map_name').press('Control+z')  # while it is being typed, the browser undoes the text
+    expect(page.box('rate_hz')).to_have_value('20')
+    page.box('map_name').fill('yard')
+    page.box('map_name').press('Enter')
+    wait_for(lambda: value(lab, 'map_name') == 'yard', 'the node to have it')
+    expect(button(page, 'Undo')).to_be_enabled()
+    page.box('map_name').press('Control+z')
+    expect(page.box('map_name')).to_have_value('hall')
+    page.box('map_name').press('Control+Shift+z')
+    expect(page.box('map_name')).to_have_value('yard')
+    page.row('rate_hz').get_by_role('button', name='Back to 10: rate_hz').click()
+    expect(page.slider('rate_hz')).to_have_value('2')
+    expect(page.row('rate_hz').get_by_role('button')).to_be_hidden()
+    button(page, 'Reset').click()
+    expect(page.box('map_name')).to_have_value('hall')
+    wait_for(lambda: (value(lab, 'rate_hz'), value(lab, 'map_name')) == (10, 'hall'), 'the node to have its values')
+
+
+def test_changes_gathered_and_applied_together(planner):
+    lab, page = planner
+    button(page, 'Gather').click()
+    expect(button(page, 'Gather')).to_have_attribute('aria-pressed', 'true')
+    page.slider('rate_hz').focus()
+    page.page.keyboard.press('ArrowRight')
+    page.box('map_name').fill('yard')
+    page.box('map_name').press('Enter')
+    expect(page.page.locator('.param-gathered')).to_have_text('2 changes gathered, not sent yet.')
+    expect(page.message('map_name')).to_have_text('Now hall; not sent yet.')
+    assert (value(lab, 'rate_hz'), value(lab, 'map_name')) == (10, 'hall')
+    button(page, 'Apply together').click()
+    expect(button(page, 'Apply together')).to_be_hidden()
+    assert (value(lab, 'rate_hz'), value(lab, 'map_name')) == (15, 'yard')
+
+
+def test_what_is_being_typed_outlives_whatever_else_happens(planner):
+    lab, page = planner
+    box = page.box('map_name')
+    box.focus()
+    page.page.keyboard.press('Home')
+    page.page.keyboard.type('big')
+    lab.ask_kernel("client.set_parameter('rate_hz', 50)")
+    expect(page.box('rate_hz')).to_have_value('50')
+    # A new parameter makes the whole panel anew.
+    lab.ask_kernel("node.declare_parameter('late', 1)")
+    expect(page.row('late')).to_be_visible()
+    expect(page.box('map_name')).to_be_focused()
+    page.page.keyboard.type(' old ')
+    expect(page.box('map_name')).to_have_value('big old hall')
+    page.page.keyboard.press('Enter')
+    wait_for(lambda: value(lab, 'map_name') == 'big old hall', 'the node to have it')
+    page.box('map_name').fill('never')
+    page.box('map_name').press('Escape')
+    expect(page.box('map_name')).to_have_value('big old hall')
+
+
+def test_what_is_entered_while_a_cell_runs_is_said_to_wait(planner, tmp_path):
+    lab, page = planner
+    go = tmp_path / 'go'
+    code = f'import pathlib, time\nwhile not pathlib.Path({str(go)!r}).exists():\n    time.sleep(0.01)'
+    page.page.evaluate(f"""() => {{ window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.requestExecute(
+        {{code: {code!r}}}) }}""")
+    page.box('map_name').fill('yard')
+    page.box('map_name').press('Enter')
+    expect(page.message('map_name')).to_contain_text('Waiting for the kernel')
+    go.touch()
+    expect(page.message('map_name')).to_have_count(0)
+    assert value(lab, 'map_name') == 'yard'
