@@ -11,10 +11,12 @@ import threading
 
 import pytest
 from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.srv import ListParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial import wait_until
+from param_tutorial.errors import DiscoveryTimeoutError
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.ros2 import command, session
@@ -186,11 +188,11 @@ def test_a_dump_survives_a_parameter_that_is_also_a_prefix(ros):
 
 
 def test_a_node_without_parameter_services_is_passed_over_and_named_when_asked(ros, monkeypatch):
-    monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
-    monkeypatch.setattr(graph, 'SERVICES_SEC', 0.3)
+    monkeypatch.setattr(graph, 'PATIENCE_SEC', 1e9)  # it is known, and not found out by waiting
     ros.add(SimpleParamNode)
     ros.add(Odd, 'mute', start_parameter_services=False)
-    assert run('param', 'list')[0].count(':\n') == 1
+    stdout, stderr, status = run('param', 'list')
+    assert (stdout.count(':\n'), stderr, status) == (1, '', 0)
     stdout, stderr, status = run('param', 'get', '/mute', 'anything')
     assert (stdout, status) == ('', 1)
     assert 'start_parameter_services=False' in stderr
@@ -249,7 +251,19 @@ def test_an_unknown_node_is_waited_for_as_long_as_asked(ros):
     assert run('param', 'get', '--timeout', '30', '/late', 'anything') == ('Integer value is: 1\n', '', 0)
 
 
-def test_a_port_that_never_answers_is_not_waited_for_for_ever(ros, monkeypatch):
+def test_a_node_that_may_have_services_is_left_out_with_a_word(ros, monkeypatch):
+    """Without the service that rclpy creates last, nothing tells that no further one is coming."""
+    monkeypatch.setattr(graph, 'PATIENCE_SEC', 0.2)
+    ros.add(SimpleParamNode)
+    ros.add(Odd, 'vague', start_parameter_services=False,
+            parameter_overrides=[Parameter('start_type_description_service', value=False)])
+    stdout, stderr, status = run('param', 'list')
+    assert (stdout.count(':\n'), status) == (1, 0)
+    assert stderr == ('WARNING: /vague is left out: timed out after 0.2 s waiting for list_parameters of /vague: was '
+                      'the node created with start_parameter_services=False?\n')
+
+
+def test_that_a_node_is_not_there_is_said_only_if_it_is_known(ros, monkeypatch):
     ros.add(SimpleParamNode)
     assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
     wait_until(lambda: graph.is_complete(ros.tool_node), 'the graph', 30)
@@ -257,8 +271,28 @@ def test_a_port_that_never_answers_is_not_waited_for_for_ever(ros, monkeypatch):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as silent:
         silent.bind(('127.0.0.1', 7400 + 250 * ros.domain_id + 10 + 2 * 100))
         assert not graph.is_complete(ros.tool_node)
-        assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
+        why = 'timed out after 0.2 s waiting for 1 ROS process to announce its nodes: suspended, or in a debugger?'
+        assert run('param', 'get', '/nobody', 'x') == ('', f'{why}\n', 1)
+        assert run('node', 'list') == ('/simple_param_node\n', f'WARNING: nodes may be missing here: {why}\n', 0)
+        assert run('param', 'get', '/simple_param_node', 'max_speed_rpm') == ('Integer value is: 100\n', '', 0)
+        with pytest.raises(DiscoveryTimeoutError, match=f'cannot say whether /nobody is there: {why}'):
+            ros.services.call('/nobody', 'list_parameters', ListParameters.Request(), discovery_timeout_sec=0.0)
     assert graph.is_complete(ros.tool_node)
+
+
+@pytest.mark.slow
+def test_a_killed_process_does_not_stand_for_one_that_has_not_been_heard(ros):
+    killed = subprocess.Popen(program_of('killed'), stdout=subprocess.PIPE, text=True)
+    with killed:
+        ready(killed)
+        wait_until(lambda: '/killed' in ros.services.node_names(), 'the node', 30)
+        killed.kill()
+    assert graph.is_complete(ros.tool_node)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unheard:
+        unheard.bind(('127.0.0.1', 7400 + 250 * ros.domain_id + 10 + 2 * 100))
+        assert '/killed' in ros.services.node_names()  # it has not taken leave
+        assert not graph.is_complete(ros.tool_node)
+    wait_until(lambda: '/killed' not in ros.services.node_names(), 'the lease to end', 30)
 
 
 # -- run ------------------------------------------------------------------------------------------------------

@@ -20,6 +20,7 @@ from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
 from param_tutorial.runtime import domain, stage, surroundings
+from param_tutorial.runtime.waiting import machine_time, within
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
 _LOG_FORMAT = '[{severity}] [{name}]: {message}'
@@ -95,7 +96,7 @@ class Terminal:
 
         :raises WaitTimeoutError: no such line came in time, or the command ended without it.
         """
-        deadline = time.monotonic() + timeout_sec
+        deadline = machine_time() + timeout_sec
         with self._changed:
             while True:
                 at = self._text.find(until, self._read)
@@ -104,7 +105,7 @@ class Terminal:
                     lines, self._read = self._text[self._read:end], end + 1
                     return lines
                 ended = not self._reader.is_alive()
-                if ended or time.monotonic() > deadline:
+                if ended or machine_time() > deadline:
                     why = 'the command ended' if ended else f'{timeout_sec:g} s passed'
                     raise WaitTimeoutError(f'{why} before a line with {until!r} came from {self.command!r}; '
                                            f'what came:\n{self._text[self._read:] or "(nothing)"}')
@@ -119,15 +120,17 @@ class Terminal:
         """
         self._wait_until_it_rests()
         for number in (signal.SIGINT, signal.SIGKILL):
-            try:
-                if self._process.poll() is None:
-                    os.killpg(self._process.pid, number)
-                self._process.wait(timeout_sec)
+            if self._process.poll() is None:
+                os.killpg(self._process.pid, number)
+            if within(timeout_sec, self._ends_within):
                 break
-            except subprocess.TimeoutExpired:
-                continue
         self._reader.join(timeout_sec)
         return self._process.returncode
+
+    def _ends_within(self, seconds: float) -> bool:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(seconds)
+        return not self.is_running
 
     def _wait_until_it_rests(self, timeout_sec: float = 1.0) -> None:
         """Wait until none of the command's processes computes, or the time has passed.
@@ -135,8 +138,8 @@ class Terminal:
         A Ctrl+C that comes while rclpy 7.1.6 makes a Task leads to an AttributeError in Task.__del__, printed by
         Python. A hand never meets these microseconds; a cell that has just had an answer from the node does.
         """
-        deadline = time.monotonic() + timeout_sec
-        while 'R' in self._states() and time.monotonic() < deadline:
+        deadline = machine_time() + timeout_sec
+        while 'R' in self._states() and machine_time() < deadline:
             time.sleep(0.005)
 
     def _states(self) -> set[str]:

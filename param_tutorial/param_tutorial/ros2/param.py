@@ -15,12 +15,12 @@ from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters
 from rclpy.node import HIDDEN_NODE_PREFIX
 from rclpy.parameter import parameter_dict_from_yaml_file
 
+from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import to_message
 from param_tutorial.ros2.session import (
     CommandFailed,
     Commands,
-    NodeName,
     Parser,
     Session,
     add_discovery_options,
@@ -81,7 +81,7 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
         raise CommandFailed(f'{args.filter!r} is not a regular expression: {error}') from None
     if args.node_name:
         nodes = [session.find(args)]
-        session.wait_for_service(nodes[0], 'list_parameters')
+        session.has_service(nodes[0], 'list_parameters')  # if it has none, the call below says so
     else:
         session.wait_for_graph(args)
         nodes = _with_parameters(session, args)
@@ -107,13 +107,15 @@ def _with_parameters(session: Session, args: argparse.Namespace) -> list[str]:
     nodes = {each for each in session.node_names(hidden=args.include_hidden_nodes)
              if each.name != TOOL_NODE_NAME
              and (args.include_hidden_nodes or f'/{HIDDEN_NODE_PREFIX}' not in each.full_name)}
-
-    def ready() -> set[NodeName]:
-        return {each for each in nodes if session.executor.services.is_ready(each.full_name, 'list_parameters')}
-
-    # Names and services of a node are announced apart. A few nodes have no services, so the wait has an end.
-    graph.wait_for(lambda: ready() == nodes, session.executor.tool_node, graph.SERVICES_SEC)
-    return [each.full_name for each in sorted(ready())]
+    found, patience_sec = [], None
+    for each in sorted(nodes):
+        try:
+            if session.has_service(each.full_name, 'list_parameters', patience_sec):
+                found.append(each.full_name)
+        except WaitTimeoutError as error:
+            session.complain(f'WARNING: {each.full_name} is left out: {error}')
+            patience_sec = graph.NETWORK_SEC  # the others have had their time meanwhile
+    return found
 
 
 def get_parameter(session: Session, args: argparse.Namespace) -> None:

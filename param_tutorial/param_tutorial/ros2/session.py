@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
 from rclpy.node import HIDDEN_NODE_PREFIX
 
-from param_tutorial.errors import NodeNotFoundError, ParameterToolError
+from param_tutorial.errors import NodeNotFoundError, ParameterToolError, WaitTimeoutError
 from param_tutorial.runtime import domain, graph
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.graph import nodes_in_graph
@@ -73,13 +73,17 @@ class Session:
         return [each for each in names if hidden or not each.name.startswith(HIDDEN_NODE_PREFIX)]
 
     def wait_for_graph(self, args: argparse.Namespace) -> None:
-        """Wait until all nodes are known."""
-        graph.wait_for(lambda: False, self.executor.tool_node, self._patience(args))
+        """Wait until all nodes are known; if that takes too long, say so."""
+        try:
+            graph.wait_for(lambda: False, self.executor.tool_node, self._patience(args))
+        except WaitTimeoutError as error:
+            self.complain(f'WARNING: nodes may be missing here: {error}')
 
     def find(self, args: argparse.Namespace) -> str:
         """Return the fully qualified name of the node that was named, once it is there.
 
         :raises CommandFailed: there is no such node.
+        :raises WaitTimeoutError: it is not known whether there is.
         """
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
         # A hidden node is not looked at without the option; nothing can be waited for then.
@@ -96,7 +100,9 @@ class Session:
         at_least = max(self._patience(args), getattr(args, 'timeout', None) or 0.0)
         tool = self.executor.tool_node
         if (hidden and not args.include_hidden_nodes) or not graph.wait_for(is_there, tool, at_least):
-            raise CommandFailed('Node not found')
+            if self.in_notebook or domain.is_limited_to_this_host():
+                raise CommandFailed('Node not found')
+            raise CommandFailed(f'Node not found on this machine, nor within {at_least:g} s on the network')
         return node
 
     def _patience(self, args: argparse.Namespace) -> float:
@@ -106,14 +112,17 @@ class Session:
 
     def call(self, node: str, service: str, request: Any) -> Any:
         """Call a parameter service of a node that has been found."""
-        self.wait_for_service(node, service)
         return self.executor.services.call(
             node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC, discovery_timeout_sec=0.0)
 
-    def wait_for_service(self, node: str, service: str) -> None:
-        """Wait until a service of a node that has been found can be called, or probably never will."""
-        graph.wait_for(lambda: self.executor.services.is_ready(node, service), self.executor.tool_node,
-                       SERVICE_TIMEOUT_SEC)
+    def has_service(self, node: str, service: str, patience_sec: float | None = None) -> bool:
+        """Wait until a service of a node that has been found can be called; return False if the node has none.
+
+        :raises WaitTimeoutError: it is not known whether it has.
+        """
+        return graph.wait_for_service(
+            lambda: self.executor.services.is_ready(node, service), node, service, self.executor.tool_node,
+            patience_sec)
 
     def call_all(self, nodes: Sequence[str], service: str, request: Any) -> dict[str, Any]:
         """Call the same service of several nodes at once.

@@ -7,14 +7,15 @@ import queue
 import signal
 import subprocess
 import threading
-import time
 from collections.abc import Iterable
 from typing import IO, NamedTuple
 
 from param_tutorial.ros2.session import TextStream
+from param_tutorial.runtime.waiting import machine_time
 
 # As launch: so long for Ctrl+C, then so long for SIGTERM.
 GRACE_SEC = 5.0
+_LOOK_PERIOD_SEC = 0.1
 
 
 class Program(NamedTuple):
@@ -111,11 +112,13 @@ class Launcher:
             for process in self._running.values():
                 with contextlib.suppress(ProcessLookupError):
                     process.send_signal(number)
-            deadline = time.monotonic() + GRACE_SEC
+            deadline = machine_time() + GRACE_SEC
             while self._running:
                 try:
-                    event = self._events.get(timeout=max(0.0, deadline - time.monotonic()))
+                    event = self._events.get(timeout=_LOOK_PERIOD_SEC)
                 except queue.Empty:
+                    if machine_time() < deadline:
+                        continue
                     break
                 if isinstance(event, str):  # another Ctrl+C changes nothing
                     del self._running[event]
