@@ -20,7 +20,7 @@ from param_tutorial.errors import DiscoveryTimeoutError
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.ros2 import command, session
-from param_tutorial.ros2.run import node_programs
+from param_tutorial.ros2.run import node_programs, signals_held
 from param_tutorial.runtime import domain, executor, graph, stage
 
 EMBEDDED = [sys.executable, '-m', 'param_tutorial']
@@ -311,6 +311,36 @@ def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize('at', ['before its first line', 'in its constructor', 'while it spins'])
+def test_a_signal_ends_a_node_well_at_any_moment(number, at, start_process):
+    with signals_held(hears_of_it=True):  # as launch and Terminal do
+        process = start_process(*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', stderr=subprocess.PIPE)
+    text = ''
+    if at != 'before its first line':
+        until = 'has been started' if at == 'in its constructor' else 'robot_serial_number'
+        text = next(line for line in process.stderr if until in line)
+    process.send_signal(number)
+    _, rest = process.communicate(timeout=60)
+    assert process.returncode == 0
+    assert 'Traceback' not in text + rest
+
+
+@pytest.mark.slow
+def test_no_signal_is_held_back_from_a_program_that_is_not_ours(tmp_path, monkeypatch):
+    program = tmp_path / 'lib/other/program'
+    program.parent.mkdir(parents=True)
+    program.write_text('#!/bin/sh\ngrep SigBlk /proc/self/status\n')
+    program.chmod(0o755)
+    marker = tmp_path / 'share/ament_index/resource_index/packages/other'
+    marker.parent.mkdir(parents=True)
+    marker.touch()
+    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+    done = subprocess.run([*EMBEDDED, 'run', 'other', 'program'], capture_output=True, text=True, timeout=60)
+    assert done.stdout.split() == ['SigBlk:', '0' * 16]
+
+
+@pytest.mark.slow
 def test_run_hands_arguments_on(ros, start_process):
     process = start_process(
         *EMBEDDED, 'run', 'param_tutorial', 'simple_param_node',
@@ -329,7 +359,7 @@ def test_run_gives_the_exit_status_and_takes_a_prefix():
     assert done.returncode == 1
     done = subprocess.run([*EMBEDDED, 'run', '--prefix', 'echo -n', 'param_tutorial', 'simple_param_node', 'x'],
                           capture_output=True, text=True, timeout=60)
-    assert done.stdout.endswith('param_tutorial.nodes.simple_param_node x')
+    assert done.stdout.endswith('param_tutorial.nodes simple_param_node x')
 
 
 @pytest.mark.parametrize(('words', 'complaint'), [

@@ -10,6 +10,7 @@ import threading
 from collections.abc import Iterable
 from typing import IO, NamedTuple
 
+from param_tutorial.ros2.run import is_our_node, signals_held
 from param_tutorial.ros2.session import TextStream
 from param_tutorial.runtime.waiting import machine_time
 
@@ -45,7 +46,8 @@ class Launcher:
         self._print(f'[{level}] [{name}]: {text}')
 
     def _print(self, line: str) -> None:
-        with self._lock:
+        # Whoever read this may have been killed, and the programs have to be ended all the same.
+        with self._lock, contextlib.suppress(BrokenPipeError):
             print(line, file=self._stdout, flush=True)
 
     def run(self, programs: Iterable[Program]) -> None:
@@ -76,9 +78,10 @@ class Launcher:
         name = f'{program.name}-{next(self._numbers)}'
         try:
             # In a session of its own: Ctrl+C reaches it once, through this launcher.
-            process = subprocess.Popen(
-                program.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                errors='replace', start_new_session=True)
+            with signals_held(hears_of_it=is_our_node(program.command)):
+                process = subprocess.Popen(
+                    program.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                    text=True, errors='replace', start_new_session=True)
         except OSError as error:
             self.log('ERROR', name, f'exception occurred while executing process: {error.strerror}: '
                                    f'{program.command[0]}')
