@@ -9,7 +9,7 @@ def main() -> int:
     """Run the command that the process's arguments say, in the domain that its environment says."""
     # A terminal of its own joins the domain where everybody is, like the genuine command; a notebook's kernel,
     # which chooses a domain for itself, passes it on to the processes that it starts.
-    # Whoever starts this process may have held signals back until now. `run` goes on with that until it has found the
+    # The program that starts this process may have held signals back until now. `run` goes on with that until it has found the
     # program: a node of ours then takes over, and ends well whatever has come meanwhile.
     signal.pthread_sigmask(signal.SIG_BLOCK if sys.argv[1:2] == ['run'] else signal.SIG_UNBLOCK,
                            (signal.SIGINT, signal.SIGTERM))

@@ -43,7 +43,7 @@ def main() -> int:
     sys.unraisablehook = complain
     for number in SIGNALS:
         signal.signal(number, end)
-    # Whoever starts this process may have held them back until now: see ros2.run.
+    # The program that starts this process may have held them back until now: see ros2.run.
     signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)
     name = sys.argv.pop(1)
     try:

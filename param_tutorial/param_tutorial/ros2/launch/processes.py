@@ -46,7 +46,7 @@ class Launcher:
         self._print(f'[{level}] [{name}]: {text}')
 
     def _print(self, line: str) -> None:
-        # Whoever read this may have been killed, and the programs have to be ended all the same.
+        # The reader may have been killed, and the programs have to be ended all the same.
         with self._lock, contextlib.suppress(BrokenPipeError):
             print(line, file=self._stdout, flush=True)
 
