@@ -1,27 +1,33 @@
 """The embedded ``ros2`` as a function: read the words of one command, and run its verb."""
 
 import functools
+import importlib
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from param_tutorial.errors import ParameterToolError
-from param_tutorial.ros2 import node, param, pkg, run
-from param_tutorial.ros2.launch import verb
 from param_tutorial.ros2.session import CommandFailed, Parser, Printed, Session, TextStream
-from param_tutorial.runtime.executor import BackgroundExecutor
+
+if TYPE_CHECKING:
+    from param_tutorial.runtime.executor import BackgroundExecutor
+
+# Imported when used: a process that runs one command need not pay for the others.
+_MODULES = {'node': 'node', 'param': 'param', 'pkg': 'pkg', 'run': 'run', 'launch': 'launch.verb'}
 
 
 @functools.cache
-def _parser() -> Parser:
+def _parser(command: str) -> Parser:
+    """Return a parser for one command, or for all if it is none."""
     parser = Parser(prog='ros2', description="The course's own ros2: the commands that the lessons use.", epilog=(
         'All other commands come with an installation of ROS 2; environment/README.md says how to get one.'))
     commands = parser.add_subparsers(metavar='command', title='commands')
-    for module in (node, param, pkg, run, verb):
-        module.add_to(commands)
+    for name in [command] if command in _MODULES else _MODULES:
+        importlib.import_module(f'param_tutorial.ros2.{_MODULES[name]}').add_to(commands)
     return parser
 
 
-def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream, get_executor: Callable[[], BackgroundExecutor],
-         in_notebook: bool = False) -> int:
+def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream,
+         get_executor: 'Callable[[], BackgroundExecutor]', in_notebook: bool = False) -> int:
     """Run one command.
 
     :param argv: The words after ``ros2``.
@@ -31,7 +37,7 @@ def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream, get_exe
     """
     session = Session(stdout, stderr, get_executor, in_notebook)
     try:
-        parser = _parser()
+        parser = _parser(argv[0] if argv else '')
         args = parser.parse_args(argv)
         if not hasattr(args, 'verb'):
             getattr(args, 'help_of', parser).print_help()

@@ -1,19 +1,23 @@
-"""What the verbs of the embedded ``ros2`` share: arguments, streams, finding a node, calling its services."""
+"""What the verbs of the embedded ``ros2`` share: arguments, streams, finding a node, calling its services.
+
+ROS is imported where it is used: ``ros2 run`` starts a program, which imports it once more.
+"""
 
 import argparse
 import functools
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple, NoReturn, Protocol, TypeAlias
-
-from rclpy.node import HIDDEN_NODE_PREFIX
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
 from param_tutorial.errors import NodeNotFoundError, ParameterToolError, WaitTimeoutError
-from param_tutorial.runtime import domain, graph
-from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.graph import nodes_in_graph
+from param_tutorial.runtime import domain
 
+if TYPE_CHECKING:
+    from param_tutorial.runtime.executor import BackgroundExecutor
+
+# As rclpy.node has it.
+HIDDEN_NODE_PREFIX = '_'
 SERVICE_TIMEOUT_SEC = 5.0
 # What add_subparsers() returns; argparse has no public name for it.
 Commands: TypeAlias = 'argparse._SubParsersAction[Parser]'
@@ -47,12 +51,12 @@ class Session:
 
     stdout: TextStream
     stderr: TextStream
-    get_executor: Callable[[], BackgroundExecutor]
+    get_executor: 'Callable[[], BackgroundExecutor]'
     in_notebook: bool
     """True if the executor stays, and the command must not block forever."""
 
     @functools.cached_property
-    def executor(self) -> BackgroundExecutor:
+    def executor(self) -> 'BackgroundExecutor':
         return self.get_executor()
 
     def print(self, *words: Any, sep: str = ' ') -> None:
@@ -65,6 +69,8 @@ class Session:
 
     def node_names(self, *, hidden: bool) -> list[NodeName]:
         """Return the nodes in the graph as far as it is known; a name twice if two nodes have it."""
+        from param_tutorial.runtime.graph import nodes_in_graph
+
         tool = self.executor.tool_node
         # Ghosts gather in a process that lives long. One that has just joined has none, and hears of a node's name
         # before it hears of what shows that it is no ghost.
@@ -74,6 +80,8 @@ class Session:
 
     def wait_for_graph(self, args: argparse.Namespace) -> None:
         """Wait until all nodes are known; if that takes too long, say so."""
+        from param_tutorial.runtime import graph
+
         try:
             graph.wait_for(lambda: False, self.executor.tool_node, self._patience(args))
         except WaitTimeoutError as error:
@@ -85,6 +93,8 @@ class Session:
         :raises CommandFailed: there is no such node.
         :raises WaitTimeoutError: it is not known whether there is.
         """
+        from param_tutorial.runtime import graph
+
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
         # A hidden node is not looked at without the option; nothing can be waited for then.
         hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
@@ -108,6 +118,8 @@ class Session:
     def _patience(self, args: argparse.Namespace) -> float:
         if args.spin_time is not None:
             return float(args.spin_time)
+        from param_tutorial.runtime import graph
+
         return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
@@ -120,6 +132,8 @@ class Session:
 
         :raises WaitTimeoutError: it is not known whether it has.
         """
+        from param_tutorial.runtime import graph
+
         return graph.wait_for_service(
             lambda: self.executor.services.is_ready(node, service), node, service, self.executor.tool_node,
             patience_sec)

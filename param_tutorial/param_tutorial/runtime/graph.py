@@ -134,9 +134,12 @@ def _killed(participants: set[bytes]) -> set[bytes]:
     participant of Fast DDS begins with the vendor, the host, and the lower half of the process's number
     (``GuidPrefix_t::create`` of Fast DDS 2.14).
     """
-    here = {each[:4] for each in participants if _half(each) == os.getpid() & 0xffff}
-    alive = {int(path.name) & 0xffff for path in Path('/proc').glob('[0-9]*')}
-    return {each for each in participants if each[:4] in here and _half(each) not in alive}
+    ours = {each for each in participants if _half(each) == os.getpid() & 0xffff}
+    if ours == participants:
+        return set()
+    hosts = {each[:4] for each in ours}
+    alive = {int(path.name) & 0xffff for path in Path('/proc').iterdir() if path.name.isdigit()}
+    return {each for each in participants if each[:4] in hosts and _half(each) not in alive}
 
 
 def _half(participant: bytes) -> int:
