@@ -3,19 +3,27 @@
 import os
 import signal
 import sys
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from param_tutorial.runtime.executor import BackgroundExecutor
 
 
 def main() -> int:
     """Run the command that the process's arguments say, in the domain that its environment says."""
+    # The program that starts this process may have held signals back until now. `run` goes on with that until it has
+    # found a program: a node of ours then takes over, and ends well whatever has come meanwhile.
+    signal.pthread_sigmask(signal.SIG_BLOCK if sys.argv[1:2] == ['run'] else signal.SIG_UNBLOCK,
+                           (signal.SIGINT, signal.SIGTERM))
     # A terminal of its own joins the domain where everybody is, like the genuine command; a notebook's kernel,
     # which chooses a domain for itself, passes it on to the processes that it starts.
     if not os.environ.get('ROS_DOMAIN_ID'):
         os.environ['ROS_DOMAIN_ID'] = '0'
+    _leave_out_code_generator()
     try:
         from param_tutorial.ros2 import command
-        from param_tutorial.runtime import stage
 
-        status = command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=stage.start)
+        status = command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=_start)
         sys.stdout.flush()  # at the interpreter's end a broken pipe could only be complained of
         return status
     except KeyboardInterrupt:
@@ -23,6 +31,20 @@ def main() -> int:
     except BrokenPipeError:  # e.g. `| head -1`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
+
+
+def _leave_out_code_generator() -> None:
+    """Keep rosidl_generator_py from loading what generates code: two parsers, which cost a third of rclpy itself.
+
+    Every message imports that package for one small function. It does without the rest where that can't be imported.
+    """
+    sys.modules.setdefault('rosidl_generator_py.generate_py_impl', None)  # type: ignore[arg-type]
+
+
+def _start() -> 'BackgroundExecutor':
+    from param_tutorial.runtime import stage
+
+    return stage.start()
 
 
 if __name__ == '__main__':

@@ -11,7 +11,8 @@
     ├── AliasError                  names of parameters cannot stand for one another (also ValueError)
     ├── CopiesError                 the learner's copies of the chapters cannot be read or written
     └── NodeError                   about one node; carries ``.node``
-        ├── NodeNotFoundError       no node of that name answers                    (also LookupError)
+        ├── NodeNotFoundError       there is no node of that name                   (also LookupError)
+        ├── DiscoveryTimeoutError   nor is it known that there is none              (also TimeoutError)
         ├── NoAnswerError           the node is there and did not answer in time    (also TimeoutError)
         ├── NodeGoneError           the node went away in mid-call                  (also ConnectionError)
         ├── CallbackError           the node's own callback raised instead of answering
@@ -75,12 +76,22 @@ class NodeError(ParameterToolError):
         self.node = node
 
 
-class NodeNotFoundError(NodeError, LookupError):
-    """No node of that name offers parameter services."""
+class DiscoveryTimeoutError(NodeError, TimeoutError):
+    """Whether there is such a node, or service of a node, could not be found out in time."""
 
-    def __init__(self, node: str, existing: Sequence[str]):
+    def __init__(self, node: str, cause: WaitTimeoutError):
+        super().__init__(node, f'cannot say whether {node} is there: {cause}')
+        self.__cause__ = cause
+
+
+class NodeNotFoundError(NodeError, LookupError):
+    """There is no node of that name."""
+
+    def __init__(self, node: str, existing: Sequence[str], network_sec: float | None = None):
+        """:param network_sec: For how long it was looked for on other machines, if it was."""
         self.existing = existing
-        super().__init__(node, f'there is no node {node}{nearest(node, existing, "No node is running")}')
+        where = '' if network_sec is None else f' on this machine, nor within {network_sec:g} s on the network'
+        super().__init__(node, f'there is no node {node}{where}{nearest(node, existing, "No node is running")}')
 
 
 class NoAnswerError(NodeError, TimeoutError):

@@ -1,12 +1,15 @@
 """terminals: commands in processes of their own, and their end."""
 
+import shutil
 import signal
+import subprocess
 import sys
+import textwrap
 
 import psutil
 import pytest
 
-from param_tutorial import ParameterClient, Terminal
+from param_tutorial import ParameterClient, Terminal, wait_until
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.runtime import stage
 
@@ -91,3 +94,21 @@ def test_a_cell_that_starts_a_command_again_ends_the_first():
     assert (first.is_running, other.is_running, again.is_running) == (False, True, True)
     # Left running, they would be missed by Python a minute later, in the middle of another test.
     assert (other.interrupt(), again.interrupt()) == (-signal.SIGINT, -signal.SIGINT)
+
+
+@pytest.mark.skipif(shutil.which('setpriv') is None, reason='the command of util-linux that arranges it is missing')
+@pytest.mark.parametrize('command', ['ros2 run param_tutorial simple_param_node',
+                                     'ros2 launch param_tutorial simple_param_launch.py'])
+def test_a_killed_kernel_leaves_no_process_behind(command):
+    with subprocess.Popen([sys.executable, '-c', textwrap.dedent(f'''
+            import psutil, time
+            from param_tutorial import Terminal
+            terminal = Terminal({command!r})
+            terminal.read(until='robot_serial_number', timeout_sec=60)
+            print(*(child.pid for child in psutil.Process().children(recursive=True)), flush=True)
+            time.sleep(600)
+            ''')], stdout=subprocess.PIPE, text=True) as kernel:
+        children = [psutil.Process(int(number)) for number in kernel.stdout.readline().split()]
+        assert children
+        kernel.kill()
+    wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 30)

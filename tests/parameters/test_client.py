@@ -386,6 +386,26 @@ def test_a_node_that_does_not_answer(ros, remote_node):
 
 
 @pytest.mark.slow
+def test_a_node_that_is_killed_in_mid_call(ros):
+    """It takes no leave: DDS counts it as present for some seconds, in which it does not answer."""
+    child = process("""
+        import os, rclpy
+        from rclpy.node import Node
+        rclpy.init(args=['--ros-args', '--disable-stdout-logs', '--disable-external-lib-logs'])
+        node = Node('killed')
+        node.declare_parameter('x', 1)
+        node.add_on_set_parameters_callback(lambda _: os._exit(7))
+        rclpy.spin(node)
+    """)
+    param_tutorial.wait_until(lambda: ros.services.is_ready('/killed'), 'the node', timeout_sec=30)
+    with pytest.raises((NoAnswerError, NodeGoneError), match='/killed'):
+        ParameterClient('/killed', timeout_sec=20).set_parameter('x', 2)
+    child.communicate(timeout=30)
+    assert child.returncode == 7
+    assert ros.services._pending == {}
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize('waiting', [True, False])
 def test_a_node_that_leaves_in_mid_call(ros, waiting):
     child = process("""

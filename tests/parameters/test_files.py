@@ -287,6 +287,39 @@ def test_a_rejection_says_where_and_what(tmp_path, text, complaint):
     assert complaint in str(rejection.value)
 
 
+LISTS = ''.join(f'{after}: &{after} [{", ".join([f"*{before}"] * 10)}]\n'
+                for before, after in zip('abcdefgh', 'bcdefghi'))
+
+
+@pytest.mark.parametrize('text', [
+    pytest.param('/n: {ros__parameters: {a: &a [1], b: *a}}', id='an alias'),
+    pytest.param(f'/n:\n ros__parameters:\n  a: &a [1]\n  {LISTS}'.replace('\n', '\n  '), id='aliases that explode'),
+    pytest.param('/n: &n {ros__parameters: *n}', id='an alias of itself'),
+    pytest.param('/n: {ros__parameters: {a: \x07}}', id='a control character'),
+])
+def test_what_would_harm_the_reader_is_rejected(tmp_path, text):
+    path = tmp_path / 'hostile.yaml'
+    path.write_text(text)
+    with pytest.raises(ParameterFileError, match=r'hostile\.yaml, line \d'):
+        read(path, '/n')
+
+
+def test_no_tag_makes_an_object(tmp_path):
+    path = tmp_path / 'hostile.yaml'
+    path.write_text('/n: {ros__parameters: {a: !!python/object/apply:os.mkdir ["made"]}}')
+    assert read(path, '/n') == {'a': ['made']}
+    assert [each.name for each in tmp_path.iterdir()] == ['hostile.yaml']
+
+
+def test_a_deep_and_a_long_file_are_read(tmp_path):
+    path = tmp_path / 'big.yaml'
+    path.write_text('/n: {ros__parameters: ' + '{a: ' * 500 + '1' + '}' * 501)
+    assert read(path, '/n') == {'.'.join('a' * 500): 1}
+    count = 20_000  # in a time that grows with its square, this would take a minute
+    path.write_text('/n:\n  ros__parameters:\n' + ''.join(f'    p{number}: {number}\n' for number in range(count)))
+    assert read(path, '/n') == {f'p{number}': number for number in range(count)}
+
+
 def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(ParameterFileError, match=r'cannot read .*nowhere\.yaml: No such file'):
         read(tmp_path / 'nowhere.yaml', '/n')

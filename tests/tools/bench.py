@@ -33,6 +33,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
+from param_tutorial.runtime.waiting import machine_time
 
 class Target(Node):
     def __init__(self, **options):
@@ -88,7 +89,7 @@ def by_browser(number):
 def confirmed(number):
     panel.settle()
     assert control.value == number and not control.message
-    return parameter.answered_at
+    return time.monotonic() - (machine_time() - parameter.answered_at)
 
 def until_shown(number):
     start = time.monotonic()

@@ -31,7 +31,7 @@ from param_tutorial.ros2 import command
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor, Failure
 from param_tutorial.runtime.service_types import SERVICE_TYPES
-from param_tutorial.runtime.waiting import wait_until
+from param_tutorial.runtime.waiting import machine_time, wait_until
 
 NodeT = TypeVar('NodeT', bound=Node)
 
@@ -317,13 +317,18 @@ def cleared(ros: BackgroundExecutor) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _time_limit(limit_sec: float) -> Iterator[None]:
-    """Interrupt the block after a time with TooLong, where that is possible: in the main thread, on Unix."""
+    """Interrupt the block after a time, in machine time, with TooLong: in the main thread, and on Unix."""
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
         yield
         return
 
+    deadline = machine_time() + limit_sec
+
     def ring(_number: int, _frame: FrameType | None) -> None:
-        raise TooLong(limit_sec)
+        left_sec = deadline - machine_time()
+        if left_sec <= 0.0:
+            raise TooLong(limit_sec)
+        signal.setitimer(signal.ITIMER_REAL, left_sec)
 
     previous = signal.signal(signal.SIGALRM, ring)
     signal.setitimer(signal.ITIMER_REAL, limit_sec)

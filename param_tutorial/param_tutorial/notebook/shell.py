@@ -12,7 +12,6 @@ import shlex
 import signal
 import subprocess
 import sys
-import time
 import weakref
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -21,11 +20,13 @@ from param_tutorial.errors import ShellError
 from param_tutorial.notebook.interrupts import handed_to, interruptible
 from param_tutorial.ros2 import genuine
 from param_tutorial.runtime import domain, surroundings
+from param_tutorial.runtime.waiting import machine_time
 
 # The learner's own settings would change what commands do and print: git's name and address, colcon's defaults, how
 # nodes log.
 _NOT_PASSED_ON = re.compile(
     r'^(PYTHON.*|GIT_.*|COLCON_.*|RCUTILS_.*|BASH_ENV|ENV|BASH_FUNC_.*|PROMPT_COMMAND|PS[0-4])$')
+_LOOK_PERIOD_SEC = 0.1
 # [0.52s] after a package, [0.523s] before a warning (on 3.13 a negative number), and [0.52s, exited with code 1].
 _SECONDS = r'-?(?:\d+min )?\d+(?:\.\d+)?s'
 _TIME_TAKEN = re.compile(rf'^\[{_SECONDS}\] | \[{_SECONDS}\]$|(?<=\[){_SECONDS}, ', re.MULTILINE)
@@ -111,7 +112,7 @@ class Shell:
         # One `eval`, so that a quote that is never closed is an error here and does not swallow what is typed later;
         # without a standard input, so that no command waits for one.
         line = f'eval {shlex.quote(commands)} </dev/null; printf "\\n{mark} %d\\n" $?\n'
-        deadline = time.monotonic() + timeout_sec
+        deadline = machine_time() + timeout_sec
         end = re.compile(rf'\n{mark} (\d+)\n'.encode())
         output = b''
         with handed_to(self._process.pid), selectors.DefaultSelector() as selector:
@@ -119,7 +120,9 @@ class Shell:
             self._input.write(line.encode())
             self._input.flush()
             while not (found := end.search(output)):
-                ready = selector.select(max(0.0, deadline - time.monotonic()))
+                ready = selector.select(_LOOK_PERIOD_SEC)
+                if not ready and machine_time() < deadline:
+                    continue
                 chunk = os.read(self._output.fileno(), 65536) if ready else b''
                 if not chunk:
                     why = 'ended the shell' if ready else f'was not done within {timeout_sec:g} s'

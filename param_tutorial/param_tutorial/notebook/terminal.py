@@ -9,18 +9,22 @@ import contextlib
 import os
 import re
 import shlex
+import shutil
 import signal
 import subprocess
 import threading
 import time
 import weakref
+from collections.abc import Sequence
 from pathlib import Path
 
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
+from param_tutorial.ros2.run import signals_held
 from param_tutorial.runtime import domain, stage, surroundings
+from param_tutorial.runtime.waiting import machine_time, within
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
 _LOG_FORMAT = '[{severity}] [{name}]: {message}'
@@ -29,6 +33,13 @@ _PROCESS_ID = re.compile(r'(?<=: process started) with pid \[\d+\]$|(?<=: proces
                          r'(?<=: process has died \[)pid \d+, ')
 _LOG_FOLDER = '[INFO] [launch]: All log files can be found below '
 _open: 'weakref.WeakSet[Terminal]' = weakref.WeakSet()
+
+
+def _ends_with_parent(command: Sequence[str]) -> list[str]:
+    """Return what goes before a command, so that Linux sends it a SIGTERM when this process ends, however it ends."""
+    setpriv = shutil.which('setpriv')
+    # For a command that does not exist, Popen raises the error.
+    return [setpriv, '--pdeathsig', 'TERM', '--'] if setpriv and shutil.which(command[0]) else []
 
 
 class Terminal:
@@ -72,10 +83,12 @@ class Terminal:
                 arguments[:1] = [installed] if installed else genuine.embedded_words()
         elif arguments[0] == 'ros2':
             arguments, environment = genuine.command(arguments[1:])
-        with interruptible():
+        is_embedded = arguments[:len(genuine.embedded_words())] == genuine.embedded_words()
+        # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
+        with interruptible(), signals_held(hears_of_it=is_embedded):
             self._process = subprocess.Popen(
-                arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                text=True, errors='replace', start_new_session=True, cwd=folder,
+                [*_ends_with_parent(arguments), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, text=True, errors='replace', start_new_session=True, cwd=folder,
                 env={**{name: value for name, value in environment.items() if not name.startswith('RCUTILS_')},
                      'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
                      'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
@@ -103,7 +116,7 @@ class Terminal:
 
         :raises WaitTimeoutError: no such line came in time, or the command ended without it.
         """
-        deadline = time.monotonic() + timeout_sec
+        deadline = machine_time() + timeout_sec
         with self._changed:
             while True:
                 at = self._text.find(until, self._read)
@@ -112,7 +125,7 @@ class Terminal:
                     lines, self._read = self._text[self._read:end], end + 1
                     return lines
                 ended = not self._reader.is_alive()
-                if ended or time.monotonic() > deadline:
+                if ended or machine_time() > deadline:
                     why = 'the command ended' if ended else f'{timeout_sec:g} s passed'
                     raise WaitTimeoutError(f'{why} before a line with {until!r} came from {self.command!r}; '
                                            f'what came:\n{self._text[self._read:] or "(nothing)"}')
@@ -128,13 +141,16 @@ class Terminal:
         self._wait_until_it_rests()
         if self._process.poll() is None:
             os.killpg(self._process.pid, signal.SIGINT)
-        try:
-            self._process.wait(timeout_sec)
-        except subprocess.TimeoutExpired:
+        if not within(timeout_sec, self._ends_within):
             os.killpg(self._process.pid, signal.SIGKILL)
             self._process.wait()  # nothing can ignore that, and a busy machine may take its time
         self._reader.join(timeout_sec)
         return self._process.returncode
+
+    def _ends_within(self, seconds: float) -> bool:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(seconds)
+        return not self.is_running
 
     def _wait_until_it_rests(self, timeout_sec: float = 1.0) -> None:
         """Wait until none of the command's processes computes, or the time has passed.
@@ -142,8 +158,8 @@ class Terminal:
         A Ctrl+C that comes while rclpy 7.1.6 makes a Task leads to an AttributeError in Task.__del__, printed by
         Python. A hand never meets these microseconds; a cell that has just had an answer from the node does.
         """
-        deadline = time.monotonic() + timeout_sec
-        while 'R' in self._states() and time.monotonic() < deadline:
+        deadline = machine_time() + timeout_sec
+        while 'R' in self._states() and machine_time() < deadline:
             time.sleep(0.005)
 
     def _states(self) -> set[str]:

@@ -181,6 +181,9 @@ class _Parser:
     def __init__(self) -> None:
         self.blocks: dict[str, list[_Entry]] = {}
         self.block: list[_Entry] = []
+        # Where in each block the entries of a name are.
+        self.places: dict[str, dict[str, set[int]]] = {}
+        self.places_here: dict[str, set[int]] = {}
         self.entry = -1
         self.in_parameters = False
         self.depth = 0
@@ -263,7 +266,7 @@ class _Parser:
             self._select(name, line)
         else:
             self._select(self.parameter_path, line)
-            self.block[self.entry].name = f'{self.parameter_path}.{name}'
+            self._rename(f'{self.parameter_path}.{name}')
             self.block[self.entry].line = line
 
     def _node_key(self, name: str, line: int) -> None:
@@ -278,15 +281,22 @@ class _Parser:
             raise _Rejected(line, f'there is no node name before {_KEY}; start with "/name_of_the_node:" or "/**:"')
         _check_block_name(self.node_path, line)
         self.block = self.blocks.setdefault(self.node_path, [])
+        self.places_here = self.places.setdefault(self.node_path, {})
         self.node_path, self.node_parts = _shortened(self.node_path, self.node_parts, '/')
         self.in_parameters = True
 
     def _select(self, name: str, line: int) -> None:
-        names = [entry.name for entry in self.block]
-        if name not in names:
+        places = self.places_here.setdefault(name, set())
+        if not places:
+            places.add(len(self.block))
             self.block.append(_Entry(name, line))
-            names.append(name)
-        self.entry = names.index(name)
+        self.entry = min(places)
+
+    def _rename(self, name: str) -> None:
+        entry = self.block[self.entry]
+        self.places_here[entry.name].remove(self.entry)
+        self.places_here.setdefault(name, set()).add(self.entry)
+        entry.name = name
 
     def _value(self, event: yaml.ScalarEvent, line: int) -> None:
         if not self.in_parameters or not self.block:

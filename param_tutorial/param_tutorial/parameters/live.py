@@ -13,7 +13,6 @@ keep the panel from saying so; or by ``settle``, in the caller's thread.
 import contextlib
 import functools
 import threading
-import time
 from collections.abc import Callable, Iterable
 from typing import Any, ParamSpec
 
@@ -34,6 +33,7 @@ from param_tutorial.parameters.live_state import LATE_SEC, Change, LiveState, Pa
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
+from param_tutorial.runtime.waiting import machine_time, within
 from param_tutorial.runtime.worker import Worker
 
 # Thirty times a second is as often as anybody can see.
@@ -56,7 +56,7 @@ class LiveParameter(ParameterState):
     @property
     def late(self) -> bool:
         """True if the node takes so long to answer that a person should be told."""
-        return self.is_late(time.monotonic())
+        return self.is_late(machine_time())
 
     def ask(self, value: Any) -> None:
         """Ask the node for a (normalized) value. Does not wait and never raises: see ``message``."""
@@ -141,18 +141,18 @@ class LiveParameters:
         :raises WaitTimeoutError: it took too long.
         :raises ExecutorError: called in a callback, where waiting would block the executor forever.
         """
-        deadline = time.monotonic() + timeout_sec
+        deadline = machine_time() + timeout_sec
         self._require_other_thread()
         if self._is_reachable():
             self._hand_over(self._state.refresh)
         while not self._state.closed:
             self._wait_for_answers(deadline, timeout_sec)
-            done_in_time = (self._reader.call_now(deadline - time.monotonic())
-                            and self._shower.call_now(deadline - time.monotonic()))
+            done_in_time = (self._reader.call_now(deadline - machine_time())
+                            and self._shower.call_now(deadline - machine_time()))
             with self._lock:
                 if self._state.is_settled:
                     return
-            if not done_in_time or time.monotonic() > deadline:
+            if not done_in_time or machine_time() > deadline:
                 raise WaitTimeoutError(f'timed out after {timeout_sec:g} s reading the parameters of {self.node}')
 
     def close(self) -> None:
@@ -184,7 +184,7 @@ class LiveParameters:
     # -- asking: any thread -----------------------------------------------------------------------------
 
     def _ask(self, parameter: LiveParameter, value: Any) -> None:
-        self._hand_over(self._state.ask, parameter, value, time.monotonic())
+        self._hand_over(self._state.ask, parameter, value, machine_time())
 
     def _reject(self, parameter: LiveParameter, reason: str) -> None:
         self._hand_over(self._state.reject, parameter, reason)
@@ -196,7 +196,7 @@ class LiveParameters:
                 self.node, 'set_parameters', SetParameters.Request(parameters=[message]),
                 timeout_sec=self._timeout_sec)
         except Exception as error:  # whatever it is: it must become visible, and this may be any thread
-            self._hand_over(self._state.send_failed, request, error, time.monotonic())
+            self._hand_over(self._state.send_failed, request, error, machine_time())
         else:
             future.add_done_callback(functools.partial(self._on_answer, request))
 
@@ -206,10 +206,10 @@ class LiveParameters:
         try:
             result = future.result().results[0]
         except Exception as error:
-            self._hand_over(self._state.answer_failed, request, error, time.monotonic())
+            self._hand_over(self._state.answer_failed, request, error, machine_time())
         else:
             reason = '' if result.successful else result.reason or 'The node gave no reason.'
-            self._hand_over(self._state.answered, request, reason, time.monotonic())
+            self._hand_over(self._state.answered, request, reason, machine_time())
 
     def _on_event(self, event: ParameterEvent) -> None:
         if event.node != self.node:
@@ -247,17 +247,17 @@ class LiveParameters:
 
     def _read_step(self) -> float | None:
         with self._lock:
-            reading = self._state.begin_reading(time.monotonic())
+            reading = self._state.begin_reading(machine_time())
         if reading is not None:
             try:
                 outcome = self._describe() if reading.describe else self._read(reading.names)
             except Exception as error:  # a thread has nobody to raise to, and the learner should see it
-                outcome = functools.partial(self._state.reading_failed, error, time.monotonic())
+                outcome = functools.partial(self._state.reading_failed, error, machine_time())
             self._hand_over(outcome)
         elif self._state.is_unseen and not self._is_ready():
             self._hand_over(self._state.missed)
         with self._lock:
-            return self._state.read_again_in(time.monotonic())
+            return self._state.read_again_in(machine_time())
 
     def _describe(self) -> Callable[[], Todo]:
         """Ask the node which parameters it has now, of which kind, and for their values; return that as an event."""
@@ -282,7 +282,7 @@ class LiveParameters:
     def _show_step(self) -> float | None:
         if self._state.closed:
             return None
-        self._hand_over(self._state.begin_showing, time.monotonic())
+        self._hand_over(self._state.begin_showing, machine_time())
         self._show()
         return LATE_SEC if self._state.busy_names else None
 
@@ -290,7 +290,7 @@ class LiveParameters:
 
     def _wait_for_answer(self, parameter: LiveParameter, timeout_sec: float) -> None:
         with self._lock:
-            self._ended.wait_for(lambda: not parameter.busy, timeout_sec)
+            within(timeout_sec, lambda seconds: self._ended.wait_for(lambda: not parameter.busy, seconds))
 
     def _wait_for_answers(self, deadline: float, timeout_sec: float) -> None:
         while True:
@@ -298,11 +298,11 @@ class LiveParameters:
                 busy = self._state.busy_names
                 if not busy:
                     return
-                if time.monotonic() > deadline:
+                if machine_time() > deadline:
                     raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {self.node} '
                                            f'to answer {", ".join(busy)}')
-                self._ended.wait(max(0.0, min(LATE_SEC, deadline - time.monotonic())))
-            self._hand_over(self._state.give_up_late, time.monotonic())
+                self._ended.wait(max(0.0, min(LATE_SEC, deadline - machine_time())))
+            self._hand_over(self._state.give_up_late, machine_time())
 
     def _require_other_thread(self) -> None:
         if self._executor is not None and self._executor.services.in_executor_thread():

@@ -52,7 +52,7 @@ class ParameterState:
         """Why the last value that was asked for did not become the parameter's; empty if it did."""
         self.asked_at = 0.0
         self.answered_at = 0.0
-        """When the node's last answer came, on the clock of time.monotonic."""
+        """When the node's last answer came, on the clock of ``runtime.waiting.machine_time``."""
         self.request: Request | None = None
         """The request that is under way."""
         self.waiting: Request | None = None

@@ -1,26 +1,33 @@
 """The embedded ``ros2`` as a function: read the words of one command, and run its verb."""
 
 import functools
+import importlib
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from param_tutorial.errors import ParameterToolError
-from param_tutorial.ros2 import node, param, pkg, run, service, topic
-from param_tutorial.ros2.launch import verb
 from param_tutorial.ros2.session import MORE_ELSEWHERE, CommandFailed, Parser, Printed, Session, TextStream
-from param_tutorial.runtime.executor import BackgroundExecutor
+
+if TYPE_CHECKING:
+    from param_tutorial.runtime.executor import BackgroundExecutor
+
+# Imported when used: a process that runs one command need not pay for the others.
+_MODULES = {'node': 'node', 'param': 'param', 'pkg': 'pkg', 'run': 'run', 'service': 'service', 'topic': 'topic',
+            'launch': 'launch.verb'}
 
 
 @functools.cache
-def _parser() -> Parser:
+def _parser(command: str) -> Parser:
+    """Return a parser for one command, or for all if it is none."""
     parser = Parser(prog='ros2', description=MORE_ELSEWHERE)
     commands = parser.add_subparsers(metavar='command', title='commands')
-    for module in (node, param, pkg, run, service, topic, verb):
-        module.add_to(commands)
+    for name in [command] if command in _MODULES else _MODULES:
+        importlib.import_module(f'param_tutorial.ros2.{_MODULES[name]}').add_to(commands)
     return parser
 
 
-def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream, get_executor: Callable[[], BackgroundExecutor],
-         in_notebook: bool = False) -> int:
+def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream,
+         get_executor: 'Callable[[], BackgroundExecutor]', in_notebook: bool = False) -> int:
     """Run one command.
 
     :param argv: The words after ``ros2``.
@@ -30,7 +37,7 @@ def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream, get_exe
     """
     session = Session(stdout, stderr, get_executor, in_notebook)
     try:
-        parser = _parser()
+        parser = _parser(argv[0] if argv else '')
         args = parser.parse_args(argv)
         if not hasattr(args, 'verb'):
             getattr(args, 'help_of', parser).print_help()

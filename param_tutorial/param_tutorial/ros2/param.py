@@ -14,6 +14,7 @@ from rcl_interfaces.msg import Parameter, ParameterDescriptor
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.parameter import parameter_dict_from_yaml_file
 
+from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import to_message
 from param_tutorial.ros2.session import (
@@ -81,7 +82,7 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
         raise CommandFailed(f'{args.filter!r} is not a regular expression: {error}') from None
     if args.node_name:
         nodes = [NodeName.parse(session.find(args))]
-        session.wait_for_service(nodes[0].full_name, 'list_parameters')
+        session.has_service(nodes[0].full_name, 'list_parameters')  # without it, that is what is printed
     else:
         session.wait_for_graph(args)
         nodes = listed_nodes(session, hidden=args.include_hidden_nodes)
@@ -109,11 +110,16 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
 
 def listed_nodes(session: Session, *, hidden: bool) -> list[NodeName]:
     """Return the nodes, each name once, in the order of the genuine command, when their services are known."""
-    nodes = {each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME}
-    # Names and services of a node are announced apart. A few nodes have no services, so the wait has an end.
-    graph.wait_for(lambda: all(_has_services(session, each) for each in nodes), session.executor.tool_node,
-                   graph.SERVICES_SEC)
-    return sorted(nodes)
+    found, patience_sec = [], None
+    for each in sorted({each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME}):
+        try:
+            session.has_service(each.full_name, 'list_parameters', patience_sec)
+        except WaitTimeoutError as error:
+            session.complain(f'WARNING: {each.full_name} is left out: {error}')
+            patience_sec = graph.NETWORK_SEC  # the others have had their time meanwhile
+        else:
+            found.append(each)
+    return found
 
 
 def _has_services(session: Session, node: NodeName) -> bool:

@@ -1,19 +1,23 @@
 """ros2 run: start a program of a package, as a process of its own."""
 
 import argparse
+import contextlib
 import os
 import pkgutil
 import shlex
 import signal
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from param_tutorial import nodes
 from param_tutorial.ros2 import index
 from param_tutorial.ros2.session import CommandFailed, Commands, Session
 from param_tutorial.runtime.surroundings import PACKAGE
+
+_OWN_WORDS = (sys.executable, '-m', nodes.__name__)
+_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 def add_to(commands: Commands) -> None:
@@ -28,7 +32,7 @@ def add_to(commands: Commands) -> None:
 
 def node_programs() -> list[str]:
     """Return the names of the course's own nodes: one for each file in ``nodes``."""
-    return sorted(module.name for module in pkgutil.iter_modules(nodes.__path__))
+    return sorted(module.name for module in pkgutil.iter_modules(nodes.__path__) if not module.name.startswith('_'))
 
 
 def keeps_busy(words: Sequence[str]) -> str:
@@ -76,7 +80,10 @@ def _wait_for_end(command: Sequence[str]) -> int:
     before = {number: signal.signal(number, pass_on) for number in (signal.SIGINT, signal.SIGTERM)
               if signal.getsignal(number) is not signal.SIG_IGN}
     try:
-        program = subprocess.Popen(command)
+        with signals_held(hears_of_it=is_our_node(command)):
+            program = subprocess.Popen(command)
+        # Whoever started this process may have held them back, for the sake of the program.
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, _SIGNALS)
         for number in came:  # before there was a program that they could reach
             program.send_signal(number)
         return program.wait()
@@ -127,4 +134,24 @@ def _own_program(package: str, program: str, environment: Mapping[str, str]) -> 
         raise CommandFailed(f"Package '{package}' not found")
     if program not in node_programs():
         raise CommandFailed('No executable found')
-    return [sys.executable, '-m', f'{nodes.__name__}.{program}']
+    return [*_OWN_WORDS, program]
+
+
+@contextlib.contextmanager
+def signals_held(*, hears_of_it: bool) -> Iterator[None]:
+    """Hold SIGINT and SIGTERM back in this thread while it starts or becomes a program that lets them through itself.
+
+    A signal that comes before the first line of a Python program has run would end it as one that knows of no signals.
+
+    :param hears_of_it: Whether the program does. Nothing is held back from any other program.
+    """
+    before = signal.pthread_sigmask(signal.SIG_BLOCK if hears_of_it else signal.SIG_UNBLOCK, _SIGNALS)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def is_our_node(command: Sequence[str]) -> bool:
+    """True if these words start a node of the course in a Python of its own."""
+    return tuple(command[:len(_OWN_WORDS)]) == _OWN_WORDS

@@ -1,19 +1,23 @@
-"""What the verbs of the embedded ``ros2`` share: arguments, streams, finding a node, calling its services."""
+"""What the verbs of the embedded ``ros2`` share: arguments, streams, finding a node, calling its services.
+
+ROS is imported where it is used: ``ros2 run`` starts a program, which imports it once more.
+"""
 
 import argparse
 import functools
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple, NoReturn, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
-from rclpy.node import HIDDEN_NODE_PREFIX
+from param_tutorial.errors import NodeNotFoundError, ParameterToolError, WaitTimeoutError
+from param_tutorial.runtime import domain
 
-from param_tutorial.errors import NodeNotFoundError, ParameterToolError
-from param_tutorial.runtime import domain, graph
-from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.graph import nodes_in_graph
+if TYPE_CHECKING:
+    from param_tutorial.runtime.executor import BackgroundExecutor
 
+# As rclpy.node has it.
+HIDDEN_NODE_PREFIX = '_'
 SERVICE_TIMEOUT_SEC = 5.0
 MORE_ELSEWHERE = ("This is the course's own ros2, with the commands and options that the lessons use. The genuine one "
                   'has more: environment/README.md says how to get it.')
@@ -55,12 +59,12 @@ class Session:
 
     stdout: TextStream
     stderr: TextStream
-    get_executor: Callable[[], BackgroundExecutor]
+    get_executor: 'Callable[[], BackgroundExecutor]'
     in_notebook: bool
     """True if the executor stays, and the command must not block forever."""
 
     @functools.cached_property
-    def executor(self) -> BackgroundExecutor:
+    def executor(self) -> 'BackgroundExecutor':
         return self.get_executor()
 
     def print(self, *words: Any, sep: str = ' ') -> None:
@@ -82,6 +86,8 @@ class Session:
 
     def node_names(self, *, hidden: bool) -> list[NodeName]:
         """Return the nodes in the graph as far as it is known; a name twice if two nodes have it."""
+        from param_tutorial.runtime.graph import nodes_in_graph
+
         tool = self.executor.tool_node
         # Ghosts gather in a process that lives long. One that has just joined has none, and hears of a node's name
         # before it hears of what shows that it is no ghost.
@@ -90,14 +96,22 @@ class Session:
         return [each for each in names if hidden or not each.name.startswith(HIDDEN_NODE_PREFIX)]
 
     def wait_for_graph(self, args: argparse.Namespace) -> None:
-        """Wait until all nodes are known."""
-        graph.wait_for(lambda: False, self.executor.tool_node, self._patience(args))
+        """Wait until all nodes are known; if that takes too long, say so."""
+        from param_tutorial.runtime import graph
+
+        try:
+            graph.wait_for(lambda: False, self.executor.tool_node, self._patience(args))
+        except WaitTimeoutError as error:
+            self.complain(f'WARNING: nodes may be missing here: {error}')
 
     def find(self, args: argparse.Namespace) -> str:
         """Return the fully qualified name of the node that was named, once it is there.
 
         :raises CommandFailed: there is no such node.
+        :raises WaitTimeoutError: it is not known whether there is.
         """
+        from param_tutorial.runtime import graph
+
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
         # A hidden node is not looked at without the option; nothing can be waited for then.
         hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
@@ -113,12 +127,16 @@ class Session:
         at_least = max(self._patience(args), getattr(args, 'timeout', None) or 0.0)
         tool = self.executor.tool_node
         if (hidden and not args.include_hidden_nodes) or not graph.wait_for(is_there, tool, at_least):
-            raise CommandFailed('Node not found')
+            if self.in_notebook or domain.is_limited_to_this_host():
+                raise CommandFailed('Node not found')
+            raise CommandFailed(f'Node not found on this machine, nor within {at_least:g} s on the network')
         return node
 
     def _patience(self, args: argparse.Namespace) -> float:
         if args.spin_time is not None:
             return float(args.spin_time)
+        from param_tutorial.runtime import graph
+
         return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
@@ -126,16 +144,21 @@ class Session:
 
         :raises CommandFailed: the node has no such service.
         """
-        self.wait_for_service(node, service)
-        if not self.executor.services.is_ready(node, service):
+        if not self.has_service(node, service):
             raise CommandFailed(without_services(node))
         return self.executor.services.call(
             node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC, discovery_timeout_sec=0.0)
 
-    def wait_for_service(self, node: str, service: str) -> None:
-        """Wait until a service of a node that has been found can be called, or probably never will."""
-        graph.wait_for(lambda: self.executor.services.is_ready(node, service), self.executor.tool_node,
-                       SERVICE_TIMEOUT_SEC)
+    def has_service(self, node: str, service: str, patience_sec: float | None = None) -> bool:
+        """Wait until a service of a node that has been found can be called; return False if the node has none.
+
+        :raises WaitTimeoutError: it is not known whether it has.
+        """
+        from param_tutorial.runtime import graph
+
+        return graph.wait_for_service(
+            lambda: self.executor.services.is_ready(node, service), node, service, self.executor.tool_node,
+            patience_sec)
 
     def call_all(self, nodes: Sequence[str], service: str, request: Any) -> dict[str, Any]:
         """Call the same service of several nodes at once.

@@ -31,6 +31,7 @@ from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_
 from param_tutorial.runtime.node_log import NodeLog
 from param_tutorial.runtime.services import Services
 from param_tutorial.runtime.streams import Guard
+from param_tutorial.runtime.waiting import within
 
 # A name that starts with an underscore is hidden: ``ros2 node list`` does not show it.
 TOOL_NODE_NAME = '_param_tutorial'
@@ -267,7 +268,7 @@ class BackgroundExecutor:
         self._require_running()
         self._executor.create_task(work)
         patience_sec = max(timeout_sec - self.callback_watch.busy_sec, min(timeout_sec, _LEAST_PATIENCE_SEC))
-        if not finished.wait(patience_sec) and not self._interrupt(finished.wait):
+        if not within(patience_sec, finished.wait) and not self._interrupt(finished.wait):
             self._move_to_a_new_thread()
             if begun.is_set():
                 raise StuckError(f'cannot {what}: it does not return and cannot be interrupted')
@@ -306,9 +307,9 @@ class BackgroundExecutor:
         """Raise an exception in the callback that keeps the thread. Return True if that ends it."""
         _CallbackInterrupted.is_noticed.clear()
         self._raise_in_thread(_CallbackInterrupted)
-        if has_ended_within(_NOTICE_TIMEOUT_SEC):
+        if within(_NOTICE_TIMEOUT_SEC, has_ended_within):
             return True
-        return _CallbackInterrupted.is_noticed.is_set() and has_ended_within(INTERRUPT_TIMEOUT_SEC)
+        return _CallbackInterrupted.is_noticed.is_set() and within(INTERRUPT_TIMEOUT_SEC, has_ended_within)
 
     def _ends_within(self, seconds: float) -> bool:
         self._thread.join(seconds)
@@ -345,7 +346,7 @@ class BackgroundExecutor:
         _Parked.is_parked.clear()
         self._raise_in_thread(_Parked)
         if _CallbackInterrupted.is_noticed.is_set():  # otherwise it is asleep already, which is as good
-            _Parked.is_parked.wait(_NOTICE_TIMEOUT_SEC)
+            within(_NOTICE_TIMEOUT_SEC, _Parked.is_parked.wait)
 
     # -- what code on the stage must not do -------------------------------------------------------------
 
@@ -453,7 +454,7 @@ class BackgroundExecutor:
         self._let_go_of_nodes()
         if self._thread.is_alive() and self.context.ok():
             self._executor.create_task(lambda: None)
-        has_ended = self._ends_within(STOP_TIMEOUT_SEC) or self._interrupt(self._ends_within)
+        has_ended = within(STOP_TIMEOUT_SEC, self._ends_within) or self._interrupt(self._ends_within)
         if has_ended:
             self._executor.shutdown()
         else:

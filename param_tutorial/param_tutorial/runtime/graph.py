@@ -11,27 +11,32 @@ genuine ``ros2``, is too long on most days and too short on some. But this machi
 
 When as many participants have been heard as there are ports, and each has announced its nodes, nothing is missing.
 Other machines remain unknown: unless discovery is limited to this one, it is given time as well.
+
+The services of a node are announced apart from its name, and nothing says how many there are. But they are announced
+in the order of their creation, and the last one of a node of rclpy or rclcpp is known by its name.
 """
 
+import os
 import re
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
+from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.pictures.diagrams import NodeGraph
 from param_tutorial.runtime import domain
 from param_tutorial.runtime.service_types import SERVICE_TYPES
+from param_tutorial.runtime.waiting import machine_time
 
 # A port may belong to a process that is suspended or to no ROS program at all: don't wait for it forever.
 PATIENCE_SEC = 10.0
 # What the genuine command gives discovery, which is enough for an idle network.
 NETWORK_SEC = 0.5
-# How long after its name the services of a node may come: Fast DDS repeats lost news of them every 3 s.
-SERVICES_SEC = 4.0
 _UNKNOWN = '_NODE_NAME_UNKNOWN_'
 _LOOK_PERIOD_SEC = 0.01
 _NOTEBOOK = 'this notebook'
@@ -80,34 +85,115 @@ def wait_for(condition: Callable[[], bool], observer: Node, at_least_sec: float)
 
     :param observer: Whose view of the graph it is; an executor in another thread spins it.
     :param at_least_sec: Do not give up earlier than this.
+    :return: Whether the condition is true. If not, it is false in a graph that is known completely.
+    :raises WaitTimeoutError: it is still false, and the graph is still not known completely.
     """
-    began = time.monotonic()
+    began = machine_time()
     while True:
         # In this order: what the graph is found to know completely holds for the look that follows.
-        complete = is_complete(observer)
+        missing = _missing(observer)
         if condition():
             return True
-        waited = time.monotonic() - began
-        if waited >= at_least_sec and (complete or waited >= max(PATIENCE_SEC, at_least_sec)):
+        waited_sec, limit_sec = machine_time() - began, max(PATIENCE_SEC, at_least_sec)
+        if waited_sec >= at_least_sec and not missing:
             return False
+        if waited_sec >= limit_sec:
+            raise WaitTimeoutError(
+                f'timed out after {limit_sec:g} s waiting for {missing} to announce '
+                f'{"its" if missing.startswith("1 ") else "their"} nodes: suspended, or in a debugger?')
         time.sleep(_LOOK_PERIOD_SEC)
 
 
 def is_complete(observer: Node) -> bool:
     """True if every participant on this machine has been heard, and each has announced its nodes."""
+    return not _missing(observer)
+
+
+def _missing(observer: Node) -> str:
+    """Name how many participants have yet to be heard, or to announce their nodes; empty if none."""
     heard, announced = _participants(observer)
-    return len(heard) >= len(domain.participant_ports(observer.context.get_domain_id())) and heard <= announced
+    ports = domain.participant_ports(observer.context.get_domain_id())
+    count = max(len(ports) - len(heard), 0) + len(heard - announced)
+    return f'{count} ROS process{"" if count == 1 else "es"}' if count else ''
 
 
 def _participants(node: Node) -> tuple[set[bytes], set[bytes]]:
     """Return the participants that were heard, and those of them whose nodes are known by name."""
-    heard = {bytes(info.endpoint_gid[:12])
-             for info in node.get_publishers_info_by_topic('ros_discovery_info', no_mangle=True)}
+    heard = _participants_of(node.get_publishers_info_by_topic('ros_discovery_info', no_mangle=True))
     named: dict[bool, set[bytes]] = {True: set(), False: set()}
     for topic in ('/rosout', '/parameter_events'):
         for info in node.get_publishers_info_by_topic(topic):
             named[info.node_name != _UNKNOWN].add(bytes(info.endpoint_gid[:12]))
-    return heard, named[True] - named[False]
+    return heard - _killed(heard), named[True] - named[False]
+
+
+def _killed(participants: set[bytes]) -> set[bytes]:
+    """Return those participants that belonged to a process of this machine that is no more.
+
+    One that was killed has not taken leave, and would count as one of those that hold a port. The identity of a
+    participant of Fast DDS begins with the vendor, the host, and the lower half of the process's number
+    (``GuidPrefix_t::create`` of Fast DDS 2.14).
+    """
+    ours = {each for each in participants if _half(each) == os.getpid() & 0xffff}
+    if ours == participants:
+        return set()
+    hosts = {each[:4] for each in ours}
+    alive = {int(path.name) & 0xffff for path in Path('/proc').iterdir() if path.name.isdigit()}
+    return {each for each in participants if each[:4] in hosts and _half(each) not in alive}
+
+
+def _half(participant: bytes) -> int:
+    return int.from_bytes(participant[4:6], 'little')
+
+
+def wait_for_service(is_ready: Callable[[], bool], node: str, service: str, observer: Node,
+                     patience_sec: float | None = None) -> bool:
+    """Wait until a parameter service of a node is ready, and give up when it is known that the node has none.
+
+    :param node: Fully qualified name of a node that is in the graph.
+    :param service: One of SERVICE_TYPES.
+    :param observer: Whose view of the graph it is.
+    :param patience_sec: In machine time; by default PATIENCE_SEC.
+    :return: Whether the service is ready. If not, the node has no such service, or has left.
+    :raises WaitTimeoutError: it is not ready, and it is still not known whether the node has it.
+    """
+    patience_sec = PATIENCE_SEC if patience_sec is None else patience_sec
+    deadline = machine_time() + patience_sec
+    while True:
+        # In this order: what is found to be announced holds for the looks that follow.
+        is_announced = _has_announced_services(node, observer)
+        is_there = bool(observer.get_subscriptions_info_by_topic(f'rq{node}/{service}Request', no_mangle=True))
+        if is_ready():
+            return True
+        if is_announced and not is_there:
+            return False
+        if machine_time() >= deadline:
+            raise WaitTimeoutError(f'timed out after {patience_sec:g} s waiting for {service} of {node}: was the node '
+                                   f'created with start_parameter_services=False?')
+        time.sleep(_LOOK_PERIOD_SEC)
+
+
+def _has_announced_services(node: str, observer: Node) -> bool:
+    """True if all parameter services that a node has are in the graph, or the node is not.
+
+    rclpy 7.1 and rclcpp create a node's service get_type_description after its parameter services, if there are any.
+    DDS announces the ends of a participant in the order of their creation, those that receive and those that send each.
+    """
+    nodes = _participants_of(observer.get_publishers_info_by_topic('/parameter_events'), node)
+    if not nodes:
+        return not any(_joined(*each) == node for each in observer.get_node_names_and_namespaces())
+    service = f'{node}/get_type_description'
+    return (nodes <= _participants_of(observer.get_subscriptions_info_by_topic(f'rq{service}Request', no_mangle=True))
+            and nodes <= _participants_of(observer.get_publishers_info_by_topic(f'rr{service}Reply', no_mangle=True)))
+
+
+def _participants_of(endpoints: list[TopicEndpointInfo], node: str | None = None) -> set[bytes]:
+    """Return the participants that some endpoints belong to; of one node, or of all."""
+    return {bytes(each.endpoint_gid[:12]) for each in endpoints if node in (None, _full_name(each))}
+
+
+def _joined(name: str, namespace: str) -> str:
+    return f'{namespace.rstrip("/")}/{name}'
 
 
 def who_talks_to_whom(observer: Node) -> NodeGraph:
@@ -160,4 +246,4 @@ def _display_names(endpoints: list[TopicEndpointInfo], observer: Node) -> Iterat
 
 def _full_name(endpoint: TopicEndpointInfo) -> str:
     """Return the fully qualified name of the node that an endpoint belongs to."""
-    return f'{endpoint.node_namespace.rstrip("/")}/{endpoint.node_name}'
+    return _joined(endpoint.node_name, endpoint.node_namespace)

@@ -6,7 +6,6 @@ raised an exception, and keeps the node when another executor would take it.
 
 import functools
 import inspect
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
@@ -20,6 +19,7 @@ from rclpy.timer import Timer
 
 from param_tutorial.runtime import rclpy_private
 from param_tutorial.runtime.service_types import SERVICE_TYPES
+from param_tutorial.runtime.waiting import machine_time
 
 _EXECUTOR_OF_NODE: property = vars(Node)['executor']
 _PARAMETER_SERVICES = {service_type: name for name, service_type in SERVICE_TYPES.items()}
@@ -63,8 +63,8 @@ class CallbackWatch:
 
     @property
     def busy_sec(self) -> float:
-        """For how long the callback that runs has been running; 0.0 if none runs."""
-        return 0.0 if self.running is None else time.monotonic() - self._began
+        """For how long the callback that runs has been running, in machine time; 0.0 if none runs."""
+        return 0.0 if self.running is None else machine_time() - self._began
 
     def failed(self, callback: Callback, error: BaseException) -> None:
         """Note that an exception leaves a callback."""
@@ -82,7 +82,7 @@ class CallbackWatch:
         @functools.wraps(function)
         def call(*args: Any) -> Any:
             if self.running is None:
-                self._began = time.monotonic()
+                self._began = machine_time()
             before, self.running = self.running, callback
             self._before_each()
             try:

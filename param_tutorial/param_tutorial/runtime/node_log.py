@@ -13,12 +13,14 @@ from typing import TYPE_CHECKING
 
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.runtime.listeners import Listeners
+from param_tutorial.runtime.waiting import machine_time
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Log
 
 LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 CAPACITY = 5000
+_LOOK_PERIOD_SEC = 0.1
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,7 @@ class NodeLog:
         :param since: A part of the first line to return; lines before it are left out.
         :raises WaitTimeoutError: no such line came in time; the message shows what came instead.
         """
-        deadline = time.monotonic() + timeout_sec
+        deadline = machine_time() + timeout_sec
         with self._changed:
             while True:
                 # What was read of all nodes has been read of each; not the other way round.
@@ -116,7 +118,7 @@ class NodeLog:
                     if until in line.text:
                         self._read[node] = number
                         return '\n'.join(str(line) for _, line in unread[first:index + 1])
-                if not self._changed.wait(deadline - time.monotonic()):
+                if not self._changed.wait(_LOOK_PERIOD_SEC) and machine_time() > deadline:
                     came = '\n'.join(str(line) for _, line in unread) or '(nothing)'
                     raise WaitTimeoutError(
                         f'timed out after {timeout_sec:g} s waiting for a log line with {until!r}; what came:\n{came}')

@@ -22,6 +22,8 @@ from rclpy.parameter import Parameter
 from rclpy.service import Service
 from rclpy.task import Future
 
+from param_tutorial.runtime.waiting import machine_time
+
 # What a parameter callback is called with, and what it returns, depends on its kind.
 ParameterCallback = Callable[[list[Parameter]], Any]
 # Called in place of a parameter callback: with its kind, itself and the parameters. Calls it, and returns its answer.
@@ -141,9 +143,10 @@ def _wait_in_slices(wait: Callable[..., Any], limit: WaitLimit, executor: Execut
     """Wait as rclpy does, a little at a time, and not forever."""
     seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
     own_limit_sec = None if seconds is None or seconds < 0 else seconds
-    deadline = time.monotonic() + (limit.timeout_sec if own_limit_sec is None else own_limit_sec)
+    clock = machine_time if own_limit_sec is None else time.monotonic
+    deadline = clock() + (limit.timeout_sec if own_limit_sec is None else own_limit_sec)
     while True:
-        left_sec = deadline - time.monotonic()
+        left_sec = deadline - clock()
         try:
             return wait(executor, max(0.0, min(left_sec, _SLICE_SEC)), *args)
         except TimeoutException:

@@ -5,7 +5,6 @@ mid-call. What the requests mean is in ``client``.
 """
 
 import threading
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -18,17 +17,20 @@ from rclpy.task import Future
 
 from param_tutorial.errors import (
     CallbackError,
+    DiscoveryTimeoutError,
     ExecutorError,
     NoAnswerError,
     NodeError,
     NodeGoneError,
     NodeNotFoundError,
+    WaitTimeoutError,
 )
-from param_tutorial.runtime.graph import nodes_in_graph
+from param_tutorial.runtime import domain, graph
 from param_tutorial.runtime.service_types import SERVICE_TYPES
+from param_tutorial.runtime.waiting import machine_time
 
-# How long to look for a node before saying that there is none. A node in this process is found at once; one
-# in a process that has just started is announced within a second or two, on a busy machine later.
+# How long a node may take to come. A node in this process is found at once; a process that has just been started takes
+# a second or two before it has one.
 DISCOVERY_TIMEOUT_SEC = 3.0
 TIMEOUT_SEC = 3.0
 _LOOK_PERIOD_SEC = 0.1
@@ -61,7 +63,7 @@ class _PendingCall:
     timeout_sec: float | None
     """None if somebody waits for the answer, and looks after it."""
     sent: float
-    """By the monotonic clock, in seconds."""
+    """In machine time."""
 
 
 class Services:
@@ -88,7 +90,7 @@ class Services:
 
         :param hidden: Also those with a part that starts with an underscore.
         """
-        names = (f'{namespace.rstrip("/")}/{name}' for name, namespace in nodes_in_graph(self._tool_node))
+        names = (f'{namespace.rstrip("/")}/{name}' for name, namespace in graph.nodes_in_graph(self._tool_node))
         return sorted(name for name in names if hidden or '/_' not in name)
 
     def call(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC,
@@ -97,9 +99,11 @@ class Services:
 
         :param node: Fully qualified name.
         :param service: One of SERVICE_TYPES.
-        :param timeout_sec: How long the node may take to answer.
-        :param discovery_timeout_sec: How long to look for the node if it is not known yet.
+        :param timeout_sec: How long the node may take to answer, in machine time.
+        :param discovery_timeout_sec: How long the node may take to come if it is not there yet, in machine time.
         :raises NodeNotFoundError: there is no such node.
+        :raises DiscoveryTimeoutError: it is not known whether there is.
+        :raises NodeError: it has no such service.
         :raises NoAnswerError: it did not answer in time.
         :raises NodeGoneError: it left before it answered.
         :raises CallbackError: a callback of the node, which lives in this process, raised an exception.
@@ -117,11 +121,11 @@ class Services:
                          repeat: bool) -> Any:
         finished = threading.Event()
         sent: list[Future] = []
-        began = time.monotonic()
+        began = machine_time()
         deadline, is_second_chance = began + timeout_sec, False
         try:
             while True:
-                if not sent or (repeat and time.monotonic() > began + len(sent) * _REPEAT_PERIOD_SEC):
+                if not sent or (repeat and machine_time() > began + len(sent) * _REPEAT_PERIOD_SEC):
                     sent.append(self._send(client, node, service, request))
                     sent[-1].add_done_callback(lambda _: finished.set())
                 if finished.wait(_LOOK_PERIOD_SEC):
@@ -133,10 +137,10 @@ class Services:
                     raise NoAnswerError(node, service, timeout_sec)
                 if gone:
                     raise NodeGoneError(node, service)
-                if time.monotonic() > deadline:
+                if machine_time() > deadline:
                     if is_second_chance or not self._free_thread():
                         raise NoAnswerError(node, service, timeout_sec)
-                    deadline, is_second_chance = time.monotonic() + _SECOND_CHANCE_SEC, True
+                    deadline, is_second_chance = machine_time() + _SECOND_CHANCE_SEC, True
         finally:
             for future in sent:
                 self._forget(future, client)
@@ -168,7 +172,9 @@ class Services:
         :return: Completes, in the executor's thread, with the answer or one of the errors of ``call``.
         :raises NodeNotFoundError: the node is not there now.
         """
-        client = self._found(node, service, 0.0)
+        client = self._client(node, service)
+        if not client.service_is_ready():
+            raise NodeNotFoundError(node, self.node_names())
         future = self._send(client, node, service, request, timeout_sec)
         future.add_done_callback(lambda future: self._forget(future, client))
         return future
@@ -200,7 +206,7 @@ class Services:
         for future, call in pending:
             if call.timeout_sec is None:
                 continue
-            if time.monotonic() > call.sent + call.timeout_sec:
+            if machine_time() > call.sent + call.timeout_sec:
                 self._fail(future, NoAnswerError(call.node, call.service, call.timeout_sec))
             elif not call.client.service_is_ready():
                 self._fail(future, NodeGoneError(call.node, call.service))
@@ -232,14 +238,22 @@ class Services:
 
     def _found(self, node: str, service: str, discovery_timeout_sec: float) -> Client:
         client = self._client(node, service)
-        deadline = time.monotonic() + discovery_timeout_sec
-        while not client.service_is_ready():
-            if time.monotonic() > deadline:
-                if node in self.node_names(hidden=True):
-                    raise NodeError(node, f'{node} is running but offers no {service} service: it was created '
-                                          f'with start_parameter_services=False, or is just leaving')
-                raise NodeNotFoundError(node, self.node_names())
-            time.sleep(0.01)
+        if client.service_is_ready():
+            return client
+
+        def is_there() -> bool:
+            # A node's services may be known before its name.
+            return client.service_is_ready() or node in self.node_names(hidden=True)
+
+        try:
+            if not graph.wait_for(is_there, self._tool_node, discovery_timeout_sec):
+                network_sec = None if domain.is_limited_to_this_host() else discovery_timeout_sec
+                raise NodeNotFoundError(node, self.node_names(), network_sec)
+            if not graph.wait_for_service(client.service_is_ready, node, service, self._tool_node):
+                raise NodeError(node, f'{node} is running but offers no {service} service: it was created '
+                                      f'with start_parameter_services=False, or is just leaving')
+        except WaitTimeoutError as error:
+            raise DiscoveryTimeoutError(node, error) from None
         return client
 
     def _send(self, client: Client, node: str, service: str, request: Any,
@@ -247,7 +261,7 @@ class Services:
         # The lock is held over both steps: the answer, or the error of a callback, may come in between.
         with self._lock:
             future = client.call_async(request)
-            self._pending[future] = _PendingCall(node, service, request, client, timeout_sec, time.monotonic())
+            self._pending[future] = _PendingCall(node, service, request, client, timeout_sec, machine_time())
         return future
 
     def _forget(self, future: Future, client: Client) -> None:

@@ -1,12 +1,72 @@
-"""Wait for a condition with a deadline, and never by sleeping for luck."""
+"""Wait for a condition with a deadline, and never by sleeping for luck.
 
+A time limit tells "it is slow" from "it will never come". On a busy machine everything is slow: where ten processes
+share two cores, each does in five seconds what it otherwise does in one. So limits are counted in the seconds of
+``machine_time``, which pass more slowly there. As long as no more than two threads share a core, they are seconds.
+"""
+
+import os
+import threading
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar
 
 from param_tutorial.errors import WaitTimeoutError
 
 T = TypeVar('T')
+
+# Limits have room for a machine that is half as fast.
+_THREADS_PER_CORE = 2
+# Its fourth field is "running/all", in threads: see proc_loadavg(5).
+_LOAD = Path('/proc/loadavg')
+_LOOK_PERIOD_SEC = 0.01
+_SLICE_SEC, _LEAST_SLICE_SEC = 0.05, 0.002
+
+
+class _MachineClock:
+    """Adds up the time that passes, divided by how much too many threads share a core."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._slowness = 1.0
+        self._looked = self._read = time.monotonic()
+        self._seconds = 0.0
+
+    def __call__(self) -> float:
+        with self._lock:
+            now = time.monotonic()
+            if now - self._looked >= _LOOK_PERIOD_SEC:
+                self._slowness, self._looked = _slowness(), now
+            self._seconds += (now - self._read) / self._slowness
+            self._read = now
+            return self._seconds
+
+
+def _slowness() -> float:
+    """Return how many times too many threads there are to run on the cores of this process, at least 1.0."""
+    try:
+        running = int(_LOAD.read_text().split()[3].partition('/')[0])
+        return max(1.0, running / (_THREADS_PER_CORE * len(os.sched_getaffinity(0))))
+    except (OSError, ValueError, IndexError, AttributeError):  # not Linux
+        return 1.0
+
+
+machine_time = _MachineClock()
+"""Return a number of seconds for measuring how much time the machine has had; look often, as waiting does."""
+
+
+def within(seconds: float, wait: Callable[[float], bool]) -> bool:
+    """Wait, in machine time, and return whether it was successful.
+
+    :param wait: Waits for so many seconds at most and returns whether it was successful, as ``Event.wait`` does.
+    """
+    deadline = machine_time() + seconds
+    while (left := deadline - machine_time()) > 0:
+        # Where machine time is slow, the rest would be halved again and again.
+        if wait(min(max(left, _LEAST_SLICE_SEC), _SLICE_SEC)):
+            return True
+    return wait(0.0)
 
 
 def wait_until(condition: Callable[[], T], what: str, timeout_sec: float = 5.0) -> T:
@@ -14,12 +74,13 @@ def wait_until(condition: Callable[[], T], what: str, timeout_sec: float = 5.0) 
 
     :param condition: Called again and again; must not block.
     :param what: Completes "timed out after N s waiting for …" in the error.
+    :param timeout_sec: In machine time.
     :raises WaitTimeoutError: the condition was still false at the deadline.
     """
-    deadline = time.monotonic() + timeout_sec
+    deadline = machine_time() + timeout_sec
     pause_sec = 0.001
     while not (value := condition()):
-        if time.monotonic() > deadline:
+        if machine_time() > deadline:
             raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
         time.sleep(pause_sec)
         pause_sec = min(2 * pause_sec, 0.02)

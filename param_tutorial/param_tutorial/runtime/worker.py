@@ -6,6 +6,8 @@ import time
 import weakref
 from collections.abc import Callable
 
+from param_tutorial.runtime.waiting import within
+
 # What the name of every worker's thread begins with.
 THREAD_NAME_PREFIX = 'worker: '
 _LOOK_PERIOD_SEC = 0.25
@@ -67,7 +69,7 @@ class Worker:
 
         :return: False if a call that another thread made did not end in time.
         """
-        if not self._one_at_a_time.acquire(timeout=max(0.0, timeout_sec)):
+        if not within(timeout_sec, lambda seconds: self._one_at_a_time.acquire(timeout=seconds)):
             return False
         try:
             again_sec = self._step()

@@ -1,6 +1,7 @@
 """Exercises of chapter 2: put the lines of a terminal in order, mend a setup.py that is really built, and find a
 program as ``ros2 run`` does."""
 
+import contextlib
 import functools
 import os
 import re
@@ -17,6 +18,7 @@ from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2.run import find_program
 from param_tutorial.ros2.session import CommandFailed
+from param_tutorial.runtime.waiting import within
 
 CHAPTER = '02_workspace'
 BUILD = 'Build it'
@@ -85,12 +87,28 @@ def build(setup: str) -> Built:
 
 
 def _run(words: list[str], folder: Path, **environment: str) -> tuple[int, str]:
-    """Run Python in a folder, and return its exit status and what it printed."""
+    """Run Python in a folder, and return its exit status and what it printed.
+
+    :raises NoUse: it does not come to an end.
+    """
     passed_on = {name: value for name, value in os.environ.items() if not name.startswith('PYTHON')}
-    done = subprocess.run([sys.executable, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, timeout=BUILD_LIMIT_SEC,
-                          env={**passed_on, 'PYTHONWARNINGS': 'ignore', 'PYTHONUTF8': '1', **environment})
-    return done.returncode, done.stdout
+    printed = ''
+    with subprocess.Popen([sys.executable, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True,
+                          env={**passed_on, 'PYTHONWARNINGS': 'ignore', 'PYTHONUTF8': '1', **environment}) as process:
+        def ends_within(seconds: float) -> bool:
+            nonlocal printed
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                printed, _ = process.communicate(timeout=seconds)
+            return process.returncode is not None
+
+        try:
+            if not within(BUILD_LIMIT_SEC, ends_within):
+                raise NoUse('the build ends', f'it is still running after {BUILD_LIMIT_SEC:g} s')
+        except BaseException:
+            process.kill()
+            raise
+    return process.returncode, printed
 
 
 def built(trial: Trial) -> Built:
@@ -98,10 +116,7 @@ def built(trial: Trial) -> Built:
 
     :raises NoUse: it cannot be built.
     """
-    try:
-        result = build(trial.work)
-    except subprocess.TimeoutExpired:
-        raise NoUse('the build ends', f'it is still running after {BUILD_LIMIT_SEC:g} s') from None
+    result = build(trial.work)
     if result.complaint:
         raise NoUse('a build without an error', result.complaint)
     return result

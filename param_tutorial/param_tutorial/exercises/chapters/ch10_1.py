@@ -3,7 +3,6 @@ events there are."""
 
 import contextlib
 import inspect
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from textwrap import shorten
 from typing import Any
@@ -20,7 +19,7 @@ from param_tutorial.exercises.expectations import derive
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.runtime.managed import function_name
-from param_tutorial.runtime.waiting import wait_until
+from param_tutorial.runtime.waiting import machine_time, wait_until
 
 CHAPTER = '10_1_parameter_events'
 LISTENER = 'Build it: a listener'
@@ -79,7 +78,7 @@ class InTheCorner(Node):
             yield not isinstance(message, ParameterEvent)
             return
         message.node = message.node.removeprefix(CORNER)
-        began = time.monotonic()
+        began = machine_time()
         try:
             # What it raises once it would raise at each event of a burst, and so it is with waiting.
             yield not self.raised and self.busy_sec < _BUSY_SEC
@@ -87,7 +86,7 @@ class InTheCorner(Node):
             self.raised = True
             raise
         finally:
-            self.busy_sec += time.monotonic() - began
+            self.busy_sec += machine_time() - began
             self.events_heard = (*self.events_heard, message)
 
 

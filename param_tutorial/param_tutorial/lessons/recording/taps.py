@@ -7,6 +7,7 @@ from rclpy.node import Node
 
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.node_log import LogLine
+from param_tutorial.runtime.waiting import within
 from param_tutorial.widgets.events import changes_in
 
 _MARK = 'param_tutorial: end of an answer'
@@ -38,7 +39,7 @@ class NodeLogTap:
         # What one publisher sends keeps its order: when the mark is here, so is all that came before.
         self._arrived.clear()
         self._node.get_logger().fatal(_MARK)
-        if not self._arrived.wait(_TIMEOUT_SEC):
+        if not within(_TIMEOUT_SEC, self._arrived.wait):
             raise RuntimeError(f'the log of {self._node.get_name()} does not arrive')
         lines, self._lines = self._lines, []
         return list(map(str, lines))
@@ -65,7 +66,8 @@ class EventTap:
         :raises RuntimeError: they do not arrive.
         """
         with self._arrived:
-            if not self._arrived.wait_for(lambda: len(self._events) >= count, _TIMEOUT_SEC):
+            if not within(_TIMEOUT_SEC, lambda seconds: self._arrived.wait_for(
+                    lambda: len(self._events) >= count, seconds)):
                 raise RuntimeError(f'{self._node} published {len(self._events)} changes and not {count}')
             events, self._events = self._events, []
         return [[change.kind, change.name, '' if change.kind == 'deleted' else repr(change.value)]

@@ -7,14 +7,16 @@ import queue
 import signal
 import subprocess
 import threading
-import time
 from collections.abc import Iterable
 from typing import IO, NamedTuple
 
+from param_tutorial.ros2.run import is_our_node, signals_held
 from param_tutorial.ros2.session import TextStream
+from param_tutorial.runtime.waiting import machine_time
 
 # As launch: so long for Ctrl+C, then so long for SIGTERM.
 GRACE_SEC = 5.0
+_LOOK_PERIOD_SEC = 0.1
 
 
 class Program(NamedTuple):
@@ -44,7 +46,8 @@ class Launcher:
         self._print(f'[{level}] [{name}]: {text}')
 
     def _print(self, line: str) -> None:
-        with self._lock:
+        # The reader may have been killed, and the programs have to be ended all the same.
+        with self._lock, contextlib.suppress(BrokenPipeError):
             print(line, file=self._stdout, flush=True)
 
     def run(self, programs: Iterable[Program]) -> None:
@@ -75,9 +78,10 @@ class Launcher:
         name = f'{program.name}-{next(self._numbers)}'
         try:
             # In a session of its own: Ctrl+C reaches it once, through this launcher.
-            process = subprocess.Popen(
-                program.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                errors='replace', start_new_session=True)
+            with signals_held(hears_of_it=is_our_node(program.command)):
+                process = subprocess.Popen(
+                    program.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                    text=True, errors='replace', start_new_session=True)
         except OSError as error:
             self.log('ERROR', name, f'exception occurred while executing process: {error.strerror}: '
                                    f'{program.command[0]}')
@@ -112,11 +116,13 @@ class Launcher:
             for process in self._running.values():
                 with contextlib.suppress(ProcessLookupError):
                     process.send_signal(number)
-            deadline = time.monotonic() + GRACE_SEC
+            deadline = machine_time() + GRACE_SEC
             while self._running:
                 try:
-                    event = self._events.get(timeout=max(0.0, deadline - time.monotonic()))
+                    event = self._events.get(timeout=_LOOK_PERIOD_SEC)
                 except queue.Empty:
+                    if machine_time() < deadline:
+                        continue
                     break
                 if isinstance(event, str):  # another Ctrl+C changes nothing
                     del self._running[event]

@@ -1,0 +1,67 @@
+"""``python -m param_tutorial.nodes simple_param_node``: a node as a process of its own, which ends well at any moment.
+
+A node's own ``main()`` hears of SIGINT and SIGTERM through rclpy, once ``rclpy.init()`` has installed its handlers and
+``spin()`` waits. Before that, Ctrl+C is a KeyboardInterrupt while Python still imports rclpy, and SIGTERM ends the
+process with status -15; in the node's constructor, either shuts the context down under its feet, which is an RCLError.
+That is so in every node of rclpy 7.1, and here it is none of the node's business.
+"""
+
+import importlib
+import os
+import signal
+import sys
+import threading
+from types import FrameType
+from typing import Any
+
+SIGNALS = (signal.SIGINT, signal.SIGTERM)
+# launch waits 5 s before it resorts to the next signal.
+PATIENCE_SEC = 4.0
+
+
+def main() -> int:
+    """Run the node that the process's first argument names, until a signal ends it."""
+    told: list[int] = []
+
+    def end(number: int, _frame: FrameType | None) -> None:
+        told.append(number)
+        if not _is_rclpy_listening():
+            os._exit(0)  # nothing is there yet that would have to be tidied up
+        # Once in hundreds of ends on a busy machine, rclpy's shutdown did not return.
+        watchdog = threading.Timer(PATIENCE_SEC, os._exit, [0])
+        watchdog.daemon = True
+        watchdog.start()
+
+    def is_told() -> bool:
+        return bool(told)  # a call, because Python runs the handler of a signal that has come when a function begins
+
+    def complain(unraisable: Any) -> None:
+        # Executor.__del__ of rclpy 7.1 fails if there was no context any more for its constructor.
+        if not is_told():
+            sys.__unraisablehook__(unraisable)
+
+    sys.unraisablehook = complain
+    for number in SIGNALS:
+        signal.signal(number, end)
+    # The program that starts this process may have held them back until now: see ros2.run.
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)
+    name = sys.argv.pop(1)
+    try:
+        importlib.import_module(f'{__package__}.{name}').main()
+    except Exception:
+        if not is_told():
+            raise
+    finally:
+        signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)  # a second one, while all that is left is to end
+    return 0
+
+
+def _is_rclpy_listening() -> bool:
+    """True if rclpy has been imported, and has installed the handlers that shut its context down."""
+    signals: Any = sys.modules.get('rclpy.signals')
+    get_options = getattr(signals, 'get_current_signal_handlers_options', None)
+    return get_options is not None and get_options() != signals.SignalHandlerOptions.NO
+
+
+if __name__ == '__main__':
+    sys.exit(main())

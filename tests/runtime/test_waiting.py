@@ -1,0 +1,70 @@
+"""Time limits are counted in the time that the machine has: where many threads share a core, they are longer."""
+
+import threading
+from types import SimpleNamespace
+
+import pytest
+
+from param_tutorial.errors import WaitTimeoutError
+from param_tutorial.runtime import waiting
+from param_tutorial.runtime.waiting import wait_until, within
+
+
+@pytest.fixture(params=[(1, 1), (2, 1), (8, 4)], ids=['idle', 'shared', 'busy'])
+def slowness(request, monkeypatch, tmp_path):
+    """Pretend that some threads share each core, as /proc/loadavg has it; return how much slower time passes then."""
+    threads_per_core, slowness = request.param
+    cores = len(waiting.os.sched_getaffinity(0))
+    (tmp_path / 'loadavg').write_text(f'1.00 1.00 1.00 {threads_per_core * cores}/300 4711\n')
+    monkeypatch.setattr(waiting, '_LOAD', tmp_path / 'loadavg')
+    return slowness
+
+
+@pytest.fixture
+def now(monkeypatch):
+    """Let time stand still, for a clock of its own; return it as a list of one number."""
+    now = [0.0]
+    monkeypatch.setattr(waiting, 'time', SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(waiting, 'machine_time', waiting._MachineClock())
+    return now
+
+
+def test_machine_time_is_shared_by_those_who_run(now, slowness):
+    now[0] += 1.0
+    began = waiting.machine_time()
+    now[0] += 8.0
+    assert waiting.machine_time() - began == pytest.approx(8.0 / slowness)
+
+
+def test_on_a_machine_without_such_a_file_it_is_time(now, monkeypatch, tmp_path):
+    monkeypatch.setattr(waiting, '_LOAD', tmp_path / 'missing')
+    now[0] += 1.0
+    began = waiting.machine_time()
+    now[0] += 8.0
+    assert waiting.machine_time() - began == pytest.approx(8.0)
+
+
+def test_a_wait_in_vain_takes_as_long_as_the_machine_needs(now, slowness):
+    now[0] += 1.0
+    waiting.machine_time()
+    began = now[0]
+
+    def wait(seconds):
+        now[0] += seconds
+        return False
+
+    assert not within(2.0, wait)
+    assert now[0] - began == pytest.approx(2.0 * slowness, abs=0.1)
+
+
+def test_a_wait_ends_with_what_it_waits_for():
+    event = threading.Event()
+    threading.Timer(0.05, event.set).start()
+    assert within(60.0, event.wait)
+    assert within(0.0, event.wait)
+    assert not within(0.0, threading.Event().wait)
+
+
+def test_a_condition_that_does_not_come_true_is_named():
+    with pytest.raises(WaitTimeoutError, match=r'timed out after 0\.1 s waiting for the end'):
+        wait_until(lambda: False, 'the end', 0.1)
