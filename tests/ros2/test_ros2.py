@@ -442,7 +442,8 @@ def test_a_signal_ends_a_node_well_at_any_moment(number, at, start_process):
     if at != 'before its first line':
         until = 'has been started' if at == 'in its constructor' else 'robot_serial_number'
         text = next(line for line in process.stderr if until in line)
-    process.send_signal(number)
+    # Ctrl+C reaches the command and its node alike.
+    os.killpg(process.pid, number) if number == signal.SIGINT else process.send_signal(number)
     _, rest = process.communicate(timeout=60)
     assert process.returncode == 0
     assert 'Traceback' not in text + rest

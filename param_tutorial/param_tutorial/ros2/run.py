@@ -81,9 +81,10 @@ def _wait_for_end(command: Sequence[str]) -> int:
               if signal.getsignal(number) is not signal.SIG_IGN}
     try:
         with signals_held(hears_of_it=is_our_node(command)):
-            program = subprocess.Popen(command)
+            started = subprocess.Popen(command)
         # Whoever started this process may have held them back, for the sake of the program.
         signal.pthread_sigmask(signal.SIG_UNBLOCK, _SIGNALS)
+        program = started
         for number in came:  # before there was a program that they could reach
             program.send_signal(number)
         return program.wait()
