@@ -47,7 +47,7 @@ def read(path: str | Path, node: str) -> dict[str, Any]:
         parser = Parser()
         parser.parse(content)
     except Rejected as rejected:
-        raise ParameterFileError(f'{path}, line {rejected.line}: {rejected}') from None
+        raise ParameterFileError(f'{path}, line {rejected.place.line}: {rejected}') from None
     if not any(matches(name, node) for name in parser.blocks):
         names = ', '.join(parser.blocks) or 'no node at all'
         raise ParameterFileError(f'{path} holds nothing for {node}; it is for {names}. A block for this node starts '
@@ -123,8 +123,8 @@ def render(node: str, parameters: Mapping[str, Any]) -> Dump:
         if reason:
             left_out[name] = reason
         else:
-            written[name] = _format_list(value) if isinstance(value, list) else (_format_scalar(value), [])
-    lines = [f'{_format_scalar(node)}:', f'  {KEY}:' + ('' if written else ' {}')]
+            written[name] = _format_list(value) if isinstance(value, list) else (format_scalar(value), [])
+    lines = [f'{format_scalar(node)}:', f'  {KEY}:' + ('' if written else ' {}')]
     _add_parameters(lines, written, '    ')
     lines += [f'    # left out: {json.dumps(name)}: {reason}' for name, reason in left_out.items()]
     return Dump('\n'.join(lines) + '\n', left_out)
@@ -155,7 +155,7 @@ def _not_expressible(name: str, value: Any) -> str | None:
 
 def _format_list(value: list[Any]) -> tuple[str, list[str]]:
     """Return a list in one line if that is short, else its items, one for each line."""
-    items = [_format_scalar(item) for item in value]
+    items = [format_scalar(item) for item in value]
     inline = f'[{", ".join(items)}]'
     return (inline, []) if len(inline) <= _LINE_LENGTH else ('', items)
 
@@ -183,7 +183,7 @@ def _add_parameters(lines: list[str], parameters: dict[str, tuple[str, list[str]
 
 
 def _add_key(lines: list[str], name: str, indent: str, inline: str) -> None:
-    key = _format_scalar(name)
+    key = format_scalar(name)
     if len(key.encode()) > _LONG_KEY:
         lines.append(f'{indent}? {key}')
         key = ''
@@ -195,7 +195,7 @@ _PLAIN = re.compile(r'[A-Za-z_/][A-Za-z0-9_./+-]*(?: [A-Za-z0-9_./+()-]+)*')
 _YAML_TYPES = yaml.SafeLoader.yaml_implicit_resolvers
 
 
-def _format_scalar(value: bool | int | float | str) -> str:
+def format_scalar(value: bool | int | float | str) -> str:
     """Return a scalar as rcl, YAML 1.1 and YAML 1.2 all read it: with the same type and value."""
     if isinstance(value, bool):
         return 'true' if value else 'false'

@@ -10,6 +10,7 @@ finds all that is wrong with it.
 import math
 import re
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
@@ -135,6 +136,8 @@ class Assignment:
     """Where the value stands."""
     is_array: bool = False
     scalars: list[Scalar] = field(default_factory=list)
+    is_damaged: bool = False
+    """rcl rejects a part of it."""
 
     @property
     def value(self) -> Any:
@@ -194,12 +197,11 @@ _KINDS = (bool, int, float, str)
 class Rejected(Exception):
     """rcl would reject the file at this place."""
 
-    def __init__(self, place: Place, reason: str, path: str = ''):
+    def __init__(self, place: Place, reason: str, keys: Sequence[tuple[str, Place]] = ()):
         super().__init__(reason)
         self.place = place
-        self.line = place.line
-        self.path = path
-        """The keys above a value that stands before ``ros__parameters``, joined by slashes."""
+        self.keys = tuple(keys)
+        """The keys above a value that stands before ``ros__parameters``, each with its place."""
 
 
 def matches(block: str, node: str) -> bool:
@@ -234,7 +236,7 @@ class Parser:
         self.in_parameters = False
         self.depth = 0
         self.node_path, self.node_parts = '', 0
-        self.node_place = Place()
+        self.node_keys: list[tuple[str, Place]] = []
         self.parameter_path, self.parameter_parts = '', 0
         self.name_place = Place()
         self.expects_key = True
@@ -272,9 +274,9 @@ class Parser:
         except RecursionError:
             raise Rejected(Place(), 'this is nested too deeply') from None
 
-    def _object(self, place: Place, reason: str, path: str = '') -> None:
+    def _object(self, place: Place, reason: str, keys: Sequence[tuple[str, Place]] = ()) -> None:
         """Reject what stands here, unless the parser is tolerant and can leave it out."""
-        rejected = Rejected(place, reason, path)
+        rejected = Rejected(place, reason, keys)
         if not self._tolerant:
             raise rejected
         self.rejected.append(rejected)
@@ -317,11 +319,14 @@ class Parser:
         if self.expects_key:
             raise Rejected(place, 'a list cannot stand here; a parameter is a value or a list of values, never a list '
                                   'of lists')
-        self.in_sequence = True
+        is_inner, self.in_sequence = self.in_sequence, True
         if not self.in_parameters:
-            self._object(place, f'a list cannot stand before {KEY}', self.node_path)
+            self._object(place, f'a list cannot stand before {KEY}', self.node_keys)
             return
-        if self.block:
+        if is_inner and self.assignment is not None:  # which rcl reads as if it began the outer list anew
+            self.assignment.scalars.clear()
+            self.item_type = None
+        elif self.block:
             self.block[self.entry].is_empty_array = True
             self._assign(place, is_array=True)
 
@@ -337,6 +342,7 @@ class Parser:
 
     def _leave_node_key(self) -> None:
         self.node_path, self.node_parts = _shortened(self.node_path, self.node_parts, '/')
+        del self.node_keys[self.node_parts:]
 
     def _key(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not event.value:
@@ -367,15 +373,15 @@ class Parser:
             separator = '/' if self.node_parts and not self.node_path.endswith('/') else ''
             self.node_path = (self.node_path if self.node_parts else '') + separator + name
             self.node_parts += 1
-            self.node_place = place
+            self.node_keys.append((name, place))
             return
         if not self.node_parts:
             raise Rejected(place, f'there is no node name before {KEY}; start with "/name_of_the_node:" or "/**:"')
-        if wrong := _wrong_block_name(self.node_path):
+        if wrong := wrong_block_name(self.node_path):
             self._object(place, wrong)
         self.block_name = self.node_path
         self.block = self.blocks.setdefault(self.node_path, [])
-        self.starts.append(BlockStart(self.file, self.node_path, self.node_place, place))
+        self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
         self._leave_node_key()
         self.in_parameters = True
 
@@ -389,7 +395,7 @@ class Parser:
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:
             self._object(place, f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters',
-                         self.node_path)
+                         self.node_keys)
             if not self.in_sequence:
                 self._leave_node_key()
             return
@@ -414,6 +420,8 @@ class Parser:
         elif self.item_type is not kind or kind not in entry.arrays:
             self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is not like '
                                 f'those before it')
+            if self.assignment is not None:
+                self.assignment.is_damaged = True
             return
         entry.arrays[kind].append(scalar.value)
         if self.assignment is not None:
@@ -456,7 +464,7 @@ def _shortened(path: str, parts: int, separator: str) -> tuple[str, int]:
     return path.rpartition(separator)[0] if separator in path else path, parts - 1
 
 
-def _wrong_block_name(name: str) -> str:
+def wrong_block_name(name: str) -> str:
     """Return what is wrong with the name of a block; nothing if it can be that of a node or a pattern for some."""
     for part in ('/' + name).replace('//', '/', 1).split('/')[1:]:
         if not re.fullmatch(r'\*\*?|[A-Za-z_][A-Za-z0-9_]*', part):
