@@ -334,7 +334,7 @@ def _winner(entry: Entry | None) -> Assignment | None:
 
 
 def _surprising(loser: Assignment, winner: Assignment, order: Sequence[Assignment]) -> bool:
-    """True if whoever wrote the loser could expect it to win: it comes later, or is more specific."""
+    """True if the author of the loser could expect it to win: it comes later, or is more specific."""
     if (loser.file, loser.block, loser.name) == (winner.file, winner.block, winner.name):
         return False  # a duplicate, which is said elsewhere
     later = next(each for each in order if each is loser or each is winner) is winner

@@ -14,7 +14,7 @@ import math
 import os
 import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +22,7 @@ import yaml
 
 from param_tutorial.errors import InvalidValueError, ParameterFileError
 from param_tutorial.parameters import values
-from param_tutorial.parameters.parsing import KEY, Parser, Rejected, effective, matches, typed
+from param_tutorial.parameters.parsing import KEY, Entry, Parser, Rejected, effective, matches, typed
 
 _LINE_LENGTH = 100
 # The longest plain key that YAML takes without a leading question mark is 1024 bytes.
@@ -39,25 +39,46 @@ def read(path: str | Path, node: str) -> dict[str, Any]:
     :return: Names and values, in the order of the file; an empty array is ``[]``.
     :raises ParameterFileError: the file cannot be read, rcl would reject it, or it holds nothing for the node.
     """
-    try:
-        content = Path(path).read_bytes()
-    except OSError as error:
-        raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
-    try:
-        parser = Parser()
-        parser.parse(content)
-    except Rejected as rejected:
-        raise ParameterFileError(f'{path}, line {rejected.place.line}: {rejected}') from None
+    parser = _parsed(path)
     if not any(matches(name, node) for name in parser.blocks):
         names = ', '.join(parser.blocks) or 'no node at all'
         raise ParameterFileError(f'{path} holds nothing for {node}; it is for {names}. A block for this node starts '
                                  f'with "{node}:" or "/**:"')
-    found = effective(parser, node)
-    for entry in found.values():
+    return _values(path, effective(parser, node))
+
+
+def read_all(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[str, Any]]:
+    """Return the parameters that a file holds, by node: for those that it names, and for those that are given.
+
+    :param nodes: Fully qualified names; a block like ``/**`` may be for them, too.
+    :return: As ``read`` for each node for which there is something.
+    :raises ParameterFileError: the file cannot be read, or rcl would reject it.
+    """
+    parser = _parsed(path)
+    named = ('/' + name.strip('/') for name in parser.blocks if '*' not in name)
+    return {node: _values(path, effective(parser, node)) for node in dict.fromkeys((*named, *nodes))
+            if any(matches(name, node) for name in parser.blocks)}
+
+
+def _parsed(path: str | Path) -> Parser:
+    try:
+        content = Path(path).read_bytes()
+    except OSError as error:
+        raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
+    parser = Parser()
+    try:
+        parser.parse(content)
+    except Rejected as rejected:
+        raise ParameterFileError(f'{path}, line {rejected.place.line}: {rejected}') from None
+    return parser
+
+
+def _values(path: str | Path, entries: Mapping[str, Entry]) -> dict[str, Any]:
+    for entry in entries.values():
         if entry.value() is None:
             raise ParameterFileError(f'{path}, line {entry.place.line}: {entry.name} has no value; write one, or '
                                      f'remove the line')
-    return {name: entry.value() for name, entry in found.items()}
+    return {name: entry.value() for name, entry in entries.items()}
 
 
 # -- writing --------------------------------------------------------------------------------------------------

@@ -1,13 +1,15 @@
-"""The parameters of all nodes in one call, with a word on each node that did not answer. No Jupyter."""
+"""The parameters of all nodes in one call, with a word on each node that did not answer; saved and read back."""
 
+import datetime
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import TypeVar
 
 from rclpy.node import Node
 
 from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
-from param_tutorial.parameters import values
+from param_tutorial.parameters import files, values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import Row, grouped_table
@@ -18,6 +20,9 @@ from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 _STYLE = style('parameters/snapshot.css')
 
 T = TypeVar('T')
+
+FIRST_WORDS = '# Snapshot of'
+"""How a saved snapshot begins: a file that holds all that there was, and not some overrides."""
 
 
 class Snapshot(dict[str, ParameterValues]):
@@ -30,6 +35,23 @@ class Snapshot(dict[str, ParameterValues]):
 
     def __missing__(self, node: str) -> ParameterValues:
         raise self.unanswered.get(node) or NodeNotFoundError(node, list(self))
+
+    @classmethod
+    def from_file(cls, path: str | Path) -> 'Snapshot':
+        """Read a snapshot that was saved, or the blocks of another parameter file that name their node.
+
+        :raises ParameterFileError: the file cannot be read.
+        """
+        return cls({node: ParameterValues(parameters) for node, parameters in files.read_all(path).items()}, {})
+
+    def dump(self) -> files.Dump:
+        """Return the text of one parameter file for all nodes, which ``--params-file`` and ``restore`` read back."""
+        dumps = {node: files.render(node, parameters) for node, parameters in self.items()}
+        now = datetime.datetime.now().astimezone().isoformat(timespec='seconds')
+        lines = [f'{FIRST_WORDS} {len(self)} nodes, {now}\n']
+        lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
+        left_out = {f'{node}: {name}': reason for node, dump in dumps.items() for name, reason in dump.left_out.items()}
+        return files.Dump(''.join(lines) + '\n'.join(dump.text for dump in dumps.values()), left_out)
 
     def __repr__(self) -> str:
         lines = []

@@ -55,9 +55,9 @@ class Session:
     def executor(self) -> BackgroundExecutor:
         return self.get_executor()
 
-    def print(self, *words: Any, sep: str = ' ') -> None:
+    def print(self, *words: Any, sep: str = ' ', end: str = '\n') -> None:
         """Print to standard output."""
-        print(*words, sep=sep, file=self.stdout)
+        print(*words, sep=sep, end=end, file=self.stdout)
 
     def complain(self, *words: Any) -> None:
         """Print to standard error."""
@@ -178,9 +178,12 @@ def add_graph_options(parser: argparse.ArgumentParser) -> None:
                         help=f'wait up to N seconds for each answer of a node (default: {SERVICE_TIMEOUT_SEC:g})')
 
 
-def add_node_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options and the argument that all verbs about one node have."""
+def add_node_options(parser: argparse.ArgumentParser, one: str | None = None) -> None:
+    """Add the options and the argument that all verbs about one node have.
+
+    :param one: '?' if the node need not be named.
+    """
     add_discovery_options(parser)
     parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
     parser.add_argument('--timeout', type=float, metavar='N', help='wait up to N seconds for the node to appear')
-    parser.add_argument('node_name', help='name of the node')
+    parser.add_argument('node_name', nargs=one, help='name of the node')
