@@ -218,7 +218,7 @@ def test_read_only_matters_only_where_the_node_runs(tmp_path):
 
 def test_all_errors_of_a_file_are_found_at_once(tmp_path):
     path = tmp_path / 'lift.yaml'
-    path.write_text('/hall_3/lift:\n  ros__parameters:\n    speed: 1\n    gains: [1, x]\n    titel: a\n    name:\n'
+    path.write_text('/hall_3/lift:\n  ros__parameters:\n    speed: 1\n    gains: [1, x]\n    length: a\n    name:\n'
                     '/hall_3/lft:\n  ros_parameters:\n    steps: 1\n')
     assert [(each.line, each.kind) for each in check_files(path, LIFT)] == [
         (3, 'wrong type'), (4, 'unreadable'), (5, 'unknown parameter'), (6, 'unreadable'),

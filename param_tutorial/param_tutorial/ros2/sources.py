@@ -1,7 +1,6 @@
 """What the commands about whole systems take as an argument: nodes, programs, and files that describe them."""
 
 import argparse
-import os
 from pathlib import Path
 
 from param_tutorial.errors import NodeError, NodeNotFoundError
@@ -17,7 +16,7 @@ HELP = 'a running node (/talker), several (/robot1/**, /**), a program (package/
 
 def is_file(word: str) -> bool:
     """True if a word is the path of a file, or can be nothing else."""
-    return Path(word).is_file() or '.' in word or word == os.devnull
+    return Path(word).is_file() or '.' in word or '@' in word
 
 
 def is_program(word: str) -> bool:

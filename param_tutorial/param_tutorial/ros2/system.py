@@ -17,6 +17,7 @@ from param_tutorial.parameters.sets import restore as restore_node
 from param_tutorial.parameters.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all
 from param_tutorial.parameters.systems import SystemDifference, compare_systems, defaults_of, of_robot
 from param_tutorial.ros2 import sources
+from param_tutorial.ros2.changes import past
 from param_tutorial.ros2.isolated import describe_program
 from param_tutorial.ros2.session import CommandFailed, Commands, Parser, Session, add_graph_options
 
@@ -121,8 +122,9 @@ def diff(session: Session, args: argparse.Namespace) -> int:
         session.print(f'<!DOCTYPE html><meta charset="utf-8"><title>{len(found)} differences</title>'
                       f'{found._repr_html_()}')
     elif args.format == 'json':
-        whole = found if isinstance(found, SystemDifference) else SystemDifference(*labels, {next(iter(after.nodes)): found})
-        session.print(whole.as_json())
+        if isinstance(found, Difference):
+            found = SystemDifference(*labels, {next(iter(after.nodes)): found})
+        session.print(found.as_json())
     else:
         session.print(found)
     return 2 if before.lacking or after.lacking else 1 if found else 0
@@ -150,11 +152,15 @@ def _running(session: Session, word: str, args: argparse.Namespace) -> _Side:
 
 
 def _named_in(path: str) -> list[str]:
+    if (then := past(path)) is not None:
+        return list(then)
     content = descriptions.load_yaml(path)
     return list(descriptions.read(path) if descriptions.is_description(content) else files.read_all(path))
 
 
 def _in_file(path: str, names: list[str]) -> _Side:
+    if (then := past(path)) is not None:
+        return _Side(path, then)
     if descriptions.is_description(descriptions.load_yaml(path)):
         return _Side(path, defaults_of(descriptions.read(path)), partial=True)
     is_snapshot = Path(path).read_text(encoding='utf-8', errors='replace').startswith(FIRST_WORDS)
@@ -167,7 +173,8 @@ def _in_file(path: str, names: list[str]) -> _Side:
 def add_restore_arguments(parser: Parser) -> None:
     """Add what ``restore`` takes."""
     add_graph_options(parser)
-    parser.add_argument('file', metavar='FILE', help='a snapshot, or another parameter file')
+    parser.add_argument('file', metavar='FILE',
+                        help='a snapshot, another parameter file, or a log and a time: changes.jsonl@14:05')
     parser.add_argument('nodes', nargs='*', metavar='NODE',
                         help='only these nodes, or patterns such as /robot1/** (default: those that the file names)')
     parser.add_argument('--dry-run', action='store_true', help='only say what would be set')
@@ -180,10 +187,11 @@ def add_restore_arguments(parser: Parser) -> None:
 
 def restore(session: Session, args: argparse.Namespace) -> int:
     """Give nodes the values of a file."""
-    wanted = files.read_all(args.file)
+    then = past(args.file)
+    wanted: Mapping[str, Mapping[str, Any]] = files.read_all(args.file) if then is None else then
     if args.nodes:
         nodes = [node for word in args.nodes for node in sources.nodes_of(session, word, args)]
-        given = files.read_all(args.file, nodes)
+        given = wanted if then is not None else files.read_all(args.file, nodes)
         wanted = {node: given[node] for node in nodes if node in given}
     if not wanted:
         raise CommandFailed(f'{args.file} holds nothing for these nodes' if args.nodes else
