@@ -129,18 +129,19 @@ class Dump:
         return f'{self.text}(left out: {names}; dump.left_out says why)'
 
 
-def render(node: str, parameters: Mapping[str, Any]) -> Dump:
+def render(node: str, parameters: Mapping[str, Any], unwanted: Mapping[str, str] | None = None) -> Dump:
     """Write the parameters of a node as a parameter file.
 
     :param node: Fully qualified name of the node.
     :param parameters: Names and values, as ``values.normalize`` gives them.
+    :param unwanted: Names that are to be left out, and why.
     :return: The text, sorted by name, and what it leaves out: what rcl's parser could not read back with the
         same type and value.
     """
     left_out: dict[str, str] = {}
     written: dict[str, tuple[str, list[str]]] = {}
     for name, value in sorted(parameters.items()):
-        reason = _not_expressible(name, value)
+        reason = (unwanted or {}).get(name) or why_not_expressible(name, value)
         if reason:
             left_out[name] = reason
         else:
@@ -151,7 +152,7 @@ def render(node: str, parameters: Mapping[str, Any]) -> Dump:
     return Dump('\n'.join(lines) + '\n', left_out)
 
 
-def _not_expressible(name: str, value: Any) -> str | None:
+def why_not_expressible(name: str, value: Any) -> str | None:
     """Return why rcl could not read this back, or None if it could."""
     if not name:
         return 'a parameter file has no place for an empty name'

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from param_tutorial.errors import ParameterToolError
-from param_tutorial.parameters import descriptions, files
+from param_tutorial.parameters import descriptions, files, values
+from param_tutorial.parameters.editing import update_file
 from param_tutorial.parameters.sets import Difference, ParameterSet, compare, preview
 from param_tutorial.parameters.sets import restore as restore_node
 from param_tutorial.parameters.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all
@@ -50,19 +51,37 @@ def add_snapshot_arguments(parser: Parser) -> None:
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE', default=['/**'],
                         help='a node, or a pattern such as /robot1/** (default: all nodes)')
-    parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
+    where.add_argument('--update', metavar='FILE',
+                       help='change the values in this file, which was written by hand: comments and order stay')
     parser.set_defaults(verb=snapshot)
 
 
 def snapshot(session: Session, args: argparse.Namespace) -> int:
     """Write the parameters of nodes as one parameter file."""
     found = take(session, args.nodes, args)
-    if args.save is None:
+    if args.update is not None:
+        _update(session, found, args.update)
+    elif args.save is None:
         session.stdout.write(found.dump().text)
     else:
         save(session, found.dump(), args.save)
         session.print(f'Saved {sum(map(len, found.values()))} parameters of {len(found)} nodes to {args.save}')
     return 1 if found.unanswered else 0
+
+
+def _update(session: Session, found: Snapshot, path: str) -> None:
+    held = files.read_all(path, found)
+    for node, parameters in found.items():
+        new = {name: parameters[name] for name in held.get(node, {}) if name in parameters}
+        try:
+            changed = update_file(path, node, new)
+        except OSError as error:
+            raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
+        for name in changed:
+            session.print(f'{node} {name}: {values.format_value(held[node][name])} → '
+                          f'{values.format_value(parameters[name])}')
 
 
 def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapshot:
