@@ -70,7 +70,8 @@ class Finding:
 class Findings(tuple[Finding, ...]):
     """All mistakes in some files, in their order; empty if there are none."""
 
-    __slots__ = ()
+    passed_over: tuple[str, ...] = ()
+    """The blocks that were not checked, because nothing is known of their nodes."""
 
     def text(self) -> str:
         """Return one line for each, as compilers write them."""
@@ -128,6 +129,7 @@ class _Check:
         self._loading = loading
         self._parser = Parser(tolerant=True)
         self._files: list[str] = []
+        self._reported: set[str] = set()
         self._found: dict[tuple[str, int, int, str, str], Finding] = {}
 
     def read(self, path: str | Path) -> None:
@@ -162,7 +164,11 @@ class _Check:
             if is_ours and assignment not in judged:
                 self._check_words(assignment, None, '')
         order = {file: number for number, file in enumerate(self._files)}
-        return Findings(sorted(self._found.values(), key=lambda each: (order[each.file], each.line, each.column)))
+        found = Findings(sorted(self._found.values(), key=lambda each: (order[each.file], each.line, each.column)))
+        if self._against:
+            found.passed_over = tuple(name for name in self._parser.blocks if name not in self._reported
+                                      and not any(matches(name, node) for node in self._against))
+        return found
 
     def _add(self, file: str, place: Place, kind: str, message: str, node: str = '', parameter: str = '') -> None:
         key = (file, place.line, place.column, kind, parameter)
@@ -194,6 +200,7 @@ class _Check:
         nothing_matches = not any(matches(name, node) for name in self._parser.blocks for node in nodes)
         for start in self._parser.starts if nodes else ():
             if any(matches(start.name, node) for node in nodes) or wrong_block_name(start.name):
+                self._reported.add(start.name)
                 continue
             name = '/' + start.name.strip('/')
             last = name.rpartition('/')[2]
@@ -211,6 +218,7 @@ class _Check:
                     f'"{elsewhere[0]}:" or "/**/{last}:"')
             else:
                 kind, message = 'unknown node', f'there is no node {name}{nearest(name, similar or nodes, "")}'
+            self._reported.add(start.name)
             self._add(start.file, start.place, kind, f'{message}; rcl ignores this block', start.name)
 
     # -- values -----------------------------------------------------------------------------------------

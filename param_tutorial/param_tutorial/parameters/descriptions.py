@@ -21,6 +21,7 @@ those of such a schema where it has one for the same thing:
             dynamic_typing: true
             range: {from: 0.0, to: 2.0, step: 0.1}
             validation: {one_of<>: [[0.5, 1.0]]}
+            unit: m/s              # written by hand
 
 A parameter of a schema may have ``__map_joints`` as a part of its name: there is one for each value of ``joints``.
 """
@@ -80,6 +81,8 @@ class DescribedParameter:
     """The value that it had when it was described; None if it had none."""
     validation: Mapping[str, tuple[Any, ...]] = field(default_factory=dict)
     """Validators of generate_parameter_library by name, without ``<>``, with their arguments."""
+    unit: str = ''
+    """Written by hand: neither ROS nor generate_parameter_library has a place for it."""
 
     @property
     def name(self) -> str:
@@ -284,6 +287,8 @@ def _written(described: DescribedParameter) -> dict[str, Any]:
     if descriptor.range:
         limits = descriptor.range
         result['range'] = {'from': limits.from_value, 'to': limits.to_value, 'step': limits.step}
+    if described.unit:
+        result['unit'] = described.unit
     if described.validation:
         result['validation'] = {f'{name}<>': list(arguments) for name, arguments in described.validation.items()}
     return result
@@ -438,7 +443,7 @@ def _described(name: str, leaf: Mapping[Any, Any]) -> DescribedParameter:
     descriptor = Descriptor(
         name, parameter_type, str(leaf.get('description') or ''), str(leaf.get('additional_constraints') or ''),
         leaf.get('read_only') is True, leaf.get('dynamic_typing') is True, _range(name, leaf.get('range')))
-    return DescribedParameter(descriptor, _default(name, parameter_type, leaf), validation)
+    return DescribedParameter(descriptor, _default(name, parameter_type, leaf), validation, str(leaf.get('unit') or ''))
 
 
 def _range(name: str, content: Any) -> Range | None:

@@ -14,7 +14,7 @@ from param_tutorial.parameters.change_log import KINDS, ChangeFollower, ChangeLo
 from param_tutorial.parameters.parsing import matches
 from param_tutorial.parameters.snapshot import Snapshot
 from param_tutorial.ros2.run import keeps_busy
-from param_tutorial.ros2.session import CommandFailed, Commands, Parser, Session, add_graph_options
+from param_tutorial.ros2.session import CommandFailed, Commands, Session, add_graph_options
 
 _LOOK_PERIOD_SEC = 0.5
 
@@ -25,7 +25,7 @@ def add_to(commands: Commands) -> None:
     add_history_arguments(commands.add_parser('history', help='print what a log holds, or the values at a time'))
 
 
-def add_watch_arguments(parser: Parser) -> None:
+def add_watch_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what ``watch`` takes."""
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE',
@@ -91,7 +91,7 @@ def _compiled(text: str) -> re.Pattern[str]:
         raise CommandFailed(f'{text!r} is not a regular expression: {error}') from None
 
 
-def add_history_arguments(parser: Parser) -> None:
+def add_history_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what ``history`` takes."""
     parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
     parser.add_argument('nodes', nargs='*', metavar='NODE',

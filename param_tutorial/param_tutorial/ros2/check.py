@@ -9,7 +9,7 @@ from param_tutorial.errors import ParameterToolError
 from param_tutorial.parameters.checking import Findings, check_files
 from param_tutorial.parameters.descriptions import Descriptions
 from param_tutorial.ros2 import sources
-from param_tutorial.ros2.session import CommandFailed, Commands, Parser, Session, add_graph_options
+from param_tutorial.ros2.session import CommandFailed, Commands, Session, add_graph_options
 
 _FORMATS = {'text': Findings.text, 'json': Findings.as_json, 'github': Findings.as_github}
 
@@ -20,7 +20,7 @@ def add_to(commands: Commands) -> None:
     add_describe_arguments(commands.add_parser('describe', help='save what nodes declare, to check files without them'))
 
 
-def add_check_arguments(parser: Parser) -> None:
+def add_check_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what ``check`` takes."""
     add_graph_options(parser)
     parser.add_argument('files', nargs='+', metavar='FILE',
@@ -49,16 +49,19 @@ def check(session: Session, args: argparse.Namespace) -> int:
             against.update(found)
             against.complete = against.complete or found.complete
         sets = [[file] for file in args.files] if args.separately else [args.files]
-        findings = Findings(each for files in sets for each in check_files(files, against, loading=args.load))
+        results = [check_files(files, against, loading=args.load) for files in sets]
     except (ParameterToolError, CommandFailed) as error:
         session.complain(error)
         return 2
+    findings = Findings(each for result in results for each in result)
     if text := _FORMATS[args.format](findings):
         session.print(text)
+    if passed_over := dict.fromkeys(name for result in results for name in result.passed_over):
+        session.complain(f'Not checked, because nothing is known of these nodes: {", ".join(passed_over)}')
     return 1 if findings else 0
 
 
-def add_describe_arguments(parser: Parser) -> None:
+def add_describe_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what ``describe`` takes."""
     add_graph_options(parser)
     parser.add_argument('sources', nargs='+', metavar='SOURCE', help=sources.HELP)

@@ -20,7 +20,7 @@ from param_tutorial.parameters.systems import SystemDifference, compare_systems,
 from param_tutorial.ros2 import sources
 from param_tutorial.ros2.changes import past
 from param_tutorial.ros2.isolated import describe_program
-from param_tutorial.ros2.session import CommandFailed, Commands, Parser, Session, add_graph_options
+from param_tutorial.ros2.session import CommandFailed, Commands, Session, add_graph_options
 
 
 def add_to(commands: Commands) -> None:
@@ -46,7 +46,7 @@ def save(session: Session, dump: files.Dump, path: str) -> None:
 # -- snapshot -----------------------------------------------------------------------------------------------
 
 
-def add_snapshot_arguments(parser: Parser) -> None:
+def add_snapshot_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what ``snapshot`` takes."""
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE', default=['/**'],
@@ -98,7 +98,7 @@ def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapsh
 # -- diff ---------------------------------------------------------------------------------------------------
 
 
-def add_diff_arguments(parser: Parser) -> None:
+def add_diff_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what ``diff`` takes."""
     add_graph_options(parser)
     parser.add_argument('before', metavar='BEFORE', help=f'{sources.HELP}: a snapshot, another parameter file, or '
@@ -189,7 +189,7 @@ def _in_file(path: str, names: list[str]) -> _Side:
 # -- restore ------------------------------------------------------------------------------------------------
 
 
-def add_restore_arguments(parser: Parser) -> None:
+def add_restore_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what ``restore`` takes."""
     add_graph_options(parser)
     parser.add_argument('file', metavar='FILE',
