@@ -38,8 +38,10 @@ def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]
             raise CommandFailed(str(NodeNotFoundError(name, session.executor.services.node_names())))
         return [name]
     session.wait_for_graph(args)
-    names = session.executor.services.node_names(hidden=args.include_hidden_nodes)
-    found = sorted({node for node in names if matches(name, node) and node != f'/{TOOL_NODE_NAME}'})
+    # A process that has just joined hears of names before it hears of what else a node has: see Session.node_names.
+    names = {each.full_name for each in session.node_names(hidden=args.include_hidden_nodes)}
+    found = sorted(node for node in names if matches(name, node) and node != f'/{TOOL_NODE_NAME}'
+                   and (args.include_hidden_nodes or '/_' not in node))
     if not found:
         raise CommandFailed(f'no running node matches {name}')
     return found
