@@ -28,7 +28,7 @@ def log(ros, tmp_path):
     yield path
     thread.join(70)
     stdout, stderr, status = told[0]
-    assert stdout.startswith('Watching 9 parameters of 1 nodes\n')
+    assert stdout.startswith('Watching 9 parameters of 1 node\n')
     assert "/simple_param_node robot_name: 'Clawbot' → 'Berta'\n" in stdout
     assert (stderr, status) == ('', 0)
 

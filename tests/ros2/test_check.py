@@ -41,7 +41,7 @@ def test_what_a_running_node_declares_is_saved_and_checked_against(ros, file, tm
     ros.add(SimpleParamNode)
     saved = tmp_path / 'saved.yaml'
     stdout, stderr, status = run('describe', '/**', '--save', saved)
-    assert (stdout, stderr, status) == (f'Saved 9 parameters of 1 nodes to {saved}\n', '', 0)
+    assert (stdout, stderr, status) == (f'Saved 9 parameters of 1 node to {saved}\n', '', 0)
     ros.remove_all()
     assert descriptions.read(saved).complete
     assert run('check', file(GOOD), '--against', saved)[2] == 0

@@ -94,7 +94,7 @@ def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp
     ros.add(Camera, '/left')
     path = tmp_path / 'monday.yaml'
     stdout, stderr, status = run('snapshot', '--timeout', '0.5', '--save', path)
-    assert stdout.startswith('Saved 3 parameters of 1 nodes')
+    assert stdout.startswith('Saved 3 parameters of 1 node')
     assert stderr.startswith('/silent did not answer')
     assert status == 1
     assert list(Snapshot.from_file(path)) == ['/left/camera']

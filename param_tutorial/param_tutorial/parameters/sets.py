@@ -103,7 +103,7 @@ class ParameterSet(Mapping[str, Any]):
     __hash__ = None  # type: ignore[assignment]  # every object has one, says object; a list in it could not be hashed
 
     def __repr__(self) -> str:
-        return f'<ParameterSet: {self.label}, {_counted(len(self), "parameter")}>'
+        return f'<ParameterSet: {self.label}, {counted(len(self), "parameter")}>'
 
 
 class WordTable:
@@ -155,7 +155,7 @@ class Difference(WordTable):
         self.changes = tuple(changes)
         self.equal = equal
         self.heading = (f'{before.label} → {after.label}: '
-                        f'{_counted(len(self.changes), "difference")}, {equal} the same')
+                        f'{counted(len(self.changes), "difference")}, {equal} the same')
         self.columns = ('parameter', 'difference', before.label, after.label)
 
     def __len__(self) -> int:
@@ -241,7 +241,7 @@ class Restored(WordTable):
         :param outcomes: One for each parameter that differed.
         """
         self.outcomes = tuple(outcomes)
-        total = _counted(len(self.outcomes), 'parameter')
+        total = counted(len(self.outcomes), 'parameter')
         done = sum(outcome.word == 'set' for outcome in self.outcomes)
         self.complete = done == len(self.outcomes)
         """True if the node now holds all the values of the set."""
@@ -330,7 +330,7 @@ class Preview(WordTable):
         """
         self.expectations = tuple(expectations)
         will = sum(each.word == 'would be set' for each in self.expectations)
-        self.heading = (f'{node} from {wanted.label}: {_counted(len(self.expectations), "difference")}, '
+        self.heading = (f'{node} from {wanted.label}: {counted(len(self.expectations), "difference")}, '
                         f'{will} would be set')
 
     def __iter__(self) -> Iterator[Expectation]:
@@ -415,7 +415,8 @@ def _as_set(what: Comparable, label: str) -> ParameterSet:
     return ParameterSet(what, label) if isinstance(what, Mapping) else ParameterSet.of(what)
 
 
-def _counted(count: int, what: str) -> str:
+def counted(count: int, what: str) -> str:
+    """Return a number with its noun."""
     return f'{count} {what}{"" if count == 1 else "s"}'
 
 

@@ -48,7 +48,7 @@ class Snapshot(dict[str, ParameterValues]):
         """Return the text of one parameter file for all nodes, which ``--params-file`` and ``restore`` read back."""
         dumps = {node: files.render(node, parameters) for node, parameters in self.items()}
         now = datetime.datetime.now().astimezone().isoformat(timespec='seconds')
-        lines = [f'{FIRST_WORDS} {len(self)} nodes, {now}\n']
+        lines = [f'{FIRST_WORDS} {len(self)} node{"" if len(self) == 1 else "s"}, {now}\n']
         lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
         left_out = {f'{node}: {name}': reason for node, dump in dumps.items() for name, reason in dump.left_out.items()}
         return files.Dump(''.join(lines) + '\n'.join(dump.text for dump in dumps.values()), left_out)

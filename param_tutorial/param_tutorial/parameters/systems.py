@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from param_tutorial.parameters.descriptions import Descriptions
-from param_tutorial.parameters.sets import Change, Difference, ParameterSet, WordTable, compare
+from param_tutorial.parameters.sets import Change, Difference, ParameterSet, WordTable, compare, counted
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import Row, grouped_table
 
@@ -48,9 +48,8 @@ class SystemDifference(WordTable):
         """The nodes that do not."""
         count = sum(map(len, self.differences.values())) + len(self.only_before) + len(self.only_after)
         self._count = count
-        nodes = len(self.differences)
-        self.heading = (f'{before} → {after}: {count} difference{"" if count == 1 else "s"} in '
-                        f'{nodes} node{"" if nodes == 1 else "s"}, {len(self.same)} the same')
+        self.heading = (f'{before} → {after}: {counted(count, "difference")} in '
+                        f'{counted(len(self.differences), "node")}, {len(self.same)} the same')
 
     def __len__(self) -> int:
         return self._count

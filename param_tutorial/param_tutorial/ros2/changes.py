@@ -12,6 +12,7 @@ from pathlib import Path
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.parameters.change_log import KINDS, ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
 from param_tutorial.parameters.parsing import matches
+from param_tutorial.parameters.sets import counted
 from param_tutorial.parameters.snapshot import Snapshot
 from param_tutorial.ros2.run import keeps_busy
 from param_tutorial.ros2.session import CommandFailed, Commands, Session, add_graph_options
@@ -45,8 +46,8 @@ def watch(session: Session, args: argparse.Namespace) -> int:
     patterns = ['/' + word.strip('/') for word in args.nodes]
     happened: queue.SimpleQueue[list[LoggedChange] | ParameterToolError] = queue.SimpleQueue()
     end = math.inf if args.duration is None else time.monotonic() + args.duration
-    with _writer(args.log) as writer:
-        # Ctrl+C is how it ends.
+    # Ctrl+C is how it ends, whenever it comes.
+    with contextlib.suppress(KeyboardInterrupt), _writer(args.log) as writer:
         with contextlib.suppress(KeyboardInterrupt), ChangeFollower(
                 happened.put, nodes=patterns, trouble=happened.put, timeout_sec=args.timeout,
                 executor=session.executor):
@@ -78,7 +79,7 @@ def _tell(session: Session, what: list[LoggedChange] | ParameterToolError, wante
     shown = [each for each in what if each.kind not in ('begin', 'seen') and wanted.search(each.name)]
     if what and what[0].kind == 'begin':
         nodes = len({each.node for each in what[1:]})
-        session.print(f'Watching {len(what) - 1} parameters of {nodes} nodes')
+        session.print(f'Watching {counted(len(what) - 1, "parameter")} of {counted(nodes, "node")}')
     for each in shown:
         session.print(each)
     session.stdout.flush()

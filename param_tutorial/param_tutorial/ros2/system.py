@@ -13,7 +13,7 @@ from typing import Any
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.parameters import descriptions, files, values
 from param_tutorial.parameters.editing import update_file
-from param_tutorial.parameters.sets import Difference, ParameterSet, compare, preview
+from param_tutorial.parameters.sets import Difference, ParameterSet, compare, counted, preview
 from param_tutorial.parameters.sets import restore as restore_node
 from param_tutorial.parameters.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all
 from param_tutorial.parameters.systems import SystemDifference, compare_systems, defaults_of, of_robot
@@ -67,7 +67,8 @@ def snapshot(session: Session, args: argparse.Namespace) -> int:
         session.stdout.write(found.dump().text)
     else:
         save(session, found.dump(), args.save)
-        session.print(f'Saved {sum(map(len, found.values()))} parameters of {len(found)} nodes to {args.save}')
+        total = sum(map(len, found.values()))
+        session.print(f'Saved {counted(total, "parameter")} of {counted(len(found), "node")} to {args.save}')
     return 1 if found.unanswered else 0
 
 
