@@ -120,7 +120,8 @@ def test_a_time_of_day_is_the_last_one_that_the_log_has_reached():
 
 @pytest.fixture
 def told(ros):
-    """Return the changes that a follower hears of."""
+    """Return the changes that a follower hears of, with a node that was there before it."""
+    ros.add(Arm)
     changes = []
     with ChangeFollower(changes.extend):
         yield changes
@@ -131,8 +132,7 @@ def find(changes, **wanted):
 
 
 def test_each_change_is_told_with_its_old_and_new_value(ros, told):
-    ros.add(Arm)
-    wait_until(lambda: find(told, node='/arm', name='gains.kp'), 'the node to be seen')
+    assert [each.new for each in find(told, kind='seen', node='/arm', name='offset')] == [0.5]
     client = ParameterClient('/arm')
     client.set_parameters({'offset': 0.75, 'tool': 'hook'})
     client.set_parameter('payload', 'heavy')
@@ -145,8 +145,6 @@ def test_each_change_is_told_with_its_old_and_new_value(ros, told):
 
 
 def test_a_node_that_restarts_has_gone_and_come(ros, told):
-    ros.add(Arm)
-    wait_until(lambda: find(told, name='offset'), 'the node to be seen')
     ParameterClient('/arm').set_parameter('offset', 0.75)
     wait_until(lambda: find(told, kind='changed'), 'the change to be told')
     ros.add(Arm)
@@ -155,7 +153,6 @@ def test_a_node_that_restarts_has_gone_and_come(ros, told):
 
 
 def test_the_state_at_the_end_is_what_the_nodes_have(ros, told):
-    ros.add(Arm)
     ros.add(Node, 'plain')
     client = ParameterClient('/arm')
     for number, name in itertools.product(range(10), ('offset', 'gains.ki')):

@@ -323,7 +323,7 @@ def test_run_starts_programs_of_a_sourced_workspace(tmp_path, monkeypatch):
 
 def test_the_programs_that_colcon_installs_are_the_same(request):
     setup = (request.config.rootpath / 'param_tutorial/setup.py').read_text()
-    assert sorted(re.findall(r"f?['\"](\w+) = ", setup)) == node_programs()
+    assert sorted(re.findall(r"'(\w+) = [\w.]+:main'", setup)) == node_programs()
 
 
 # -- as a process ---------------------------------------------------------------------------------------------
