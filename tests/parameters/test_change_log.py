@@ -79,14 +79,15 @@ def logged(kind, minute, name='x', old=None, new=None, node='/a'):
 LOG = ChangeLog([
     logged('begin', 0, '', node=''), logged('seen', 0, new=1), logged('seen', 0, 'y', new='a', node='/b'),
     logged('changed', 5, old=1, new=2), logged('declared', 6, 'z', new=0.5), logged('gone', 7, '', node='/b'),
-    logged('deleted', 8, 'z', 0.5), logged('changed', 9, old=2, new=3), logged('begin', 20, '', node=''),
+    logged('deleted', 8, 'z', 0.5), logged('changed', 9, old=2, new=3),
+    logged('seen', 12, node='/c', new=1), logged('begin', 20, '', node=''),
     logged('seen', 20, new=7)])
 
 
 @pytest.mark.parametrize(('minute', 'state'), [
     (0, {'/a': {'x': 1}, '/b': {'y': 'a'}}), (4.9, {'/a': {'x': 1}, '/b': {'y': 'a'}}),
     (5, {'/a': {'x': 2}, '/b': {'y': 'a'}}), (6, {'/a': {'x': 2, 'z': 0.5}, '/b': {'y': 'a'}}),
-    (7, {'/a': {'x': 2, 'z': 0.5}}), (8, {'/a': {'x': 2}}), (15, {'/a': {'x': 3}}), (21, {'/a': {'x': 7}})])
+    (7, {'/a': {'x': 2, 'z': 0.5}}), (8, {'/a': {'x': 2}}), (15, {'/a': {'x': 3}, '/c': {'x': 1}}), (21, {'/a': {'x': 7}})])
 def test_the_state_at_any_time(minute, state):
     assert LOG.at(START + datetime.timedelta(minutes=minute)) == state
 

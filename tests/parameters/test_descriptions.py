@@ -30,6 +30,8 @@ class Picky(Node):
         self.declare_parameter('whole', 10, describe(integer_range=[IntegerRange(from_value=1, to_value=12, step=3)]))
         self.declare_parameter('real', 0.3, describe(
             floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0, step=0.3)]))
+        self.declare_parameter('shifted', 0.75, describe(
+            floating_point_range=[FloatingPointRange(from_value=0.35, to_value=2.0, step=0.2)]))
         self.declare_parameter('backwards', 3, describe(integer_range=[IntegerRange(from_value=5, to_value=1, step=0)]))
         self.declare_parameter('text', 'a')
         self.declare_parameter('texts', ['a'])
@@ -68,6 +70,7 @@ def test_all_nodes_are_described_and_one_that_hangs_is_named(ros, tmp_path):
 @pytest.mark.parametrize(('name', 'value'), [
     *(('whole', value) for value in (0, 1, 2, 4, 10, 12, 13, -5, 1.0, True, '1')),
     *(('real', value) for value in (0.0, 0.3, 0.6, 0.9, 0.91, 0.3 + 1e-9, 1.0, 1.1, -0.1, float('nan'), 1)),
+    *(('shifted', value) for value in (0.35, 0.55, 0.6, 0.4, 1.95, 2.0)),
     *(('backwards', value) for value in (1, 3, 5, 0, 6)), ('text', 'b'), ('text', 1), ('texts', ['b', 'c']),
     ('texts', [1]), ('texts', 'b'), ('free', 'x'), ('free', [1.5]),
 ])
