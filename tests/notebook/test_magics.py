@@ -253,6 +253,8 @@ def test_the_courses_own_nodes_are_started_by_its_own_command(cell_with_genuine,
     assert not genuine.runs(['launch', str(ours)])
     assert not genuine.runs(['run', '--prefix', 'nice', 'param_tutorial', 'simple_param_node'])
     assert genuine.runs(['param', 'list', '/param_tutorial'])
+    assert not genuine.runs(['diff', '/a', '/b'])
+    assert not genuine.runs(['param', 'get', '--all-nodes', 'rate'])
 
 
 def test_an_old_build_of_the_course_is_not_found(tmp_path, monkeypatch, fake_ros2):

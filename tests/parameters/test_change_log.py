@@ -87,7 +87,8 @@ LOG = ChangeLog([
 @pytest.mark.parametrize(('minute', 'state'), [
     (0, {'/a': {'x': 1}, '/b': {'y': 'a'}}), (4.9, {'/a': {'x': 1}, '/b': {'y': 'a'}}),
     (5, {'/a': {'x': 2}, '/b': {'y': 'a'}}), (6, {'/a': {'x': 2, 'z': 0.5}, '/b': {'y': 'a'}}),
-    (7, {'/a': {'x': 2, 'z': 0.5}}), (8, {'/a': {'x': 2}}), (15, {'/a': {'x': 3}, '/c': {'x': 1}}), (21, {'/a': {'x': 7}})])
+    (7, {'/a': {'x': 2, 'z': 0.5}}), (8, {'/a': {'x': 2}}), (15, {'/a': {'x': 3}, '/c': {'x': 1}}),
+    (21, {'/a': {'x': 7}})])
 def test_the_state_at_any_time(minute, state):
     assert LOG.at(START + datetime.timedelta(minutes=minute)) == state
 
