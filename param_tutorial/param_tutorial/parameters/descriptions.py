@@ -59,6 +59,7 @@ _TYPES = {
     'int_array': values.INTEGER_ARRAY, 'double_array': values.DOUBLE_ARRAY, 'string_array': values.STRING_ARRAY}
 _NAMES = {parameter_type: name for name, parameter_type in _TYPES.items()}
 _FIXED = re.compile(r'(string|bool_array|int_array|double_array|string_array)_fixed_([0-9]{1,9})')
+_MOST_BRANCHES = 100_000
 # rclpy.node.Node.PARAM_REL_TOL
 _REL_TOL = 1e-6
 
@@ -385,26 +386,31 @@ def _is_schema(content: Any) -> bool:
         return False
     (tree,) = content.values()
     try:
-        return isinstance(tree, dict) and 'ros__parameters' not in tree and any(_leaves(tree, ()))
+        return isinstance(tree, dict) and 'ros__parameters' not in tree and any(_leaves(tree))
     except (_Unfit, RecursionError):
         return False
 
 
 def _read_schema(content: Mapping[Any, Any]) -> Iterator[NodeDescription]:
     for name, tree in content.items():
-        parameters = {'.'.join(path): _described('.'.join(path), leaf) for path, leaf in _leaves(tree, ())}
+        parameters = {'.'.join(path): _described('.'.join(path), leaf) for path, leaf in _leaves(tree)}
         yield NodeDescription(f'/{name}', parameters, AS_DECLARED)
 
 
-def _leaves(tree: Mapping[Any, Any], path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Mapping[Any, Any]]]:
+def _leaves(tree: Mapping[Any, Any], path: tuple[str, ...] = (), visited: Iterator[int] | None = None
+            ) -> Iterator[tuple[tuple[str, ...], Mapping[Any, Any]]]:
     """Yield the parameters of a schema: the maps that have a type."""
+    visited = visited or itertools.count()
     for key, branch in tree.items():
         if not isinstance(branch, dict):
             raise _Unfit(f'{".".join((*path, str(key)))} is no parameter: it has no type')
+        # A few lines of aliases can stand for more maps than anybody has time for.
+        if next(visited) > _MOST_BRANCHES:
+            raise _Unfit(f'it has more than {_MOST_BRANCHES} maps')
         if isinstance(branch.get('type'), str):
             yield (*path, str(key)), branch
         else:
-            yield from _leaves(branch, (*path, str(key)))
+            yield from _leaves(branch, (*path, str(key)), visited)
 
 
 def _read_saved(content: Mapping[Any, Any]) -> Descriptions:
