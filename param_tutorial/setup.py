@@ -1,4 +1,5 @@
-"""What colcon installs: the import package, its nodes as programs for `ros2 run`, and the files they load.
+"""What colcon installs: the import package, its nodes as programs for `ros2 run`, the files they load, and its commands
+as extensions of `ros2`.
 
 pip reads pyproject.toml one folder up instead.
 """
@@ -35,6 +36,15 @@ setup(
             'pallet_lift_node = param_tutorial.nodes.pallet_lift_node:main',
             'pid_controller_node = param_tutorial.nodes.pid_controller_node:main',
             'cart_node = param_tutorial.nodes.cart_node:main',
+        ],
+        'ros2cli.command': [
+            'param_check = param_tutorial.ros2.extension:CheckCommand',
+            'param_describe = param_tutorial.ros2.extension:DescribeCommand',
+            'param_diff = param_tutorial.ros2.extension:DiffCommand',
+            'param_history = param_tutorial.ros2.extension:HistoryCommand',
+            'param_restore = param_tutorial.ros2.extension:RestoreCommand',
+            'param_snapshot = param_tutorial.ros2.extension:SnapshotCommand',
+            'param_watch = param_tutorial.ros2.extension:WatchCommand',
         ],
     },
 )

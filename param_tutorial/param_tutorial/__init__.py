@@ -33,6 +33,8 @@ _HOMES = {
     'BackgroundExecutor': 'runtime.executor',
     'CallsView': 'widgets.pictured',
     'CartView': 'widgets.cart',
+    'ChangeFollower': 'parameters.change_log',
+    'ChangeLog': 'parameters.change_log',
     'DeclarationsView': 'widgets.pictured',
     'EventView': 'widgets.events',
     'LadderView': 'widgets.motion',
@@ -52,24 +54,29 @@ _HOMES = {
     'Rules': 'parameters.rules',
     'Shell': 'notebook.shell',
     'SideBySide': 'widgets.side_by_side',
+    'Snapshot': 'parameters.snapshot',
     'StepResponseView': 'widgets.step_response',
     'Terminal': 'notebook.terminal',
     'TrailView': 'widgets.pictured',
     'WorldsView': 'widgets.pictured',
     'all_parameters': 'parameters.snapshot',
+    'check_files': 'parameters.checking',
     'compare': 'parameters.sets',
+    'compare_systems': 'parameters.systems',
     'load_ipython_extension': 'notebook.magics',
     'node_graph': 'runtime.stage',
     'plot_responses': 'pictures.plots',
+    'preview': 'parameters.sets',
     'record_change': 'parameters.recording',
     'restore': 'parameters.sets',
     'start': 'runtime.stage',
     'stop': 'runtime.stage',
     'unload_ipython_extension': 'notebook.magics',
+    'update_file': 'parameters.editing',
     'wait_until': 'runtime.waiting',
 }
-# And modules that the lessons name: `from param_tutorial import parameter_files`.
-_MODULES = {'parameter_files': 'parameters.files'}
+# And modules: `from param_tutorial import parameter_files`.
+_MODULES = {'descriptions': 'parameters.descriptions', 'parameter_files': 'parameters.files'}
 __all__ = list(_HOMES)
 
 

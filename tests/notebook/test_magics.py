@@ -253,6 +253,8 @@ def test_the_courses_own_nodes_are_started_by_its_own_command(cell_with_genuine,
     assert genuine.path_for(['launch', str(ours)]) is None
     assert genuine.path_for(['run', '--prefix', 'nice', 'param_tutorial', 'simple_param_node']) is None
     assert genuine.path_for(['param', 'list', '/param_tutorial']) == genuine.path()
+    assert genuine.path_for(['diff', '/a', '/b']) is None
+    assert genuine.path_for(['param', 'get', '--all-nodes', 'rate']) is None
 
 
 def test_an_old_build_of_the_course_is_not_found(tmp_path, monkeypatch, fake_ros2):

@@ -556,7 +556,7 @@ def test_pkg_tells_what_has_been_built_and_sourced(workspace, tmp_path, monkeypa
 
 def test_the_programs_that_colcon_installs_are_the_same(request):
     setup = (request.config.rootpath / 'param_tutorial/setup.py').read_text()
-    assert sorted(re.findall(r"f?['\"](\w+) = ", setup)) == node_programs()
+    assert sorted(re.findall(r"'(\w+) = [\w.]+:main'", setup)) == node_programs()
 
 
 # -- as a process ---------------------------------------------------------------------------------------------

@@ -1,1 +1,1 @@
-"""The parameters of running nodes and in files: values, client, sets, rules, aliases. No Jupyter."""
+"""The parameters of running nodes and in files: client, sets, systems, checks, logs, rules, aliases. No Jupyter."""

@@ -14,17 +14,25 @@ byte, as 61 recordings in tests/ros2/transcripts have it, the others as its sour
 - ``pkg create`` writes Python packages only, and no LICENSE.
 - ``launch`` reads Python files, with the actions and substitutions that the lessons use, and rejects all else by its
   name. It works out everything before it starts the first program, and keeps no log files.
+- The commands that the genuine one has not (``genuine.OWN_COMMANDS``) follow its conventions, and extend it where it
+  is.
 - Of other commands, verbs and options, a usage error says that the genuine ros2 has more.
 
-    command  one command, in this process
-    param    param list, get, set, describe, dump, load, delete
-    node     node list, info
-    run      run: the nodes of the course, and the programs of packages that colcon has built
-    service  service list
-    topic    topic list
-    pkg      pkg create: a new Python package; executables, list, prefix
-    launch   launch: what a launch file describes
-    index    where packages are installed
-    session  what the verbs share
-    genuine  the installed ros2, where there is one
+    command    one command, in this process
+    param      param list, get, set, describe, dump, load, delete
+    node       node list, info
+    run        run: the nodes of the course, and the programs of packages that colcon has built
+    service    service list
+    topic      topic list
+    pkg        pkg create: a new Python package; executables, list, prefix
+    launch     launch: what a launch file describes
+    check      check and describe: parameter files against what nodes declare
+    system     snapshot, diff and restore: the parameters of whole systems
+    changes    watch and history: every change of a parameter
+    sources    what those commands take for a system
+    isolated   a program in a ROS domain of its own, to describe its nodes
+    extension  those commands for the genuine ros2
+    index      where packages are installed
+    session    what the verbs share
+    genuine    the installed ros2, where there is one
 """

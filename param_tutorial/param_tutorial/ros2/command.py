@@ -11,9 +11,10 @@ from param_tutorial.ros2.session import MORE_ELSEWHERE, CommandFailed, Parser, P
 if TYPE_CHECKING:
     from param_tutorial.runtime.executor import BackgroundExecutor
 
-# Imported when used: a process that runs one command need not pay for the others.
-_MODULES = {'node': 'node', 'param': 'param', 'pkg': 'pkg', 'run': 'run', 'service': 'service', 'topic': 'topic',
-            'launch': 'launch.verb'}
+# The commands of each module. Imported when used: a process that runs one command need not pay for the others.
+_MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run'], 'service': ['service'],
+            'topic': ['topic'], 'launch.verb': ['launch'], 'check': ['check', 'describe'],
+            'system': ['snapshot', 'diff', 'restore'], 'changes': ['watch', 'history']}
 
 
 @functools.cache
@@ -21,8 +22,9 @@ def _parser(command: str) -> Parser:
     """Return a parser for one command, or for all if it is none."""
     parser = Parser(prog='ros2', description=MORE_ELSEWHERE)
     commands = parser.add_subparsers(metavar='command', title='commands')
-    for name in [command] if command in _MODULES else _MODULES:
-        importlib.import_module(f'param_tutorial.ros2.{_MODULES[name]}').add_to(commands)
+    wanted = [module for module, names in _MODULES.items() if command in names] or _MODULES
+    for module in wanted:
+        importlib.import_module(f'param_tutorial.ros2.{module}').add_to(commands)
     return parser
 
 
