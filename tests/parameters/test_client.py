@@ -36,6 +36,7 @@ from param_tutorial.errors import (
 )
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters import values
+from param_tutorial.runtime.services import DISCOVERY_TIMEOUT_SEC
 from tests.support.strategies import VALUES
 
 
@@ -217,6 +218,14 @@ def test_a_value_that_cannot_be_sent_stops_the_whole_request(client):
         with pytest.raises(InvalidValueError, match='name'):
             client.set_parameters({name: 1})
     assert client.get_parameter('count') == 3
+
+
+def test_a_patient_client_waits_for_a_node_that_comes_late(ros):
+    comes = threading.Timer(DISCOVERY_TIMEOUT_SEC + 0.5, ros.add, [SimpleParamNode])
+    comes.start()
+    assert ParameterClient('/simple_param_node', timeout_sec=30).get_parameter('max_speed_rpm') == 100
+    comes.join()
+
 
 
 def test_delete(client):

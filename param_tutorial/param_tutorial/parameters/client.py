@@ -27,7 +27,7 @@ from param_tutorial.parameters import files, values
 from param_tutorial.parameters.values import ParameterType
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
+from param_tutorial.runtime.services import DISCOVERY_TIMEOUT_SEC, TIMEOUT_SEC, full_name
 
 # What rclpy (and, after the bar, rclcpp) say when they reject, before any callback of the node is asked.
 _KINDS = (
@@ -199,7 +199,8 @@ class ParameterClient:
                  executor: BackgroundExecutor | None = None):
         """
         :param node: The node, or its name; ``talker`` is ``/talker``.
-        :param timeout_sec: How long the node may take for each answer.
+        :param timeout_sec: How long the node may take for each answer. A node that is not there yet is waited for as
+            long, and for DISCOVERY_TIMEOUT_SEC at least.
         :param executor: Carries the calls; by default whichever runs in the background at each call.
         """
         self.node = full_name(node)
@@ -368,7 +369,8 @@ class ParameterClient:
         return self._executor or stage.current()
 
     def _call(self, service: str, request: Any) -> Any:
-        return self.executor.services.call(self.node, service, request, timeout_sec=self.timeout_sec)
+        return self.executor.services.call(self.node, service, request, timeout_sec=self.timeout_sec,
+                                           discovery_timeout_sec=max(DISCOVERY_TIMEOUT_SEC, self.timeout_sec))
 
     def _require_all(self, names: Sequence[str], answer: Sequence[object]) -> None:
         """Name the unknown one among names: with one unknown name the whole answer of a node is empty."""
