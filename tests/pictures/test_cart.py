@@ -34,7 +34,7 @@ def test_the_time_goes_on_after_a_change_on_the_way():
 
 
 def test_boxes_lean_back_while_it_speeds_up_and_forward_while_it_brakes():
-    picture = track.moving(cart(2.0, 1.0), 0.0, 'one')
+    picture = track.film(cart(2.0, 1.0), 'one').picture
     steps = re.search(r'@keyframes one-cargo \{(.*?)\}\}', picture)[1]
     angles = [float(each) for each in re.findall(r'rotate\((-?[\d.]+)rad\)', steps)]
     lean = math.atan(1.0 / 9.81)

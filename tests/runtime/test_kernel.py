@@ -1,7 +1,12 @@
 """The executor in a real Jupyter kernel: re-run cells, interrupts, errors, restarts and the end."""
 
+import signal
+import threading
+from pathlib import Path
+
 import pytest
 
+from param_tutorial import wait_until
 from tests.support.kernels import DEADLINE_SEC, Kernel
 
 pytestmark = pytest.mark.slow
@@ -124,3 +129,54 @@ def test_two_kernels_do_not_see_each_other(kernel):
         assert kernel.run('ros.domain_id') != other.run('ros.domain_id')
     finally:
         assert other.end() == 0
+
+
+SHELL = START + """
+import ipywidgets
+%load_ext param_tutorial
+first = param_tutorial.Shell()
+button = ipywidgets.Button()
+button.on_click(lambda _: (first.home / 'clicked').touch())
+"""
+# Only a click ends it.
+WAITS_FOR_CLICK = """%%shell first
+touch begun
+until [ -e clicked ]; do sleep 0.05; done
+echo clicked; false"""
+
+
+def test_a_button_works_while_a_shell_cell_waits(kernel):
+    kernel.run(SHELL)
+    model_id, home = kernel.run('print(button.model_id, first.home)').split()
+
+    def click():
+        wait_until((Path(home) / 'begun').exists, 'the shell', timeout_sec=DEADLINE_SEC)
+        content = {'comm_id': model_id, 'data': {'method': 'custom', 'content': {'event': 'click'}}}
+        kernel.client.shell_channel.send(kernel.client.session.msg('comm_msg', content))
+
+    hand = threading.Thread(target=click)
+    hand.start()
+    assert kernel.run(WAITS_FOR_CLICK) == 'clicked\n'
+    hand.join()
+    assert kernel.run('_exit_code') == '1'
+
+
+def test_interrupt_ends_what_a_shell_cell_waits_for_and_not_the_shell(kernel):
+    kernel.run(SHELL)
+    home = Path(kernel.run('print(first.home)').strip())
+
+    def press():
+        wait_until((home / 'begun').exists, 'the shell', timeout_sec=DEADLINE_SEC)
+        kernel.manager.provisioner.process.send_signal(signal.SIGINT)
+
+    hand = threading.Thread(target=press)
+    hand.start()
+    assert 'Error' not in kernel.run("%%shell first\nbash -c 'touch begun; exec sleep 1000'")
+    hand.join()
+    assert kernel.run('_exit_code') == '130'
+    assert kernel.run('%%shell first\necho goes on') == 'goes on\n'
+
+
+def test_a_shell_cell_says_what_is_wrong_with_its_name(kernel):
+    kernel.run(SHELL)
+    assert 'takes the name of a Shell' in kernel.run('%%shell second\nls')

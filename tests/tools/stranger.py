@@ -12,7 +12,8 @@ goes through Chromium, by mouse and keyboard. For each chapter, in a kernel and 
 3. Run All, with play while it runs. Now each output must be the stored one. The kernel must be idle, every panel must
    still change its node and every robot must drive, also after the page was reloaded. The browser must not complain.
 
-It also says which cells kept the kernel busy: a slider does not answer as long as a cell runs.
+It also says which cells kept the kernel busy: a slider does not answer as long as a cell runs, unless the cell awaits
+something, as those of %%shell do.
 """
 
 import argparse
@@ -111,6 +112,12 @@ _ROBOTS = """index => [...window.jupyterapp.shell.currentWidget.content.widgets[
     })"""
 _VALUES = """(lambda c: {{n: repr(c.get_parameter(n)) for n in c.list_parameters()}})(
     __import__('param_tutorial').ParameterClient({node!r}))"""
+
+# A hand may have left a robot where it may not drive: too cold, or at most 0 turns a minute.
+_LET_DRIVE = """[__import__('param_tutorial').ParameterClient(node).set_parameters(
+    {'simulation.ambient_temperature_c': 15, 'min_operating_temperature_c': -5, 'max_speed_rpm': 100})
+    for node in __import__('param_tutorial.runtime.stage').runtime.stage.current().nodes
+    if hasattr(node, 'waiting_for')]"""
 
 
 class Hang(Exception):
@@ -232,7 +239,8 @@ class Stranger:
             for key in self._page.evaluate(_ROBOTS, index):
                 self.report.live += 1
                 if not self._robot_reacts(key):
-                    self.report.found.append(f'cell {index}: {when}, the robot does not drive')
+                    status = self._page.locator(f'[data-stranger-robot="{key}"]').get_by_role('status').inner_text()
+                    self.report.found.append(f'cell {index}: {when}, the robot does not drive, but says {status!r}')
 
     def _panel_reacts(self, index: int, key: str, node: str) -> bool:
         """Change something on a panel; its node takes it, or the panel says why not."""
@@ -261,11 +269,17 @@ class Stranger:
         return True
 
     def _robot_reacts(self, key: str) -> bool:
-        """Press a robot's Drive, if its node is there."""
+        """Press a robot's Drive, if its node is there; what may not drive is allowed to."""
         robot = self._page.locator(f'[data-stranger-robot="{key}"]')
         button = robot.get_by_role('button', name='Drive')
         if button.count() == 0 or button.is_disabled():
             return True
+        word = robot.locator('.robot-word').inner_text()
+        if word == 'WAITING':
+            self._say(f'{robot.get_by_role("status").inner_text()} Now it may drive.')
+            self._lab.ask_kernel(_LET_DRIVE)
+            if not self._becomes(lambda: robot.locator('.robot-word').inner_text() != word):
+                return False
         before = robot.inner_html()
         button.click()
         return self._changes(robot.inner_html, before)

@@ -45,12 +45,28 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
     ipython.user_ns.update(exit=_NoExit(), quit=_NoExit())
     ipython.InteractiveTB.set_mode('Minimal')
     ipython.events.register('pre_run_cell', _before_cell)
+    if hasattr(ipython, 'kernel') and _await_shell not in ipython.input_transformers_post:
+        ipython.input_transformers_post.append(_await_shell)
 
 
 def unload_ipython_extension(ipython: InteractiveShell) -> None:
     """Undo what concerns each cell: ``%unload_ext param_tutorial``, and the first half of ``%reload_ext``."""
     ipython.events.unregister('pre_run_cell', _before_cell)
+    if _await_shell in ipython.input_transformers_post:
+        ipython.input_transformers_post.remove(_await_shell)
     ipython.user_ns.update(exit=ipython.exiter, quit=ipython.exiter)
+
+
+_SHELL_CALL = "get_ipython().run_cell_magic('shell', "
+
+
+def _await_shell(lines: list[str]) -> list[str]:
+    """Make a cell of ``%%shell`` one that awaits its commands.
+
+    ipykernel hears of sliders and buttons while a cell awaits something, and not before the end of any other cell.
+    """
+    return [line.replace(_SHELL_CALL, "await get_ipython().run_cell_magic('shell_awaited', ", 1)
+            if line.startswith(_SHELL_CALL) else line for line in lines]
 
 
 def _before_cell(info: ExecutionInfo) -> None:
@@ -103,11 +119,24 @@ class Ros2Magics(Magics):
 
         The exit status is in ``_exit_code`` afterwards.
         """
-        shell = self._names.get(line.strip())
+        shell = self._shell_named(line.strip())
+        self._show(shell, shell.run(cell.rstrip('\n')))
+
+    @no_var_expand
+    @cell_magic('shell_awaited')
+    async def shell_cell_awaited(self, line: str, cell: str) -> None:
+        """Do what ``%%shell`` does, and leave the kernel free meanwhile; a kernel makes each ``%%shell`` this."""
+        shell = self._shell_named(line.strip())
+        self._show(shell, await shell.run_awaited(cell.rstrip('\n')))
+
+    def _shell_named(self, name: str) -> Shell:
+        shell = self._names.get(name)
         if not isinstance(shell, Shell):
             raise UsageError(f'%%shell takes the name of a Shell, as in: first = param_tutorial.Shell(), and then '
-                             f'%%shell first. {line.strip() or "(nothing)"} is none')
-        output = shell.run(cell.rstrip('\n'))
+                             f'%%shell first. {name or "(nothing)"} is none')
+        return shell
+
+    def _show(self, shell: Shell, output: str) -> None:
         if output:
             print(output)
         self._names['_exit_code'] = shell.status

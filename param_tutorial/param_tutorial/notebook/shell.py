@@ -4,6 +4,7 @@
 ``source``, which changes the environment of what is typed later. No Jupyter here; the magic is in ``magics``.
 """
 
+import asyncio
 import os
 import re
 import secrets
@@ -103,6 +104,15 @@ class Shell:
         """
         output, self.status = self._type(commands, timeout_sec)
         return self._stable(output)
+
+    async def run_awaited(self, commands: str, timeout_sec: float = 120.0) -> str:
+        """Do what ``run`` says, and let the event loop of this thread go on meanwhile.
+
+        :raises ShellError: as ``run``.
+        """
+        # A signal comes to the main thread only, and there it would cancel the cell.
+        with handed_to(self._process.pid):
+            return await asyncio.to_thread(self.run, commands, timeout_sec)
 
     def _type(self, commands: str, timeout_sec: float = 120.0) -> tuple[str, int]:
         """Do what ``run`` says, and return what was printed, unchanged, and the exit status."""

@@ -200,8 +200,8 @@ class ParameterClient:
                  executor: BackgroundExecutor | None = None):
         """
         :param node: The node, or its name; ``talker`` is ``/talker``.
-        :param timeout_sec: How long the node may take for each answer, and to show up if it is not there yet; it has at
-            least DISCOVERY_TIMEOUT_SEC for that.
+        :param timeout_sec: How long the node may take for each answer. A node that is not there yet is waited for as
+            long, and for DISCOVERY_TIMEOUT_SEC at least.
         :param executor: Carries the calls; by default whichever runs in the background at each call.
         """
         self.node = full_name(node)

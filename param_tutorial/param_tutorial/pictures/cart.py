@@ -102,14 +102,14 @@ class Cart(Vehicle):
         color, length = paint(self.node), 100 * _LENGTH_M
         eye, sight = -radius - 6, 100 * self.sight_m
         drawn = (
-            f'<path class="robot-beam" d="M-2 {eye:g}L{sight:g} {eye - 16:g}V0H-2Z"/>'
-            f'<path class="robot-ray" d="M{sight:g} {eye - 18:g}V0"/>'
             f'<g class="robot-cargo" style="{cargo_css}">'
             f'<rect class="robot-box" x="{-length + 22:g}" y="{deck - 42:g}" width="58" height="42" rx="1"/>'
             f'<path class="robot-tape" d="M{-length + 51:g} {deck - 42:g}v42"/></g>'
             f'<g class="robot-cargo" style="{cargo_css}">'
             f'<rect class="robot-box" x="{-length + 84:g}" y="{deck - 60:g}" width="46" height="60" rx="1"/>'
             f'<path class="robot-tape" d="M{-length + 107:g} {deck - 60:g}v60"/></g>'
+            f'<path class="robot-beam" d="M-2 {eye:g}L{sight:g} {eye - 16:g}V0H-2Z"/>'
+            f'<path class="robot-ray" d="M{sight:g} {eye - 18:g}V0"/>'
             f'<path class="robot-arm" d="M{-length + 6:g} {deck:g}v-58q0 -8 -8 -8"/>'
             f'<rect class="robot-paint robot-paint-{color}" x="{-length:g}" y="{deck:g}" width="{length - 3:g}" '
             f'height="24" rx="4"/>{pattern(color, -length + 8, deck + 4, length - 26, 16)}'

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 _BEFORE_START_M = 0.8
 _BEHIND_WALL_M = 0.35
 _WALL_TOP = 52
+_DECK_OVER_WHEEL_M, _EYE_OVER_DECK_M = 0.17, 0.07
+# The width of its sensor's ray, in the picture's units, as in track.css.
+_LASER = 1.6
 # What looks like the same place is not marked as a mistake.
 _SAME_PLACE_M = 0.005
 # Where the pieces of a crash end, for one meter per second: forward, upward, turned by so many degrees.
@@ -125,22 +128,36 @@ class Robot(Vehicle):
             parts.append(text((wall + WIDTH) / 2, _WALL_TOP - 12, 'wall'))
         return ''.join(parts)
 
+    @property
+    def ray_begin_m(self) -> float:
+        """Where its sensor's ray begins, before its front."""
+        return -self.length_m / 2 + self.sensor_mount_m + 0.03
+
+    def rest_of_ray(self, css: str) -> str:
+        """Return SVG of the far part of its sensor's ray, which the wall hides where it ends."""
+        if not self.settings.safety_on:
+            return ''
+        y = GROUND - (self.wheel_m + _DECK_OVER_WHEEL_M + _EYE_OVER_DECK_M) * self.units_per_m
+        return f'<path class="robot-laser" d="M0 {y:.1f}H{WIDTH}" style="{css}"/>'
+
     # -- the robot ---------------------------------------------------------------------------------------
 
     def drawn(self, moment: Moment, wheel_css: str, cargo_css: str) -> str:
         """Return SVG of the robot, drawn in centimeters; its bumper ends at 0, where its front is."""
         scale, radius = self.units_per_m / 100, 100 * self.wheel_m
-        deck = -radius - 17
+        deck = -radius - 100 * _DECK_OVER_WHEEL_M
         center = -50 * self.length_m
         sensor = center + 100 * self.sensor_mount_m
-        eye = deck - 7
+        eye = deck - 100 * _EYE_OVER_DECK_M
         color = paint(self.name)
         listens = ''
         if self.settings.safety_on and moment.state.word != 'CRASHED':
-            # As far as it measures: whatever is behind the wall is hidden by it.
-            far = 100 * (self.settings.track_m + _BEFORE_START_M)
-            listens = (f'<path class="robot-beam" d="M{sensor + 3:g} {eye:g}L{far:g} {eye - 9:g}V{eye + 9:g}Z"/>'
-                       f'<path class="robot-ray" d="M{sensor + 3:g} {eye:g}H{far:g}"/>')
+            # The ray goes on to the wall: see rest_of_ray. A little longer than it has to be, so that no gap is seen.
+            lens, reach = sensor + 3, 100 * self.reach_m
+            cones = ''.join(f'<path class="robot-beam" d="M{lens:g} {eye:g}l{reach * part:g} -{9 * part:g}'
+                            f'v{18 * part:g}z"/>' for part in (1, .75, .5))
+            listens = (f'{cones}<path class="robot-laser" d="M{lens:g} {eye:g}h{reach * 1.02:g}" '
+                       f'style="stroke-width:{_LASER / scale:.2f}"/>')
         believed = self.settings.sensor_offset_m
         ghost = ''
         if abs(believed - self.sensor_mount_m) > _SAME_PLACE_M:
@@ -152,13 +169,16 @@ class Robot(Vehicle):
         frost = (f'<path class="robot-ice" d="M-58 {deck + 1:g}q3 -5 9 -3t12 -1t14 0t12 1t7 3z"/>'
                  if self.temperature_c < 0 else '')
         body = (
-            # An arm with a claw, raised; the antenna leans as the robot speeds up and brakes.
+            # The antenna leans as the robot speeds up and brakes. Parts that move by themselves come first and last:
+            # each is a layer of the browser's, and so is what lies between two of them.
+            f'<g class="robot-antenna" style="{cargo_css}"><path d="M-53 {deck:g}v-30"/>'
+            f'<path class="robot-paint robot-paint-{color}" d="M-53 {deck - 30:g}h-12l3 4l-3 4h12z"/></g>'
+            f'{listens}'
+            # An arm with a claw, raised.
             f'<path class="robot-arm" d="M-43 {deck:g}V{deck - 24:g}L-20 {deck - 33:g}L-11 {deck - 24:g}"/>'
             f'<path class="robot-claw" d="M-15 {deck - 20:g}q-1 -8 5 -8l7 1M-11 {deck - 24:g}q8 5 6 13l-5 4"/>'
             f'<circle class="robot-joint" cx="-43" cy="{deck - 24:g}" r="3"/>'
             f'<circle class="robot-joint" cx="-20" cy="{deck - 33:g}" r="3"/>'
-            f'<g class="robot-antenna" style="{cargo_css}"><path d="M-53 {deck:g}v-30"/>'
-            f'<path class="robot-paint robot-paint-{color}" d="M-53 {deck - 30:g}h-12l3 4l-3 4h12z"/></g>'
             f'<rect class="robot-paint robot-paint-{color}" x="-59" y="{deck:g}" width="55" height="17" rx="3.5"/>'
             f'{pattern(color, -55, deck + 2, 42, 11)}'
             f'<rect class="robot-bumper" x="-4.4" y="{-radius - 7:g}" width="4" height="12" rx="1.6"/>'
@@ -167,7 +187,7 @@ class Robot(Vehicle):
             f'<circle class="robot-eye" cx="{sensor + 1.5:g}" cy="{eye:g}" r="2.2"/>{frost}{ghost}'
             f'{wheel(-46, radius, wheel_css)}{wheel(-17, radius, wheel_css)}')
         name = text(-33 * scale, (deck - 40) * scale, _short(self.name), 'robot-tag')
-        return (f'<g transform="scale({scale:.4f})">{listens}<g class="robot-machine" style="--crash:'
+        return (f'<g transform="scale({scale:.4f})"><g class="robot-machine" style="--crash:'
                 f'{min(1.0, moment.state.crash_speed_mps / 1.5):.2f}">{body}</g></g>{name}')
 
 

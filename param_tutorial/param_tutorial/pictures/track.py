@@ -20,8 +20,9 @@ from param_tutorial.pictures.styles import sheet, style
 if TYPE_CHECKING:
     from param_tutorial.nodes.clawbot_node import Motion, Phase, Settings, State
 
-# How often the numbers change, and how often in one motion at most.
-_TICK_SEC = 0.1
+# How often the numbers change, and how often in one motion at most. Faster, they could not be read, and each change
+# makes a browser without a graphics card draw everything again from the head down to the vehicle.
+_TICK_SEC = 0.2
 _MAX_TICKS = 100
 _LINE_PX = 20
 
@@ -96,6 +97,30 @@ class Vehicle(ABC):
         :param cargo_css: Tilts an element as what stands on it leans.
         """
 
+    def rest_of_ray(self, css: str) -> str:
+        """Return SVG of the far part of a ray that it sends to the end of the track; empty if it sends none.
+
+        Without a graphics card, a browser draws the whole rectangle around what moves again for each frame. So only
+        the first ``reach_m`` of a ray move with the vehicle, and the rest jumps now and then.
+
+        :param css: Moves an element that begins at 0 to the place where the rest begins.
+        """
+        return ''
+
+    @property
+    def ray_begin_m(self) -> float:
+        """Where its ray begins, before its front."""
+        return 0.0
+
+    @property
+    def reach_m(self) -> float:
+        """How much of a ray moves with the vehicle."""
+        return self.settings.track_m / 10
+
+    def rest_begin_m(self, position_m: float) -> float:
+        """Return where on the track the rest of a ray begins: within reach, at the next of the places where it may."""
+        return (math.floor((position_m + self.ray_begin_m) / self.reach_m) + 1) * self.reach_m
+
     @abstractmethod
     def in_front(self, moment: 'Moment') -> str:
         """Return SVG of what stands still in front of it."""
@@ -164,10 +189,12 @@ def still(moment: Moment) -> str:
 def moving(vehicle: Vehicle, elapsed_sec: float, name: str) -> str:
     """Return the picture of a vehicle that goes on by itself from this moment to the end of its motion.
 
+    It says what the vehicle does now, and shows how its cargo leans now, so each phase needs a new one.
+
     :param name: Of the animation; must differ from those of all other pictures on the page.
     """
     moment = vehicle.at(elapsed_sec)
-    return _picture(moment, _Animation(name, moment, elapsed_sec) if vehicle.motion.phases else None)
+    return _picture(moment, _Animation(name, moment, elapsed_sec, leans=False) if vehicle.motion.phases else None)
 
 
 def film(vehicle: Vehicle, name: str) -> Film:
@@ -177,7 +204,7 @@ def film(vehicle: Vehicle, name: str) -> Film:
     """
     starts_sec = _starts_sec(vehicle.motion)
     moments = [vehicle.at(start_sec) for start_sec in starts_sec]
-    return Film(moving(vehicle, 0.0, name),
+    return Film(_picture(moments[0], _Animation(name, moments[0], 0.0) if vehicle.motion.phases else None),
                 tuple((start_sec, moment.state.word, moment.text, moment.sentence)
                       for start_sec, moment in zip(starts_sec, moments)),
                 still(moments[-1]))
@@ -218,8 +245,11 @@ def _starts_sec(motion: 'Motion') -> list[float]:
 class _Animation:
     """A motion as CSS: one step of the animation for each phase, and the numbers as a strip of film."""
 
-    def __init__(self, name: str, moment: Moment, elapsed_sec: float, *, times: int = 1, pause_sec: float = 0.0):
+    def __init__(self, name: str, moment: Moment, elapsed_sec: float, *, times: int = 1, pause_sec: float = 0.0,
+                 leans: bool = True):
         self._name = name
+        # Each part that moves by itself costs the browser a layer.
+        self._kinds = [kind for kind in _LOOKS if leans or kind != 'cargo']
         self._vehicle, self._motion = moment.vehicle, moment.vehicle.motion
         self._total_sec = self._motion.duration_sec + pause_sec
         self._timing = f'{self._total_sec:.4f}s linear {-elapsed_sec:.4f}s {f"{times} " if times > 1 else ""}both'
@@ -229,11 +259,11 @@ class _Animation:
 
     def css(self, kind: str) -> str:
         """Return the CSS that animates an element; the kinds are those of _LOOKS, and strip."""
-        return f'animation:{self._name}-{kind} {self._timing};'
+        return f'animation:{self._name}-{kind} {self._timing};' if kind in (*self._kinds, 'strip') else ''
 
     def keyframes(self) -> str:
         """Return the keyframes of every kind, as a style element."""
-        steps = {kind: ''.join(self._steps(kind)) for kind in _LOOKS}
+        steps = {kind: ''.join(self._steps(kind)) for kind in self._kinds}
         # A strip that is pulled past a window is moved by the browser's compositor, like the vehicle itself. Text
         # that really changes would make the page's own thread lay it out again for each frame.
         steps['strip'] = (f'0% {{transform:none;animation-timing-function:steps({self._ticks})}}'
@@ -265,13 +295,19 @@ class _Animation:
 
     def _steps(self, kind: str) -> Iterator[str]:
         for begin_sec, phase in zip(_starts_sec(self._motion), self._motion.phases):
-            timing = 'step-end' if kind == 'cargo' else _timing_function(phase)
-            yield (f'{100 * begin_sec / self._total_sec:.4f}% {{{_LOOKS[kind](self._vehicle, phase.at(0))}'
-                   f'animation-timing-function:{timing}}}')
+            jumps = kind in ('cargo', 'ray')
+            yield self._step(kind, begin_sec, phase.at(0), 'step-end' if jumps else _timing_function(phase))
+            if kind == 'ray':
+                yield from (self._step(kind, begin_sec + elapsed_sec, phase.at(elapsed_sec), 'step-end')
+                            for elapsed_sec in _jumps_sec(self._vehicle, phase))
         end = _LOOKS[kind](self._vehicle, self._motion.end)
         if self._total_sec > self._motion.duration_sec:
             yield f'{100 * self._motion.duration_sec / self._total_sec:.4f}% {{{end}}}'
         yield f'100% {{{end}}}'
+
+    def _step(self, kind: str, at_sec: float, state: 'State', timing: str) -> str:
+        return (f'{100 * at_sec / self._total_sec:.4f}% {{{_LOOKS[kind](self._vehicle, state)}'
+                f'animation-timing-function:{timing}}}')
 
 
 def _timing_function(phase: 'Phase') -> str:
@@ -279,6 +315,18 @@ def _timing_function(phase: 'Phase') -> str:
     way_m = phase.at(phase.duration_sec).position_m - phase.position_m
     start = phase.velocity_mps * phase.duration_sec / way_m if way_m else 1.0
     return f'cubic-bezier(0.333333,{start / 3:.6f},0.666667,{(1 + start) / 3:.6f})'
+
+
+def _jumps_sec(vehicle: Vehicle, phase: 'Phase') -> Iterator[float]:
+    """Yield when, within a phase, the rest of the vehicle's ray jumps: when the ray's begin has come to the rest's."""
+    end_m = phase.at(phase.duration_sec).position_m
+    place_m = vehicle.rest_begin_m(phase.position_m) - vehicle.ray_begin_m
+    while place_m < end_m:
+        way_m = place_m - phase.position_m
+        speed_mps = math.sqrt(max(0.0, phase.velocity_mps ** 2 + 2 * phase.acceleration_mps2 * way_m))
+        # A moment later, so that rounding does not leave it before the place.
+        yield 2 * way_m / (phase.velocity_mps + speed_mps) + 1e-6
+        place_m += vehicle.reach_m
 
 
 def _place_css(vehicle: Vehicle, state: 'State') -> str:
@@ -299,7 +347,11 @@ def _cargo_css(_: Vehicle, state: 'State') -> str:
     return f'transform:rotate({-math.atan(state.acceleration_mps2 / 9.81):.4f}rad);'
 
 
-_LOOKS = {'robot': _place_css, 'wheel': _wheel_css, 'brake': _brake_css, 'cargo': _cargo_css}
+def _ray_css(vehicle: Vehicle, state: 'State') -> str:
+    return f'transform:translateX({vehicle.x(vehicle.rest_begin_m(state.position_m)):.3f}px);'
+
+
+_LOOKS = {'robot': _place_css, 'wheel': _wheel_css, 'brake': _brake_css, 'cargo': _cargo_css, 'ray': _ray_css}
 
 
 def _picture(moment: Moment, animation: _Animation | None, *, told: Moment | None = None) -> str:
@@ -328,7 +380,8 @@ def _layers(moment: Moment, animation: _Animation | None) -> str:
         return _LOOKS[kind](vehicle, state) + (animation.css(kind) if animation else '')
 
     bar = f'<path class="robot-brake" d="M0 {GROUND + 5}h{_BAR}" style="{look("brake")}"/>'
-    return (f'{vehicle.behind(moment)}<g class="robot-mover" style="{look("robot")}">{bar}'
+    rest = '' if state.word == 'CRASHED' else vehicle.rest_of_ray(look('ray'))
+    return (f'{vehicle.behind(moment)}{rest}<g class="robot-mover" style="{look("robot")}">{bar}'
             f'<g transform="translate(0 {GROUND})">{vehicle.drawn(moment, look("wheel"), look("cargo"))}</g></g>'
             f'{vehicle.in_front(moment)}')
 

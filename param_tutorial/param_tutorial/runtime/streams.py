@@ -38,6 +38,9 @@ class Allowance:
             if self._is_over():
                 self._began = time.monotonic()
                 self._lines_left, self._chars_left = self._lines, self._lines * _CHARS_PER_LINE
+            if self._chars_left <= 0:  # a flood comes this way hundreds of thousands of times
+                self._left_out += text.count('\n')
+                return ''
             part = text[:self._chars_left]
             lines = part.split('\n', self._lines_left)
             if len(lines) > self._lines_left:
@@ -61,7 +64,7 @@ class Allowance:
             return count
 
     def _is_over(self) -> bool:
-        return time.monotonic() >= self._began + self._period_sec
+        return self._period_sec < math.inf and time.monotonic() >= self._began + self._period_sec
 
 
 class _Output:
