@@ -82,7 +82,7 @@ def _wait_for_end(command: Sequence[str]) -> int:
     try:
         with signals_held(hears_of_it=is_our_node(command)):
             started = subprocess.Popen(command)
-        # Whoever started this process may have held them back, for the sake of the program.
+        # Another process may have held them back when it started this one, for the sake of the program.
         signal.pthread_sigmask(signal.SIG_UNBLOCK, _SIGNALS)
         program = started
         for number in came:  # before there was a program that they could reach
