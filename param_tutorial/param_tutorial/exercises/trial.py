@@ -27,6 +27,7 @@ from param_tutorial.errors import (
     WaitTimeoutError,
 )
 from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.parsing import LOADER
 from param_tutorial.ros2 import command
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor, Failure
@@ -341,10 +342,8 @@ def _time_limit(limit_sec: float) -> Iterator[None]:
 
 def _in_corner(text: str) -> str:
     """Let a parameter file mean the nodes in the corner, in place of those of the same names."""
-    # libyaml is what rcl uses, too; PyYAML's own parser differs from it in corners.
-    loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
     try:
-        top = yaml.compose(text, Loader=loader)
+        top = yaml.compose(text, Loader=LOADER)
     except yaml.YAMLError:
         return text  # rcl says what is wrong with it
     if isinstance(top, yaml.MappingNode):

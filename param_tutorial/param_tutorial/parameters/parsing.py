@@ -21,6 +21,8 @@ import yaml
 from param_tutorial.parameters import values
 
 KEY = 'ros__parameters'
+# libyaml is what rcl uses; PyYAML's own parser differs from it in corners, but is always there.
+LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
 
 # -- how rcl types a scalar (rcl_yaml_param_parser/src/parse.c, get_value) ---------------------------------
 
@@ -264,10 +266,8 @@ class Parser:
         return self.blocks
 
     def _parse(self, content: bytes) -> None:
-        # libyaml is what rcl uses; PyYAML's own parser differs from it in corners, but is always there.
-        loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
         try:
-            for event in yaml.parse(content, Loader=loader):
+            for event in yaml.parse(content, Loader=LOADER):
                 self._handle(event, _place(event))
         except yaml.YAMLError as error:
             mark = getattr(error, 'problem_mark', None)
