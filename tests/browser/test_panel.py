@@ -34,6 +34,8 @@ node = ros.add(Planner)
 client = ParameterClient(node)
 panel = ParameterPanel(node)
 panel''',
+    'And of all nodes:',
+    'ParameterPanel()',
 )
 
 
@@ -151,3 +153,19 @@ def test_what_is_entered_while_a_cell_runs_is_said_to_wait(planner, tmp_path):
     go.touch()
     expect(page.message('map_name')).to_have_count(0)
     assert value(lab, 'map_name') == 'yard'
+
+
+def test_a_node_is_found_by_its_parameters_and_opened(planner):
+    _, page = planner
+    nodes = page.page.locator('.param-nodes')
+    nodes.get_by_role('searchbox', name='Search nodes and parameters').fill('hall')
+    nodes.get_by_role('button', name='map_name = hall').click()
+    opened = page.page.locator('.node-panels .param-panel')
+    expect(opened.get_by_role('searchbox')).to_have_value('map_name')
+    expect(opened.locator('.param-row:visible')).to_have_count(1)
+    expect(nodes.get_by_role('button', name='/planner', exact=True)).to_have_attribute('aria-expanded', 'true')
+    opened.get_by_label('map_name', exact=True).fill('yard')
+    opened.get_by_label('map_name', exact=True).press('Enter')
+    expect(page.box('map_name')).to_have_value('yard')
+    nodes.get_by_role('button', name='/planner', exact=True).click()
+    expect(opened).to_have_count(0)

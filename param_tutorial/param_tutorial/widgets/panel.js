@@ -247,9 +247,11 @@ function render({model, el}) {
   };
   const root = document.createElement('div');
   el.append(root);
-  let panel;
+  let panel, search = model.get('search');
 
   function build() {
+    // A panel that does not wait for its node is there before there is anything to show.
+    if (!model.get('markup')) return;
     const focused = root.contains(root.getRootNode().activeElement) ? root.getRootNode().activeElement : null;
     const old = panel;
     const shown = document.createElement('div');
@@ -259,11 +261,9 @@ function render({model, el}) {
       .replace(/aria-describedby="panel-(\d+)-help panel-(\d+)-said"/g,
         `aria-describedby="panel-${panelsOnPage}-$1-help panel-${panelsOnPage}-$2-said"`);
     panel = new ParameterPanel(shown, wire);
-    if (old) {
-      panel.takeOver(old);
-    } else if (panel.search && model.get('search')) {
-      panel.search.value = model.get('search');
-    }
+    if (old) panel.takeOver(old);
+    // At first there may be too few parameters for a search.
+    if (panel.search && search) [panel.search.value, search] = [search, ''];
     panel.show(model.get('state'));
     if (panel.search) panel.find();
     root.replaceChildren(shown);
@@ -278,8 +278,8 @@ function render({model, el}) {
     }
   }
 
-  const show = () => panel.show(model.get('state'));
-  const onMessage = message => { if (message.client === client) panel.answer(message.name, message.number); };
+  const show = () => { if (panel) panel.show(model.get('state')); };
+  const onMessage = message => { if (panel && message.client === client) panel.answer(message.name, message.number); };
   build();
   model.on('change:markup', build);
   model.on('change:state', show);

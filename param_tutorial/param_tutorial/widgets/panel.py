@@ -274,13 +274,14 @@ class ParameterPanel(View):
             states = {name: control.state(is_locked=bool(live.status), gathered=gathered.get(name, ...))
                       for name, control in self._controls.items()}
             rows = [control.row for control in self._controls.values()]
-            if rows != self._rows:
-                self._rows = rows
-                self._front.markup = style('pictures/panel.css') + panel_markup(
-                    self._node, rows, states, status=live.status, in_order=self._in_order)
-            self._front.state = {'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
-                                 'rows': {name: state.as_json() for name, state in states.items()},
-                                 **self._gathering()}
+            with self._front.hold_sync():  # the script needs both at once
+                if rows != self._rows:
+                    self._rows = rows
+                    self._front.markup = style('pictures/panel.css') + panel_markup(
+                        self._node, rows, states, status=live.status, in_order=self._in_order)
+                self._front.state = {
+                    'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
+                    'rows': {name: state.as_json() for name, state in states.items()}, **self._gathering()}
 
     def _gathering(self) -> dict[str, Any]:
         """Return what the script has to know of what is gathered; nothing if each change is sent at once."""
