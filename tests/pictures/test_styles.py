@@ -15,9 +15,9 @@ MODULES = {path: path.read_text() for path in PACKAGE.rglob('*.py')}
 
 
 def test_a_style_is_an_element_with_the_text_of_its_sheet():
-    text = (PACKAGE / 'widgets' / 'panel.css').read_text()
-    assert sheet('widgets/panel.css') == text
-    assert style('widgets/panel.css') == f'<style>\n{text}</style>'
+    text = (PACKAGE / 'widgets' / 'log.css').read_text()
+    assert sheet('widgets/log.css') == text
+    assert style('widgets/log.css') == f'<style>\n{text}</style>'
 
 
 def test_a_sheet_that_is_not_there_is_named():
@@ -25,9 +25,10 @@ def test_a_sheet_that_is_not_there_is_named():
         style('widgets/nothing.css')
 
 
-def test_each_sheet_is_used_by_a_module_beside_it():
-    used = {path: re.findall(r"\bstyle\('(.*?)'\)", text) for path, text in MODULES.items()}
-    beside = {name for path, names in used.items() for name in names if PACKAGE / name in path.parent.iterdir()}
+def test_each_sheet_is_used_and_stands_beside_the_module_that_uses_it_or_writes_its_markup():
+    used = {path: re.findall(r"\b(?:style|sheet)\('(.*?\.css)'\)", text) for path, text in MODULES.items()}
+    beside = {name for path, names in used.items() for name in names
+              if PACKAGE / name in path.parent.iterdir() or (PACKAGE / name).with_suffix('.py') in MODULES}
     assert len(SHEETS) >= 10
     assert beside == SHEETS == {name for names in used.values() for name in names}
 
