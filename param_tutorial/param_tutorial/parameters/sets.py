@@ -18,6 +18,7 @@ from rclpy.node import Node
 from param_tutorial.errors import InvalidValueError
 from param_tutorial.parameters import files, values
 from param_tutorial.parameters.client import Descriptor, ParameterClient
+from param_tutorial.parameters.descriptions import DescribedParameter
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import table
 from param_tutorial.runtime import stage
@@ -105,18 +106,19 @@ class ParameterSet(Mapping[str, Any]):
         return f'<ParameterSet: {self.label}, {_counted(len(self), "parameter")}>'
 
 
-class _Table:
+class WordTable:
     """Rows of words, as text and as HTML."""
 
     heading = ''
     columns: tuple[str, ...] = ()
 
-    def _rows(self) -> list[tuple[str, ...]]:
+    def rows(self) -> list[tuple[str, ...]]:
+        """Return the words of each row."""
         raise NotImplementedError
 
     def __repr__(self) -> str:
         # A node's reason may have several lines, and a row has one.
-        rows = [[' '.join(word.splitlines()) for word in row] for row in self._rows()]
+        rows = [[' '.join(word.splitlines()) for word in row] for row in self.rows()]
         if not rows:
             return self.heading
         widths = [max(map(len, column)) for column in zip(self.columns, *rows)]
@@ -125,7 +127,7 @@ class _Table:
         return '\n'.join([self.heading, '', *lines])
 
     def _repr_html_(self) -> str:
-        rows = self._rows()
+        rows = self.rows()
         return _STYLE + table(self.columns if rows else (), rows, css_class='param-set', caption=self.heading,
                               row_headers=True)
 
@@ -142,7 +144,7 @@ class Change:
     after: Any = None
 
 
-class Difference(_Table):
+class Difference(WordTable):
     """How one set of parameters differs from another: false if it does not. Shown as a table."""
 
     def __init__(self, before: ParameterSet, after: ParameterSet, changes: Iterable[Change], equal: int):
@@ -172,7 +174,7 @@ class Difference(_Table):
                 return change
         raise KeyError(name)
 
-    def _rows(self) -> list[tuple[str, ...]]:
+    def rows(self) -> list[tuple[str, ...]]:
         return [(change.name, change.kind,
                  '-' if change.kind == 'added' else _format(change.before, change.kind),
                  '-' if change.kind == 'removed' else _format(change.after, change.kind)) for change in self.changes]
@@ -228,7 +230,7 @@ class Outcome:
     reason: str = ''
 
 
-class Restored(_Table):
+class Restored(WordTable):
     """What became of the parameters of a node that differed from a set. Shown as a table."""
 
     columns = ('parameter', 'wanted', 'outcome', 'reason')
@@ -266,11 +268,12 @@ class Restored(_Table):
                 return outcome
         raise KeyError(name)
 
-    def _rows(self) -> list[tuple[str, ...]]:
+    def rows(self) -> list[tuple[str, ...]]:
         return [(each.name, _format(each.wanted), each.word, each.reason) for each in self.outcomes]
 
 
-def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = False) -> Restored:
+def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = False,
+            skip_read_only: bool = False) -> Restored:
     """Give a node the values of a set, as far as they differ from what it has.
 
     What no service can change (read-only parameters, types, parameters that are not declared) is left out and
@@ -280,6 +283,7 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
     :param wanted: A ParameterSet or dictionary.
     :param one_by_one: If the node rejects the request, try each parameter for itself, again and again as long as that
         helps: rules across parameters may allow in one order what they reject in another.
+    :param skip_read_only: Pass over read-only parameters without a word; the rest can then be complete.
     :raises ParameterToolError: the node does not answer; whether it was changed is then not known.
     """
     client = as_client(node)
@@ -287,6 +291,8 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
     present = client.get_parameters()
     differing = [name for name in target if not (name in present and values.same(present[name], target[name]))]
     descriptors = client.describe_parameters([name for name in differing if name in present])
+    if skip_read_only:
+        differing = [name for name in differing if not (name in descriptors and descriptors[name].read_only)]
     obstacles = {name: _obstacle(name, target[name], descriptors.get(name)) for name in differing}
     new = {name: target[name] for name, obstacle in obstacles.items() if obstacle is None}
     outcomes: dict[str, Outcome] = {}
@@ -297,6 +303,68 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
             if outcome.word == 'set' and not values.same(held.get(name), target[name]):
                 outcomes[name] = Outcome(name, target[name], 'not kept', f'the node holds {_format(held.get(name))}')
     return Restored(client.node, target, [obstacles[name] or outcomes[name] for name in differing])
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """What restoring would do to one parameter, as far as its descriptor tells."""
+
+    name: str
+    present: Any
+    """None if the node has no such parameter, or it has no value."""
+    wanted: Any
+    word: str
+    """'would be set', or why not: as in Outcome, or 'out of range' or 'off the step'."""
+    reason: str = ''
+
+
+class Preview(WordTable):
+    """What restoring would do, before it is done. The node's own callbacks may still reject. Shown as a table."""
+
+    columns = ('parameter', 'present', 'wanted', 'expected', 'reason')
+
+    def __init__(self, node: str, wanted: ParameterSet, expectations: Iterable[Expectation]):
+        """
+        :param node: Fully qualified name.
+        :param expectations: One for each parameter that differs.
+        """
+        self.expectations = tuple(expectations)
+        will = sum(each.word == 'would be set' for each in self.expectations)
+        self.heading = (f'{node} from {wanted.label}: {_counted(len(self.expectations), "difference")}, '
+                        f'{will} would be set')
+
+    def __iter__(self) -> Iterator[Expectation]:
+        return iter(self.expectations)
+
+    def __len__(self) -> int:
+        return len(self.expectations)
+
+    def rows(self) -> list[tuple[str, ...]]:
+        return [(each.name, _format(each.present), _format(each.wanted), each.word, each.reason)
+                for each in self.expectations]
+
+
+def preview(node: NodeLike, wanted: Mapping[str, Any]) -> Preview:
+    """Find out what ``restore`` would do, and change nothing.
+
+    :param wanted: A ParameterSet or dictionary.
+    :raises ParameterToolError: the node does not answer.
+    """
+    client = as_client(node)
+    target = _as_set(wanted, 'given values')
+    present = client.get_parameters()
+    differing = [name for name in target if not (name in present and values.same(present[name], target[name]))]
+    descriptors = client.describe_parameters([name for name in differing if name in present])
+
+    def expected(name: str) -> Expectation:
+        value = target[name]
+        obstacle = _obstacle(name, value, descriptors.get(name))
+        if obstacle is None and (objection := DescribedParameter(descriptors[name]).objection(value)):
+            obstacle = Outcome(name, value, objection.kind, objection.reason)
+        word, reason = (obstacle.word, obstacle.reason) if obstacle else ('would be set', '')
+        return Expectation(name, present.get(name), value, word, reason)
+
+    return Preview(client.node, target, map(expected, differing))
 
 
 def _obstacle(name: str, value: Any, descriptor: Descriptor | None) -> Outcome | None:

@@ -1,20 +1,28 @@
-"""The parameters of all nodes in one call, with a word on each node that did not answer. No Jupyter."""
+"""The parameters of all nodes in one call, with a word on each node that did not answer; saved and read back."""
 
-from collections.abc import Iterable
+import datetime
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import TypeVar
 
 from rclpy.node import Node
 
 from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
-from param_tutorial.parameters import values
+from param_tutorial.parameters import files, values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import Row, grouped_table
 from param_tutorial.runtime import stage
-from param_tutorial.runtime.executor import BackgroundExecutor
+from param_tutorial.runtime.executor import TOOL_NODE_NAME, BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
 
 _STYLE = style('parameters/snapshot.css')
+
+T = TypeVar('T')
+
+FIRST_WORDS = '# Snapshot of'
+"""How a saved snapshot begins: a file that holds all that there was, and not some overrides."""
 
 
 class Snapshot(dict[str, ParameterValues]):
@@ -27,6 +35,23 @@ class Snapshot(dict[str, ParameterValues]):
 
     def __missing__(self, node: str) -> ParameterValues:
         raise self.unanswered.get(node) or NodeNotFoundError(node, list(self))
+
+    @classmethod
+    def from_file(cls, path: str | Path) -> 'Snapshot':
+        """Read a snapshot that was saved, or the blocks of another parameter file that name their node.
+
+        :raises ParameterFileError: the file cannot be read.
+        """
+        return cls({node: ParameterValues(parameters) for node, parameters in files.read_all(path).items()}, {})
+
+    def dump(self) -> files.Dump:
+        """Return the text of one parameter file for all nodes, which ``--params-file`` and ``restore`` read back."""
+        dumps = {node: files.render(node, parameters) for node, parameters in self.items()}
+        now = datetime.datetime.now().astimezone().isoformat(timespec='seconds')
+        lines = [f'{FIRST_WORDS} {len(self)} nodes, {now}\n']
+        lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
+        left_out = {f'{node}: {name}': reason for node, dump in dumps.items() for name, reason in dump.left_out.items()}
+        return files.Dump(''.join(lines) + '\n'.join(dump.text for dump in dumps.values()), left_out)
 
     def __repr__(self) -> str:
         lines = []
@@ -57,21 +82,42 @@ def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, ti
         or leaves meanwhile is in ``unanswered``; it does not keep the others.
     :raises ExecutorError: no executor is running, or this is called from a callback.
     """
+    answers, unanswered = ask_all(nodes, ParameterClient.get_parameters, timeout_sec=timeout_sec, executor=executor)
+    return Snapshot(answers, unanswered)
+
+
+def ask_all(nodes: Iterable[str | Node] | str | Node | None, question: Callable[[ParameterClient], T], *,
+            hidden: bool = False, timeout_sec: float = TIMEOUT_SEC,
+            executor: BackgroundExecutor | None = None) -> tuple[dict[str, T], dict[str, NodeError]]:
+    """Ask many nodes something, each at the same time as the others.
+
+    :param nodes: Which; by default all in the graph.
+    :param question: Asks one node through its client.
+    :param hidden: Of all nodes, also those with a part that starts with an underscore.
+    :return: The answers by node, sorted; and the nodes that did not answer, with the reason.
+    :raises ExecutorError: no executor is running, or this is called from a callback.
+    """
     ros = executor or stage.current()
     if ros.services.in_executor_thread():
         raise ExecutorError('a callback cannot wait for the answers of nodes: the executor that would have to bring '
-                            'them is busy with the callback. Call all_parameters() in a cell')
+                            'them is busy with the callback. Ask in a cell')
     if isinstance(nodes, (str, Node)):
         nodes = [nodes]
-    names = sorted(set(ros.services.node_names() if nodes is None else map(full_name, nodes)))
+    names = sorted(set(ros.services.node_names(hidden=hidden) if nodes is None else map(full_name, nodes))
+                   - {f'/{TOOL_NODE_NAME}'})
 
-    def read(node: str) -> ParameterValues | NodeError:
+    def ask(node: str) -> tuple[T | None, NodeError | None]:
         try:
-            return ParameterClient(node, timeout_sec=timeout_sec, executor=ros).get_parameters()
+            return question(ParameterClient(node, timeout_sec=timeout_sec, executor=ros)), None
         except NodeError as error:
-            return error
+            return None, error
 
-    with ThreadPoolExecutor(max(len(names), 1), 'all_parameters') as threads:
-        answers = dict(zip(names, threads.map(read, names)))
-    return Snapshot({node: answer for node, answer in answers.items() if isinstance(answer, dict)},
-                    {node: answer for node, answer in answers.items() if isinstance(answer, NodeError)})
+    answers: dict[str, T] = {}
+    unanswered: dict[str, NodeError] = {}
+    with ThreadPoolExecutor(max(len(names), 1), 'ask_all') as threads:
+        for node, (answer, error) in zip(names, threads.map(ask, names)):
+            if error is None:
+                answers[node] = answer  # type: ignore[assignment]
+            else:
+                unanswered[node] = error
+    return answers, unanswered

@@ -23,6 +23,9 @@ _EMBEDDED = ('import sys; sys.path.insert(0, sys.argv.pop(1)); '
              'from param_tutorial.__main__ import main; sys.exit(main())')
 _STOP_DAEMON_SEC = 10.0
 
+OWN_COMMANDS = ('check', 'describe', 'snapshot', 'diff', 'restore', 'watch', 'history')
+"""The commands that the genuine one has not."""
+
 
 def path() -> str | None:
     """Return the path of the genuine command; None if there is none, or the environment forbids it."""
@@ -32,9 +35,12 @@ def path() -> str | None:
 def runs(words: Sequence[str]) -> bool:
     """True if the genuine command, and not the embedded one, is to run these words after ``ros2``.
 
-    The course's own nodes are started by the course's own command. Nobody has built them, so the genuine one does not
-    find them; and if somebody has, the build is for ROS's Python and holds what the package was then.
+    What only the embedded one has, it runs itself. The course's own nodes are started by the course's own command,
+    too. Nobody has built them, so the genuine one does not find them; and if somebody has, the build is for ROS's
+    Python and holds what the package was then.
     """
+    if (words[:1] and words[0] in OWN_COMMANDS) or '--all-nodes' in words:
+        return False
     return path() is not None and not (words[:1] in (['run'], ['launch']) and any(map(_is_ours, words[1:])))
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 import yaml
-from rcl_interfaces.msg import Parameter, ParameterDescriptor
+from rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.node import HIDDEN_NODE_PREFIX
 from rclpy.parameter import parameter_dict_from_yaml_file
@@ -52,9 +52,13 @@ def add_to(commands: Commands) -> None:
         verb.set_defaults(verb=function)
         return verb
 
-    get = add_verb('get', get_parameter, 'print the value of a parameter')
+    get = verbs.add_parser('get', help='print the value of a parameter')
+    add_node_options(get, one='?')
     get.add_argument('--hide-type', action='store_true', help='print the value only')
+    get.add_argument('--all-nodes', action='store_true',
+                     help='print it for each node that has it; then no node is named (not in the genuine command)')
     get.add_argument('parameter_name', help='name of the parameter')
+    get.set_defaults(verb=get_parameter, complain=get.error)
 
     set_ = add_verb('set', set_parameter, 'set a parameter')
     set_.add_argument('parameter_name', help='name of the parameter')
@@ -116,13 +120,42 @@ def _with_parameters(session: Session, args: argparse.Namespace) -> list[str]:
     return [each.full_name for each in sorted(ready())]
 
 
-def get_parameter(session: Session, args: argparse.Namespace) -> None:
-    """Print one value."""
+def get_parameter(session: Session, args: argparse.Namespace) -> int:
+    """Print one value, of one node or of all."""
+    if args.all_nodes:
+        if args.node_name:
+            args.complain('argument --all-nodes: not allowed with a node')
+        return _get_from_all(session, args)
+    if not args.node_name:
+        args.complain('the following arguments are required: parameter_name')
     node = session.find(args)
     answer = session.call(node, 'get_parameters', GetParameters.Request(names=[args.parameter_name])).values
     if not answer:
         raise CommandFailed('Parameter not set')
-    parameter_type, value = values.TYPES[answer[0].type], values.to_python(answer[0])
+    _print_value(session, answer[0], args)
+    return 0
+
+
+def _get_from_all(session: Session, args: argparse.Namespace) -> int:
+    session.wait_for_graph(args)
+    nodes = _with_parameters(session, args)
+    answers = session.call_all(nodes, 'get_parameters', GetParameters.Request(names=[args.parameter_name]))
+    errors = {node: answer for node, answer in answers.items() if isinstance(answer, Exception)}
+    have = [node for node in nodes if node not in errors and answers[node].values
+            # rclcpp answers with "not set" for a parameter that it does not have, too.
+            and answers[node].values[0].type != values.NOT_SET.number]
+    for node in have:
+        session.print(f'{node}: ', sep='', end='')
+        _print_value(session, answers[node].values[0], args)
+    for error in errors.values():
+        session.complain(error)
+    if not have and not errors:
+        raise CommandFailed('Parameter not set')
+    return 1 if errors else 0
+
+
+def _print_value(session: Session, message: ParameterValue, args: argparse.Namespace) -> None:
+    parameter_type, value = values.TYPES[message.type], values.to_python(message)
     if args.hide_type:
         session.print(value)
     elif parameter_type is values.NOT_SET:

@@ -55,9 +55,9 @@ class Session:
     def executor(self) -> BackgroundExecutor:
         return self.get_executor()
 
-    def print(self, *words: Any, sep: str = ' ') -> None:
+    def print(self, *words: Any, sep: str = ' ', end: str = '\n') -> None:
         """Print to standard output."""
-        print(*words, sep=sep, file=self.stdout)
+        print(*words, sep=sep, end=end, file=self.stdout)
 
     def complain(self, *words: Any) -> None:
         """Print to standard error."""
@@ -74,7 +74,7 @@ class Session:
 
     def wait_for_graph(self, args: argparse.Namespace) -> None:
         """Wait until all nodes are known."""
-        graph.wait_for(lambda: False, self.executor.tool_node, self._patience(args))
+        graph.wait_for(lambda: False, self.executor.tool_node, self.patience(args))
 
     def find(self, args: argparse.Namespace) -> str:
         """Return the fully qualified name of the node that was named, once it is there.
@@ -84,8 +84,18 @@ class Session:
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
         # A hidden node is not looked at without the option; nothing can be waited for then.
         hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
+        at_least = max(self.patience(args), getattr(args, 'timeout', None) or 0.0)
+        if (hidden and not args.include_hidden_nodes) or not self.is_there(node, at_least):
+            raise CommandFailed('Node not found')
+        return node
 
-        def is_there() -> bool:
+    def is_there(self, node: str, at_least_sec: float) -> bool:
+        """True if there is a node of this name, once that is known.
+
+        :param node: Fully qualified.
+        :param at_least_sec: How long to look for it at least.
+        """
+        def is_known() -> bool:
             # A node's services may be known before its name.
             try:
                 return self.executor.services.is_ready(node) or node in {
@@ -93,13 +103,10 @@ class Session:
             except NodeNotFoundError:  # this cannot be the name of any node
                 return False
 
-        at_least = max(self._patience(args), getattr(args, 'timeout', None) or 0.0)
-        tool = self.executor.tool_node
-        if (hidden and not args.include_hidden_nodes) or not graph.wait_for(is_there, tool, at_least):
-            raise CommandFailed('Node not found')
-        return node
+        return graph.wait_for(is_known, self.executor.tool_node, at_least_sec)
 
-    def _patience(self, args: argparse.Namespace) -> float:
+    def patience(self, args: argparse.Namespace) -> float:
+        """Return how long to look for nodes at least, in seconds."""
         if args.spin_time is not None:
             return float(args.spin_time)
         return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
@@ -163,9 +170,20 @@ def add_discovery_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--no-daemon', action='store_true', help='accepted; there is no daemon here')
 
 
-def add_node_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options and the argument that all verbs about one node have."""
+def add_graph_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that all verbs about several nodes have."""
+    add_discovery_options(parser)
+    parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
+    parser.add_argument('--timeout', type=float, metavar='N', default=SERVICE_TIMEOUT_SEC,
+                        help=f'wait up to N seconds for each answer of a node (default: {SERVICE_TIMEOUT_SEC:g})')
+
+
+def add_node_options(parser: argparse.ArgumentParser, one: str | None = None) -> None:
+    """Add the options and the argument that all verbs about one node have.
+
+    :param one: '?' if the node need not be named.
+    """
     add_discovery_options(parser)
     parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
     parser.add_argument('--timeout', type=float, metavar='N', help='wait up to N seconds for the node to appear')
-    parser.add_argument('node_name', help='name of the node')
+    parser.add_argument('node_name', nargs=one, help='name of the node')

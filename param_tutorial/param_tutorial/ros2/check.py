@@ -1,0 +1,87 @@
+"""check and describe: check parameter files against what nodes declare, and save what they declare.
+
+The exit status is made for scripts: 0 if nothing was found, 1 if something was, 2 if nothing could be checked.
+"""
+
+import argparse
+
+from param_tutorial.errors import ParameterToolError
+from param_tutorial.parameters.checking import Findings, check_files
+from param_tutorial.parameters.descriptions import Descriptions
+from param_tutorial.ros2 import sources
+from param_tutorial.ros2.session import CommandFailed, Commands, Parser, Session, add_graph_options
+
+_FORMATS = {'text': Findings.text, 'json': Findings.as_json, 'github': Findings.as_github}
+
+
+def add_to(commands: Commands) -> None:
+    """Add the commands ``check`` and ``describe``."""
+    add_check_arguments(commands.add_parser('check', help='find the mistakes in parameter files'))
+    add_describe_arguments(commands.add_parser('describe', help='save what nodes declare, to check files without them'))
+
+
+def add_check_arguments(parser: Parser) -> None:
+    """Add what ``check`` takes."""
+    add_graph_options(parser)
+    parser.add_argument('files', nargs='+', metavar='FILE',
+                        help='parameter files, in the order in which the nodes get them')
+    parser.add_argument('--against', action='append', default=[], metavar='[NODE=]SOURCE',
+                        help=f'what the files are for: {sources.HELP}: a description saved by `describe`, or a schema '
+                             f'of generate_parameter_library. May be given several times')
+    parser.add_argument('--complete', action='store_true',
+                        help='these are all nodes: a block for another one is a mistake')
+    parser.add_argument('--separately', action='store_true',
+                        help='judge each file alone: a node gets one of them, and not all')
+    parser.add_argument('--load', action='store_true',
+                        help='the files are for `ros2 param load`, and not for the start of the nodes')
+    parser.add_argument('--format', choices=_FORMATS, default='text', help='default: text')
+    parser.set_defaults(verb=check)
+
+
+def check(session: Session, args: argparse.Namespace) -> int:
+    """Print what is wrong with files."""
+    try:
+        against = Descriptions(complete=args.complete)
+        for word in args.against:
+            found = sources.describe(session, word, args)
+            if not found:
+                raise CommandFailed(f'nothing can be checked against {word}: no node of it was described')
+            against.update(found)
+            against.complete = against.complete or found.complete
+        sets = [[file] for file in args.files] if args.separately else [args.files]
+        findings = Findings(each for files in sets for each in check_files(files, against, loading=args.load))
+    except (ParameterToolError, CommandFailed) as error:
+        session.complain(error)
+        return 2
+    if text := _FORMATS[args.format](findings):
+        session.print(text)
+    return 1 if findings else 0
+
+
+def add_describe_arguments(parser: Parser) -> None:
+    """Add what ``describe`` takes."""
+    add_graph_options(parser)
+    parser.add_argument('sources', nargs='+', metavar='SOURCE', help=sources.HELP)
+    parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
+    parser.set_defaults(verb=describe)
+
+
+def describe(session: Session, args: argparse.Namespace) -> int:
+    """Write down what nodes declare."""
+    found = Descriptions()
+    for word in args.sources:
+        each = sources.describe(session, word, args)
+        found.update(each)
+        found.unanswered.update(each.unanswered)
+        found.complete = found.complete or each.complete
+    dump = found.dump()
+    if args.save is None:
+        session.stdout.write(dump.text)
+    else:
+        try:
+            dump.save(args.save)
+        except OSError as error:
+            raise CommandFailed(f'cannot write {args.save}: {error.strerror}') from None
+        counted = sum(len(each.parameters) for each in found.values())
+        session.print(f'Saved {counted} parameters of {len(found)} nodes to {args.save}')
+    return 1 if found.unanswered else 0

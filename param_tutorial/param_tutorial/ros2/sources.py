@@ -1,0 +1,73 @@
+"""What the commands about whole systems take as an argument: nodes, programs, and files that describe them."""
+
+import argparse
+from pathlib import Path
+
+from param_tutorial.errors import NodeError, NodeNotFoundError
+from param_tutorial.parameters import descriptions
+from param_tutorial.parameters.descriptions import Descriptions
+from param_tutorial.parameters.parsing import matches
+from param_tutorial.ros2.isolated import describe_program
+from param_tutorial.ros2.session import CommandFailed, Session
+from param_tutorial.runtime.executor import TOOL_NODE_NAME
+
+HELP = 'a running node (/talker), several (/robot1/**, /**), a program (package/executable), or a file'
+
+
+def is_file(word: str) -> bool:
+    """True if a word is the path of a file, or can be nothing else."""
+    return Path(word).is_file() or '.' in word or '@' in word
+
+
+def is_program(word: str) -> bool:
+    """True if a word names a package and a program in it."""
+    return not is_file(word) and word.count('/') == 1 and all(word.split('/'))
+
+
+def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]:
+    """Return the running nodes that a word names, once they are known.
+
+    :param word: The name of a node, or a pattern as in a parameter file.
+    :param args: Has the options of ``add_graph_options``.
+    :raises CommandFailed: there is none.
+    """
+    name = '/' + word.strip('/')
+    if '*' not in name:
+        if not session.is_there(name, session.patience(args)):
+            session.wait_for_graph(args)
+            raise CommandFailed(str(NodeNotFoundError(name, session.executor.services.node_names())))
+        return [name]
+    session.wait_for_graph(args)
+    names = session.executor.services.node_names(hidden=args.include_hidden_nodes)
+    found = sorted({node for node in names if matches(name, node) and node != f'/{TOOL_NODE_NAME}'})
+    if not found:
+        raise CommandFailed(f'no running node matches {name}')
+    return found
+
+
+def describe(session: Session, word: str, args: argparse.Namespace) -> Descriptions:
+    """Return the descriptions that a word names.
+
+    :param word: As in HELP; for a file, ``/node=`` may stand before it.
+    :param args: Has the options of ``add_graph_options``.
+    :raises CommandFailed: there is no such node or program, or a node does not answer.
+    :raises ParameterFileError: the file cannot be read.
+    """
+    node, equals, rest = word.partition('=')
+    if equals:
+        return descriptions.read(rest, node)
+    if is_file(word):
+        return descriptions.read(word)
+    if is_program(word):
+        return describe_program(*word.split('/'))
+    found = descriptions.describe(nodes_of(session, word, args), timeout_sec=args.timeout, executor=session.executor)
+    report_unanswered(session, found.unanswered)
+    if '/' + word.strip('/') == '/**' and not found.unanswered:
+        found.complete = True
+    return found
+
+
+def report_unanswered(session: Session, unanswered: dict[str, NodeError]) -> None:
+    """Say which nodes did not answer, and why."""
+    for error in unanswered.values():
+        session.complain(error)

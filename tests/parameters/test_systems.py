@@ -1,0 +1,135 @@
+"""Whole systems: saved and read back, compared in every combination, previewed before they are restored."""
+
+import json
+import math
+from xml.etree import ElementTree
+
+import hypothesis.strategies as st
+import pytest
+from hypothesis import HealthCheck, given, settings
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.node import Node
+
+from param_tutorial import all_parameters
+from param_tutorial.errors import ParameterFileError
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import ParameterValues
+from param_tutorial.parameters.descriptions import describe
+from param_tutorial.parameters.sets import preview, restore
+from param_tutorial.parameters.snapshot import Snapshot
+from param_tutorial.parameters.systems import compare_systems, defaults_of, of_robot
+from tests.parameters.test_files import NAMES
+from tests.support.nodes import Arm
+from tests.support.strategies import VALUES
+
+NODES = st.sampled_from(['/arm', '/left/arm', '/camera_1', '/a/b/c'])
+SYSTEMS = st.dictionaries(NODES, st.dictionaries(NAMES, VALUES, max_size=4), max_size=3)
+
+
+@pytest.mark.slow
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(SYSTEMS)
+def test_a_snapshot_comes_back_but_for_what_it_names(tmp_path, system):
+    path = tmp_path / 'snapshot.yaml'
+    dump = Snapshot({node: ParameterValues(each) for node, each in system.items()}, {}).dump()
+    dump.save(path)
+    again = Snapshot.from_file(path)
+    assert list(again) == list(system)
+    for node, parameters in system.items():
+        expected = {name: value for name, value in parameters.items() if f'{node}: {name}' not in dump.left_out}
+        assert again[node].keys() == expected.keys()
+        assert all(values.same(again[node][name], value) for name, value in expected.items())
+
+
+@given(SYSTEMS, SYSTEMS)
+def test_a_difference_leads_from_one_system_to_the_other(first, second):
+    difference = compare_systems(first, second)
+    built = {node: dict(parameters) for node, parameters in first.items() if node not in difference.only_before}
+    built |= {node: dict(second[node]) for node in difference.only_after}
+    for each in difference:
+        if each.change.kind == 'removed':
+            del built[each.node][each.change.name]
+        else:
+            built[each.node][each.change.name] = each.change.after
+    assert not compare_systems(built, second)
+    assert len(json.loads(difference.as_json())) == len(difference) == len(difference.rows())
+
+
+def test_a_difference_as_text_and_as_a_table():
+    difference = compare_systems(
+        {'/arm': {'speed': 0.5, 'name': '<b>'}, '/gone': {}, '/same': {'a': 1}},
+        {'/arm': {'speed': 0.75, 'name': '&'}, '/new': {}, '/same': {'a': 1}}, labels=('monday.yaml', 'now'))
+    assert repr(difference) == '''\
+monday.yaml → now: 4 differences in 1 node, 1 the same
+
+node   parameter  difference           before  after
+/gone             only in monday.yaml
+/new              only in now
+/arm   speed      changed value        0.5     0.75
+/arm   name       changed value        '<b>'   '&\''''
+    html = difference._repr_html_()
+    assert '&lt;b&gt;' in html
+    ElementTree.fromstring(html[html.index('<table'):])
+    assert difference['/arm']['speed'].after == 0.75
+    assert json.loads(compare_systems({'/a': {'x': 1.0}}, {'/a': {'x': math.nan}}).as_json())[0]['after'] == 'nan'
+
+
+def test_robots_are_compared_by_the_names_below_their_namespaces():
+    system = {'/robot1/arm': {'a': 1}, '/robot2/arm': {'a': 2}, '/robot10/arm': {}, '/robot1/base': {}}
+    difference = compare_systems(of_robot(system, '/robot1'), of_robot(system, 'robot2/'))
+    assert [(each.node, each.change.name) for each in difference] == [('/arm', 'a')]
+    assert difference.only_before == ('/base',)
+
+
+def test_running_nodes_are_compared_with_a_file_and_with_their_defaults(ros, tmp_path):
+    ros.add(Arm)
+    before, described = all_parameters(), describe()
+    path = tmp_path / 'before.yaml'
+    before.dump().save(path)
+    assert not compare_systems(Snapshot.from_file(path), all_parameters(), partial=True)
+    restore('/arm', {'offset': 0.75})
+    changed = compare_systems(Snapshot.from_file(path), all_parameters(), partial=True)
+    assert [(each.node, each.change.name, each.change.after) for each in changed] == [('/arm', 'offset', 0.75)]
+    assert [each.change.name for each in compare_systems(defaults_of(described), all_parameters(), partial=True)] == [
+        'offset']
+
+
+@pytest.mark.parametrize(('content', 'complaint'), [
+    ('a: 1', 'line 1: there is a value before'), ('/n: {ros__parameters: {a: }}', 'a has no value')])
+def test_what_is_no_snapshot_gets_a_sentence(tmp_path, content, complaint):
+    path = tmp_path / 'bad.yaml'
+    path.write_text(content)
+    with pytest.raises(ParameterFileError, match=r'bad\.yaml.*' + complaint):
+        Snapshot.from_file(path)
+
+
+# -- restoring ------------------------------------------------------------------------------------------------
+
+
+def test_a_preview_says_what_restoring_would_do_and_does_nothing(ros):
+    ros.add(Arm)
+    before = all_parameters()
+    wanted = {'joints': 9, 'reach': 5.0, 'gains.kp': 0.31, 'model': 'B2', 'tool': 3, 'nothing': 1, 'offset': 0.5}
+    expected = preview('/arm', wanted)
+    assert {each.name: each.word for each in expected} == {
+        'joints': 'would be set', 'reach': 'out of range', 'gains.kp': 'off the step', 'model': 'read only',
+        'tool': 'wrong type', 'nothing': 'not declared'}
+    assert 'reach' in repr(expected)
+    assert not compare_systems(before, all_parameters())
+    done = restore('/arm', wanted, one_by_one=True)
+    assert {each.name for each in done if each.word == 'set'} == {
+        each.name for each in expected if each.word == 'would be set'}
+
+
+@pytest.mark.parametrize('skip', [True, False])
+def test_read_only_values_are_reported_or_passed_over(ros, skip):
+    class Locked(Node):
+        def __init__(self):
+            super().__init__('locked')
+            self.declare_parameter('serial', 'A', ParameterDescriptor(read_only=True))
+            self.declare_parameter('speed', 1)
+
+    ros.add(Locked)
+    restored = restore('/locked', {'serial': 'B', 'speed': 2}, skip_read_only=skip)
+    assert restored.complete is skip
+    assert [each.name for each in restored] == (['speed'] if skip else ['serial', 'speed'])

@@ -1,0 +1,146 @@
+"""The commands snapshot, diff and restore, and one parameter of all nodes."""
+
+import json
+
+import pytest
+from rclpy.node import Node
+
+from param_tutorial import ParameterClient
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.parameters.snapshot import Snapshot
+from tests.ros2.test_ros2 import run
+
+
+class Camera(Node):
+    """Stands for any node of a robot."""
+
+    def __init__(self, robot):
+        super().__init__('camera', namespace=robot)
+        self.declare_parameter('rate', 30)
+
+
+@pytest.fixture
+def silent(ros):
+    """Return a node that is there and that nobody spins."""
+    node = Node('silent')
+    yield node
+    node.destroy_node()
+
+
+def test_all_nodes_are_saved_changed_compared_and_restored(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    ros.add(Camera, '/left')
+    path, backup = tmp_path / 'monday.yaml', tmp_path / 'backup.yaml'
+    assert run('snapshot', '--save', path) == (f'Saved 12 parameters of 2 nodes to {path}\n', '', 0)
+    assert run('diff', path, '/**') == (f'{path} → /**: 0 differences in 0 nodes, 2 the same\n', '', 0)
+    ParameterClient('/left/camera').set_parameter('rate', 15)
+    ParameterClient('/simple_param_node').set_parameter('robot_name', 'Berta')
+    stdout, stderr, status = run('diff', path, '/**')
+    assert stdout == f'''\
+{path} → /**: 2 differences in 2 nodes, 0 the same
+
+node                parameter   difference     {"before":9}  after
+/left/camera        rate        changed value  30         15
+/simple_param_node  robot_name  changed value  'Clawbot'  'Berta'
+'''
+    assert (stderr, status) == ('', 1)
+    stdout, _, status = run('restore', path, '--dry-run')
+    assert '1 would be set' in stdout
+    assert ParameterClient('/left/camera').get_parameter('rate') == 15
+    stdout, stderr, status = run('restore', path, '--backup', backup)
+    assert stdout.count('complete, 1 parameter set') == 2
+    assert (stderr, status) == ('', 0)
+    assert run('diff', path, '/**')[2] == 0
+    assert Snapshot.from_file(backup)['/left/camera']['rate'] == 15
+
+
+def test_two_robots(ros):
+    ros.add(Camera, '/robot1')
+    ros.add(Camera, '/robot2')
+    assert run('diff', '/robot1/**', '/robot2/**')[2] == 0
+    ParameterClient('/robot2/camera').set_parameter('rate', 15)
+    stdout, _, status = run('diff', '/robot1/**', '/robot2/**', '--format', 'json')
+    assert json.loads(stdout) == [{'node': '/camera', 'parameter': 'rate', 'kind': 'changed value', 'before': 30,
+                                   'after': 15}]
+    assert status == 1
+    assert run('diff', '/robot1/camera', '/robot2/camera')[0].startswith(
+        '/robot1/camera → /robot2/camera: 1 difference, 2 the same')
+    assert '<table' in run('diff', '/robot1/**', '/robot2/**', '--format', 'html')[0]
+
+
+def test_a_node_and_a_file_of_overrides_are_compared_on_what_the_file_holds(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'overrides.yaml'
+    path.write_text('/**:\n  ros__parameters:\n    max_speed_rpm: 180\n    unheard_of: 1\n')
+    stdout, _, status = run('diff', path, '/simple_param_node')
+    assert 'max_speed_rpm' in stdout
+    assert 'unheard_of' not in stdout
+    assert status == 1
+
+
+def test_a_node_and_its_saved_defaults(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'defaults.yaml'
+    run('describe', '/simple_param_node', '--save', path)
+    assert run('diff', path, '/simple_param_node')[2] == 0
+    ParameterClient('/simple_param_node').set_parameter('robot_name', 'Berta')
+    stdout, _, status = run('diff', path, '/simple_param_node', '--format', 'json')
+    assert json.loads(stdout) == [{'node': '/simple_param_node', 'parameter': 'robot_name', 'kind': 'changed value',
+                                   'before': 'Clawbot', 'after': 'Berta'}]
+    assert status == 1
+
+
+def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp_path):
+    ros.add(Camera, '/left')
+    path = tmp_path / 'monday.yaml'
+    stdout, stderr, status = run('snapshot', '--timeout', '0.5', '--save', path)
+    assert stdout.startswith('Saved 3 parameters of 1 nodes')
+    assert stderr.startswith('/silent did not answer')
+    assert status == 1
+    assert list(Snapshot.from_file(path)) == ['/left/camera']
+    assert run('diff', path, '/**', '--timeout', '0.5')[2] == 2
+    path.write_text(path.read_text() + '/silent:\n  ros__parameters:\n    a: 1\n')
+    stdout, stderr, status = run('restore', path, '--timeout', '0.5')
+    assert 'nothing to do' in stdout
+    assert '/silent did not answer' in stderr
+    assert status == 1
+
+
+def test_a_rejected_value_is_reported_and_nothing_of_that_node_is_changed(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'bad.yaml'
+    path.write_text('/simple_param_node:\n  ros__parameters:\n    robot_name: Berta\n    max_speed_rpm: -1\n')
+    stdout, _, status = run('restore', path)
+    assert 'NOT RESTORED, nothing was changed' in stdout
+    assert status == 1
+    assert ParameterClient('/simple_param_node').get_parameter('robot_name') == 'Clawbot'
+
+
+@pytest.mark.parametrize(('words', 'complaint', 'expected'), [
+    (['diff', '/nobody', '/nobody'], 'there is no node /nobody', 2),
+    (['diff', 'nowhere.yaml', '/**'], 'no running node matches', 2),
+    (['diff', 'nowhere.yaml', 'nowhere.yaml'], 'cannot read nowhere.yaml', 2),
+    (['restore', 'nowhere.yaml'], 'cannot read nowhere.yaml', 1),
+    (['snapshot', '/nobody'], 'there is no node /nobody', 1),
+    (['diff', '/a'], 'the following arguments are required: AFTER', 2),
+])
+def test_what_is_not_there_gets_a_sentence(ros, words, complaint, expected):
+    stdout, stderr, status = run(*words)
+    assert (stdout, status) == ('', expected)
+    assert complaint in stderr
+    assert 'Traceback' not in stderr
+
+
+def test_one_parameter_of_all_nodes(ros, silent):
+    ros.add(Camera, '/left')
+    ros.add(Camera, '/right')
+    ros.add(SimpleParamNode)
+    ParameterClient('/right/camera').set_parameter('rate', 15)
+    stdout, stderr, status = run('param', 'get', '--all-nodes', 'rate')
+    assert stdout == '/left/camera: Integer value is: 30\n/right/camera: Integer value is: 15\n'
+    assert "'/silent'" in stderr or '/silent did not answer' in stderr
+    assert status == 1
+    silent.destroy_node()
+    assert run('param', 'get', '--all-nodes', '--hide-type', 'robot_name')[0] == '/simple_param_node: Clawbot\n'
+    assert run('param', 'get', '--all-nodes', 'nothing') == ('', 'Parameter not set\n', 1)
+    assert 'not allowed with a node' in run('param', 'get', '--all-nodes', '/n', 'rate')[1]
