@@ -1,6 +1,7 @@
 """The panel in JupyterLab beyond one change: search, undo by keyboard, changes gathered, and what is being typed."""
 
 import ast
+import re
 
 import pytest
 from playwright.sync_api import expect
@@ -116,6 +117,39 @@ def test_changes_gathered_and_applied_together(planner):
     button(page, 'Apply together').click()
     expect(button(page, 'Apply together')).to_be_hidden()
     assert (value(lab, 'rate_hz'), value(lab, 'map_name')) == (15, 'yard')
+
+
+def test_a_file_is_saved_and_loaded_from_the_panel(planner):
+    lab, page = planner
+    folder = lab.folder
+    (folder / 'config').mkdir(exist_ok=True)
+    button(page, 'Save…').click()
+    form = page.page.locator('.param-file')
+    path = form.get_by_label('File')
+    expect(path).to_be_focused()
+    path.fill('config/planner.yaml')
+    expect(form.get_by_role('status')).to_contain_text('204 values of /planner will be written.')
+    form.get_by_role('button', name='Save').click()
+    expect(form.get_by_role('status')).to_have_text('Saved to config/planner.yaml.')
+    saved = (folder / 'config' / 'planner.yaml').read_text()
+    (folder / 'config' / 'planner.yaml').write_text(
+        saved.replace('rate_hz: 10', 'rate_hz: 7').replace('map_name: hall', 'map_name: <b>yard</b>'))
+    # The same form for the other thing; the file is offered.
+    button(page, 'Load…').click()
+    expect(form.locator('datalist option')).to_have_attribute('value', 'config/planner.yaml')
+    cells = form.get_by_role('table').get_by_role('row').locator('th, td')
+    expect(cells).to_have_text(['parameter', 'now', 'in the file', 'verdict', 'reason',
+                                'map_name', "'hall'", "'<b>yard</b>'", 'changes', '',
+                                'rate_hz', '10', '7', 'off the step', re.compile('7 is not on a step')])
+    path.press('Enter')
+    expect(form.get_by_role('status')).to_contain_text('1 value of config/planner.yaml loaded.')
+    expect(page.box('map_name')).to_have_value('<b>yard</b>')
+    assert (value(lab, 'map_name'), value(lab, 'rate_hz')) == ('<b>yard</b>', 10)
+    path.press('Escape')
+    expect(form).to_be_hidden()
+    expect(button(page, 'Load…')).to_be_focused()
+    page.page.keyboard.press('Control+z')
+    expect(page.box('map_name')).to_have_value('hall')
 
 
 def test_what_is_being_typed_outlives_whatever_else_happens(planner):

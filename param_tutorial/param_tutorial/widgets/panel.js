@@ -247,6 +247,7 @@ function render({model, el}) {
   };
   const root = document.createElement('div');
   el.append(root);
+  const form = new FileForm(wish => model.send({client, ...wish}));
   let panel;
 
   function build() {
@@ -264,10 +265,13 @@ function render({model, el}) {
     } else if (panel.search && model.get('search')) {
       panel.search.value = model.get('search');
     }
-    panel.show(model.get('state'));
-    if (panel.search) panel.find();
+    form.settle(shown);
     root.replaceChildren(shown);
-    if (focused) {
+    show();
+    if (panel.search) panel.find();
+    if (form.element.contains(focused)) {
+      focused.focus();
+    } else if (focused) {
       const row = focused.closest('.param-row');
       const heir = row && panel.rows.get(row.dataset.name);
       const target = heir ? heir.element.querySelector(`.${focused.className}`) : shown.querySelector(`.${focused.className}`);
@@ -278,8 +282,16 @@ function render({model, el}) {
     }
   }
 
-  const show = () => panel.show(model.get('state'));
-  const onMessage = message => { if (message.client === client) panel.answer(message.name, message.number); };
+  function show() {
+    panel.show(model.get('state'));
+    form.lock(panel.isLocked);
+  }
+
+  function onMessage(message) {
+    if (message.client !== client) return;
+    if ('form' in message) form.answer(message); else panel.answer(message.name, message.number);
+  }
+
   build();
   model.on('change:markup', build);
   model.on('change:state', show);
