@@ -4,7 +4,7 @@ import functools
 from collections.abc import Callable, Sequence
 
 from param_tutorial.errors import ParameterToolError
-from param_tutorial.ros2 import changes, check, node, param, pkg, run, system
+from param_tutorial.ros2 import changes, check, node, panel, param, pkg, run, system
 from param_tutorial.ros2.launch import verb
 from param_tutorial.ros2.session import CommandFailed, Parser, Printed, Session, TextStream
 from param_tutorial.runtime.executor import BackgroundExecutor
@@ -15,7 +15,7 @@ def _parser() -> Parser:
     parser = Parser(prog='ros2', description="The course's own ros2: the commands that the lessons use.", epilog=(
         'All other commands come with an installation of ROS 2; environment/README.md says how to get one.'))
     commands = parser.add_subparsers(metavar='command', title='commands')
-    for module in (node, param, pkg, run, verb, check, system, changes):
+    for module in (node, param, pkg, run, verb, check, system, changes, panel):
         module.add_to(commands)
     return parser
 
