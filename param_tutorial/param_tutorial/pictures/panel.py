@@ -45,6 +45,8 @@ class PanelRow:
     is_read_only: bool = False
     is_quiet: bool = False
     """True for what every node has."""
+    unit: str = ''
+    """The unit of its numbers, where that is known."""
 
     @property
     def is_number(self) -> bool:
@@ -68,6 +70,8 @@ class RowState:
     """What it had at first, if that is something else."""
     is_gathered: bool = False
     """True if the text is what the node will be asked for together with other changes."""
+    items: list[str] | None = None
+    """The elements of an array that can be edited one by one; None for anything else."""
 
     def as_json(self) -> dict[str, Any]:
         """Return it as the script takes it: with what is other than usual."""
@@ -208,10 +212,14 @@ class _Drawing:
         slider = ('' if row.last is None else
                   f'<input type="range" class="param-slider" min="0" max="{row.last}" value="{state.position or 0}" '
                   f'aria-label="{html.escape(label)}, slider" aria-valuetext="{html.escape(state.text)}"{off}>')
+        unit = f'<span class="param-unit">{html.escape(row.unit)}</span>' if row.unit else ''
+        items = ('' if state.items is None else
+                 f'<button type="button" class="param-items" aria-expanded="false" hidden '
+                 f'aria-label="Elements of {html.escape(label)}">Elements</button>')
         back = '' if row.is_read_only else '<button type="button" class="param-back" hidden></button>'
         return (f'<div class="param-row{kinds}" data-name="{html.escape(row.name)}" data-editor="{row.editor}">'
                 f'<div class="param-line"><label for="{name}">{html.escape(label)}</label>'
-                f'{_box(row, state, common)}{slider}{back}</div>'
+                f'{_box(row, state, common)}{unit}{items}{slider}{back}</div>'
                 f'<div class="param-note param-help" id="{name}-help">{_help(row)}</div>'
                 f'<div class="param-note" id="{name}-said">{_message(state)}</div></div>')
 

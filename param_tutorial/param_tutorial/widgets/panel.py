@@ -330,6 +330,8 @@ class ParameterPanel(View):
         if control is not None:  # and not deleted meanwhile
             if 'position' in content:
                 control.slide(content['position'], (content['client'], content['grip']))
+            elif 'items' in content:
+                control.enter_items(content['items'])
             else:
                 control.enter(content['text'])
             control.give_way()
