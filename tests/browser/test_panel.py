@@ -145,6 +145,11 @@ def test_a_file_is_saved_and_loaded_from_the_panel(planner):
     expect(cells).to_have_text(['parameter', 'now', 'in the file', 'verdict', 'reason',
                                 'map_name', "'hall'", "'<b>yard</b>'", 'changes', '',
                                 'rate_hz', '10', '7', 'off the step', re.compile('7 is not on a step')])
+    # Whatever changes meanwhile, the table says what the node has now.
+    lab.ask_kernel("client.set_parameter('map_name', 'attic')")
+    expect(cells.nth(6)).to_have_text("'attic'")
+    lab.ask_kernel("client.set_parameter('map_name', 'hall')")
+    expect(cells.nth(6)).to_have_text("'hall'")
     path.press('Enter')
     expect(form.get_by_role('status')).to_contain_text('1 value of config/planner.yaml loaded.')
     expect(page.box('map_name')).to_have_value('<b>yard</b>')

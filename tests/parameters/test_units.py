@@ -24,7 +24,8 @@ def test_a_text_says_it(text, expected):
 
 @pytest.mark.parametrize('text', [
     '', 'Used in A* search', 'Which one of [a, b]', 'One of (s, t)', 'Which joint(s)', 'Plan B in a hall',
-    'Cost in seconds per meter', 'In which meters', 'Speed [m/s] or [rpm]', 'A value in bar charts', 'in metersomething',
+    'Cost in seconds per meter', 'In which meters', 'Speed [m/s] or [rpm]', 'A value in bar charts',
+    'in metersomething',
 ])
 def test_a_text_that_does_not_say_one_surely_says_none(text):
     assert unit(text=text) == ''

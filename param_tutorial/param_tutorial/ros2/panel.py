@@ -1,7 +1,7 @@
 """panel: the parameter panel as a page in the browser, without a notebook.
 
-Voilà serves the page: it runs a notebook of one cell in a kernel for whoever has the token, shows what the cell shows,
-and takes no code from the browser. It listens on the loopback interface only.
+Voilà serves the page to browsers that have the token: it runs a notebook of one cell in a kernel, shows what the cell
+shows, and takes no code from the browser. It listens on the loopback interface only.
 """
 
 import argparse

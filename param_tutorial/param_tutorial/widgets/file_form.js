@@ -7,7 +7,7 @@ let formsOnPage = 0;
 class FileForm {
   /** `ask` takes what the kernel is to do: {do: 'look' or 'act', is_save, path, changed_only, number}. */
   constructor(ask) {
-    Object.assign(this, {ask, number: 0, isActing: false, isSave: false, can: false, buttons: {}});
+    Object.assign(this, {ask, number: 0, isActing: false, isSave: false, can: false, hasLook: false, buttons: {}});
     formsOnPage += 1;
     const id = `param-file-${formsOnPage}`;
     this.element = document.createElement('form');
@@ -54,10 +54,14 @@ class FileForm {
     this.button.disabled = !this.can || this.isActing || (!this.isSave && this.isLocked);
   }
 
-  /** Take note whether the node can be changed: loading needs that, and saving does not. */
-  lock(isLocked) {
+  /** Take note that the panel shows something new, and whether the node can be changed: only loading needs that. */
+  update(isLocked) {
     this.isLocked = isLocked;
     this.draw();
+    if (this.hasLook && !this.element.hidden) {
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => this.look(), 300);
+    }
   }
 
   open(isSave) {
@@ -98,7 +102,8 @@ class FileForm {
   act() {
     if (this.button.disabled) return;
     clearTimeout(this.timer);
-    this.isActing = true;
+    // What changes from here on is what was asked for.
+    Object.assign(this, {isActing: true, hasLook: false});
     this.send('act');
     this.draw();
   }
@@ -106,12 +111,15 @@ class FileForm {
   /** Show the kernel's answer, unless something newer has been asked. */
   answer({form, offered, markup, button, can, said}) {
     if (form !== this.number) return;
-    if (said !== undefined) {
+    this.hasLook = said === undefined;
+    if (!this.hasLook) {
       Object.assign(this, {isActing: false, can: false});
       this.shown.innerHTML = said;
+      this.markup = said;
     } else {
       this.element.querySelector('datalist').replaceChildren(...offered.map(each => new Option('', each)));
-      this.shown.innerHTML = markup;
+      if (this.markup !== markup || !this.shown.firstChild) this.shown.innerHTML = markup;
+      this.markup = markup;
       this.button.textContent = button;
       this.can = can;
     }

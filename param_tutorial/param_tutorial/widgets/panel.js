@@ -370,7 +370,7 @@ function render({model, el}) {
 
   function show() {
     panel.show(model.get('state'));
-    form.lock(panel.isLocked);
+    form.update(panel.isLocked);
   }
 
   function onMessage(message) {
