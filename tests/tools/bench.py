@@ -289,7 +289,8 @@ def large_panels() -> list[Row]:
     figures = panel_bench.measure()
     return [Row('502 parameters of a node on screen', f'{figures["large"]:.2f} s', 'at most 2 s',
                 figures['large'] <= 2),
-            Row('frames while they scroll', f'{figures["frames"]:.0f} per second', 'at least 60',
+            Row('frames while they scroll', f'{figures["frames"]:.0f} per second, {figures["at rest"]:.0f} at rest',
+                'at least 60',
                 round(figures['frames']) >= 60),
             Row('50 nodes of 42 parameters on screen', f'{figures["nodes"]:.2f} s', 'at most 2 s',
                 figures['nodes'] <= 2),
