@@ -1,12 +1,15 @@
 """The panel in JupyterLab beyond one change: search, undo by keyboard, changes gathered, and what is being typed."""
 
 import ast
+import re
 
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect
 
 from tests.support import lesson
 from tests.support.lab import Lab, LabPage, wait_for
+from tests.tools.site_rules import AXE_OPTIONS
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -24,6 +27,8 @@ class Planner(Node):
         self.declare_parameter('rate_hz', 10, ParameterDescriptor(
             description='How often it plans.', integer_range=[IntegerRange(from_value=0, to_value=100, step=5)]))
         self.declare_parameter('map_name', 'hall')
+        self.declare_parameter('radii', [1.5, 2.0])
+        self.declare_parameter('rooms', ['hall', 'yard, left'])
         for critic in ('path', 'goal'):
             for number in range(100):
                 self.declare_parameter(f'critics.{critic}.weight_{number}', number)
@@ -70,7 +75,7 @@ def test_a_search_shows_what_fits_and_where_it_stands(planner):
     search = page.page.get_by_role('searchbox', name='Search the parameters of /planner')
     rows = page.page.locator('.param-row:visible')
     search.fill('goal weight_7')
-    expect(page.page.locator('.param-found')).to_have_text('11 of 204 found')
+    expect(page.page.locator('.param-found')).to_have_text('11 of 206 found')
     expect(rows).to_have_count(11)
     expect(page.page.get_by_role('heading', name='path')).to_be_hidden()
     search.fill('how often')  # in a description
@@ -118,6 +123,97 @@ def test_changes_gathered_and_applied_together(planner):
     button(page, 'Apply together').click()
     expect(button(page, 'Apply together')).to_be_hidden()
     assert (value(lab, 'rate_hz'), value(lab, 'map_name')) == (15, 'yard')
+
+
+def test_a_file_is_saved_and_loaded_from_the_panel(planner):
+    lab, page = planner
+    folder = lab.folder
+    (folder / 'config').mkdir(exist_ok=True)
+    button(page, 'Save…').click()
+    form = page.page.locator('.param-file')
+    path = form.get_by_label('File')
+    expect(path).to_be_focused()
+    path.fill('config/planner.yaml')
+    expect(form.get_by_role('status')).to_contain_text('206 values of /planner will be written.')
+    form.get_by_role('button', name='Save').click()
+    expect(form.get_by_role('status')).to_have_text('Saved to config/planner.yaml.')
+    saved = (folder / 'config' / 'planner.yaml').read_text()
+    (folder / 'config' / 'planner.yaml').write_text(
+        saved.replace('rate_hz: 10', 'rate_hz: 7').replace('map_name: hall', 'map_name: <b>yard</b>'))
+    # The same form for the other thing; the file is offered.
+    button(page, 'Load…').click()
+    expect(form.locator('datalist option')).to_have_attribute('value', 'config/planner.yaml')
+    cells = form.get_by_role('table').get_by_role('row').locator('th, td')
+    expect(cells).to_have_text(['parameter', 'now', 'in the file', 'verdict', 'reason',
+                                'map_name', "'hall'", "'<b>yard</b>'", 'changes', '',
+                                'rate_hz', '10', '7', 'off the step', re.compile('7 is not on a step')])
+    # Whatever changes meanwhile, the table says what the node has now.
+    lab.ask_kernel("client.set_parameter('map_name', 'attic')")
+    expect(cells.nth(6)).to_have_text("'attic'")
+    lab.ask_kernel("client.set_parameter('map_name', 'hall')")
+    expect(cells.nth(6)).to_have_text("'hall'")
+    path.press('Enter')
+    expect(form.get_by_role('status')).to_contain_text('1 value of config/planner.yaml loaded.')
+    expect(page.box('map_name')).to_have_value('<b>yard</b>')
+    assert (value(lab, 'map_name'), value(lab, 'rate_hz')) == ('<b>yard</b>', 10)
+    path.press('Escape')
+    expect(form).to_be_hidden()
+    expect(button(page, 'Load…')).to_be_focused()
+    page.page.keyboard.press('Control+z')
+    expect(page.box('map_name')).to_have_value('hall')
+
+
+def test_the_elements_of_an_array_one_by_one(planner):
+    lab, page = planner
+    row = page.row('rooms')
+    row.get_by_role('button', name='Elements of rooms').click()
+    expect(row.get_by_role('textbox', name='Element 2 of rooms')).to_have_value('yard, left')
+    row.get_by_role('textbox', name='Element 1 of rooms').fill('"attic"')
+    page.page.keyboard.press('Enter')
+    expect(page.box('rooms')).to_have_value(r'["\"attic\"", "yard, left"]')
+    row.get_by_role('button', name='Add an element to rooms').click()
+    page.page.keyboard.type('cellar')
+    page.page.keyboard.press('Enter')
+    wait_for(lambda: value(lab, 'rooms') == ['"attic"', 'yard, left', 'cellar'], 'the node to have it')
+    row.get_by_role('button', name='Remove element 1 of rooms').click()
+    wait_for(lambda: value(lab, 'rooms') == ['yard, left', 'cellar'], 'the node to have it')
+    expect(row.get_by_role('listitem')).to_have_count(2)
+    expect(row.get_by_role('textbox', name='Element 1 of rooms')).to_be_focused()
+    radii = page.row('radii')
+    radii.get_by_role('button', name='Elements of radii').click()
+    radii.get_by_role('textbox', name='Element 2 of radii').fill('far')
+    page.page.keyboard.press('Enter')
+    expect(page.message('radii')).to_contain_text("Rejected: element 2, 'far', cannot be read")
+    expect(radii.get_by_role('textbox', name='Element 2 of radii')).to_have_value('2.0')
+
+
+def test_nothing_on_the_panel_keeps_anybody_from_using_it(planner):
+    """By the rules of axe-core, with all that opens open, in both themes; in a narrow column nothing sticks out."""
+    lab, page = planner
+    long = 'w' * 300
+    lab.ask_kernel(f'node.declare_parameter("{long}", "{long}")')
+    expect(page.row(long)).to_be_visible()
+    page.row('radii').get_by_role('button', name='Elements of radii').click()
+    page.box('map_name').fill('x')
+    page.box('map_name').press('Enter')
+    page.box('rate_hz').fill('x')
+    page.box('rate_hz').press('Enter')
+    expect(page.message('rate_hz')).to_be_visible()
+    button(page, 'Load…').click()
+    page.page.get_by_label('File', exact=True).fill('none.yaml')
+    expect(page.page.locator('.param-file-look')).to_contain_text('there is no file none.yaml')
+    for theme in ('JupyterLab Light', 'JupyterLab Dark'):
+        page.command('apputils:change-theme', theme=theme)
+        expect(page.page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
+        found = Axe().run(page.page, context='.param-panel', options=AXE_OPTIONS).response['violations']
+        assert [f'{theme}, {rule["id"]}: {node["html"][:200]} {node["failureSummary"]}' for rule in found
+                for node in rule['nodes']] == []
+    page.page.evaluate("document.querySelector('.param-panel').style.width = '400px'")
+    assert page.page.evaluate("""() => { const panel = document.querySelector('.param-panel').getBoundingClientRect();
+        return [...document.querySelectorAll('.param-panel *')].filter(each => {
+            const box = each.getBoundingClientRect(); return box.width && box.right > panel.right + 1; })
+            .map(each => each.outerHTML.slice(0, 120)) }""") == []
+    page.command('apputils:change-theme', theme='JupyterLab Light')
 
 
 def test_what_is_being_typed_outlives_whatever_else_happens(planner):

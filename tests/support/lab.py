@@ -81,6 +81,11 @@ class Lab:
             'IPYTHONDIR': str(folder / 'ipython'),
         }
 
+    @property
+    def folder(self) -> Path:
+        """The folder that the notebooks are in."""
+        return self._work
+
     def add(self, notebook: Path) -> None:
         """Put a copy of a notebook, fresh again, into the server's folder."""
         shutil.copy(notebook, self._work)

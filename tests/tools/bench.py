@@ -23,7 +23,7 @@ from playwright.sync_api import expect
 
 from tests.support import lesson
 from tests.support.lab import CHROMIUM, ROOT, Lab, LabPage, chromium
-from tests.tools import robot_bench
+from tests.tools import panel_bench, robot_bench
 
 # Run in a kernel, as a lesson is: there a widget's messages really travel.
 LATENCY = '''
@@ -368,6 +368,21 @@ def robot_in_browser() -> list[Row]:
             load('moving: kernel', 15), load('moving: browser', 15), load('still: kernel', 1)]
 
 
+def large_panels() -> list[Row]:
+    """Measure panels of a large node and of many nodes."""
+    if CHROMIUM is None:
+        return []
+    figures = panel_bench.measure()
+    return [Row('502 parameters of a node on screen', f'{figures["large"]:.2f} s', 'at most 2 s',
+                figures['large'] <= 2),
+            Row('frames while they scroll', f'{figures["frames"]:.0f} per second, {figures["at rest"]:.0f} at rest',
+                'at least 60',
+                round(figures['frames']) >= 60),
+            Row('50 nodes of 42 parameters on screen', f'{figures["nodes"]:.2f} s', 'at most 2 s',
+                figures['nodes'] <= 2),
+            Row('a search over their parameters, from the key to the hits', f'{figures["found"]:.2f} s', '', None)]
+
+
 def _ms(seconds: float) -> str:
     return f'{1000 * seconds:.2f} ms'
 
@@ -384,7 +399,7 @@ def main() -> int:
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
                     lambda: step_response(1 if quick else 5), lambda: whole_system(1 if quick else 5),
                     lambda: lesson_in_browser(1 if quick else 5, 5.0 if quick else 20.0),
-                    robot_in_browser):
+                    large_panels, robot_in_browser):
         for row in measure():
             rows.append(row)
             verdict = {True: 'met', False: 'NOT MET', None: ''}[row.met]

@@ -12,6 +12,8 @@ from axe_playwright_python.sync_playwright import Axe
 from tests.support.lab import chromium
 
 WCAG = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa']
+# Without preload axe fetches no style sheets, which a page on a disk may not do.
+AXE_OPTIONS = {'runOnly': {'type': 'tag', 'values': WCAG}, 'resultTypes': ['violations'], 'preload': False}
 MAX_LESSON_BYTES = 3_000_000
 
 
@@ -40,10 +42,8 @@ def check_page(page):
     """Return what keeps somebody from using a page, in words."""
     # What is closed would not be looked at.
     page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
-    # Without preload axe fetches no style sheets, which a page on a disk may not do.
-    options = {'runOnly': {'type': 'tag', 'values': WCAG}, 'resultTypes': ['violations'], 'preload': False}
     found = [f'{rule["id"]}: {node["html"][:200]}'
-             for rule in Axe().run(page, options=options).response['violations'] for node in rule['nodes']]
+             for rule in Axe().run(page, options=AXE_OPTIONS).response['violations'] for node in rule['nodes']]
     too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
     undrawn = page.evaluate('''() => [...document.querySelectorAll('.rec-panel, .rec-robot, .rec-log, .rec-still')]
         .filter(each => !each.getBoundingClientRect().height).map(each => each.id)''')

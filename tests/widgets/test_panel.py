@@ -677,3 +677,56 @@ def test_what_is_rejected_stays_gathered_until_it_is_mended_or_discarded(ros):
     panel.gather()
     panel['low'].value = 6
     assert 'there is no node /band' in panel.apply()
+
+
+# -- arrays and units -------------------------------------------------------------------------------------
+
+
+def enter_items(panel, name, *texts):
+    """Do what the browser does when somebody has edited the elements of an array."""
+    panel._front._handle_custom_msg({'do': 'enter', 'name': name, 'client': 'test', 'number': 1, 'items': texts}, [])
+    panel.settle()
+
+
+def items(panel, name):
+    return panel._front.state['rows'][name].get('items')
+
+
+def test_the_elements_of_an_array_are_edited_one_by_one(arm):
+    assert items(arm, 'order') == ['3', '1', '2']
+    assert items(arm, 'names') == ['base', 'elbow, left'], 'a box of its own needs no quotes'
+    assert items(arm, 'firmware') == ['0x00', '0xff']
+    assert (items(arm, 'tool'), items(arm, 'payload')) == (None, None)
+    strange = [' a ', '"', "'", 'x, y', '[', '', '\\n', 'ü']
+    enter_items(arm, 'names', *strange)
+    assert arm['names'].value == strange
+    assert items(arm, 'names') == strange
+    enter_items(arm, 'limits', '1', 'inf', '-.5')
+    assert values.same(arm['limits'].value, [1.0, float('inf'), -0.5])
+    enter_items(arm, 'flags')
+    assert (arm['flags'].value, items(arm, 'flags')) == ([], [])
+    assert arm['flags'].descriptor.type is values.BOOL_ARRAY
+    arm.undo()
+    assert arm['flags'].value == [True, False]
+
+
+def test_an_element_that_cannot_be_read_is_named_and_the_array_stays(arm):
+    enter_items(arm, 'order', '3', '1.5', '2')
+    assert says(arm, 'order') == ('rejected', "element 2, '1.5', cannot be read: order takes integers, e.g. [1, 2, 3]")
+    assert arm['order'].value == [3, 1, 2]
+
+
+def test_what_no_list_of_boxes_can_hold_has_none(arm):
+    ParameterClient(NODE).set_parameters({'names': ['two\nlines'], 'order': list(range(101))})
+    wait_until(lambda: len(arm['order'].value) == 101, 'the panel to follow')
+    arm.settle()
+    assert (items(arm, 'names'), items(arm, 'order')) == (None, None)
+
+
+def test_a_unit_stands_behind_the_box_where_one_is_known(ros):
+    ros.add(SimpleParamNode)
+    panel = ParameterPanel('/simple_param_node')
+    assert {name: panel[name].row.unit for name in panel.names if panel[name].row.unit} == {
+        'max_speed_rpm': 'rpm', 'max_acceleration_mps2': 'm/s²', 'sensor_offset_meters': 'm',
+        'min_operating_temperature_c': '°C'}
+    assert '<span class="param-unit">m/s²</span>' in panel._front.markup

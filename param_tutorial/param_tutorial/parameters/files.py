@@ -39,12 +39,12 @@ def read(path: str | Path, node: str) -> dict[str, Any]:
     :return: Names and values, in the order of the file; an empty array is ``[]``.
     :raises ParameterFileError: the file cannot be read, rcl would reject it, or it holds nothing for the node.
     """
-    parser = _parsed(path)
+    parser = parse(path)
     if not any(matches(name, node) for name in parser.blocks):
         names = ', '.join(parser.blocks) or 'no node at all'
         raise ParameterFileError(f'{path} holds nothing for {node}; it is for {names}. A block for this node starts '
                                  f'with "{node}:" or "/**:"')
-    return _values(path, effective(parser, node))
+    return values_of(path, effective(parser, node))
 
 
 def read_all(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[str, Any]]:
@@ -54,13 +54,17 @@ def read_all(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[str,
     :return: As ``read`` for each node for which there is something.
     :raises ParameterFileError: the file cannot be read, or rcl would reject it.
     """
-    parser = _parsed(path)
+    parser = parse(path)
     named = ('/' + name.strip('/') for name in parser.blocks if '*' not in name)
-    return {node: _values(path, effective(parser, node)) for node in dict.fromkeys((*named, *nodes))
+    return {node: values_of(path, effective(parser, node)) for node in dict.fromkeys((*named, *nodes))
             if any(matches(name, node) for name in parser.blocks)}
 
 
-def _parsed(path: str | Path) -> Parser:
+def parse(path: str | Path) -> Parser:
+    """Return a parser that has read a file: its blocks, and what stands where.
+
+    :raises ParameterFileError: the file cannot be read, or rcl would reject it.
+    """
     try:
         content = Path(path).read_bytes()
     except OSError as error:
@@ -73,7 +77,12 @@ def _parsed(path: str | Path) -> Parser:
     return parser
 
 
-def _values(path: str | Path, entries: Mapping[str, Entry]) -> dict[str, Any]:
+def values_of(path: str | Path, entries: Mapping[str, Entry]) -> dict[str, Any]:
+    """Return the values of parameters that a file holds.
+
+    :param path: The file, for the message of an error.
+    :raises ParameterFileError: one of them has no value.
+    """
     for entry in entries.values():
         if entry.value() is None:
             raise ParameterFileError(f'{path}, line {entry.place.line}: {entry.name} has no value; write one, or '

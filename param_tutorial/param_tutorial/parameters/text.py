@@ -7,7 +7,7 @@ wrong with "1,5".
 import ast
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -137,6 +137,45 @@ def parse_value(descriptor: Descriptor, text: str) -> Any:
         return form.parse(text)
     except (ValueError, KeyError, yaml.YAMLError):
         raise ValueError(f'{text!r} cannot be read: {descriptor.name} takes {form.example}') from None
+
+
+_ITEMS: dict[values.ParameterType, tuple[Callable[[Any], str], Callable[[str], Any]]] = {
+    values.BYTE_ARRAY: (lambda byte: f'0x{byte[0]:02x}', _parse_byte),
+    values.BOOL_ARRAY: (lambda value: str(value).lower(), _parse_bool),
+    values.INTEGER_ARRAY: (str, _parse_integer),
+    values.DOUBLE_ARRAY: (repr, _parse_double),
+    # In a box of its own, a string needs no quotes.
+    values.STRING_ARRAY: (str, str),
+}
+# With more elements than these, a list of boxes helps nobody.
+_MOST_ITEMS = 100
+
+
+def format_items(descriptor: Descriptor, value: Any) -> list[str] | None:
+    """Return the elements of an array as a person would type each into a box of its own.
+
+    :return: None if it is no array, has very many elements, or one has several lines, which no such box can hold.
+    """
+    if (descriptor.type not in _ITEMS or descriptor.dynamic_typing or not isinstance(value, list)
+            or len(value) > _MOST_ITEMS):
+        return None
+    texts = [_ITEMS[descriptor.type][0](item) for item in value]
+    return None if any(re.search(r'[\n\r]', text) for text in texts) else texts
+
+
+def parse_items(descriptor: Descriptor, texts: Sequence[str]) -> list[Any]:
+    """Return the array whose elements a person typed one by one.
+
+    :raises ValueError: a text is no element of it; the message says which.
+    """
+    items = []
+    for number, text in enumerate(texts, 1):
+        try:
+            items.append(_ITEMS[descriptor.type][1](text))
+        except (ValueError, KeyError):
+            raise ValueError(f'element {number}, {text!r}, cannot be read: {descriptor.name} takes '
+                             f'{form_of(descriptor).example}') from None
+    return items
 
 
 def fit(descriptor: Descriptor, value: Any) -> Any:

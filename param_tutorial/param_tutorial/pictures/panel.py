@@ -10,6 +10,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from param_tutorial.pictures.tables import table
+
 HOUSEKEEPING = 'In every node'
 """The group of what every node has, which is seldom what one came for."""
 
@@ -43,6 +45,8 @@ class PanelRow:
     is_read_only: bool = False
     is_quiet: bool = False
     """True for what every node has."""
+    unit: str = ''
+    """The unit of its numbers, where that is known."""
 
     @property
     def is_number(self) -> bool:
@@ -66,6 +70,8 @@ class RowState:
     """What it had at first, if that is something else."""
     is_gathered: bool = False
     """True if the text is what the node will be asked for together with other changes."""
+    items: list[str] | None = None
+    """The elements of an array that can be edited one by one; None for anything else."""
 
     def as_json(self) -> dict[str, Any]:
         """Return it as the script takes it: with what is other than usual."""
@@ -131,13 +137,34 @@ def _head(node: str, count: int, status: str, tools: bool, mark: str) -> str:
                '<button type="button" class="param-undo" disabled>Undo</button>'
                '<button type="button" class="param-redo" disabled>Redo</button>'
                '<button type="button" class="param-reset" disabled '
-               'title="Bring every parameter back to what this panel saw first">Reset</button></span>' if tools else '')
+               'title="Bring every parameter back to what this panel saw first">Reset</button></span>'
+               '<span class="param-tools" role="group" aria-label="Parameter file">'
+               '<button type="button" class="param-save" aria-expanded="false">Save…</button>'
+               '<button type="button" class="param-load" aria-expanded="false">Load…</button></span>' if tools else '')
     marked = f'<span class="param-mark">{html.escape(mark)}</span>' if mark else ''
     told = f'{count} parameter{"" if count == 1 else "s"}'
     bad = ' param-status-bad' if status else ''
     return (f'<div class="param-head"><span role="status"><span class="param-node">{html.escape(node)}</span>'
             f'<span class="param-status{bad}" data-count="{told}">{html.escape(status) or told}</span></span>'
             f'{buttons}{marked}{search}<span class="param-found" role="status"></span>{_BAR if tools else ""}</div>')
+
+
+def file_markup(summary: str, notes: Sequence[str] = (), columns: Sequence[str] = (),
+                rows: Sequence[Sequence[str]] = (), *, is_bad: bool = False) -> str:
+    """Return what the form for a parameter file says, as HTML.
+
+    :param notes: Sentences below the summary, each on a line of its own.
+    :param columns: Headings of the table below them.
+    :param rows: The table's words, the verdict in the fourth column; none for no table.
+    :param is_bad: True if nothing can be done with the file.
+    """
+    told = f'<p class="param-message param-{"rejected" if is_bad else "gathering"}">{html.escape(summary)}</p>'
+    listed = ''.join(f'<li>{html.escape(note)}</li>' for note in notes)
+    tabled = table(columns, rows, row_headers=True) if rows else ''
+    # Who has no mouse must be able to scroll it.
+    scrolled = (f'<div class="param-file-rows" tabindex="0" role="region" aria-label="What loading would do">{tabled}'
+                '</div>' if tabled else '')
+    return told + (f'<ul>{listed}</ul>' if listed else '') + scrolled
 
 
 class _Drawing:
@@ -185,10 +212,14 @@ class _Drawing:
         slider = ('' if row.last is None else
                   f'<input type="range" class="param-slider" min="0" max="{row.last}" value="{state.position or 0}" '
                   f'aria-label="{html.escape(label)}, slider" aria-valuetext="{html.escape(state.text)}"{off}>')
+        unit = f'<span class="param-unit">{html.escape(row.unit)}</span>' if row.unit else ''
+        items = ('' if state.items is None else
+                 f'<button type="button" class="param-items" aria-expanded="false" hidden '
+                 f'aria-label="Elements of {html.escape(label)}">Elements</button>')
         back = '' if row.is_read_only else '<button type="button" class="param-back" hidden></button>'
         return (f'<div class="param-row{kinds}" data-name="{html.escape(row.name)}" data-editor="{row.editor}">'
                 f'<div class="param-line"><label for="{name}">{html.escape(label)}</label>'
-                f'{_box(row, state, common)}{slider}{back}</div>'
+                f'{_box(row, state, common)}{unit}{items}{slider}{back}</div>'
                 f'<div class="param-note param-help" id="{name}-help">{_help(row)}</div>'
                 f'<div class="param-note" id="{name}-said">{_message(state)}</div></div>')
 

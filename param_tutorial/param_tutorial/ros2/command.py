@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 # The commands of each module. Imported when used: a process that runs one command need not pay for the others.
 _MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run'], 'service': ['service'],
             'topic': ['topic'], 'launch.verb': ['launch'], 'check': ['check', 'describe'],
-            'system': ['snapshot', 'diff', 'restore'], 'changes': ['watch', 'history']}
+            'system': ['snapshot', 'diff', 'restore'], 'changes': ['watch', 'history'], 'panel': ['panel']}
 
 
 @functools.cache

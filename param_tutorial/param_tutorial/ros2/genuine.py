@@ -39,7 +39,7 @@ def path_for(words: Sequence[str]) -> str | None:
     too. Nobody has built them, so the genuine one does not find them; and if somebody has, the build is for ROS's
     Python and holds what the package was then.
     """
-    if (words[:1] and words[0] in OWN_COMMANDS) or '--all-nodes' in words:
+    if (words[:1] and words[0] in (*OWN_COMMANDS, 'panel')) or '--all-nodes' in words:
         return None
     return None if words[:1] in (['run'], ['launch']) and any(map(_is_ours, words[1:])) else path()
 

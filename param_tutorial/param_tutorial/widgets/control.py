@@ -1,13 +1,13 @@
 """One parameter on a panel: its value, what stands beside it, and what a person can do with it."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor
 from param_tutorial.parameters.live import LiveParameter
-from param_tutorial.parameters.text import fit, format_value, parse_value
+from param_tutorial.parameters.text import fit, format_items, format_value, parse_items, parse_value
 from param_tutorial.pictures.panel import PanelRow, RowState
 from param_tutorial.widgets.editors import row_of, scale_of
 from param_tutorial.widgets.recordable import Scale
@@ -76,6 +76,15 @@ class Control:
         else:
             self._take(self, value, None)
 
+    def enter_items(self, texts: Sequence[str]) -> None:
+        """Type the elements of an array, each into a box of its own."""
+        try:
+            value = parse_items(self.descriptor, texts)
+        except ValueError as error:
+            self._parameter.reject(str(error))
+        else:
+            self._take(self, value, None)
+
     def slide(self, position: int, grip: object = None) -> None:
         """Pull the slider to a position.
 
@@ -96,6 +105,7 @@ class Control:
         if gathered is not ...:
             wanted = format_value(descriptor, gathered)
             return RowState(wanted, self._position(gathered), is_locked, is_gathered=True,
+                            items=format_items(descriptor, gathered),
                             message=('gathering', f'Now {text}; not sent yet.'))
         message: tuple[str, str] | None = None
         if parameter.late:
@@ -106,7 +116,8 @@ class Control:
             asked = format_value(descriptor, parameter.adjusted)
             message = 'adjusted', f'You asked for {asked}, and the node has stored {text}.'
         first = format_value(descriptor, self.first) if self.is_changed else None
-        return RowState(text, self._position(value), is_locked or descriptor.read_only, parameter.busy, message, first)
+        return RowState(text, self._position(value), is_locked or descriptor.read_only, parameter.busy, message, first,
+                        items=None if descriptor.read_only else format_items(descriptor, value))
 
     @property
     def is_changed(self) -> bool:

@@ -11,6 +11,7 @@ from typing import Any
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor, Range, is_housekeeping
 from param_tutorial.parameters.text import choices_of, format_value
+from param_tutorial.parameters.units import unit_of
 from param_tutorial.pictures.panel import CHECK, CHOICE, LINES, TEXT, PanelRow
 from param_tutorial.widgets.recordable import Scale
 
@@ -91,7 +92,7 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
         name=descriptor.name, editor=_editor_of(descriptor, value, choices), kind=descriptor.type.label,
         description=descriptor.description, constraints=descriptor.additional_constraints, facts=tuple(facts),
         choices=choices, last=scale.last if scale else None, is_read_only=descriptor.read_only,
-        is_quiet=is_housekeeping(descriptor.name))
+        is_quiet=is_housekeeping(descriptor.name), unit=unit_of(descriptor))
 
 
 def _editor_of(descriptor: Descriptor, value: Any, choices: tuple[str, ...]) -> str:

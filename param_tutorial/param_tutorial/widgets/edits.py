@@ -1,7 +1,8 @@
 """What was done in a panel, to be undone and done again."""
 
+import contextlib
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -38,6 +39,7 @@ class Edits:
         self._done: list[Edit] = []
         self._undone: list[Edit] = []
         self._begun: tuple[str, object, State] | None = None
+        self._held = 0
 
     @property
     def can_undo(self) -> bool:
@@ -58,10 +60,23 @@ class Edits:
             if self._begun is None:
                 self._begun = name, grip, self._state()
 
+    @contextlib.contextmanager
+    def as_one(self) -> Iterator[None]:
+        """Take all that is asked for meanwhile as one edit, also if the node has answered everything in between."""
+        self.begin('', None)
+        with self._lock:
+            self._held += 1
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._held -= 1
+            self.end()
+
     def end(self) -> None:
         """Take note that the node has answered everything."""
         with self._lock:
-            if self._begun is None:
+            if self._begun is None or self._held:
                 return
             (name, grip, before), self._begun, after = self._begun, None, self._state()
             changed = [each for each in before if each in after and not values.same(before[each], after[each])]

@@ -5,6 +5,88 @@
 
 let panelsOnPage = 0;
 
+/** The elements of an array, one box for each, below a row's text box. */
+class Elements {
+  constructor(row, button) {
+    Object.assign(this, {row, button, isTyping: false});
+    this.element = document.createElement('div');
+    this.element.className = 'param-elements';
+    this.element.hidden = true;
+    this.list = document.createElement('ol');
+    this.add = this.makeButton('Add', `Add an element to ${row.name}`, () => {
+      this.append('');
+      this.boxes.at(-1).focus();
+    });
+    this.element.append(this.list, this.add);
+    row.element.querySelector('.param-line').after(this.element);
+    button.hidden = false;
+    button.addEventListener('click', () => this.open(this.element.hidden));
+    this.element.addEventListener('keydown', event => {
+      event.stopPropagation();
+      if (event.key === 'Enter' && event.target.tagName === 'INPUT') this.commit();
+      if (event.key === 'Escape') { this.isTyping = false; this.open(false); button.focus(); }
+    });
+  }
+
+  get boxes() {
+    return [...this.list.querySelectorAll('input')];
+  }
+
+  makeButton(text, label, onClick) {
+    const made = document.createElement('button');
+    made.type = 'button';
+    made.textContent = text;
+    made.setAttribute('aria-label', label);
+    made.addEventListener('click', onClick);
+    return made;
+  }
+
+  open(isWanted) {
+    this.element.hidden = !isWanted;
+    this.button.setAttribute('aria-expanded', String(isWanted));
+    this.draw();
+  }
+
+  append(text) {
+    const item = document.createElement('li');
+    const line = document.createElement('div');
+    const box = document.createElement('input');
+    const number = this.list.children.length + 1;
+    Object.assign(box, {type: 'text', value: text, autocomplete: 'off', spellcheck: false});
+    box.setAttribute('aria-label', `Element ${number} of ${this.row.name}`);
+    box.addEventListener('input', () => { this.isTyping = true; });
+    box.addEventListener('change', () => this.commit());
+    line.append(box, this.makeButton('Remove', `Remove element ${number} of ${this.row.name}`, () => {
+      item.remove();
+      this.isTyping = true;
+      this.commit();
+      (this.boxes.at(Math.min(number, this.boxes.length) - 1) || this.add).focus();
+    }));
+    item.append(line);
+    this.list.append(item);
+  }
+
+  commit() {
+    if (!this.isTyping) return;
+    this.isTyping = false;
+    this.row.enter('items', this.boxes.map(each => each.value));
+  }
+
+  /** Show what the node has, unless something else is being typed or on its way. */
+  draw() {
+    const items = this.row.state.items;
+    this.button.hidden = !items;
+    if (!items) this.element.hidden = true;
+    if (this.element.hidden || this.isTyping || this.row.isAhead) return;
+    const focused = this.boxes.indexOf(this.element.getRootNode().activeElement);
+    this.list.replaceChildren();
+    for (const each of items) this.append(each);
+    if (focused >= 0 && this.boxes.length) this.boxes[Math.min(focused, this.boxes.length - 1)].focus();
+    const isLocked = this.row.state.is_locked || this.row.panel.isLocked;
+    for (const each of this.element.querySelectorAll('input, button')) each.disabled = isLocked;
+  }
+}
+
 /** A parameter's controls. What was entered stands in them until the answer to just that is there. */
 class PanelRow {
   constructor(panel, element) {
@@ -35,6 +117,8 @@ class PanelRow {
       this.slider.addEventListener('keydown', event => event.stopPropagation());
       this.slider.addEventListener('input', () => this.enter('position', Number(this.slider.value)));
     }
+    const items = element.querySelector('.param-items');
+    if (items) this.elements = new Elements(this, items);
     if (this.back) this.back.addEventListener('click', () => panel.wire.bringBack(this.name));
   }
 
@@ -101,6 +185,7 @@ class PanelRow {
         this.back.setAttribute('aria-label', `${words}: ${this.name}`);
       }
     }
+    if (this.elements) this.elements.draw();
     this.drawMessage();
   }
 
@@ -224,6 +309,7 @@ class ParameterPanel {
     for (const [name, row] of old.rows) {
       const heir = this.rows.get(name);
       if (!heir) continue;
+      if (row.elements && heir.elements && !row.elements.element.hidden) heir.elements.open(true);
       Object.assign(heir, {entered: row.entered, answered: row.answered, grip: row.grip});
       if (row.isTyping && heir.box.tagName === row.box.tagName) {
         heir.isTyping = true;
@@ -247,6 +333,7 @@ function render({model, el}) {
   };
   const root = document.createElement('div');
   el.append(root);
+  const form = new FileForm(wish => model.send({client, ...wish}));
   let panel, search = model.get('search');
 
   function build() {
@@ -264,10 +351,13 @@ function render({model, el}) {
     if (old) panel.takeOver(old);
     // At first there may be too few parameters for a search.
     if (panel.search && search) [panel.search.value, search] = [search, ''];
-    panel.show(model.get('state'));
-    if (panel.search) panel.find();
+    form.settle(shown);
     root.replaceChildren(shown);
-    if (focused) {
+    show();
+    if (panel.search) panel.find();
+    if (form.element.contains(focused)) {
+      focused.focus();
+    } else if (focused) {
       const row = focused.closest('.param-row');
       const heir = row && panel.rows.get(row.dataset.name);
       const target = heir ? heir.element.querySelector(`.${focused.className}`) : shown.querySelector(`.${focused.className}`);
@@ -278,8 +368,17 @@ function render({model, el}) {
     }
   }
 
-  const show = () => { if (panel) panel.show(model.get('state')); };
-  const onMessage = message => { if (panel && message.client === client) panel.answer(message.name, message.number); };
+  function show() {
+    if (!panel) return;
+    panel.show(model.get('state'));
+    form.update(panel.isLocked);
+  }
+
+  function onMessage(message) {
+    if (!panel || message.client !== client) return;
+    if ('form' in message) form.answer(message); else panel.answer(message.name, message.number);
+  }
+
   build();
   model.on('change:markup', build);
   model.on('change:state', show);

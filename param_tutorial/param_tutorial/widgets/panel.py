@@ -11,6 +11,7 @@ no lock of a panel at all.
 
 import threading
 from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import Any
 
 import anywidget
@@ -18,16 +19,24 @@ import ipywidgets as widgets
 import traitlets
 from rclpy.node import Node
 
-from param_tutorial.errors import ParameterNotDeclaredError, ParameterToolError, describe_error
+from param_tutorial.errors import (
+    ParameterFileError,
+    ParameterNotDeclaredError,
+    ParameterToolError,
+    describe_error,
+)
 from param_tutorial.parameters import values
 from param_tutorial.parameters.catalog import Catalog, CatalogNode
 from param_tutorial.parameters.client import ParameterClient, node_name
+from param_tutorial.parameters.file_preview import FilePreview, Loaded, preview_file
+from param_tutorial.parameters.files import Dump, render
 from param_tutorial.parameters.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
 from param_tutorial.parameters.text import format_value
 from param_tutorial.pictures.panel import PanelRow, arrange, panel_markup
 from param_tutorial.pictures.styles import sheet, style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
+from param_tutorial.widgets import file_form
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.control import Control
 from param_tutorial.widgets.edits import Edits, State
@@ -41,7 +50,7 @@ _HITS = 8
 class _Front(anywidget.AnyWidget):
     """The panel in the browser: markup, and what changes in it."""
 
-    _esm = sheet('widgets/panel.js')
+    _esm = sheet('widgets/file_form.js') + sheet('widgets/panel.js')
     markup = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
     search = traitlets.Unicode().tag(sync=True)
@@ -160,17 +169,86 @@ class ParameterPanel(View):
         """
         wanted = self._gathered or {}
         self.settle()
-        self._edits.begin('', None)
-        try:
-            results = self._live.client().set_parameters_atomically(wanted) if wanted else []
-            self._note = next((result.reason or 'The node gave no reason.'
-                               for result in results if not result.successful), '')
-        except ParameterToolError as error:
-            self._note = describe_error(error)
-        if not self._note:
-            self._gathered = None
-        self.settle()
+        with self._edits.as_one():
+            try:
+                self._note = self._set_together(wanted)
+            except ParameterToolError as error:
+                self._note = describe_error(error)
+            if not self._note:
+                self._gathered = None
+            self.settle()
         return self._note
+
+    def dump(self, *, changed_only: bool = False) -> Dump:
+        """Return the values that the panel shows as a parameter file.
+
+        :param changed_only: Only what differs from what the panel first saw.
+        :raises ParameterFileError: there is nothing to write.
+        """
+        present = {name: control.value for name, control in self._controls.items()
+                   if control.is_changed or not changed_only}
+        if not present:
+            raise ParameterFileError(f'nothing of {self._node} differs from what the panel first saw' if self._controls
+                                     else f'no parameter of {self._node} is known: {self.status}')
+        return render(self._node, present)
+
+    def save(self, path: str | Path, changed_only: bool = False) -> Dump:
+        """Write what the node has now, as far as it is on the panel, to a parameter file.
+
+        :param path: An existing file is replaced as a whole, or not at all.
+        :param changed_only: Only what differs from what the panel first saw.
+        :return: The text, and which parameters no file can hold (``left_out``), with the reason.
+        :raises ParameterFileError: there is nothing to write.
+        :raises OSError: the file cannot be written.
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        self.settle()
+        dump = self.dump(changed_only=changed_only)
+        dump.save(Path(path).expanduser())
+        return dump
+
+    def preview(self, path: str | Path) -> FilePreview:
+        """Return what loading a parameter file would do, row by row; nothing is asked of the node.
+
+        :raises ParameterFileError: the file cannot be read, or rcl would reject it.
+        """
+        return preview_file(Path(path).expanduser(), self._node,
+                            {name: control.descriptor for name, control in self._controls.items()},
+                            {name: control.value for name, control in self._controls.items()},
+                            unknown='this panel shows no such parameter' if self._in_order
+                                    else 'the node has no such parameter')
+
+    def load(self, path: str | Path) -> Loaded:
+        """Ask the node for the values that a parameter file holds for it; ``undo`` takes them back together.
+
+        They go in one request. If the node rejects that, each is asked for by itself. While changes are gathered,
+        these are gathered, too.
+
+        :return: What was not loaded and why, by the parameters' names.
+        :raises ParameterFileError: the file cannot be read, or rcl would reject it; nothing was asked for.
+        :raises NodeError: the node is not there, or does not answer.
+        :raises WaitTimeoutError: the node does not answer in time.
+        """
+        self.settle()
+        preview = self.preview(path)
+        wanted = preview.accepted
+        left = preview.left_out
+        if self._gathered is not None:
+            self._gathered, self._note = {**self._gathered, **wanted}, ''
+            self._show()
+            return Loaded(left, wanted, is_gathered=True)
+        with self._edits.as_one():
+            if self._set_together(wanted):
+                left |= self._bring(wanted)
+            self.settle()
+        left |= {name: f'the node has stored {self[name].value!r}' for name, value in wanted.items()
+                 if name not in left and self._differs(name, value)}
+        return Loaded(left, [name for name in wanted if name not in left])
+
+    def _set_together(self, wanted: State) -> str:
+        """Ask for values in one request, and return why the node rejected it; empty if it did not."""
+        results = self._live.client().set_parameters_atomically(wanted) if wanted else []
+        return next((each.reason or 'The node gave no reason.' for each in results if not each.successful), '')
 
     def settle(self, timeout_sec: float = 10.0) -> None:
         """Wait until the node has answered every change made so far and the panel shows what the node has now.
@@ -209,10 +287,9 @@ class ParameterPanel(View):
         :raises WaitTimeoutError: the node does not answer in time.
         """
         self.settle()  # what was entered just now may still be on its way
-        self._edits.begin('', None)
-        self._not_restored = self._bring({name: value for name, value in self.changed.items()
-                                          if not names or name in names})
-        self._edits.end()
+        with self._edits.as_one():
+            self._not_restored = self._bring({name: value for name, value in self.changed.items()
+                                              if not names or name in names})
 
     def _bring(self, wanted: State) -> dict[str, str]:
         """Ask for values until the node has them; return the reasons for those that it does not take."""
@@ -242,6 +319,8 @@ class ParameterPanel(View):
         """Do what a person did in the browser; called by ipywidgets in the kernel's main thread."""
         if content['do'] == 'enter':
             self._enter(content)
+        elif content['do'] in ('look', 'act'):
+            threading.Thread(target=self._serve_form, args=[content], name=f'file of {self._node}', daemon=True).start()
         else:
             names = [content['name']] if content.get('name') else []
             job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
@@ -255,11 +334,25 @@ class ParameterPanel(View):
         if control is not None:  # and not deleted meanwhile
             if 'position' in content:
                 control.slide(content['position'], (content['client'], content['grip']))
+            elif 'items' in content:
+                control.enter_items(content['items'])
             else:
                 control.enter(content['text'])
             control.give_way()
         self._show()
         self._front.send({each: content[each] for each in ('client', 'name', 'number')})
+
+    def _serve_form(self, content: dict[str, Any]) -> None:
+        """Answer the form for parameter files: what a path would do, or what was done."""
+        wish = {'is_save': content['is_save'], 'path': content['path'].strip(), 'changed_only': content['changed_only']}
+        answer: dict[str, Any] = {'client': content['client'], 'form': content['number']}
+        if content['do'] == 'look':
+            answer |= {'offered': file_form.offered_files(), **file_form.look(self, **wish)}
+        else:
+            answer |= {'said': file_form.act(self, **wish)}
+        with self._drawing:
+            if not self._closed:
+                self._front.send(answer)
 
     def _show(self) -> None:
         with self._drawing:

@@ -1,0 +1,131 @@
+"""`python -m param_tutorial panel`: the panel as a page, served to this machine by a process that Ctrl+C ends."""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import textwrap
+import urllib.error
+import urllib.request
+
+import psutil
+import pytest
+from playwright.sync_api import expect
+
+from param_tutorial.runtime import domain
+from tests.support.lab import wait_for
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+
+NODE = '''
+    import rclpy
+    from rclpy.node import Node
+    rclpy.init()
+    node = Node('arm')
+    node.declare_parameter('speed', 1.5)
+    print('ready', flush=True)
+    rclpy.spin(node)
+'''
+
+
+@pytest.fixture
+def environment(tmp_path):
+    """Return the environment of a shell in a domain that only this test uses."""
+    domain.choose()
+    inherited = {name: value for name, value in os.environ.items() if not name.startswith(('JUPYTER', 'PYTEST'))}
+    return {**inherited, 'HOME': str(tmp_path), 'PYTHONUNBUFFERED': '1'}
+
+
+@pytest.fixture
+def arm(environment):
+    """Run a node in a process of its own."""
+    with subprocess.Popen([sys.executable, '-c', textwrap.dedent(NODE)], env=environment, stdout=subprocess.PIPE,
+                          text=True) as process:
+        assert process.stdout.readline() == 'ready\n'
+        yield process
+        process.kill()
+
+
+@pytest.fixture
+def page_process(environment, tmp_path):
+    """Return a function that starts the command in a folder, and gives the process and the address of the page."""
+    started = []
+
+    def start(*arguments):
+        process = subprocess.Popen(
+            [sys.executable, '-m', 'param_tutorial', 'panel', '--no-browser', *arguments], cwd=tmp_path,
+            env={**environment, 'TMPDIR': str(tmp_path)}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        started.append(process)
+        line = process.stdout.readline()
+        address = re.fullmatch(r'The panel is at (http://127\.0\.0\.1:\d+/\?token=\S{32})\n', line)
+        assert address, line + process.stdout.read()
+        return process, address[1]
+
+    yield start
+    for process in started:
+        process.kill()
+        process.wait()
+        process.stdout.close()
+
+
+def test_the_page_shows_and_changes_a_node_and_ends_with_its_kernel(browser, arm, page_process, environment, tmp_path):
+    process, address = page_process('/arm')
+    page = browser.new_page()
+    elsewhere = []
+    page.on('request', lambda request: request.url.startswith((address.partition('?')[0], 'data:', 'blob:'))
+            or elsewhere.append(request.url))
+    page.goto(address, timeout=120_000)
+    box = page.get_by_label('speed', exact=True)
+    expect(box).to_have_value('1.5')
+    box.fill('2.5')
+    box.press('Enter')
+    # The other way round, from another process.
+    asked = [sys.executable, '-m', 'param_tutorial', 'param']
+    get = [*asked, 'get', '/arm', 'speed']
+    wait_for(lambda: subprocess.run(get, env=environment, capture_output=True, text=True).stdout
+             == 'Double value is: 2.5\n', 'the node to have it')
+    subprocess.run([*asked, 'set', '/arm', 'speed', '0.5'], env=environment, check=True, capture_output=True)
+    expect(box).to_have_value('0.5')
+    # A file is saved where the command was started.
+    page.get_by_role('button', name='Save…').click()
+    page.get_by_label('File', exact=True).fill('arm.yaml')
+    page.get_by_role('button', name='Save', exact=True).click()
+    expect(page.locator('.param-file-look')).to_have_text('Saved to arm.yaml.')
+    assert 'speed: 0.5' in (tmp_path / 'arm.yaml').read_text()
+    assert elsewhere == []
+    me = psutil.Process(process.pid)
+    family = [me, *me.children(recursive=True)]
+    assert len(family) > 1, 'there is a kernel'
+    ports = [each.laddr for one in family for each in one.net_connections('inet') if each.status == psutil.CONN_LISTEN]
+    assert {ip for ip, _ in ports} == {'127.0.0.1'}
+    process.send_signal(signal.SIGINT)
+    assert process.wait(60) == 0
+    assert psutil.wait_procs(family, timeout=20)[1] == []
+    assert process.stdout.read() == 'Only programs on this machine can reach it. Ctrl+C ends it.\n'
+    assert list(tmp_path.glob('param_tutorial_panel_*')) == []
+    page.close()
+
+
+def test_nobody_gets_in_without_the_token(page_process):
+    process, address = page_process()
+    root = address.partition('?')[0]
+    assert '/login' in urllib.request.urlopen(root, timeout=20).url
+    for path in ('?token=wrong', 'api/kernels/01234567-0123-0123-0123-0123456789ab'):
+        try:
+            assert '/login' in urllib.request.urlopen(root + path, timeout=20).url
+        except urllib.error.HTTPError as error:
+            assert error.code == 403
+    children = psutil.Process(process.pid).children()
+    assert children == [], 'a kernel was started for somebody without the token'
+    # The command line is in the list of processes, which everybody can read.
+    assert address.partition('token=')[2] not in ' '.join(psutil.Process(process.pid).cmdline())
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(60) == 0
+
+
+def test_a_name_that_no_node_can_have_starts_nothing(environment):
+    done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'panel', '/no good'], env=environment,
+                          capture_output=True, text=True, timeout=60)
+    assert done.returncode == 1
+    assert '/no good' in done.stderr and 'Traceback' not in done.stderr
