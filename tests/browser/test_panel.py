@@ -208,10 +208,11 @@ def test_nothing_on_the_panel_keeps_anybody_from_using_it(planner):
         found = Axe().run(page.page, context='.param-panel', options=AXE_OPTIONS).response['violations']
         assert [f'{theme}, {rule["id"]}: {node["html"][:200]} {node["failureSummary"]}' for rule in found
                 for node in rule['nodes']] == []
-    page.page.evaluate("document.querySelector('.param-panel').style.width = '400px'")
-    assert page.page.evaluate("""() => { const panel = document.querySelector('.param-panel').getBoundingClientRect();
-        return [...document.querySelectorAll('.param-panel *')].filter(each => {
-            const box = each.getBoundingClientRect(); return box.width && box.right > panel.right + 1; })
+    page.page.evaluate("""() => document.querySelectorAll('.param-panel').forEach(
+        each => { each.style.width = '400px'; })""")
+    assert page.page.evaluate("""() => { return [...document.querySelectorAll('.param-panel *')].filter(each => {
+            const [box, panel] = [each, each.closest('.param-panel')].map(one => one.getBoundingClientRect());
+            return box.width && box.right > panel.right + 1; })
             .map(each => each.outerHTML.slice(0, 120)) }""") == []
     page.command('apputils:change-theme', theme='JupyterLab Light')
 

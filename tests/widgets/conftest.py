@@ -23,4 +23,6 @@ def _close_all():
 def arm(ros):
     """Return a panel of an Arm."""
     ros.add(Arm)
-    return ParameterPanel('/arm')
+    panel = ParameterPanel('/arm')
+    assert panel.status == ''
+    return panel
