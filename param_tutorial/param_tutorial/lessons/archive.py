@@ -4,10 +4,8 @@ A chapter's recordings are kept under a digest of all that they may depend on, s
 need.
 """
 
-import concurrent.futures
 import hashlib
 import json
-import multiprocessing
 import os
 import platform
 import subprocess
@@ -19,8 +17,9 @@ from pathlib import Path
 from typing import Any
 
 from param_tutorial.lessons.console import format_count, say
-from param_tutorial.lessons.recording.recorded import Recording, Recordings
-from param_tutorial.lessons.recording.run import cells_with_widgets, read_notebook, record_cell, run_chapter
+from param_tutorial.lessons.recording.recorded import Recordings
+from param_tutorial.lessons.recording.run import read_notebook, source_of
+from param_tutorial.lessons.workers import record_all
 
 PACKAGE_ROOT = Path(__file__).parents[2]
 ROOT = PACKAGE_ROOT.parent
@@ -49,10 +48,10 @@ class Archive:
         recordings: dict[Path, Recordings] = {}
         to_run: dict[Path, str] = {}
         for path in chapters:
-            key = hashlib.sha256(path.read_bytes() + surroundings + self._others_read_by(path)).hexdigest()
+            key = hashlib.sha256(_what_runs(path) + surroundings + self._others_read_by(path)).hexdigest()
             found = _load(kept / f'{path.stem}.json')
             if found.get('key') == key:
-                recordings[path] = {int(index): each for index, each in found['recordings'].items()}
+                recordings[path] = found['recordings']
             else:
                 to_run[path] = key
         if recordings:
@@ -63,7 +62,7 @@ class Archive:
         return {path: recordings[path] for path in chapters}
 
     def _others_read_by(self, path: Path) -> bytes:
-        """Return the other chapters, if a chapter reads them: the glossary is made of all."""
+        """Return all chapters, if a chapter reads them: the glossary is made of all."""
         if 'Glossary' not in path.read_text(encoding='utf-8'):
             return b''
         return b''.join(each.read_bytes() for each in sorted(self._notebooks.glob('*.ipynb')))
@@ -76,35 +75,20 @@ class Archive:
         (self._work / 'ipython').mkdir(parents=True, exist_ok=True)
         began = time.monotonic()
         say(f'Running {format_count(len(paths), "chapter")}, {self._processes} kernels at a time')
-        # Spawned, since a fork takes over locks and threads of the libraries that are loaded here.
-        pool = concurrent.futures.ProcessPoolExecutor(self._processes, multiprocessing.get_context('spawn'))
-        try:
-            for done, (path, recorded) in enumerate(_run_in(pool, paths), 1):
-                asked = sum(each.get('asked', 0) for found in recorded.values() for each in found)
-                views = format_count(sum(map(len, recorded.values())), 'view')
-                say(f'[{done}/{len(paths)}] {path.stem}: ran as stored; {views} recorded'
-                    + (f', {asked:,} answers' if asked else '') + f' ({time.monotonic() - began:.0f} s)')
-                yield path, recorded
-        finally:
-            pool.shutdown(cancel_futures=True)
+        for done, (path, recorded) in enumerate(record_all(paths, self._processes), 1):
+            asked = sum(part.get('asked', 0) for found in recorded.values() for each in found
+                        for part in each.get('parts', [each]))
+            views = format_count(sum(map(len, recorded.values())), 'view')
+            say(f'[{done}/{len(paths)}] {path.stem}: ran as stored; {views} recorded'
+                + (f', {asked:,} answers' if asked else '') + f' ({time.monotonic() - began:.0f} s)')
+            yield path, recorded
 
 
-def _run_in(pool: concurrent.futures.Executor, paths: list[Path]) -> Iterator[tuple[Path, Recordings]]:
-    """Run each chapter to its end, then up to each cell that shows widgets; yield it when all its cells are there."""
-    to_record = {path: [index for index, _ in cells_with_widgets(read_notebook(path))] for path in paths}
-    recorded: dict[Path, dict[int, list[Recording]]] = {path: {} for path in paths}
-    running: dict[concurrent.futures.Future[Any], tuple[Path, int | None]] = {
-        pool.submit(run_chapter, path): (path, None) for path in paths}
-    while running:
-        for future in concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED).done:
-            path, index = running.pop(future)
-            if index is None:
-                views = future.result()
-                running |= {pool.submit(record_cell, path, each, views): (path, each) for each in to_record[path]}
-            else:
-                recorded[path][index] = future.result()
-            if len(recorded[path]) == len(to_record[path]):
-                yield path, dict(sorted(recorded[path].items()))
+def _what_runs(path: Path) -> bytes:
+    """Return all of a chapter, and of the code of its solutions, that its recordings may depend on: not its prose."""
+    cells = [[cell.id, cell.source, cell.metadata.get('tags'), cell.execution_count, cell.outputs]
+             for cell in read_notebook(path).cells if cell.cell_type == 'code']
+    return json.dumps([path.name, cells, source_of(path)], sort_keys=True).encode()
 
 
 def digest_of_surroundings() -> bytes:

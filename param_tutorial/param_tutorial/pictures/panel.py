@@ -43,6 +43,8 @@ class PanelRow:
     is_read_only: bool = False
     is_quiet: bool = False
     """True for what every node has."""
+    note: str = ''
+    """What else there is to say of it."""
 
     @property
     def is_number(self) -> bool:
@@ -210,7 +212,8 @@ def _box(row: PanelRow, state: RowState, common: str) -> str:
 def _help(row: PanelRow) -> str:
     texts = [html.escape(text) for text in (row.description, row.constraints) if text]
     facts = ', '.join((row.kind, *map(html.escape, row.facts), *['<b>read only</b>'] * row.is_read_only))
-    return f'{" ".join(texts)} <span class="param-facts">({facts})</span>'
+    note = f' <span class="param-extra">{html.escape(row.note)}</span>' if row.note else ''
+    return f'{" ".join(texts)} <span class="param-facts">({facts})</span>{note}'
 
 
 def _message(state: RowState) -> str:

@@ -1,6 +1,7 @@
 """A chapter with its recordings, as a source for Sphinx: outputs drawn, exercises with hints and solutions."""
 
 import html
+import itertools
 import re
 from pathlib import Path
 
@@ -23,12 +24,12 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
                    alone: bool = False) -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
-    :param recordings: For the index of each cell that shows widgets, their recordings in order.
+    :param recordings: For the id of each cell that shows widgets, their recordings in order.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
     :param alone: For a file that is given away, with nothing beside it.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
-    _draw_views(notebook, recordings, drawing.Drawer(path.stem))
+    _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())))
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
@@ -51,8 +52,8 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
 
 def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer) -> None:
     """Put what a page can show in the place of each widget."""
-    for index, cell in cells_with_widgets(notebook):
-        remaining = iter(recordings[index])
+    for _, cell in cells_with_widgets(notebook):
+        remaining = iter(recordings[cell.id])
         for output in cell.outputs:
             if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
                 output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
