@@ -399,6 +399,51 @@ def test_one_view_that_cannot_be_unpacked_says_so_and_the_others_live(made, brow
     page.close()
 
 
+def test_all_controls_begin_anew_after_a_reload(made):
+    """Firefox keeps what a form held, unless it is told not to; then a control and its picture differ."""
+    for name in ('1_limits', '2_robot'):
+        html = (made.target / f'{name}.html').read_text()
+        controls = re.findall(r'<(?:input|select|textarea)\b[^>]*class="param-(?:box|slider)"[^>]*>', html)
+        assert controls and [each for each in controls if 'autocomplete="off"' not in each] == []
+
+
+@limits
+def test_a_button_copies_the_code_of_a_cell(page):
+    cell = page.locator('div.cell_input').nth(1)
+    cell.hover()
+    cell.get_by_role('button', name='Copy the code of this cell').click()
+    expect(cell.locator('.lesson-copy')).to_have_text('Copied')
+    page.evaluate("document.body.append(Object.assign(document.createElement('textarea'), {id: 'here'}))")
+    page.locator('#here').focus()
+    page.keyboard.press('Control+v')
+    expect(page.locator('#here')).to_have_value("panel = ParameterPanel('/heater')\npanel")
+
+
+@limits
+def test_code_stands_out_and_has_the_style_sheets_lines(page):
+    style = page.locator('div.cell_input .highlight pre').first.evaluate('''each => {
+        const own = getComputedStyle(each), around = getComputedStyle(each.closest('.cell_input'));
+        return [parseFloat(own.lineHeight) / parseFloat(own.fontSize), own.backgroundColor,
+          getComputedStyle(each.parentElement).backgroundColor,
+          around.backgroundColor !== getComputedStyle(document.body).backgroundColor] }''')
+    clear = 'rgba(0, 0, 0, 0)'
+    assert [round(style[0], 2), *style[1:]] == [1.5, clear, clear, True]
+
+
+@limits
+def test_paper_is_white_and_all_code_is_on_it(page):
+    page.evaluate("document.documentElement.dataset.theme = 'dark'")
+    page.emulate_media(media='print')
+    dark_on_white = page.evaluate('''() => {
+        const brightness = color => color.match(/[\\d.]+/g).slice(0, 3).reduce((sum, each) => sum + Number(each), 0);
+        return [...document.querySelectorAll('.bd-article p, .bd-article h1, .cell_input span')].filter(each =>
+          each.textContent.trim() && brightness(getComputedStyle(each).color) > 450).length }''')
+    assert dark_on_white == 0
+    assert page.locator('.cell_input .highlight pre').first.evaluate(
+        'each => getComputedStyle(each).whiteSpace') == 'pre-wrap'
+    assert page.locator('.bd-article h1').evaluate('each => getComputedStyle(each).breakAfter') == 'avoid'
+
+
 @pytest.mark.parametrize('way', ['file', 'server'])
 def test_every_page_from_the_disk_and_from_a_server(made, browser, way):
     with served(made.target) if way == 'server' else contextlib.nullcontext(made.target.as_uri()) as address:

@@ -48,7 +48,7 @@ class Archive:
         recordings: dict[Path, Recordings] = {}
         to_run: dict[Path, str] = {}
         for path in chapters:
-            key = hashlib.sha256(_what_runs(path) + surroundings + self._others_read_by(path)).hexdigest()
+            key = hashlib.sha256(what_runs(path) + surroundings + self._others_read_by(path)).hexdigest()
             found = _load(kept / f'{path.stem}.json')
             if found.get('key') == key:
                 recordings[path] = found['recordings']
@@ -84,7 +84,7 @@ class Archive:
             yield path, recorded
 
 
-def _what_runs(path: Path) -> bytes:
+def what_runs(path: Path) -> bytes:
     """Return all of a chapter, and of the code of its solutions, that its recordings may depend on: not its prose."""
     cells = [[cell.id, cell.source, cell.metadata.get('tags'), cell.execution_count, cell.outputs]
              for cell in read_notebook(path).cells if cell.cell_type == 'code']

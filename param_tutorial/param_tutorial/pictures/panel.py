@@ -185,7 +185,8 @@ class _Drawing:
         kinds = ''.join(f' param-{kind}' for kind, so in (
             ('quiet', row.is_quiet), ('long', not row.is_number), ('changed', state.first is not None)) if so)
         slider = ('' if row.last is None else
-                  f'<input type="range" class="param-slider" min="0" max="{row.last}" value="{state.position or 0}" '
+                  f'<input type="range" class="param-slider" autocomplete="off" min="0" max="{row.last}" '
+                  f'value="{state.position or 0}" '
                   f'aria-label="{html.escape(label)}, slider" aria-valuetext="{html.escape(state.text)}"{off}>')
         back = '' if row.is_read_only else '<button type="button" class="param-back" hidden></button>'
         return (f'<div class="param-row{kinds}" data-name="{html.escape(row.name)}" data-editor="{row.editor}">'
@@ -198,13 +199,13 @@ class _Drawing:
 def _box(row: PanelRow, state: RowState, common: str) -> str:
     text = html.escape(state.text)
     if row.editor == CHECK:
-        return f'<input type="checkbox" {common}{" checked" if state.text == "true" else ""}>'
+        return f'<input type="checkbox" autocomplete="off" {common}{" checked" if state.text == "true" else ""}>'
     if row.editor == LINES:
-        return f'<textarea rows="3" spellcheck="false" {common}>{text}</textarea>'
+        return f'<textarea rows="3" autocomplete="off" spellcheck="false" {common}>{text}</textarea>'
     if row.editor == CHOICE:
         options = ''.join(f'<option{" selected" if each == state.text else ""}>{html.escape(each)}</option>'
                           for each in dict.fromkeys((*row.choices, state.text)))
-        return f'<select {common}>{options}</select>'
+        return f'<select autocomplete="off" {common}>{options}</select>'
     unset = '' if state.text else ' placeholder="not set"'
     return f'<input type="text" autocomplete="off" spellcheck="false" value="{text}"{unset} {common}>'
 

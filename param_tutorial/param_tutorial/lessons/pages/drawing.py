@@ -57,12 +57,14 @@ class Drawer:
         if prediction.is_typed:
             answers = '<input type="text" name="answer" autocomplete="off" aria-label="Your value">'
         else:
-            answers = ''.join(f'<label><input type="radio" name="answer" value="{html.escape(each.text)}">'
+            answers = ''.join(f'<label><input type="radio" autocomplete="off" name="answer" '
+                              f'value="{html.escape(each.text)}">'
                               f'<span>{html.escape(each.text)}</span></label>' for each in prediction.choices)
         # A typed value may be none of the choices; the page's script compares it as the notebook does.
         facts = {'choices': {plain_answer(each.text): verdict(prediction, each.text) for each in prediction.choices},
                  'otherwise': verdict(prediction, '') if prediction.is_typed else ''}
-        return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" id="{name}"><fieldset>'
+        return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" autocomplete="off" id="{name}">'
+                f'<fieldset>'
                 f'<legend class="param-predict-question"><b>{prediction.word}</b> · '
                 f'{with_code(prediction.question)}</legend>'
                 f'{answers}<button type="submit" class="rec-commit" disabled>Commit</button></fieldset>'

@@ -342,7 +342,38 @@
     }
   }
 
+  /** Put a button beside each cell's code that copies it. */
+  function offerCopies() {
+    for (const cell of document.querySelectorAll('div.cell_input')) {
+      const code = cell.querySelector('pre').textContent.trimEnd();
+      const button = Object.assign(document.createElement('button'), {type: 'button', className: 'lesson-copy', textContent: 'Copy'});
+      button.setAttribute('aria-label', 'Copy the code of this cell');
+      button.addEventListener('click', async () => {
+        button.dataset.said = await copy(code) ? 'Copied' : 'Not copied';
+        button.textContent = button.dataset.said;
+        setTimeout(() => { button.textContent = 'Copy'; delete button.dataset.said; }, 2000);
+      });
+      cell.append(button);
+    }
+  }
+
+  /** Copy a text; a page on a disk may not use the clipboard's newer way in every browser. */
+  async function copy(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch {
+      const area = Object.assign(document.createElement('textarea'), {value: text});
+      document.body.append(area);
+      area.select();
+      const done = document.execCommand('copy');
+      area.remove();
+      return done;
+    }
+  }
+
   async function begin() {
+    offerCopies();
     for (const form of document.querySelectorAll('.rec-prediction')) await enliven(form, facts => ask(form, facts));
     for (const [number, section] of [...document.querySelectorAll('.rec-robot')].entries()) {
       await enliven(section, facts => robots.push(new Robot(section, facts, number)));
