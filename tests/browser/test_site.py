@@ -11,6 +11,7 @@ import json
 import re
 import shutil
 import threading
+import zipfile
 
 import nbformat
 import pytest
@@ -124,7 +125,8 @@ def made(tmp_path_factory):
     (notebooks / 'index.md').write_text(INDEX)
     for name, cells in (('1_limits', LIMITS), ('2_robot', ROBOT)):
         write_chapter(notebooks / f'{name}.ipynb', cells)
-    site = Site(notebooks, folder / 'html', folder / 'work', processes=2)
+    (notebooks / 'claims.md').write_text('# The claims\n\n| A001 | true |\n| --- | --- |\n| A002 | false |\n')
+    site = Site(notebooks, folder / 'html', folder / 'work', processes=2, address='https://lessons.example/ros')
     site.build()
     return site
 
@@ -467,6 +469,28 @@ def test_nothing_that_axe_finds(made, browser, scheme, name):
         assert check_page(page) == []
 
 
+def test_search_engines_and_messengers_learn_what_a_page_is(made):
+    html = (made.target / '1_limits.html').read_text()
+    assert '<meta name="description" content="What does a node say?">' in html
+    assert '<meta property="og:title" content="1 · Limits">' in html
+    assert '<link rel="canonical" href="https://lessons.example/ros/1_limits.html"' in html
+    assert re.findall('<loc>(.*?)</loc>', (made.target / 'sitemap.xml').read_text()) == [
+        f'https://lessons.example/ros/{name}.html' for name in ('index', '1_limits', '2_robot')]
+    assert 'There is no such page' in (made.target / '404.html').read_text()
+
+
+def test_the_course_is_in_the_site_with_the_way_to_start_it(made):
+    html = (made.target / '1_limits.html').read_text()
+    assert 'href="param-course.zip"' in html and '<code>make lab</code>' in html
+    with zipfile.ZipFile(made.target / 'param-course.zip') as course:
+        names = set(course.namelist())
+        assert course.testzip() is None
+        makefile = course.read('param-course/Makefile')
+    assert makefile == (ROOT / 'Makefile').read_bytes()
+    assert {'param-course/README.md', 'param-course/notebooks/01_what_are_parameters.ipynb'} <= names
+    assert not any('/build/' in name or '/.venv/' in name for name in names)
+
+
 def test_links_lead_where_the_site_has_something(made):
     html = (made.target / '1_limits.html').read_text()
     assert 'href="2_robot.html"' in html
@@ -514,6 +538,7 @@ def test_one_lesson_as_one_file(made, browser, tmp_path):
     with open_page(browser, alone.as_uri()) as page:
         type_into(page, 'low_c', '25')
         expect(message(page, 'low_c')).to_have_text('Rejected: 25 is not below 22')
+        expect(page.locator('.lesson-download')).to_contain_text('This file is one lesson of the course')
         assert check_page(page) == []
         assert page.locator('a[href$=".ipynb"], a[href="2_robot.html"]').count() == 0
         loaded = page.evaluate("performance.getEntriesByType('resource').map(each => each.name)"

@@ -161,16 +161,17 @@ def _where_recorded(row: Row) -> str:
     if row['editor'] not in (TEXT, LINES) or 'answers' not in row:
         return ''
     numbers: dict[Decimal, None] = {}
-    for text in row['answers']:
+    for text, answer in row['answers'].items():
         with contextlib.suppress(ArithmeticError):
-            if (number := Decimal(text)).is_finite():
+            if 'value' in answer and (number := Decimal(text)).is_finite():
                 numbers[number] = None
     run = _longest_run(sorted(numbers))
     others = len(row['answers']) - len(run)
     if len(run) < _RUN:
         return f'Recorded: {len(row["answers"])} texts. The box suggests some.'
-    step = run[1] - run[0]
-    return f'Recorded: {run[0]} to {run[-1]} in steps of {step.normalize():f}, and {others} others.'
+    step = (run[1] - run[0]).normalize()
+    together = ' Together with other changes: where the slider stands.' if 'positions' in row else ''
+    return f'Recorded: {run[0]} to {run[-1]} in steps of {step:f}, and {others} others.{together}'
 
 
 def _longest_run(numbers: list[Decimal]) -> list[Decimal]:
