@@ -1,10 +1,8 @@
 """The recorder knows no view: whatever implements the protocol is recorded, and the page is told what it needs."""
 
 import ast
-import base64
 import gc
 import json
-import zlib
 
 import ipywidgets as widgets
 import pytest
@@ -19,6 +17,7 @@ from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.widgets import recordable
 from param_tutorial.widgets.view import View
+from tests.support.albums import unpack
 from tests.support.paths import PACKAGE
 
 NO_PAGE = {'literals': [], 'source': '', 'views': [], 'albums': []}
@@ -55,19 +54,6 @@ class Thermometer(View):
 
     def _end(self):
         pass
-
-
-def unpack(album):
-    """Return the pictures of an album by their keys, as the page's script does."""
-    content = json.loads(zlib.decompress(base64.b64decode(album)))
-
-    def whole(each):
-        if isinstance(each, list):
-            return [whole(part) for part in each]
-        if isinstance(each, dict):
-            return content['texts'][each['$']] if '$' in each else {name: whole(part) for name, part in each.items()}
-        return each
-    return {name: whole(each) for name, each in content['pictures'].items()}
 
 
 @pytest.fixture
