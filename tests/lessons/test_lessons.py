@@ -211,8 +211,10 @@ def test_links_of_a_chapter(tmp_path):
         '# 3 · C\n[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_c.ipynb) [w](https://example.org/x.md)')]), path)
     text = chapter.chapter_source(path, {}, {'2_b', '3_c'}).cells[0].source
     assert '[b](2_b.ipynb#Top) z <a href="notebooks/solutions/3_c.ipynb" download>s</a> [w](https:' in text
-    alone = chapter.chapter_source(path, {}, {'3_c'}, alone=True).cells
-    assert 'b z s [w](https:' in alone[0].source and len(alone) == 1
+    facts = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': 'abc1234', 'changed': ''}
+    alone = chapter.chapter_source(path, {}, {'3_c'}, alone=facts).cells
+    assert 'b z s [w](https:' in alone[0].source
+    assert 'as of 2026-01-02 (abc1234). It ran on Python 3.12.1' in alone[1].outputs[0].data['text/html']
 
 
 def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_path):
