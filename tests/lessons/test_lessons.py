@@ -11,7 +11,7 @@ from rclpy.node import Node
 from param_tutorial import ParameterPanel
 from param_tutorial.lessons.pages import chapter, drawing, front_page
 from param_tutorial.lessons.recording import recorder, run
-from param_tutorial.lessons.recording.questions import positions
+from param_tutorial.lessons.recording.questions import set_to, stops
 from param_tutorial.parameters.client import Range
 from param_tutorial.widgets.editors import Positions, WholePositions
 
@@ -28,14 +28,14 @@ def write(path, *cells):
 def test_a_chapter_that_does_what_is_stored(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('print(1)', '1\n'), ('# NBVAL_IGNORE_OUTPUT\nprint(id(print))', '2\n'))
     assert list(run.cells_with_widgets(run.read_notebook(path))) == []
-    assert run.run_chapter(path) == []
+    assert run.record_chapter(path) == {}
 
 
 @pytest.mark.slow
 def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('x = 1', ''), ('print(x)\nprint(2)', '7\n2\n'))
     with pytest.raises(run.ChapterError) as error:
-        run.run_chapter(path)
+        run.record_chapter(path)
     assert str(error.value).splitlines()[0] == (
         '1_a.ipynb, cell 3 (print(x)): its output differs from the stored one.')
     assert '    -7\n    +1\n     2' in str(error.value)
@@ -45,7 +45,7 @@ def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
 def test_a_chapter_that_fails(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('1 / 0', ''))
     with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(1 / 0\): it raises ZeroDivisionError: division'):
-        run.run_chapter(path)
+        run.record_chapter(path)
 
 
 @pytest.mark.slow
@@ -55,7 +55,7 @@ def test_a_chapter_that_was_not_run(tmp_path):
     notebook.cells[1].execution_count = None
     nbformat.write(notebook, path)
     with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(x = 1\): it was saved without being run'):
-        run.run_chapter(path)
+        run.record_chapter(path)
 
 
 def test_a_chapter_that_cannot_be_read(tmp_path):
@@ -99,7 +99,7 @@ class Fan(Node):
 
 
 # Of a page with no words and no other view.
-NO_PAGE = {'literals': [], 'views': []}
+NO_PAGE = {'literals': [], 'source': '', 'views': [], 'albums': []}
 
 
 def rows_of(recording):
@@ -110,7 +110,7 @@ def rows_of(recording):
 def recorded(ros):
     node = ros.add(Fan)
     panel = ParameterPanel(node)
-    recording = recorder.record(panel.model_id, {'literals': ['a word of the lesson', 12345], 'views': []})
+    recording = recorder.record(panel.model_id, {**NO_PAGE, 'literals': ['a word of the lesson', 12345]})
     yield node, recording
     panel.close()
 
@@ -136,8 +136,12 @@ def test_who_depends_on_whom_is_found_out_and_recorded(recorded):
     rows = rows_of(recording)
     assert {name: row.get('depends') for name, row in rows.items() if row.get('depends')} == {
         'least': ['most'], 'most': ['least']}
-    for text, answers in rows['most']['contexts']['least'].items():
-        assert ('reason' in answers['8']) == (int(text) > 8)
+    contexts = rows['most']['contexts']
+    assert {f'least={number}' for number in (0, 5, 10)} <= contexts.keys()
+    for state, answers in contexts.items():
+        assert ('reason' in answers['8']) == (int(state.removeprefix('least=')) > 8)
+    # 10 is rejected while ``most`` is 8: the node came there by way of another ``most``.
+    assert 'reason' in rows['least']['answers']['10'] and contexts['least=10']['20']['value'] == '20'
 
 
 class OneWay(Node):
@@ -168,20 +172,24 @@ def test_a_panel_whose_node_is_not_there(ros):
     assert 'could not be asked' in drawing.Drawer('page').draw(recording)
 
 
-@pytest.mark.parametrize('scale, value, at_most, expected', [
-    (WholePositions(Range(0, 10, 1)), 3, 11, list(range(11))),
-    (WholePositions(Range(0, 10, 1)), 3, 6, [0, 2, 3, 4, 6, 8, 10]),
-    (WholePositions(Range(1, 9, 4)), 5, 50, [1, 5, 9]),
+@pytest.mark.parametrize('scale, value, own, at_most, expected', [
+    (WholePositions(Range(0, 10, 1)), 3, [], 11, list(range(11))),
+    (WholePositions(Range(0, 10, 1)), 3, [9], 6, [0, 2, 3, 4, 5, 6, 8, 9, 10]),
+    (WholePositions(Range(1, 9, 4)), 5, [2], 50, [1, 5, 9]),
+    (WholePositions(Range(0, 300, 1)), 100, [77, 400], 11, [0, 50, 77, 100, 150, 200, 250, 300]),
+    (Positions(Range(0.01, 2.0, 0.0)), 0.5, [], 5, [0.01, 0.5, 1.0, 1.5, 2.0]),
+    # A gain: small values are what one tries.
+    (Positions(Range(0.0, 5.0, 0.0)), 0.0, [0.1], 8, [0.0, 0.1, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0]),
 ])
-def test_positions_of_whole_numbers(scale, value, at_most, expected):
-    assert positions(scale, value, at_most) == expected
+def test_stops_of_a_slider_are_round_numbers_the_ends_and_what_the_lesson_sets(scale, value, own, at_most, expected):
+    assert stops(scale, value, own, at_most) == expected
 
 
-def test_positions_of_doubles_are_those_of_the_panel_or_round_ones_among_them():
-    scale = Positions(Range(0.0, 1.0, 0.0))
-    assert positions(scale, 0.5, 201)[:3] == [0.0, 0.01, 0.02]
-    few = positions(scale, 0.33, 21)
-    assert few[:3] == [0.0, 0.05, 0.1] and few[-1] == 1.0 and 0.33 in few
+@pytest.mark.parametrize('source', [
+    "panel['gains.wheel.p'].value = 0.4", 'tune(p=0.4)', "{f'{group}.p': 0.4}", "set_parameter('gains.wheel.p', 0.4)",
+    '%ros2 param set /wheel gains.wheel.p 0.4', "ros_args=['-p', 'gains.wheel.p:=0.4']"])
+def test_what_a_lesson_sets_a_parameter_to(source):
+    assert set_to('gains.wheel.p', source + '\nother.up = 7; stop(7); p7 = 3') == [0.4]
 
 
 # -- pages --------------------------------------------------------------------------------------------------
@@ -203,8 +211,10 @@ def test_links_of_a_chapter(tmp_path):
         '# 3 · C\n[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_c.ipynb) [w](https://example.org/x.md)')]), path)
     text = chapter.chapter_source(path, {}, {'2_b', '3_c'}).cells[0].source
     assert '[b](2_b.ipynb#Top) z <a href="notebooks/solutions/3_c.ipynb" download>s</a> [w](https:' in text
-    alone = chapter.chapter_source(path, {}, {'3_c'}, alone=True).cells
-    assert 'b z s [w](https:' in alone[0].source and len(alone) == 1
+    facts = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': 'abc1234', 'changed': ''}
+    alone = chapter.chapter_source(path, {}, {'3_c'}, alone=facts).cells
+    assert 'b z s [w](https:' in alone[0].source
+    assert 'as of 2026-01-02 (abc1234). It ran on Python 3.12.1' in alone[1].outputs[0].data['text/html']
 
 
 def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_path):

@@ -17,9 +17,10 @@ from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.widgets import recordable
 from param_tutorial.widgets.view import View
+from tests.support.albums import unpack
 from tests.support.paths import PACKAGE
 
-NO_PAGE = {'literals': [], 'views': []}
+NO_PAGE = {'literals': [], 'source': '', 'views': [], 'albums': []}
 
 
 class Oven(Node):
@@ -80,16 +81,16 @@ def test_a_new_view_is_recorded_as_it_stands(oven):
 def test_a_page_pictures_a_node_with_a_view_of_a_later_cell(oven):
     views = recorder.describe([oven(Thermometer('/oven')).model_id])
     assert views == [{'node': '/oven', 'follows': [], 'portrait': f'{__name__}:Thermometer'}]
-    recording = recorder.record(oven(ParameterPanel('/oven')).model_id, {'literals': [], 'views': views})
-    looks = {picture['changed'].get('heat', '2'): picture['look'] for picture in recording['pictures']}
-    assert looks == {text: text for text in '01234'}
+    recording = recorder.record(oven(ParameterPanel('/oven')).model_id, {**NO_PAGE, 'views': views})
+    assert recording['names'] == ['heat']
+    assert unpack(recording['looks']) == {f'heat={text}': text for text in '01234'}
     assert json.loads(json.dumps(recording)) == recording
 
 
 def test_a_view_of_another_node_takes_no_pictures(oven):
     views = [{'node': '/fridge', 'follows': [], 'portrait': 'nowhere:Nothing'}]
-    recording = recorder.record(oven(ParameterPanel('/oven')).model_id, {'literals': [], 'views': views})
-    assert 'pictures' not in recording and 'films' not in recording
+    recording = recorder.record(oven(ParameterPanel('/oven')).model_id, {**NO_PAGE, 'views': views})
+    assert 'looks' not in recording and 'films' not in recording
 
 
 def test_events_are_recorded_where_the_page_has_a_view_that_follows_them(oven):
@@ -97,7 +98,7 @@ def test_events_are_recorded_where_the_page_has_a_view_that_follows_them(oven):
     assert [each['follows'] for each in recorder.describe([panel.model_id, table.model_id, log.model_id])] == [
         [], ['events'], ['log']]
     for shown, expected in (([log], None), ([log, table], [['changed', 'heat', '3']])):
-        page = {'literals': [], 'views': recorder.describe([each.model_id for each in shown])}
+        page = {**NO_PAGE, 'views': recorder.describe([each.model_id for each in shown])}
         answers = recorder.record(panel.model_id, page)['rows'][0]['answers']
         assert answers['3'].get('events') == expected
 
@@ -118,6 +119,36 @@ def test_a_robot_is_recorded_at_rest_and_with_its_drive(ros):
     film, = recording['films']
     assert film['changed'] == {} and film['look'] == recording['look']
     assert [scene[1] for scene in film['scenes']][-1] == 'STOPPED'
+
+
+@pytest.mark.slow
+def test_every_combination_of_what_the_sliders_offer_is_filmed_once_for_a_page(ros):
+    robot = ros.add(ClawbotNode, real_time=False)
+    view = RobotView(robot)
+    panel = ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode'])
+    page = {**NO_PAGE, 'source': "panel['max_speed_rpm'].value = 77", 'views': recorder.describe([view.model_id])}
+    recording = recorder.record(panel.model_id, page)
+    films, speed = unpack(recording['films']), recording['rows'][0]
+    assert {'0', '50', '77', '100', '300'} <= set(speed['positions'])
+    for text in speed['positions']:
+        for safety in ('true', 'false'):
+            assert f'enable_safety_mode={safety}\nmax_speed_rpm={text}' in films
+    last_words = {safety: films[f'enable_safety_mode={safety}\nmax_speed_rpm=100']['scenes'][-1][3]
+                  for safety in ('true', 'false')}
+    assert last_words == {'true': 'Clawbot has stopped 0.20 m from the wall.',
+                          'false': 'Clawbot has run into the wall at 1.05 m/s.'}
+    again = recorder.record(panel.model_id, {**page, 'albums': [recording['album']]})
+    assert 'films' not in again and again['album'] == recording['album']
+    for each in (panel, view):
+        each.close()
+    assert robot.get_parameter('max_speed_rpm').value == 100
+
+
+def test_what_stands_still_is_recorded_at_once_and_what_a_question_would_disturb_is_not(oven):
+    assert recorder.record_still(oven(Thermometer('/oven')).model_id, NO_PAGE)['kind'] == 'still'
+    assert recorder.record_still(oven(ParameterPanel('/oven')).model_id, NO_PAGE) == {}
+    assert recorder.record_still(oven(LogView()).model_id, NO_PAGE) == {}
+    assert recorder.record_still(widgets.HTML('x').model_id, NO_PAGE) is None
 
 
 def test_a_widget_that_is_no_view_is_not_recorded(ros):

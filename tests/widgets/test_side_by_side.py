@@ -6,6 +6,7 @@ from param_tutorial import ParameterPanel, RobotView, SideBySide
 from param_tutorial.lessons.pages import drawing
 from param_tutorial.lessons.recording import recorder
 from param_tutorial.nodes.clawbot_node import ClawbotNode
+from tests.support.albums import unpack
 
 
 @pytest.fixture
@@ -53,12 +54,12 @@ def test_a_page_records_both_and_draws_them_in_their_places(views):
     both = SideBySide(*views)
     facts = recorder.describe([both.model_id])
     assert [each['node'] for each in facts] == ['/clawbot_node'] * 2
-    recording = recorder.record(both.model_id, {'literals': [], 'views': facts})
+    recording = recorder.record(both.model_id, {'literals': [], 'source': '', 'views': facts, 'albums': []})
     assert recording['kind'] == 'side by side'
     assert [part['kind'] for part in recording['parts']] == ['robot', 'panel']
-    films = recording['parts'][1]['films']
+    looks = unpack(recording['parts'][1]['looks'])
     # Nothing was driven before the last picture of the robot at the start was taken.
-    assert {film['look']['text'].split('.')[0] for film in films} == {'READY'}
+    assert {look['text'].split('.')[0] for look in looks.values()} == {'READY'}
     assert recording['parts'][0]['films'][0]['look']['text'].startswith('READY')
     html = drawing.Drawer('page').draw(recording)
     assert html.index('side-by-side-parts') < html.index('rec-robot') < html.index('rec-panel')

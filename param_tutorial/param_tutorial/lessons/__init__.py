@@ -5,6 +5,7 @@
     single       one chapter of the site as one file
     archive      the recordings of all chapters, of which those that have not changed are kept
     recording/   runs a chapter, compares its outputs, asks its views and nodes what a reader may ask
+    workers      the processes in which chapters are recorded; none outlives the build
     pages/       recordings as pages, written by Sphinx
     site/        Sphinx's configuration, the site's style and script
 

@@ -4,23 +4,24 @@ A chapter's recordings are kept under a digest of all that they may depend on, s
 need.
 """
 
-import concurrent.futures
 import hashlib
+import io
 import json
-import multiprocessing
 import os
 import platform
 import subprocess
 import sys
 import time
+import zipfile
 from collections.abc import Iterator
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from param_tutorial.lessons.console import format_count, say
-from param_tutorial.lessons.recording.recorded import Recording, Recordings
-from param_tutorial.lessons.recording.run import cells_with_widgets, read_notebook, record_cell, run_chapter
+from param_tutorial.lessons.recording.recorded import Recordings
+from param_tutorial.lessons.recording.run import read_notebook, source_of
+from param_tutorial.lessons.workers import record_all
 
 PACKAGE_ROOT = Path(__file__).parents[2]
 ROOT = PACKAGE_ROOT.parent
@@ -49,10 +50,10 @@ class Archive:
         recordings: dict[Path, Recordings] = {}
         to_run: dict[Path, str] = {}
         for path in chapters:
-            key = hashlib.sha256(path.read_bytes() + surroundings + self._others_read_by(path)).hexdigest()
+            key = hashlib.sha256(what_runs(path) + surroundings + self._others_read_by(path)).hexdigest()
             found = _load(kept / f'{path.stem}.json')
             if found.get('key') == key:
-                recordings[path] = {int(index): each for index, each in found['recordings'].items()}
+                recordings[path] = found['recordings']
             else:
                 to_run[path] = key
         if recordings:
@@ -63,7 +64,7 @@ class Archive:
         return {path: recordings[path] for path in chapters}
 
     def _others_read_by(self, path: Path) -> bytes:
-        """Return the other chapters, if a chapter reads them: the glossary is made of all."""
+        """Return all chapters, if a chapter reads them: the glossary is made of all."""
         if 'Glossary' not in path.read_text(encoding='utf-8'):
             return b''
         return b''.join(each.read_bytes() for each in sorted(self._notebooks.glob('*.ipynb')))
@@ -76,35 +77,20 @@ class Archive:
         (self._work / 'ipython').mkdir(parents=True, exist_ok=True)
         began = time.monotonic()
         say(f'Running {format_count(len(paths), "chapter")}, {self._processes} kernels at a time')
-        # Spawned, since a fork takes over locks and threads of the libraries that are loaded here.
-        pool = concurrent.futures.ProcessPoolExecutor(self._processes, multiprocessing.get_context('spawn'))
-        try:
-            for done, (path, recorded) in enumerate(_run_in(pool, paths), 1):
-                asked = sum(each.get('asked', 0) for found in recorded.values() for each in found)
-                views = format_count(sum(map(len, recorded.values())), 'view')
-                say(f'[{done}/{len(paths)}] {path.stem}: ran as stored; {views} recorded'
-                    + (f', {asked:,} answers' if asked else '') + f' ({time.monotonic() - began:.0f} s)')
-                yield path, recorded
-        finally:
-            pool.shutdown(cancel_futures=True)
+        for done, (path, recorded) in enumerate(record_all(paths, self._processes), 1):
+            asked = sum(part.get('asked', 0) for found in recorded.values() for each in found
+                        for part in each.get('parts', [each]))
+            views = format_count(sum(map(len, recorded.values())), 'view')
+            say(f'[{done}/{len(paths)}] {path.stem}: ran as stored; {views} recorded'
+                + (f', {asked:,} answers' if asked else '') + f' ({time.monotonic() - began:.0f} s)')
+            yield path, recorded
 
 
-def _run_in(pool: concurrent.futures.Executor, paths: list[Path]) -> Iterator[tuple[Path, Recordings]]:
-    """Run each chapter to its end, then up to each cell that shows widgets; yield it when all its cells are there."""
-    to_record = {path: [index for index, _ in cells_with_widgets(read_notebook(path))] for path in paths}
-    recorded: dict[Path, dict[int, list[Recording]]] = {path: {} for path in paths}
-    running: dict[concurrent.futures.Future[Any], tuple[Path, int | None]] = {
-        pool.submit(run_chapter, path): (path, None) for path in paths}
-    while running:
-        for future in concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED).done:
-            path, index = running.pop(future)
-            if index is None:
-                views = future.result()
-                running |= {pool.submit(record_cell, path, each, views): (path, each) for each in to_record[path]}
-            else:
-                recorded[path][index] = future.result()
-            if len(recorded[path]) == len(to_record[path]):
-                yield path, dict(sorted(recorded[path].items()))
+def what_runs(path: Path) -> bytes:
+    """Return all of a chapter, and of the code of its solutions, that its recordings may depend on: not its prose."""
+    cells = [[cell.id, cell.source, cell.metadata.get('tags'), cell.execution_count, cell.outputs]
+             for cell in read_notebook(path).cells if cell.cell_type == 'code']
+    return json.dumps([path.name, cells, source_of(path)], sort_keys=True).encode()
 
 
 def digest_of_surroundings() -> bytes:
@@ -131,6 +117,26 @@ def provenance() -> dict[str, str]:
         changed = _git('status', '--porcelain', '--', 'notebooks', 'param_tutorial', 'config')
         facts |= {'date': date, 'commit': name, 'changed': 'with changes since' if changed else ''}
     return facts
+
+
+def course_archive(folder: str) -> bytes:
+    """Return the course as a zip file, the same for each build of a commit.
+
+    :param folder: In which all files are.
+    """
+    names = [name for name in _git('ls-files', '-z').split('\0') if name and (ROOT / name).is_file()]
+    if not names:  # no clone: what a clone has, as far as one can tell
+        names = [str(path.relative_to(ROOT)) for path in ROOT.rglob('*') if path.is_file() and not any(
+            part.startswith(('.', '__')) or part in ('build', 'my_lessons') or part.endswith('.egg-info')
+            for part in path.relative_to(ROOT).parts)]
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, 'w', zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(names):
+            path = ROOT / name
+            entry = zipfile.ZipInfo(f'{folder}/{name}', (1980, 1, 1, 0, 0, 0))
+            entry.external_attr = (0o755 if os.access(path, os.X_OK) else 0o644) << 16
+            archive.writestr(entry, path.read_bytes(), zipfile.ZIP_DEFLATED, 9)
+    return buffer.getvalue()
 
 
 def _git(*arguments: str) -> str:

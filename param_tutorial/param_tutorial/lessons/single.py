@@ -5,6 +5,7 @@ from pathlib import Path
 
 import nbformat
 
+from param_tutorial.lessons.archive import provenance
 from param_tutorial.lessons.build import Site
 from param_tutorial.lessons.console import format_path, say
 from param_tutorial.lessons.pages.chapter import chapter_source
@@ -38,7 +39,7 @@ def build(site: Site) -> Path:
     source.mkdir(parents=True)
     write_static(source)
     (source / path.name).write_text(
-        nbformat.writes(chapter_source(path, recordings[path], {path.stem}, alone=True)), encoding='utf-8')
+        nbformat.writes(chapter_source(path, recordings[path], {path.stem}, alone=provenance())), encoding='utf-8')
     write_pages(source, folder / 'html', folder / 'doctrees', settings={'root_doc': path.stem, **_SETTINGS})
     target = site.target.parent / f'{path.stem}.html'
     target.write_text(inline_page(folder / 'html' / f'{path.stem}.html'), encoding='utf-8')

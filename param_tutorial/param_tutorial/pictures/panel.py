@@ -47,6 +47,8 @@ class PanelRow:
     """True for what every node has."""
     unit: str = ''
     """The unit of its numbers, where that is known."""
+    note: str = ''
+    """What else there is to say of it."""
 
     @property
     def is_number(self) -> bool:
@@ -210,7 +212,8 @@ class _Drawing:
         kinds = ''.join(f' param-{kind}' for kind, so in (
             ('quiet', row.is_quiet), ('long', not row.is_number), ('changed', state.first is not None)) if so)
         slider = ('' if row.last is None else
-                  f'<input type="range" class="param-slider" min="0" max="{row.last}" value="{state.position or 0}" '
+                  f'<input type="range" class="param-slider" autocomplete="off" min="0" max="{row.last}" '
+                  f'value="{state.position or 0}" '
                   f'aria-label="{html.escape(label)}, slider" aria-valuetext="{html.escape(state.text)}"{off}>')
         unit = f'<span class="param-unit">{html.escape(row.unit)}</span>' if row.unit else ''
         items = ('' if state.items is None else
@@ -227,13 +230,13 @@ class _Drawing:
 def _box(row: PanelRow, state: RowState, common: str) -> str:
     text = html.escape(state.text)
     if row.editor == CHECK:
-        return f'<input type="checkbox" {common}{" checked" if state.text == "true" else ""}>'
+        return f'<input type="checkbox" autocomplete="off" {common}{" checked" if state.text == "true" else ""}>'
     if row.editor == LINES:
-        return f'<textarea rows="3" spellcheck="false" {common}>{text}</textarea>'
+        return f'<textarea rows="3" autocomplete="off" spellcheck="false" {common}>{text}</textarea>'
     if row.editor == CHOICE:
         options = ''.join(f'<option{" selected" if each == state.text else ""}>{html.escape(each)}</option>'
                           for each in dict.fromkeys((*row.choices, state.text)))
-        return f'<select {common}>{options}</select>'
+        return f'<select autocomplete="off" {common}>{options}</select>'
     unset = '' if state.text else ' placeholder="not set"'
     return f'<input type="text" autocomplete="off" spellcheck="false" value="{text}"{unset} {common}>'
 
@@ -241,7 +244,8 @@ def _box(row: PanelRow, state: RowState, common: str) -> str:
 def _help(row: PanelRow) -> str:
     texts = [html.escape(text) for text in (row.description, row.constraints) if text]
     facts = ', '.join((row.kind, *map(html.escape, row.facts), *['<b>read only</b>'] * row.is_read_only))
-    return f'{" ".join(texts)} <span class="param-facts">({facts})</span>'
+    note = f' <span class="param-extra">{html.escape(row.note)}</span>' if row.note else ''
+    return f'{" ".join(texts)} <span class="param-facts">({facts})</span>{note}'
 
 
 def _message(state: RowState) -> str:

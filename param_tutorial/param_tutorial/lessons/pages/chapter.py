@@ -1,6 +1,7 @@
 """A chapter with its recordings, as a source for Sphinx: outputs drawn, exercises with hints and solutions."""
 
 import html
+import itertools
 import re
 from pathlib import Path
 
@@ -14,21 +15,25 @@ from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets
 
 # Where the site keeps the notebooks for readers who want to run them.
 NOTEBOOKS = 'notebooks'
+# The folder and the archive of the course that the site offers.
+COURSE = 'param-course'
 # In what a cell has put out.
+_BOTH_WORDINGS = re.compile(r'<!-- notebook -->.*?<!-- page:\s*(.*?)\s*-->', re.DOTALL)
 _HREF = re.compile(r'<a href="(\w+)\.ipynb">(.*?)</a>', re.DOTALL)
 _LINK = re.compile(r'(?<!!)\[([^\]]*)\]\(([\w/.-]+\.(?:ipynb|md))(#[^)]*)?\)')
 
 
 def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
-                   alone: bool = False) -> nbformat.NotebookNode:
+                   alone: dict[str, str] | None = None) -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
-    :param recordings: For the index of each cell that shows widgets, their recordings in order.
+    :param recordings: For the id of each cell that shows widgets, their recordings in order.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
-    :param alone: For a file that is given away, with nothing beside it.
+    :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
+        ran, and on what; see ``archive.provenance``.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
-    _draw_views(notebook, recordings, drawing.Drawer(path.stem))
+    _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())))
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
@@ -38,10 +43,10 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
-            cell.source = _redirect_links(cell.source, pages, alone=alone)
+            cell.source = _redirect_links(for_page(cell.source), pages, alone=alone is not None)
         cells.append(cell)
-        if len(cells) == 1 and not alone:
-            cells.append(_html_cell('to-run', _download_note(path)))
+        if len(cells) == 1:
+            cells.append(_html_cell('to-run', _download_note(path) if alone is None else _provenance_note(alone)))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', help_html))
     notebook.cells = cells
@@ -51,8 +56,8 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
 
 def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer) -> None:
     """Put what a page can show in the place of each widget."""
-    for index, cell in cells_with_widgets(notebook):
-        remaining = iter(recordings[index])
+    for _, cell in cells_with_widgets(notebook):
+        remaining = iter(recordings[cell.id])
         for output in cell.outputs:
             if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
                 output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
@@ -86,8 +91,25 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
 
 def _download_note(path: Path) -> str:
     return (f'<p class="lesson-download">Every cell on this page has been run, and what it put out stands below it. '
-            f'<a href="{NOTEBOOKS}/{path.name}" download>Download this notebook</a> to run it yourself, '
-            f'with a node that is alive.</p>')
+            f'To run it yourself, with a node that is alive, <a href="{COURSE}.zip" download>download the course</a>, '
+            f'unpack it on a Linux machine with Python, and type <code>make lab</code> in its folder. This lesson is '
+            f'<a href="{NOTEBOOKS}/{path.name}" download><code>{path.name}</code></a> there.</p>')
+
+
+def _provenance_note(facts: dict[str, str]) -> str:
+    state = f', as of {facts["date"]} ({facts["commit"]}{" " + facts["changed"] if facts["changed"] else ""})' \
+        if 'commit' in facts else ''
+    return (f'<p class="lesson-download">This file is one lesson of the course <em>Mastering ROS 2 Parameters with '
+            f'Python</em>{state}. It ran on Python {facts["Python"]} with rclpy {facts["rclpy"]} of ROS 2 Jazzy; what '
+            f'each cell put out stands below it.</p>')
+
+
+def for_page(text: str) -> str:
+    """Return a chapter's text as a page has it, which can't do all that a notebook can.
+
+    Where the two differ, the chapter says both: ``<!-- notebook -->Run this cell.<!-- page: Here it is. -->``.
+    """
+    return _BOTH_WORDINGS.sub(lambda found: found[1], text)
 
 
 def _redirect_links(text: str, pages: set[str], *, alone: bool) -> str:

@@ -5,11 +5,14 @@ answers with it. Without a script the page still shows everything as it stood.
 """
 
 import base64
+import contextlib
 import html
 import itertools
 import json
 import re
 import zlib
+from collections.abc import Iterable
+from decimal import Decimal
 from typing import Any
 
 from pygments import highlight
@@ -20,20 +23,27 @@ from param_tutorial.exercises.predicting import STYLE as PREDICTION_STYLE
 from param_tutorial.exercises.predicting import verdict
 from param_tutorial.exercises.prediction import Prediction, plain_answer
 from param_tutorial.lessons.recording.recorded import Recording, Row
-from param_tutorial.pictures.panel import PanelRow, RowState, panel_markup
+from param_tutorial.pictures.panel import LINES, TEXT, PanelRow, RowState, panel_markup
 from param_tutorial.pictures.tables import with_code
 
 RUN_IT = 'run the notebook'
+# So many numbers in a row are worth telling.
+_RUN = 10
 _STYLE = re.compile(r'<style>.*?</style>', re.DOTALL)
 
 
 class Drawer:
     """Draws the recordings of one page; ids count up, so that building twice gives the same page."""
 
-    def __init__(self, page: str):
-        """:param page: Begins each id, for the sake of a page that shows parts of two chapters."""
+    def __init__(self, page: str, recordings: Iterable[Recording] = ()):
+        """
+        :param page: Begins each id, for the sake of a page that shows parts of two chapters.
+        :param recordings: All of the chapter: what several of them share is in one of them, and on the page once.
+        """
         self._page = re.sub(r'\W+', '-', page)
         self._numbers = itertools.count(1)
+        self._films = {part['album']: part['films'] for each in recordings for part in each.get('parts', [each])
+                       if 'album' in part and 'films' in part}
 
     def draw(self, recording: Recording) -> str:
         """Return the HTML of one recorded view."""
@@ -47,12 +57,14 @@ class Drawer:
         if prediction.is_typed:
             answers = '<input type="text" name="answer" autocomplete="off" aria-label="Your value">'
         else:
-            answers = ''.join(f'<label><input type="radio" name="answer" value="{html.escape(each.text)}">'
+            answers = ''.join(f'<label><input type="radio" autocomplete="off" name="answer" '
+                              f'value="{html.escape(each.text)}">'
                               f'<span>{html.escape(each.text)}</span></label>' for each in prediction.choices)
         # A typed value may be none of the choices; the page's script compares it as the notebook does.
         facts = {'choices': {plain_answer(each.text): verdict(prediction, each.text) for each in prediction.choices},
                  'otherwise': verdict(prediction, '') if prediction.is_typed else ''}
-        return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" id="{name}"><fieldset>'
+        return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" autocomplete="off" id="{name}">'
+                f'<fieldset>'
                 f'<legend class="param-predict-question"><b>{prediction.word}</b> · '
                 f'{with_code(prediction.question)}</legend>'
                 f'{answers}<button type="submit" class="rec-commit" disabled>Commit</button></fieldset>'
@@ -65,19 +77,22 @@ class Drawer:
                               mark='recorded', prefix=name)
         facts = {
             'node': recording['node'],
-            'rows': [{key: row[key] for key in ('name', 'text', 'editor', 'positions', 'answers', 'depends',
+            'rows': [{key: row[key] for key in ('name', 'text', 'editor', 'positions', 'answers', 'readings', 'depends',
                                                 'contexts', 'log_depends') if key in row}
                      for row in recording['rows'] if not row['locked']],
-            'films': recording.get('films', []),
-            'pictures': recording.get('pictures', []),
+            'names': recording.get('names', []),
+            'album': recording.get('album', ''),
         }
+        looks = _script('rec-looks', recording['looks']) if 'looks' in recording else ''
+        films = self._films.pop(facts['album'], '')
+        album = _script(f'rec-album" data-album="{facts["album"]}', films) if films else ''
         node = html.escape(recording['node'])
         return (
             f'<div role="group" class="rec rec-panel" id="{name}" data-node="{node}" aria-label="Parameters of {node}">'
             f'<noscript><p class="rec-note">The controls answer only where the page may run its script.</p></noscript>'
             f'<div class="param-panel">{markup}</div>'
             f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
-            f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}</div>')
+            f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}{looks}{album}</div>')
 
     def _robot(self, recording: Recording, name: str) -> str:
         look, node = recording['look'], html.escape(recording['node'])
@@ -127,8 +142,8 @@ def _explanation(recording: Recording) -> str:
     if recording['status']:
         return 'The node was not there, so it could not be asked.'
     told = (f'No node runs in this page. These are answers that the real node gave when the page was made: it was '
-            f'asked {recording.get("asked", 0):,} times, from the state shown here. '
-            f'For what it was not asked, {RUN_IT}.')
+            f'asked {recording.get("asked", 0):,} times. The panel begins as this cell left it, and what you change '
+            f'here stays here. For what the node was not asked, {RUN_IT}.')
     if recording.get('incomplete'):
         told += ' It did not take one value back, and was not asked any further.'
     return told
@@ -138,7 +153,37 @@ def _panel_row(row: Row) -> PanelRow:
     """Return a recorded row as the panel draws it; its slider stands at the recorded positions only."""
     last = len(row['positions']) - 1 if 'positions' in row else None
     return PanelRow(**{**row['row'], 'facts': tuple(row['row']['facts']), 'choices': tuple(row['row']['choices']),
-                       'last': last})
+                       'last': last, 'note': '' if row['locked'] else _where_recorded(row)})
+
+
+def _where_recorded(row: Row) -> str:
+    """Return what the node was asked for, so that nobody has to find out; empty for a check box, which has it all."""
+    if row['editor'] not in (TEXT, LINES) or 'answers' not in row:
+        return ''
+    numbers: dict[Decimal, None] = {}
+    for text, answer in row['answers'].items():
+        with contextlib.suppress(ArithmeticError):
+            if 'value' in answer and (number := Decimal(text)).is_finite():
+                numbers[number] = None
+    run = _longest_run(sorted(numbers))
+    others = len(row['answers']) - len(run)
+    if len(run) < _RUN:
+        return f'Recorded: {len(row["answers"])} texts. The box suggests some.'
+    step = (run[1] - run[0]).normalize()
+    together = ' Together with other changes: where the slider stands.' if 'positions' in row else ''
+    return f'Recorded: {run[0]} to {run[-1]} in steps of {step:f}, and {others} others.{together}'
+
+
+def _longest_run(numbers: list[Decimal]) -> list[Decimal]:
+    """Return the longest run of numbers with one distance."""
+    known = set(numbers)
+    best: list[Decimal] = []
+    for step in map(Decimal, ('0.001', '0.005', '0.01', '0.05', '0.1', '0.5', '1', '5', '10')):
+        for first in numbers:
+            if first - step not in known:
+                run = list(itertools.takewhile(known.__contains__, (first + step * each for each in itertools.count())))
+                best = max(best, run, key=len)
+    return best
 
 
 def _state(row: Row) -> RowState:
@@ -150,7 +195,11 @@ def _state(row: Row) -> RowState:
 
 def _packed(facts: dict[str, Any]) -> str:
     data = zlib.compress(json.dumps(facts, ensure_ascii=False, separators=(',', ':')).encode(), 9)
-    return f'<script type="text/plain" class="rec-data">{base64.b64encode(data).decode()}</script>'
+    return _script('rec-data', base64.b64encode(data).decode())
+
+
+def _script(css_class: str, packed: str) -> str:
+    return f'<script type="text/plain" class="{css_class}">{packed}</script>'
 
 
 def code(source: str) -> str:

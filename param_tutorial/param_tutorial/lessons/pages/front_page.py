@@ -1,6 +1,7 @@
 """The first page of the site: a robot to try at once, the chapters, and what the lessons ran on."""
 
 import html
+import itertools
 import re
 from pathlib import Path
 
@@ -62,7 +63,7 @@ def _robot_to_try(recordings: dict[Path, Recordings]) -> str:
         panel = next((each for each in views if robot and each['kind'] == 'panel' and each['node'] == robot['node']),
                      None)
         if robot and panel:
-            drawer = drawing.Drawer('front')
+            drawer = drawing.Drawer('front', itertools.chain(*recorded.values()))
             both = drawer.draw({'kind': 'side by side', 'parts': [robot, panel]})
             markup = f'<div class="front-robot">{both}</div>'
             return (f'{_one_block(markup)}\n\n'

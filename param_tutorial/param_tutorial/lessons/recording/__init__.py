@@ -10,7 +10,7 @@ Inside the chapter's kernel, without Sphinx:
     recorder      finds a view by its model's id, and records it
     interview     asks the node behind a view's controls all that a reader may ask
     dependence    finds out which answers depend on other parameters, and records those again
-    album         pictures of the node, one for each answer, and films
+    album         pictures and films of the node, one for each combination that hands choose, packed
     asking        one question, and giving the node back what it had
     questions     what hands type
     taps          what a node logged, and what it published on /parameter_events

@@ -1,94 +1,120 @@
-"""Pictures of a node, one for each set of parameters that a reader is likely to choose, and films where it moves."""
+"""Pictures of a node, one for each set of parameters that hands choose, and films where it moves.
 
+They are packed here, since there are thousands: deflated JSON, in which texts that repeat are written once.
+"""
+
+import base64
+import hashlib
 import itertools
+import json
 import math
-from collections.abc import Iterator, Mapping
+import zlib
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from param_tutorial.lessons.recording.asking import Asker
-from param_tutorial.lessons.recording.questions import choices, spread
-from param_tutorial.lessons.recording.recorded import Row
+from param_tutorial.lessons.recording.questions import choices, is_value
+from param_tutorial.lessons.recording.recorded import Row, key
+from param_tutorial.parameters import values
+from param_tutorial.parameters.client import Descriptor
 from param_tutorial.widgets.recordable import Portrait
 
-# How many combinations of values a node is pictured with.
-_TOGETHER = 160
-_SPREADS = (7, 5, 4, 3, 2)
+# How many combinations a node is pictured with, where all its parameters are combined.
+TOGETHER = 2600
+# Where they are too many for that each two are combined: all that sliders offer, and so many words.
+_WORDS = 6
 
 
 class Album:
-    """What a view shows of its node: taken while an answer holds, and of what no answer has brought."""
+    """What a view shows of its node, in states that the node is brought into one after another."""
 
-    def __init__(self, portrait: Portrait):
-        self._portrait = portrait
-        self._looks: dict[str, Any] = {}
+    def __init__(self, portrait: Portrait, asker: Asker):
+        self._portrait, self._asker = portrait, asker
 
-    def take(self, changed: Mapping[str, str]) -> None:
-        """Take the picture of the node as it is now, with these parameters changed."""
-        if look := self._portrait.look():
-            self._looks[_key(changed)] = look
-
-    def fill(self, asker: Asker, rows: list[Row]) -> dict[str, list[dict[str, Any]]]:
-        """Take the pictures that are missing, and return all, as 'pictures', or as 'films' where the node moves.
+    def fill(self, rows: list[Row], known: Iterable[str]) -> dict[str, Any]:
+        """Take all pictures, and return them: 'looks', 'names', and where the node moves 'films' and its 'album'.
 
         :param rows: Those that have answers.
+        :param known: The names of albums that need not be filled again, since the page has them.
         """
-        sets = list(_sets_to_see(rows))
+        moving = [row for row in rows if not row['quiet']]
+        names = [row['name'] for row in moving]
+        sets = list(_sets_to_see(moving, self._asker.descriptors))
         # All pictures of the node where it stands come first: from its first film on it stands elsewhere.
-        for changed in sets:
-            if _key(changed) not in self._looks:
-                state = asker.enter(changed)
-                self.take(changed)
-                asker.leave(state)
-        pictures = [{'changed': changed, 'look': self._looks[_key(changed)]} for changed in sets]
-        if not self._portrait.in_motion:
-            return {'pictures': pictures}
-        return {'films': [{**picture, **film} for picture, film in zip(pictures, self._films(asker, sets))]}
+        looks = self._take(sets, self._portrait.look)
+        recording: dict[str, Any] = {'names': names, 'looks': _pack(looks)}
+        if self._portrait.in_motion:
+            recording['album'] = self._name(moving)
+            if recording['album'] not in known:
+                recording['films'] = _pack(self._take(sets, self._film))
+        return recording
 
-    def _films(self, asker: Asker, sets: list[dict[str, str]]) -> Iterator[dict[str, Any]]:
-        for changed in sets:
-            state = asker.enter(changed)
-            yield self._portrait.film() or {}
-            asker.leave(state)
-            # What had to wait goes on by itself now; the next film must not find it on its way.
-            self._portrait.rest()
+    def _take(self, sets: list[dict[str, str]], take: Any) -> dict[str, Any]:
+        taken = {key(texts): take() for texts in sets if self._asker.show(texts)}
+        self._asker.end_show()
+        return {name: each for name, each in taken.items() if each}
+
+    def _film(self) -> Any:
+        film = self._portrait.film()
+        # What had to wait goes on by itself now; the next film must not find it on its way.
+        self._portrait.rest()
+        return film
+
+    def _name(self, rows: list[Row]) -> str:
+        """Return the same name wherever the same combinations would be filmed."""
+        combined = {row['name']: choices(row) for row in rows}
+        fixed = sorted((name, values.format_value(value)) for name, value in self._asker.shown.items()
+                       if name not in combined)
+        facts = json.dumps([self._asker.node, fixed, combined])
+        return hashlib.sha256(facts.encode()).hexdigest()[:12]
 
 
-def _key(changed: Mapping[str, str]) -> str:
-    """Return a name for a set of changed parameters, whatever their order."""
-    return '\n'.join(f'{name}={text}' for name, text in sorted(changed.items()))
+def _pack(pictures: dict[str, Any]) -> str:
+    """Return pictures as text: a number in the place of each text that is worth it."""
+    texts: dict[str, int] = {}
+
+    def plain(each: Any) -> Any:
+        if isinstance(each, dict):
+            return {name: plain(part) for name, part in each.items()}
+        if isinstance(each, list):
+            return [plain(part) for part in each]
+        return {'$': texts.setdefault(each, len(texts))} if isinstance(each, str) and len(each) > 20 else each
+
+    packed = {name: plain(each) for name, each in pictures.items()}
+    content = json.dumps({'texts': list(texts), 'pictures': packed}, ensure_ascii=False, separators=(',', ':'))
+    return base64.b64encode(zlib.compress(content.encode(), 9)).decode()
 
 
-def _sets_to_see(rows: list[Row]) -> Iterator[dict[str, str]]:
-    """Yield the sets of changed parameters that are to be seen: none, each alone, and some together."""
+def _sets_to_see(rows: list[Row], descriptors: Mapping[str, Descriptor]) -> Iterator[dict[str, str]]:
+    """Yield the sets of parameters that are to be seen, by their texts: as shown, each alone, and together."""
     shown = {row['name']: row['text'] for row in rows}
-    moving = {row['name']: row for row in rows if not row['quiet'] and choices(row)}
     seen = set()
-    for chosen in itertools.chain([{}], _each_alone(moving), _together(moving)):
-        changed = {name: text for name, text in chosen.items() if text != shown[name]}
-        if _key(changed) not in seen:
-            seen.add(_key(changed))
-            yield changed
+    for chosen in itertools.chain([{}], _each_alone(rows, descriptors), _together(rows, descriptors)):
+        texts = {**shown, **chosen}
+        if key(texts) not in seen:
+            seen.add(key(texts))
+            yield texts
 
 
-def _each_alone(rows: dict[str, Row]) -> Iterator[dict[str, str]]:
-    for name, row in rows.items():
-        for text in choices(row):
-            if 'value' in row['answers'][text]:
-                yield {name: row['answers'][text]['value']}
+def _each_alone(rows: list[Row], descriptors: Mapping[str, Descriptor]) -> Iterator[dict[str, str]]:
+    switches = [row for row in rows if row['editor'] == 'check']
+    for row in rows:
+        for text in (each for each in row['answers'] if is_value(descriptors[row['name']], each)):
+            # With each switch too: that is the first thing that hands combine.
+            for states in itertools.product(*(choices(switch) for switch in switches)):
+                yield {**{switch['name']: state for switch, state in zip(switches, states)}, row['name']: text}
 
 
-def _together(rows: dict[str, Row]) -> Iterator[dict[str, str]]:
-    """Yield combinations of values: of all parameters if they are few, of each two otherwise."""
-    def some(row: Row, count: int) -> list[str]:
-        taken = [text for text in choices(row) if 'value' in row['answers'][text]]
-        return list(dict.fromkeys([row['text'], *spread(taken, count)]))
-
-    for count in _SPREADS:
-        texts = {name: some(row, count) for name, row in rows.items()}
-        if math.prod(map(len, texts.values())) <= _TOGETHER:
-            for chosen in itertools.product(*texts.values()):
-                yield dict(zip(texts, chosen))
-            return
-    for (one, first), (two, second) in itertools.combinations(rows.items(), 2):
-        for pair in itertools.product(some(first, 3), some(second, 3)):
-            yield dict(zip((one, two), pair))
+def _together(rows: list[Row], descriptors: Mapping[str, Descriptor]) -> Iterator[dict[str, str]]:
+    """Yield combinations of values: of all parameters if they are not too many, of each two otherwise."""
+    offered = {row['name']: list(dict.fromkeys([row['text'], *choices(row)])) for row in rows}
+    if math.prod(map(len, offered.values())) <= TOGETHER:
+        yield from (dict(zip(offered, chosen)) for chosen in itertools.product(*offered.values()))
+        return
+    switches = [row['name'] for row in rows if row['editor'] == 'check']
+    offered |= {row['name']: [text for text in row['answers'] if is_value(descriptors[row['name']], text)][:_WORDS]
+                for row in rows if not choices(row)}
+    for two in itertools.combinations([name for name in offered if name not in switches], 2):
+        names = (*two, *switches)
+        for chosen in itertools.product(*(offered[name] for name in names)):
+            yield dict(zip(names, chosen))

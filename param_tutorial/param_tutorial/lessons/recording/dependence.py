@@ -2,16 +2,20 @@
 
 Each answer is recorded from the state in which the lesson shows the node. Samples of them are then asked for again
 from other states. Where these differ the page is told so, and gives an answer only in the states in which it was
-recorded, of which there are a few more then.
+recorded: those in which one such parameter has a value that hands choose, and some in which several have.
 """
 
+import itertools
+
 from param_tutorial.lessons.recording.asking import Asker, State
-from param_tutorial.lessons.recording.questions import accepted, samples, spread
-from param_tutorial.lessons.recording.recorded import Answer, Row
+from param_tutorial.lessons.recording.questions import accepted, is_value, natural, samples, spread
+from param_tutorial.lessons.recording.recorded import Answer, Row, key
 
 _CONTEXTS = 2
-_CONTEXTS_OF_DEPENDENT = 11
-_SAMPLES_OF_DEPENDENT = 41
+# In how many states of the others the answers that depend on several are recorded.
+_STATES_TOGETHER = 60
+# How many values of a parameter are tried to make room for one of another.
+_WAYS = 9
 
 
 def find_dependence(asker: Asker, rows: list[Row]) -> None:
@@ -29,14 +33,16 @@ def find_dependence(asker: Asker, rows: list[Row]) -> None:
                     _compare(asker, row, samples_of[row['name']], state, changed['name'])
             asker.leave(state)
     for row in rows:
-        for name in row.get('depends', ()):
-            _record_dependent(asker, row, next(each for each in rows if each['name'] == name))
+        others = [other for other in rows if other['name'] in row.get('depends', ())]
+        if others:
+            _record_dependent(asker, row, others)
 
 
 def _compare(asker: Asker, row: Row, texts: list[str], state: State, changed: str) -> None:
     """Ask for samples from another state, and note whether that makes a difference."""
-    for text in texts:
-        answer, before = asker.ask(row['name'], text, state), row['answers'][text]
+    asked = [(asker.ask(row['name'], text, state), row['answers'][text]) for text in texts]
+    asker.flush()
+    for answer, before in asked:
         if _gist(answer) != _gist(before):
             row.setdefault('depends', []).append(changed)
             return
@@ -44,16 +50,29 @@ def _compare(asker: Asker, row: Row, texts: list[str], state: State, changed: st
             row['log_depends'] = True
 
 
-def _record_dependent(asker: Asker, row: Row, other: Row) -> None:
-    """Record the answers once more, from some of the states in which the other parameter may be."""
-    contexts = row.setdefault('contexts', {}).setdefault(other['name'], {})
-    # Where it stands, the stretch of the slider, and one of each kind of answer.
-    texts = list(dict.fromkeys([row['text'], *spread(row.get('positions') or list(row['answers']),
-                                                     _SAMPLES_OF_DEPENDENT), *samples(row)]))
-    for text in spread(accepted(other), _CONTEXTS_OF_DEPENDENT):
-        state = asker.enter({other['name']: text})
-        contexts[other['answers'][text]['value']] = {each: asker.ask(row['name'], each, state) for each in texts}
-        asker.leave(state)
+def _record_dependent(asker: Asker, row: Row, others: list[Row]) -> None:
+    """Record the answers once more, from the states in which hands bring the others."""
+    contexts = row.setdefault('contexts', {})
+    texts = natural(row)
+    values = {other['name']: _values(asker, other) for other in others}
+    ways = [row['text'], *spread(_values(asker, row), _WAYS)]
+    states = [{name: text} for name, taken in values.items() for text in taken]
+    for count in range(2, len(others) + 1):
+        each = max(2, int(_STATES_TOGETHER ** (1 / count)))
+        for names in itertools.combinations(values, count):
+            states += [dict(zip(names, taken)) for taken in
+                       itertools.product(*(spread(values[name], each) for name in names))]
+    for changed in states:
+        # A value that needs room is there only together with another one of this parameter.
+        if any(asker.show({**changed, row['name']: text}) for text in ways):
+            state = asker.read()
+            contexts[key(changed)] = {text: asker.ask(row['name'], text, state) for text in texts}
+    asker.end_show()
+
+
+def _values(asker: Asker, row: Row) -> list[str]:
+    """Return other values that hands bring a parameter to, also those that the node would take only after others."""
+    return [text for text in natural(row) if text != row['text'] and is_value(asker.descriptors[row['name']], text)]
 
 
 def _gist(answer: Answer) -> tuple[str | None, str | None, dict[str, str] | None]:

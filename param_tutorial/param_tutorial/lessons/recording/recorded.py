@@ -1,11 +1,12 @@
 """What a recording is: what a page needs of a chapter's views, as JSON can hold it."""
 
+from collections.abc import Mapping
 from typing import Any, TypedDict
 
 # Of one view; 'kind' says how a page draws it, and what else it holds. Which view knows which kind is in the views.
 Recording = dict[str, Any]
-# For the index of each cell that shows views, the recordings of these in order.
-Recordings = dict[int, list[Recording]]
+# For the id of each cell that shows views, the recordings of these in order.
+Recordings = dict[str, list[Recording]]
 
 
 class Answer(TypedDict, total=False):
@@ -33,6 +34,8 @@ class _Shown(TypedDict):
     editor: str
     row: dict[str, Any]
     """The fields of a PanelRow."""
+    own: list[str]
+    """What the lesson sets it to."""
 
 
 class Row(_Shown, total=False):
@@ -40,11 +43,18 @@ class Row(_Shown, total=False):
 
     positions: list[str]
     answers: dict[str, Answer]
+    readings: dict[str, str]
+    """What texts are read as, where the control writes that in another way."""
     depends: list[str]
     """The parameters on which the answers depend, possibly itself among them."""
-    contexts: dict[str, dict[str, dict[str, Answer]]]
-    """Answers by such a parameter and the text of its value."""
+    contexts: dict[str, dict[str, Answer]]
+    """Answers where these have changed: by the ``key`` of what has."""
     log_depends: bool
+
+
+def key(changed: Mapping[str, str]) -> str:
+    """Return a name for a set of parameters and their texts, whatever their order, as the page's script does."""
+    return '\n'.join(f'{name}={text}' for name, text in sorted(changed.items()))
 
 
 class ViewFacts(TypedDict):
@@ -61,4 +71,8 @@ class Page(TypedDict):
 
     literals: list[Any]
     """Values that the chapter's code speaks of: its readers will try them."""
+    source: str
+    """The code of the chapter and of its solutions."""
+    albums: list[str]
+    """The names of the films that the page has already."""
     views: list[ViewFacts]

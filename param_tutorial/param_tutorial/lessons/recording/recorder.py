@@ -38,6 +38,17 @@ def record(model_id: str, page: Page) -> Recording | None:
     return None if found is None else _record((found,), page)[0]
 
 
+def record_still(model_id: str, page: Page) -> Recording | None:
+    """Record a view right away if that changes nothing for what the lesson does next.
+
+    :return: What ``record`` does; an empty dictionary if the view has to be recorded in a kernel of its own.
+    """
+    if any(view.controls() or view.follows or (isinstance(view, Portrait) and view.in_motion)
+           for view in _views_in(model_id)):
+        return {}
+    return record(model_id, page)
+
+
 def _views_in(model_id: str) -> Sequence[Recordable]:
     """Return the view with a model's id, or those in it; nothing if the widget is no view."""
     found = recordable.find(model_id)
@@ -53,7 +64,7 @@ def _record(views: Sequence[Recordable], page: Page) -> list[Recording]:
         if controls := view.controls():
             with _portrait_of(view, page) as portrait:
                 events = any(recordable.EVENTS in each['follows'] for each in page['views'])
-                recording.update(interview(view.node, controls, page['literals'], events=events, portrait=portrait))
+                recording.update(interview(view.node, controls, page, events=events, portrait=portrait))
     for view, recording in zip(views, recordings):
         if isinstance(view, Portrait) and (film := view.film()):
             recording['films'] = [{'changed': {}, 'look': recording['look'], **film}]

@@ -1,8 +1,9 @@
 """Runs a chapter in kernels of its own: its outputs are compared with the stored ones, and its views recorded.
 
-One kernel runs the chapter to its end, and says what views its page has. For each cell that shows widgets, another one
-runs the chapter up to that cell and stops there, and the recorder asks the node behind the view all that a reader may
-ask. So every answer comes from the very state that the page shows, and no question can disturb the lesson.
+One kernel runs the chapter to its end. Views that stand still are recorded there as they appear. For each other cell
+that shows widgets, another kernel runs the chapter up to that cell and stops there, and the recorder asks the node
+behind the view all that a reader may ask. So every answer comes from the very state that the page shows, and no
+question can disturb the lesson.
 """
 
 import ast
@@ -10,7 +11,7 @@ import contextlib
 import json
 import re
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,7 @@ from nbformat import NotebookNode
 
 from param_tutorial.exercises import prediction
 from param_tutorial.lessons.recording import comparison
-from param_tutorial.lessons.recording.recorded import Page, Recording, ViewFacts
+from param_tutorial.lessons.recording.recorded import Page, Recording, Recordings, ViewFacts
 from param_tutorial.runtime import domain
 
 WIDGET = 'application/vnd.jupyter.widget-view+json'
@@ -59,29 +60,54 @@ class OwnKernel(AsyncKernelManager):
         return KernelSpec(**get_kernel_dict())
 
 
-def run_chapter(path: Path) -> list[ViewFacts]:
-    """Run a chapter to its end.
+def record_chapter(path: Path) -> Recordings:
+    """Run a chapter to its end, and record the views that it shows.
 
-    :return: What the recordings have to know of the views that it shows.
     :raises ChapterError: it fails, or an output is not the stored one.
     """
-    with _executed(path) as client:
+    recordings, views = _run_to_the_end(path)
+    page: Page = {'literals': literals_of(read_notebook(path)), 'source': source_of(path), 'views': views, 'albums': []}
+    for index, cell in cells_with_widgets(read_notebook(path)):
+        if cell.id not in recordings:
+            recordings[cell.id] = record_cell(path, index, page)
+            page['albums'] += [part['album'] for each in recordings[cell.id]
+                               for part in each.get('parts', [each]) if 'films' in part and 'album' in part]
+    return {cell.id: recordings[cell.id] for _, cell in cells_with_widgets(read_notebook(path))}
+
+
+def _run_to_the_end(path: Path) -> tuple[Recordings, list[ViewFacts]]:
+    """Run a chapter to its end; return the recordings of what stands still, and what the others have to know."""
+    recordings: Recordings = {}
+
+    def record_still(client: NotebookClient, index: int) -> None:
+        cell = client.nb.cells[index]
+        page: Page = {'literals': [], 'source': '', 'views': [], 'albums': []}
+        recorded = [_ask_recorder(path, client, index, 'record_still', model_id, page)
+                    for model_id, _ in _widgets_of(cell)]
+        if recorded and {} not in recorded:
+            recordings[cell.id] = [each or _text_of(text) for each, (_, text) in zip(recorded, _widgets_of(cell))]
+
+    with _executed(path, after=record_still) as client:
         shown = [model_id for _, cell in cells_with_widgets(client.nb) for model_id, _ in _widgets_of(cell)]
-        return _ask_recorder(path, client, len(client.nb.cells) - 1, 'describe', shown) if shown else []
+        views = _ask_recorder(path, client, len(client.nb.cells) - 1, 'describe', shown) if shown else []
+    return recordings, views
 
 
-def record_cell(path: Path, index: int, views: list[ViewFacts]) -> list[Recording]:
+def record_cell(path: Path, index: int, page: Page) -> list[Recording]:
     """Run a chapter up to a cell that shows widgets, and record these.
 
-    :param views: What ``run_chapter`` has returned.
+    :param page: What the recordings have to know of the page.
     :return: The recordings of the widgets, in their order.
     :raises ChapterError: it fails, or an output is not the stored one.
     """
     with _executed(path, index + 1) as client:
-        page: Page = {'literals': literals_of(client.nb), 'views': views}
-        # Who has no view has the text that stands in its place.
-        return [_ask_recorder(path, client, index, 'record', model_id, page) or
-                {'kind': 'still', 'html': '', 'text': text} for model_id, text in _widgets_of(client.nb.cells[index])]
+        return [_ask_recorder(path, client, index, 'record', model_id, page) or _text_of(text)
+                for model_id, text in _widgets_of(client.nb.cells[index])]
+
+
+def _text_of(text: str) -> Recording:
+    """Return what stands in the place of a widget that is no view."""
+    return {'kind': 'still', 'html': '', 'text': text}
 
 
 def read_notebook(path: Path) -> NotebookNode:
@@ -101,6 +127,12 @@ def cells_with_widgets(notebook: NotebookNode) -> Iterator[tuple[int, NotebookNo
     for index, cell in enumerate(notebook.cells):
         if _widgets_of(cell):
             yield index, cell
+
+
+def source_of(path: Path) -> str:
+    """Return the code of a chapter and of its solutions, which set parameters to what readers will try."""
+    paths = [path, *[each for each in [path.parent / 'solutions' / path.name] if each.exists()]]
+    return '\n'.join(cell.source for each in paths for cell in read_notebook(each).cells if cell.cell_type == 'code')
 
 
 def literals_of(notebook: NotebookNode) -> list[Any]:
@@ -130,12 +162,18 @@ def _widgets_of(cell: NotebookNode) -> list[tuple[str, str]]:
 
 
 @contextlib.contextmanager
-def _executed(path: Path, end: int | None = None) -> Iterator[NotebookClient]:
-    """Run the cells before one, compare what each puts out, and keep the kernel for a while."""
+def _executed(path: Path, end: int | None = None, *,
+              after: Callable[[NotebookClient, int], None] | None = None) -> Iterator[NotebookClient]:
+    """Run the cells before one, compare what each puts out, and keep the kernel for a while.
+
+    :param after: Called with the index of each cell that has run.
+    """
     with started(path) as client:
         for index, cell, stored in cells_to_run(client.nb, path):
             if (end is None or index < end) and not stored.is_skipped:
                 _execute_and_compare(path, client, index, cell, stored)
+                if after:
+                    after(client, index)
         yield client
 
 
@@ -170,9 +208,15 @@ def _execute_and_compare(path: Path, client: NotebookClient, index: int, cell: N
                            f'its output differs from the stored one.\n{difference}')
 
 
-def _execute(path: Path, client: NotebookClient, cell: NotebookNode, index: int) -> None:
+def _execute(path: Path, client: NotebookClient, cell: NotebookNode, index: int, *,
+             position: int | None = None) -> None:
+    """Execute a cell.
+
+    :param index: Of the cell to name if that fails.
+    :param position: Where it stands, if that is elsewhere.
+    """
     try:
-        client.execute_cell(cell, index)
+        client.execute_cell(cell, index if position is None else position)
     except CellExecutionError as error:
         raise ChapterError(path, index + 1, cell.source, f'it raises {error.ename}: {error.evalue}') from None
     except CellTimeoutError:
@@ -189,8 +233,12 @@ def _ask_recorder(path: Path, client: NotebookClient, index: int, function: str,
         f'returned = recorder.{function}({", ".join(map(repr, arguments))})\n'
         f'IPython.display.display({{{_ANSWER!r}: {{"returned": returned}}}}, raw=True)')
     source = client.nb.cells[index].source
+    # nbclient puts it at its index, so that has to be its own.
     client.nb.cells.append(question)
-    _execute(path, client, question, index)
+    try:
+        _execute(path, client, question, index, position=len(client.nb.cells) - 1)
+    finally:
+        client.nb.cells.pop()
     for output in question.outputs:
         if _ANSWER in output.get('data', {}):
             return output['data'][_ANSWER]['returned']

@@ -15,34 +15,44 @@ _TIMEOUT_SEC = 5.0
 
 
 class NodeLogTap:
-    """The lines that a node logs; for nodes of this process only."""
+    """The lines that a node logs, cut into batches; for nodes of this process only."""
 
     def __init__(self, node: Node):
         self._node = node
-        self._lines: list[LogLine] = []
-        self._arrived = threading.Event()
+        self._lines: list[str] = []
+        self._batches: list[list[str]] = []
+        self._cuts = 0
+        self._arrived = threading.Condition()
         self.stop = stage.current().node_log.on_line(self._take)
 
     def _take(self, line: LogLine) -> None:
         if line.logger != self._node.get_logger().name:
             return
-        if line.text == _MARK:
-            self._arrived.set()
-        else:
-            self._lines.append(line)
+        if line.text != _MARK:
+            self._lines.append(str(line))
+            return
+        with self._arrived:
+            self._batches.append(self._lines)
+            self._lines = []
+            self._arrived.notify_all()
 
-    def lines(self) -> list[str]:
-        """Return the lines that have come since the last call, oldest first.
+    def cut(self) -> int:
+        """End a batch here, and return its number; its lines may still be on their way."""
+        # What one publisher sends keeps its order: when the mark is here, so is all that came before.
+        self._node.get_logger().fatal(_MARK)
+        self._cuts += 1
+        return self._cuts - 1
+
+    def batch(self, number: int) -> list[str]:
+        """Wait for the lines of a batch, and return them, oldest first.
 
         :raises RuntimeError: they do not arrive.
         """
-        # What one publisher sends keeps its order: when the mark is here, so is all that came before.
-        self._arrived.clear()
-        self._node.get_logger().fatal(_MARK)
-        if not within(_TIMEOUT_SEC, self._arrived.wait):
-            raise RuntimeError(f'the log of {self._node.get_name()} does not arrive')
-        lines, self._lines = self._lines, []
-        return list(map(str, lines))
+        with self._arrived:
+            if not within(_TIMEOUT_SEC, lambda seconds: self._arrived.wait_for(
+                    lambda: len(self._batches) > number, seconds)):
+                raise RuntimeError(f'the log of {self._node.get_name()} does not arrive')
+            return self._batches[number]
 
 
 class EventTap:
@@ -83,7 +93,7 @@ def wait_for_logs() -> None:
     """Wait until all that the nodes of this process have logged so far has arrived."""
     for node in stage.current().nodes:
         tap = NodeLogTap(node)
-        tap.lines()
+        tap.batch(tap.cut())
         tap.stop()
 
 

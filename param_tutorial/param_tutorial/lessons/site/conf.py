@@ -3,6 +3,11 @@
 Nothing may come from elsewhere: no widgets' JavaScript, no fonts, no mathematics from a network of servers.
 """
 
+from typing import Any
+
+from docutils import nodes  # type: ignore[import-untyped]
+from sphinx.application import Sphinx
+
 project = 'Mastering ROS 2 Parameters with Python'
 author = 'the course'
 copyright = ''
@@ -51,3 +56,15 @@ html_theme_options = {
 }
 # Without a word for it the theme's script complains on a reader's first visit.
 html_context = {'default_mode': 'auto'}
+
+
+def describe(_: Sphinx, __: str, ___: str, context: dict[str, Any], page: nodes.document | None) -> None:
+    """Give a page the sentence by which search engines and messengers introduce it: the chapter's question."""
+    if page is not None:
+        found = next(page.findall(nodes.strong), None) or next(page.findall(nodes.paragraph), None)
+        context['description'] = found.astext().replace('\n', ' ')[:200] if found else ''
+
+
+def setup(app: Sphinx) -> None:
+    """Called by Sphinx."""
+    app.connect('html-page-context', describe)

@@ -13,11 +13,25 @@
   const panels = [];
   const robots = [];
 
-  /** Give what stands packed beside a recorded view. */
-  async function unpack(section) {
-    const packed = Uint8Array.from(atob(section.querySelector('.rec-data').textContent), letter => letter.charCodeAt(0));
+  /** Give what stands packed in a script of the page. */
+  async function unpack(script) {
+    const packed = Uint8Array.from(atob(script.textContent), letter => letter.charCodeAt(0));
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
     return JSON.parse(await new Response(stream).text());
+  }
+
+  /** Pictures or films by the keys of the parameters with which they were taken; unpacked when they are first needed. */
+  class Album {
+    constructor(script) { this.script = script; }
+
+    async find(key) {
+      this.content ||= unpack(this.script);
+      const {texts, pictures} = await this.content;
+      const whole = each => Array.isArray(each) ? each.map(whole)
+        : !each || typeof each !== 'object' ? each
+        : '$' in each ? texts[each.$] : Object.fromEntries(Object.entries(each).map(([name, part]) => [name, whole(part)]));
+      return Object.hasOwn(pictures, key) ? whole(pictures[key]) : null;
+    }
   }
 
   /** Give a name for a set of changed parameters, as the recorder does. */
@@ -36,8 +50,10 @@
     constructor(section, facts) {
       this.section = section;
       this.node = facts.node;
-      this.films = new Map(facts.films.map(film => [key(film.changed), film]));
-      this.pictures = new Map(facts.pictures.map(picture => [key(picture.changed), picture]));
+      this.names = facts.names;
+      const album = (selector, root) => { const found = root.querySelector(selector); return found && new Album(found); };
+      this.looks = album('.rec-looks', section);
+      this.films = album(`.rec-album[data-album="${facts.album}"]`, document);
       this.rows = new Map(facts.rows.map(row => [row.name, new RecordedRow(this, row)]));
       this.resetButton = section.querySelector('.rec-reset');
       this.resetButton.addEventListener('click', () => this.reset());
@@ -54,6 +70,16 @@
       const changed = {};
       for (const row of this.rows.values()) if (row.text !== row.shown) changed[row.name] = row.text;
       return changed;
+    }
+
+    /** The name under which an album has the state of the panel; null if another parameter than those in it has changed. */
+    get pictured() {
+      if (Object.keys(this.changed).some(name => !this.names.includes(name))) return null;
+      return key(Object.fromEntries(this.names.map(name => [name, this.rows.get(name).text])));
+    }
+
+    async find(album) {
+      return album && this.pictured !== null ? album.find(this.pictured) : null;
     }
 
     enter(name, entry) {
@@ -80,11 +106,14 @@
       for (const view of document.querySelectorAll('.rec-steps')) if (view.dataset.node === this.node) this.picture(view);
     }
 
-    /** Show the picture that belongs to the parameters, if there is one. */
-    picture(view) {
-      const picture = this.pictures.get(key(this.changed));
-      if (picture) view.querySelector('.rec-picture').innerHTML = picture.look;
-      view.querySelector('.rec-says').textContent = picture ? '' : unknown('picture', this.changed);
+    /** Show the picture that belongs to the parameters; one of others is dimmed. */
+    async picture(view) {
+      const wanted = key(this.changed);
+      const look = await this.find(this.looks);
+      if (wanted !== key(this.changed)) return;
+      if (look) view.querySelector('.rec-picture').innerHTML = look;
+      view.classList.toggle('rec-stale', !look);
+      view.querySelector('.rec-says').textContent = look ? '' : unknown('picture', this.changed);
     }
 
     log(lines) {
@@ -117,6 +146,18 @@
   class RecordedRow {
     constructor(panel, facts) {
       Object.assign(this, {panel, name: facts.name, shown: facts.text, text: facts.text, facts, message: null});
+      const words = Object.keys(facts.answers || {}).filter(text => text.trim() && !/^[-+.\d]/.test(text) && 'value' in facts.answers[text]);
+      if (!facts.positions && facts.editor === 'text' && words.length > 3) this.suggest(words);
+    }
+
+    /** Let the box suggest what was recorded. */
+    suggest(words) {
+      const list = document.createElement('datalist');
+      list.id = `${this.panel.section.id}-words-${this.panel.section.querySelectorAll('datalist').length}`;
+      list.append(...words.map(word => Object.assign(document.createElement('option'), {value: word})));
+      const row = [...this.panel.section.querySelectorAll('.param-row')].find(each => each.dataset.name === this.name);
+      this.panel.section.append(list);
+      row.querySelector('.param-box').setAttribute('list', list.id);
     }
 
     /** How the panel shows it. */
@@ -157,7 +198,7 @@
     }
 
     same(typed, value) {
-      return typed.trim() === value || (typed.trim() !== '' && Number(typed) === Number(value));
+      return typed === value || this.facts.readings[typed] === value;
     }
 
     /** The parameters that have been changed, and on which the answer depends. */
@@ -169,24 +210,19 @@
       const inTheWay = this.inTheWay;
       let answers = this.facts.answers;
       if (inTheWay.length) {
-        const told = inTheWay.map(name => name === this.name ? 'the value that it has' : `${name}, which you have changed`);
-        const [other] = inTheWay;
-        answers = inTheWay.length === 1 && ((this.facts.contexts || {})[other] || {})[this.panel.rows.get(other).text];
+        const state = key(Object.fromEntries(inTheWay.map(name => [name, this.panel.rows.get(name).text])));
+        answers = (this.facts.contexts || {})[state];
         if (!answers) {
+          const told = inTheWay.map(name => name === this.name ? 'the value that it has' : `${name}, which you have changed`);
           return [null, `the node's answer depends on ${told.join(' and ')}. `
             + 'Go back to the start below, or run the notebook to try it.'];
         }
       }
-      const text = Object.hasOwn(answers, typed) ? typed : Object.keys(answers).find(each => this.means(typed, each));
+      const {readings} = this.facts;
+      const text = [typed, Object.hasOwn(readings, typed) ? readings[typed] : typed].find(each => Object.hasOwn(answers, each));
       if (text !== undefined) return [answers[text]];
       return [null, `the node was not asked for ${typed === '' ? 'an empty text' : `“${typed}”`} when this page was made. `
         + 'Run the notebook to try it.'];
-    }
-
-    /** Did a hand write a recorded value with other signs? 7.50 is 7.5, but 7 and 7.0 may differ in type. */
-    means(typed, text) {
-      const tidy = each => each.trim().replace(/^(-?\d+\.\d*?)0+$/, '$1');
-      return /^\s*-?\d+\.\d+\s*$/.test(typed) ? tidy(typed) === tidy(text) : typed.trim() !== '' && typed.trim() === text;
     }
 
     tellLog(answer) {
@@ -202,9 +238,8 @@
 
   class Robot {
     constructor(section, facts, number) {
-      Object.assign(this, {section, number, node: section.dataset.node, drives: 0, timers: []});
-      this.films = new Map(facts.films.map(film => [key(film.changed), film]));
-      this.changed = {};
+      Object.assign(this, {section, number, node: section.dataset.node, drives: 0, timers: [], panel: null});
+      [this.first] = facts.films;
       this.picture = section.querySelector('.rec-picture');
       this.status = section.querySelector('.rec-says');
       this.button = section.querySelector('.rec-drive');
@@ -219,26 +254,34 @@
     }
 
     /** Go by the parameters of a panel from now on. */
-    follow(panel) {
-      this.films = panel.films;
-      this.changed = panel.changed;
-      const film = this.films.get(key(this.changed));
-      if (this.timers.length) {
+    async follow(panel) {
+      this.panel = panel;
+      const wanted = key(panel.changed);
+      const look = await panel.find(panel.looks);
+      if (wanted !== key(panel.changed)) return;
+      this.section.classList.toggle('rec-stale', !look);
+      if (!look) {
+        this.stop();
+        this.status.textContent = unknown('drive', panel.changed);
+      } else if (this.timers.length) {
         this.status.textContent = 'The next drive will show the change.';
-      } else if (film) {
-        this.picture.innerHTML = film.look.picture;
-        this.status.textContent = film.look.sentence;
       } else {
-        this.status.textContent = unknown('drive', this.changed);
+        this.picture.innerHTML = look.picture;
+        this.status.textContent = look.sentence;
       }
     }
 
-    drive() {
-      const film = this.films.get(key(this.changed));
+    stop() {
       this.timers.forEach(clearTimeout);
       this.timers = [];
+    }
+
+    async drive() {
+      const film = this.panel && Object.keys(this.panel.changed).length ? await this.panel.find(this.panel.films) : this.first;
+      this.stop();
+      this.section.classList.toggle('rec-stale', !film);
       if (!film) {
-        this.status.textContent = unknown('drive', this.changed);
+        this.status.textContent = unknown('drive', this.panel.changed);
         return;
       }
       this.drives += 1;
@@ -266,8 +309,7 @@
   }
 
   /** Let a prediction be committed: it is locked then, and the page says what became of it. */
-  async function ask(form) {
-    const facts = await unpack(form);
+  function ask(form, facts) {
     const button = form.querySelector('.rec-commit');
     const given = () => (new FormData(form).get('answer') || '').trim();
     form.addEventListener('input', () => { button.disabled = !given(); });
@@ -283,17 +325,61 @@
     });
   }
 
+  /** Bring one view to life; where that fails, it says so, and the others live on. */
+  async function enliven(section, live) {
+    try {
+      live(await unpack(section.querySelector('.rec-data')));
+    } catch (error) {
+      const note = document.createElement('p');
+      note.className = 'rec-note rec-dead';
+      note.setAttribute('role', 'status');
+      note.textContent = typeof DecompressionStream === 'undefined'
+        ? 'This browser is too old to unpack the recordings, so the controls do not answer: it has no DecompressionStream.'
+        : 'The recording of this view is damaged, so its controls do not answer. Load the page again.';
+      section.append(note);
+      for (const control of section.querySelectorAll('input, textarea, select, button')) control.disabled = true;
+      console.warn(error);
+    }
+  }
+
+  /** Put a button beside each cell's code that copies it. */
+  function offerCopies() {
+    for (const cell of document.querySelectorAll('div.cell_input')) {
+      const code = cell.querySelector('pre').textContent.trimEnd();
+      const button = Object.assign(document.createElement('button'), {type: 'button', className: 'lesson-copy', textContent: 'Copy'});
+      button.setAttribute('aria-label', 'Copy the code of this cell');
+      button.addEventListener('click', async () => {
+        button.dataset.said = await copy(code) ? 'Copied' : 'Not copied';
+        button.textContent = button.dataset.said;
+        setTimeout(() => { button.textContent = 'Copy'; delete button.dataset.said; }, 2000);
+      });
+      cell.append(button);
+    }
+  }
+
+  /** Copy a text; a page on a disk may not use the clipboard's newer way in every browser. */
+  async function copy(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch {
+      const area = Object.assign(document.createElement('textarea'), {value: text});
+      document.body.append(area);
+      area.select();
+      const done = document.execCommand('copy');
+      area.remove();
+      return done;
+    }
+  }
+
   async function begin() {
-    for (const form of document.querySelectorAll('.rec-prediction')) await ask(form);
-    const views = [...document.querySelectorAll('.rec-robot')];
-    for (const [number, section] of views.entries()) robots.push(new Robot(section, await unpack(section), number));
+    offerCopies();
+    for (const form of document.querySelectorAll('.rec-prediction')) await enliven(form, facts => ask(form, facts));
+    for (const [number, section] of [...document.querySelectorAll('.rec-robot')].entries()) {
+      await enliven(section, facts => robots.push(new Robot(section, facts, number)));
+    }
     for (const section of document.querySelectorAll('.rec-panel')) {
-      const panel = new RecordedPanel(section, await unpack(section));
-      panels.push(panel);
-      for (const robot of robots) {
-        // The first panel of a node speaks for its robot, until a hand moves another one.
-        if (robot.belongsTo(panel) && robot.films.size === 1) robot.films = panel.films.size ? panel.films : robot.films;
-      }
+      await enliven(section, facts => panels.push(new RecordedPanel(section, facts)));
     }
     // The first page begins with a drive, if nothing else is wanted.
     const [first] = robots;
