@@ -12,7 +12,7 @@ build)
 start)
     shift
     export JUPYTER_CONFIG_PATH=$PWD/environment/jupyter PARAM_TUTORIAL_PROGRESS=$PWD/my_lessons/progress.json
-    python -c 'from pathlib import Path; from param_tutorial.learner.copies import Copies; Copies(Path()).deliver()'
+    python -c 'from pathlib import Path; from param_tutorial.learner.copies import Copies; Copies(Path.cwd()).deliver()'
     exec "$@"
     ;;
 esac

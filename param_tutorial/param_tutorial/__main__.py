@@ -1,4 +1,7 @@
-"""``python -m param_tutorial param list`` and so on: the embedded ``ros2`` as a process of its own."""
+"""``python -m param_tutorial param list`` and so on: the embedded ``ros2`` as a process of its own.
+
+And ``python -m param_tutorial lab``: JupyterLab on the learner's copies of the chapters, where no ``make`` is.
+"""
 
 import os
 import signal
@@ -7,6 +10,10 @@ import sys
 
 def main() -> int:
     """Run the command that the process's arguments say, in the domain that its environment says."""
+    if sys.argv[1:2] == ['lab']:
+        from param_tutorial.learner.command import open_lab
+
+        open_lab(sys.argv[2:])
     # A terminal of its own joins the domain where everybody is, like the genuine command; a notebook's kernel,
     # which chooses a domain for itself, passes it on to the processes that it starts.
     if not os.environ.get('ROS_DOMAIN_ID'):
