@@ -121,8 +121,8 @@ def make_lists() -> None:
     }, indent=1) + '\n')
     rows = '\n'.join(f'| {name} | {number} | {stated} |' for name, (number, stated, _) in packages.items())
     (TARGET / 'LICENSES.md').write_text(
-        f'# What param-tutorial {version} is installed with\n\nThe course is under Apache-2.0. What each package states '
-        f'of itself:\n\n| Package | Version | License |\n| --- | --- | --- |\n{rows}\n')
+        f'# What param-tutorial {version} is installed with\n\nThe course is under Apache-2.0. What each package '
+        f'states of itself:\n\n| Package | Version | License |\n| --- | --- | --- |\n{rows}\n')
 
 
 def main() -> None:

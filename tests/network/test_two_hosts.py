@@ -3,6 +3,8 @@
 import contextlib
 import json
 import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,7 +12,7 @@ import pytest
 
 from tests.support.lab import CourseLab, wait_for
 from tests.support.network import Host, Network, Python, missing
-from tests.support.paths import NOTEBOOKS
+from tests.support.paths import NOTEBOOKS, ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(400)]
 
@@ -236,3 +238,13 @@ def ask(url, token='', method='GET', data=None):
                              'if each.status == "LISTEN" or each.type == 2})')
         assert set(listening) <= {'127.0.0.1', '::1'}
         assert reachable_ports(network.laptop, network.robot.address) == []
+
+
+def test_a_chapter_needs_no_network(network):
+    """On a host that has never reached another one, nor any name server."""
+    network.unplug()
+    chapter = NOTEBOOKS / '05_2_with_a_callback.ipynb'
+    done = subprocess.run(
+        network.robot.command(sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '--nbval', chapter),
+        cwd=ROOT, env=network.robot.environment(), capture_output=True, text=True, timeout=360)
+    assert done.returncode == 0, done.stdout + done.stderr
