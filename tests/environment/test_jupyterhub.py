@@ -142,6 +142,7 @@ class Learner:
         self._kernel = websocket.create_connection(
             f'{self.server.replace("http", "ws")}/api/kernels/{kernel}/channels', timeout=TIMEOUT_SEC,
             header=[f'Authorization: token {self._token}'])
+        self.run('import os')
 
     def run(self, source: str) -> str:
         """Run a cell; return its value as text.
@@ -201,7 +202,7 @@ def test_each_has_copies_of_their_own(learners):
     for learner in learners:
         names = {each['name'] for each in learner.get('/api/contents')['content']}
         assert {'index.md', CHAPTER} <= names
-        folder = Path(learner.run('import os; os.getcwd()').strip("'"))
+        folder = Path(learner.run('os.getcwd()').strip("'"))
         assert folder.parts[-2:] == (learner.name, 'my_lessons')
     assert not (ROOT / 'environment' / 'jupyterhub' / 'my_lessons').exists()
 
