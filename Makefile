@@ -40,6 +40,9 @@ class: setup  ## one table of a class's progress files: make class FOLDER=…, w
 	@test -n "$(FOLDER)" || { echo "Where are the files? make class FOLDER=…" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.learner class "$(FOLDER)" $(ARGS)
 
+hub: setup  ## start JupyterHub for a class on this machine: see environment/jupyterhub/README.md
+	@$(VENV) environment/jupyterhub/hub.py $(ARGS)
+
 test: setup-all  ## run the whole test suite, as CI does
 	@$(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
 
@@ -76,6 +79,9 @@ lint: setup-all  ## check code, notebooks and spelling without running them
 	@$(VENV) -m mypy
 	@$(VENV) -m tests.tools.notebook_lint notebooks
 
+release: setup  ## make the wheel, the list of licenses and the SBOM, in build/release/
+	@$(VENV) environment/release.py
+
 # The second lock is a part of the first, at the same versions.
 LOCK := environment/requirements
 COMPILE = build/uv-$$(sed -n 's/^uv==\([^ ]*\).*/\1/p' $(LOCK)-uv.lock) pip compile --quiet --universal \
@@ -84,6 +90,7 @@ lock: export UV_CACHE_DIR ?= $(CURDIR)/build/uv-cache
 lock: setup  ## work out the locks in environment/ anew
 	@$(COMPILE) --upgrade --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml
 	@$(COMPILE) --upgrade --constraints $(LOCK)-dev.lock --output-file $(LOCK).lock pyproject.toml
+	@$(COMPILE) --upgrade --constraints $(LOCK)-dev.lock --group hub --output-file $(LOCK)-hub.lock
 	@$(COMPILE) --upgrade --group uv --output-file $(LOCK)-uv.lock
 
 # my_lessons/ is the learner's, and stays.

@@ -14,11 +14,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from param_tutorial.errors import CopiesError
-from param_tutorial.learner.copies import Copies
+from param_tutorial.learner.copies import LESSONS, Copies
 from param_tutorial.progress.record import VARIABLE
 
 ROOT = Path(__file__).resolve().parent.parent
-STATE = Path(sys.prefix) / 'jupyter'
+# Where the course is installed, or for many to read, .venv is not the learner's.
+STATE = Path(os.environ[LESSONS], '.jupyter') if os.environ.get(LESSONS) else Path(sys.prefix) / 'jupyter'
 TERMINAL = ROOT / 'environment' / 'jupyter' / 'terminal.bash'
 START_PAGE = 'index.md'
 # Each of these would bring in settings, extensions or kernels from somewhere else; the last ones are what `make lab`
@@ -37,7 +38,7 @@ def environment(outer: Mapping[str, str]) -> dict[str, str]:
         'PARAM_TUTORIAL_PROGRAMS': programs,
         'VIRTUAL_ENV': sys.prefix,
         # What the learner solves is remembered there; without the variable nothing is remembered.
-        VARIABLE: str(Copies(ROOT).progress.path),
+        VARIABLE: str(Copies.of_learner(ROOT).progress.path),
         'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
         'JUPYTER_CONFIG_DIR': str(STATE / 'config'),
         'JUPYTER_DATA_DIR': str(STATE / 'data'),
@@ -46,9 +47,9 @@ def environment(outer: Mapping[str, str]) -> dict[str, str]:
     }
 
 
-def command(arguments: Sequence[str]) -> list[str]:
+def command(arguments: Sequence[str], program: str) -> list[str]:
     """Return JupyterLab's command line; the learner's own arguments come last, so that they win."""
-    copies = Copies(ROOT)
+    copies = Copies.of_learner(ROOT)
     # Jupyter refuses to run as root unless told so. In a container or a robot's shell root is the only user there is.
     as_root = ['--allow-root'] if hasattr(os, 'geteuid') and os.geteuid() == 0 else []
     # The chapters' commands are bash's, whichever shell the learner has, and its start-up file puts `python` right.
@@ -58,7 +59,7 @@ def command(arguments: Sequence[str]) -> list[str]:
     return [
         sys.executable,
         '-m',
-        'jupyterlab',
+        program,
         f'--ServerApp.root_dir={copies.folder}',
         f'--NotebookNotary.data_dir={copies.trust}',
         f'--LabApp.default_url=/lab/tree/{START_PAGE}',
@@ -69,9 +70,12 @@ def command(arguments: Sequence[str]) -> list[str]:
     ]
 
 
-def main(arguments: Sequence[str]) -> None:
-    """Bring the copies up to date, then become JupyterLab."""
-    copies = Copies(ROOT)
+def main(arguments: Sequence[str], program: str = 'jupyterlab') -> None:
+    """Bring the copies up to date, then become JupyterLab.
+
+    :param program: The module that starts it; JupyterHub has its own.
+    """
+    copies = Copies.of_learner(ROOT)
     try:
         for sentence in copies.deliver():
             print(sentence)
@@ -80,7 +84,7 @@ def main(arguments: Sequence[str]) -> None:
     sys.stdout.flush()
     # Terminals open where the server runs, and `make -C ..` is then right in each of them.
     os.chdir(copies.folder)
-    os.execve(sys.executable, command(arguments), environment(os.environ))
+    os.execve(sys.executable, command(arguments, program), environment(os.environ))
 
 
 if __name__ == '__main__':

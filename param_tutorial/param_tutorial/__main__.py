@@ -1,4 +1,7 @@
-"""``python -m param_tutorial param list`` and so on: the embedded ``ros2`` as a process of its own."""
+"""``python -m param_tutorial param list`` and so on: the embedded ``ros2`` as a process of its own.
+
+And ``python -m param_tutorial lab``: JupyterLab on the learner's copies of the chapters, where no ``make`` is.
+"""
 
 import os
 import signal
@@ -15,6 +18,10 @@ def main() -> int:
     # found a program: a node of ours then takes over, and ends well whatever has come meanwhile.
     signal.pthread_sigmask(signal.SIG_BLOCK if sys.argv[1:2] == ['run'] else signal.SIG_UNBLOCK,
                            (signal.SIGINT, signal.SIGTERM))
+    if sys.argv[1:2] == ['lab']:
+        from param_tutorial.learner.command import open_lab
+
+        open_lab(sys.argv[2:])
     # A terminal of its own joins the domain where everybody is, like the genuine command; a notebook's kernel,
     # which chooses a domain for itself, passes it on to the processes that it starts.
     if not os.environ.get('ROS_DOMAIN_ID'):

@@ -97,10 +97,12 @@ class NodeNotFoundError(NodeError, LookupError):
 class NoAnswerError(NodeError, TimeoutError):
     """The node is there but did not answer in time: it is busy, stopped, or nobody spins it."""
 
-    def __init__(self, node: str, service: str, timeout_sec: float):
+    def __init__(self, node: str, service: str, timeout_sec: float, *, on_network: bool = False):
+        """:param on_network: True if the node may live on another machine."""
         super().__init__(node, (
             f'{node} did not answer {service} within {timeout_sec:g} s. It is there, but busy in a callback, '
-            f'stopped in a debugger, or not spun by any executor'))
+            f'stopped in a debugger, or not spun by any executor'
+            f'{", or the network to its machine is slow or down" if on_network else ""}'))
 
 
 class NodeGoneError(NodeError, ConnectionError):

@@ -30,6 +30,7 @@ REQUIREMENTS = {
     'requirements.lock': PROJECT['dependencies'],
     'requirements-dev.lock': [
         *PROJECT['dependencies'], *PROJECT['optional-dependencies']['html'], *PYPROJECT['dependency-groups']['test']],
+    'requirements-hub.lock': PYPROJECT['dependency-groups']['hub'],
     'requirements-uv.lock': PYPROJECT['dependency-groups']['uv'],
 }
 DIRECT = sorted({(lock, re.match(r'[\w-]+', requirement)[0])

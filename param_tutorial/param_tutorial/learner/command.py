@@ -1,11 +1,13 @@
 """The command line of the learner and the teacher: ``make reset``, ``make reset-progress`` and ``make class``."""
 
 import argparse
+import os
 import sys
 from pathlib import Path
+from typing import NoReturn
 
 from param_tutorial.errors import CopiesError
-from param_tutorial.learner.copies import Copies
+from param_tutorial.learner.copies import COPIES, LESSONS, Copies
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -28,13 +30,23 @@ def main(arguments: list[str] | None = None) -> int:
         parser.error('class takes a folder, and nothing else does' if not options.csv else '--csv belongs to class')
     if options.what == 'class':
         return _show_class(options.folder, as_csv=options.csv)
-    copies = Copies(options.course.resolve())
+    copies = Copies.of_learner(options.course.resolve())
     try:
         print(_reset_progress(copies) if options.what == 'reset-progress' else copies.reset(options.what))
     except CopiesError as error:
         print(error, file=sys.stderr)
         return 1
     return 0
+
+
+def open_lab(arguments: list[str]) -> NoReturn:
+    """Become JupyterLab on the learner's copies of the chapters: in the checkout, or else in the current folder.
+
+    :param arguments: For JupyterLab.
+    """
+    if not (ROOT / 'Makefile').exists():
+        os.environ.setdefault(LESSONS, str(Path.cwd() / COPIES))
+    os.execv(sys.executable, [sys.executable, str(ROOT / 'environment' / 'lab.py'), *arguments])
 
 
 def _reset_progress(copies: Copies) -> str:

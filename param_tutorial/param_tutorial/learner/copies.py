@@ -11,6 +11,7 @@ import contextlib
 import datetime
 import errno
 import hashlib
+import os
 import re
 import sqlite3
 from collections.abc import Iterator
@@ -28,6 +29,8 @@ from param_tutorial.progress.storage import only_one, write_whole
 
 CHAPTERS = 'notebooks'
 COPIES = 'my_lessons'
+# Names the folder of the copies where they can't be in the course's: it is installed, or for many to read.
+LESSONS = 'PARAM_TUTORIAL_LESSONS'
 BACKUPS = 'backups'
 DELIVERED = '.delivered'
 TRUST = '.trust'
@@ -40,11 +43,19 @@ _CHECK = re.compile(r'"id": "check-([\w-]+)"')
 class Copies:
     """The copies of one checkout's chapters."""
 
-    def __init__(self, course: Path):
-        """:param course: The checkout, with the folder of the chapters in it."""
-        self.chapters, self.folder = course / CHAPTERS, course / COPIES
+    def __init__(self, course: Path, folder: Path | None = None):
+        """:param course: The checkout, with the folder of the chapters in it.
+        :param folder: The folder of the copies; by default ``my_lessons/`` in the checkout.
+        """
+        self.chapters, self.folder = course / CHAPTERS, folder or course / COPIES
         self.trust = self.folder / TRUST
         self._course = course
+
+    @classmethod
+    def of_learner(cls, course: Path) -> 'Copies':
+        """Return the copies of the user of this process, in the folder that its environment names, if it does."""
+        folder = os.environ.get(LESSONS)
+        return cls(course, Path(folder) if folder else None)
 
     def deliver(self) -> list[str]:
         """Put a copy of each chapter where there is none, and bring what has changed into the others.
@@ -57,7 +68,8 @@ class Copies:
             said = [sentence for name in self._names() if (sentence := self._bring(name))]
         self.tick()
         if first:
-            said.append(f'Your own copies of the chapters are in {COPIES}/. Change whatever you like there.')
+            said.append(f'Your own copies of the chapters are in {self._say(self.folder)}/. Change whatever you like '
+                        f'there.')
         return said
 
     @property
@@ -220,13 +232,13 @@ class Copies:
             yield notary
 
     def _say(self, path: Path) -> str:
-        return str(path.relative_to(self._course))
+        return str(path.relative_to(self._course) if path.is_relative_to(self._course) else path)
 
     @contextlib.contextmanager
     def _folder_of_ours(self) -> Iterator[None]:
         """Make the folder, let one process at a time work in it, and say in one sentence what the system rejects."""
         try:
-            self.folder.mkdir(exist_ok=True)
+            self.folder.mkdir(parents=True, exist_ok=True)
             self.trust.mkdir(mode=0o700, exist_ok=True)
             with only_one(self.folder):
                 yield

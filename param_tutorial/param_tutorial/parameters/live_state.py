@@ -29,6 +29,7 @@ from param_tutorial.errors import (
     describe_error,
 )
 from param_tutorial.parameters import values
+from param_tutorial.runtime import domain
 
 if TYPE_CHECKING:  # the module of Descriptor needs ROS, this one does not
     from param_tutorial.parameters.client import Descriptor
@@ -379,14 +380,16 @@ class LiveState(Generic[ParameterT]):
         late = [parameter for parameter in self.parameters.values()
                 if parameter.busy and now - parameter.asked_at > self._timeout_sec + GRACE_SEC]
         for parameter in late:
-            self._give_up(parameter, describe_error(NoAnswerError(self._node, 'set_parameters', self._timeout_sec)))
+            self._give_up(parameter, describe_error(NoAnswerError(
+                self._node, 'set_parameters', self._timeout_sec, on_network=domain.reaches_other_hosts())))
         return self._have_news()._replace(ended=True) if late else NOTHING
 
     # -- small steps ------------------------------------------------------------------------------------
 
     @property
     def _absence(self) -> str:
-        return f'{self._node} is not running. Its controls come back when it does.'
+        network = ', or the network to its machine is down' if domain.reaches_other_hosts() else ''
+        return f'{self._node} is not running{network}. Its controls come back when it does.'
 
     @property
     def _has_to_read(self) -> bool:

@@ -71,6 +71,11 @@ def is_limited_to_this_host() -> bool:
     return discovery_range in ('LOCALHOST', 'OFF') or (discovery_range == 'SYSTEM_DEFAULT' and _on_loopback())
 
 
+def reaches_other_hosts() -> bool:
+    """True if this process has its domain, and it is not limited to this host."""
+    return bool(os.environ.get('ROS_DOMAIN_ID')) and not is_limited_to_this_host()
+
+
 def _on_loopback() -> bool:
     """True if the profile is that of this host: this package's, or that of a copy of it, which has another path."""
     return Path(os.environ.get('FASTRTPS_DEFAULT_PROFILES_FILE', '')).name == _THIS_HOST.name

@@ -134,12 +134,12 @@ class Services:
                 if finished.wait(_LOOK_PERIOD_SEC):  # an answer may have been on its way
                     break
                 if gone and is_second_chance:  # its callback could not be interrupted, so it was removed
-                    raise NoAnswerError(node, service, timeout_sec)
+                    raise self._no_answer(node, service, timeout_sec)
                 if gone:
                     raise NodeGoneError(node, service)
                 if machine_time() > deadline:
                     if is_second_chance or not self._free_thread():
-                        raise NoAnswerError(node, service, timeout_sec)
+                        raise self._no_answer(node, service, timeout_sec)
                     deadline, is_second_chance = machine_time() + _SECOND_CHANCE_SEC, True
         finally:
             for future in sent:
@@ -207,7 +207,7 @@ class Services:
             if call.timeout_sec is None:
                 continue
             if machine_time() > call.sent + call.timeout_sec:
-                self._fail(future, NoAnswerError(call.node, call.service, call.timeout_sec))
+                self._fail(future, self._no_answer(call.node, call.service, call.timeout_sec))
             elif not call.client.service_is_ready():
                 self._fail(future, NodeGoneError(call.node, call.service))
 
@@ -224,6 +224,10 @@ class Services:
             return False
         self._fail(unanswered, CallbackError(node, service, error))
         return True
+
+    @staticmethod
+    def _no_answer(node: str, service: str, timeout_sec: float) -> NoAnswerError:
+        return NoAnswerError(node, service, timeout_sec, on_network=domain.reaches_other_hosts())
 
     def _client(self, node: str, service: str) -> Client:
         with self._lock:

@@ -1,0 +1,16 @@
+"""JupyterHub's settings for a class on one machine: see README.md here, and `make hub`."""
+
+import sys
+from pathlib import Path
+
+c = get_config()  # noqa: F821 (JupyterHub reads this file, and brings it along)
+
+# Who may sign in: everyone with an account on this machine, with its password (PAM).
+c.JupyterHub.authenticator_class = 'pam'
+c.PAMAuthenticator.allow_all = True
+# Their JupyterLab, under their own account, on their own copies of the chapters.
+c.Spawner.cmd = [sys.executable, str(Path(__file__).with_name('learner.py'))]
+c.Spawner.default_url = '/lab/tree/index.md'
+# The course needs no network, and each ROS domain stays on this machine.
+c.JupyterHub.bind_url = 'http://127.0.0.1:8000'
+c.ConfigurableHTTPProxy.command = [str(Path(sys.executable).with_name('configurable-http-proxy'))]

@@ -1,0 +1,231 @@
+"""A real JupyterHub for a class, as `make hub` starts it: two learners at once."""
+
+import contextlib
+import http.cookiejar
+import json
+import os
+import socket
+import subprocess
+import sys
+import urllib.error
+import urllib.parse
+import urllib.request
+import uuid
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+import websocket
+
+from tests.support.lab import TIMEOUT_SEC, wait_for
+from tests.support.paths import ROOT
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(500)]
+
+PASSWORD = 'long-enough-a-secret'
+CHAPTER = '01_what_are_parameters.ipynb'
+# The course's settings, with any password and without accounts of the machine's.
+SETTINGS = '''
+load_subconfig({course!r})
+c.JupyterHub.authenticator_class = 'shared-password'
+c.SharedPasswordAuthenticator.user_password = {password!r}
+c.Authenticator.allow_all = True
+c.JupyterHub.spawner_class = 'simple'
+c.SimpleLocalProcessSpawner.home_dir_template = {homes!r}
+c.JupyterHub.bind_url = 'http://127.0.0.1:{port}'
+c.JupyterHub.hub_port = {hub_port}
+c.ConfigurableHTTPProxy.api_url = 'http://127.0.0.1:{api_port}'
+'''
+
+
+def free_ports(count: int) -> list[int]:
+    """Return ports that are free now."""
+    with contextlib.ExitStack() as stack:
+        sockets = [stack.enter_context(socket.create_server(('127.0.0.1', 0))) for _ in range(count)]
+        return [each.getsockname()[1] for each in sockets]
+
+
+@pytest.fixture(scope='module')
+def hub(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Start JupyterHub; yield its address."""
+    folder = tmp_path_factory.mktemp('hub')
+    port, hub_port, api_port = free_ports(3)
+    config = folder / 'config.py'
+    config.write_text(SETTINGS.format(
+        course=str(ROOT / 'environment' / 'jupyterhub' / 'jupyterhub_config.py'),
+        homes=str(folder / 'homes' / '{username}'), password=PASSWORD, port=port,
+        hub_port=hub_port, api_port=api_port))
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST', 'IPYTHON'))}
+    log = folder / 'hub.log'
+    with log.open('w') as output:
+        process = subprocess.Popen(
+            [sys.executable, ROOT / 'environment' / 'jupyterhub' / 'hub.py', '--config', config], cwd=folder,
+            env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT)
+    address = f'http://127.0.0.1:{port}'
+
+    def answers() -> bool:
+        if process.poll() is not None:
+            said = log.read_text()
+            if 'the set-up needs the network' in said and not os.environ.get('CI'):
+                pytest.skip(f'JupyterHub is not in the course, and could not be fetched:\n{said}')
+            pytest.fail(said)
+        with contextlib.suppress(OSError), urllib.request.urlopen(f'{address}/hub/login', timeout=5):
+            return True
+        return False
+
+    try:
+        wait_for(answers, 'JupyterHub')
+        yield address
+    finally:
+        process.terminate()
+        print(log.read_text())  # which pytest shows when a test fails
+        try:
+            process.wait(60)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+
+class Learner:
+    """Somebody who signs in with a browser, and runs a notebook."""
+
+    def __init__(self, hub: str, name: str):
+        self.hub, self.name, self.server = hub, name, f'{hub}/user/{name}'
+        self._cookies = http.cookiejar.CookieJar()
+        self._opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor(self._cookies))
+        self._token = ''
+        self._kernel: websocket.WebSocket | None = None
+
+    def sign_in(self) -> None:
+        """Fill in the form, and wait for JupyterLab."""
+        with self._opener.open(f'{self.hub}/hub/login', timeout=TIMEOUT_SEC):
+            pass
+        entries = {'username': self.name, 'password': PASSWORD, '_xsrf': self._xsrf()}
+        with self._opener.open(f'{self.hub}/hub/login', urllib.parse.urlencode(entries).encode(), timeout=TIMEOUT_SEC):
+            pass
+        headers = {'Content-Type': 'application/json', 'X-XSRFToken': self._xsrf(),
+                   'Referer': f'{self.hub}/hub/home'}
+        request = urllib.request.Request(f'{self.hub}/hub/api/users/{self.name}/tokens', b'{}', headers)
+        with self._opener.open(request, timeout=TIMEOUT_SEC) as answer:
+            self._token = json.load(answer)['token']
+        with self._opener.open(f'{self.hub}/hub/spawn/{self.name}', timeout=TIMEOUT_SEC):
+            pass
+        wait_for(lambda: self.status('/api/status') == 200, f'the server of {self.name}')
+
+    def _xsrf(self) -> str:
+        return next(cookie.value for cookie in self._cookies if cookie.name == '_xsrf' and cookie.path == '/hub/')
+
+    def _request(self, path: str, method: str = 'GET', data: bytes | None = None,
+                 server: str = '') -> urllib.request.Request:
+        headers = {'Content-Type': 'application/json', 'Authorization': f'token {self._token}'}
+        return urllib.request.Request((server or self.server) + path, data, headers, method=method)
+
+    def status(self, path: str, server: str = '') -> int:
+        """Return the HTTP status of a page of this learner's server, or of another one."""
+        try:
+            with urllib.request.urlopen(self._request(path, server=server), timeout=TIMEOUT_SEC) as answer:
+                return answer.status
+        except urllib.error.HTTPError as error:
+            return error.code
+
+    def get(self, path: str) -> dict:
+        """Return what the server answers."""
+        with urllib.request.urlopen(self._request(path), timeout=TIMEOUT_SEC) as answer:
+            return json.load(answer)
+
+    def start_kernel(self) -> None:
+        """Start a kernel and listen to it."""
+        with urllib.request.urlopen(self._request('/api/kernels', 'POST', b'{}'), timeout=TIMEOUT_SEC) as answer:
+            kernel = json.load(answer)['id']
+        self._kernel = websocket.create_connection(
+            f'{self.server.replace("http", "ws")}/api/kernels/{kernel}/channels', timeout=TIMEOUT_SEC,
+            header=[f'Authorization: token {self._token}'])
+        self.run('import os')
+
+    def run(self, source: str) -> str:
+        """Run a cell; return its value as text.
+
+        :raises RuntimeError: it raised something.
+        """
+        number = uuid.uuid4().hex
+        self._kernel.send(json.dumps({
+            'channel': 'shell', 'parent_header': {}, 'metadata': {},
+            'header': {'msg_id': number, 'msg_type': 'execute_request', 'session': number, 'username': self.name,
+                       'version': '5.3'},
+            'content': {'code': source, 'silent': False, 'allow_stdin': False}}))
+        value = ''
+        while True:
+            message = json.loads(self._kernel.recv())
+            if message['parent_header'].get('msg_id') != number:
+                continue
+            content = message['content']
+            if message['msg_type'] == 'execute_result':
+                value = content['data']['text/plain']
+            elif message['msg_type'] == 'error':
+                raise RuntimeError(f'{content["ename"]}: {content["evalue"]}\n{source}')
+            elif message['msg_type'] == 'status' and content['execution_state'] == 'idle':
+                return value
+
+    def run_chapter(self) -> None:
+        """Run all cells of this learner's copy of the chapter."""
+        for cell in self.get(f'/api/contents/{CHAPTER}')['content']['cells']:
+            if cell['cell_type'] == 'code':
+                expected = 'raises-exception' in cell['metadata'].get('tags', [])
+                with contextlib.suppress(*[RuntimeError] if expected else []):
+                    self.run(cell['source'])
+
+    def close(self) -> None:
+        if self._kernel:
+            self._kernel.close()
+
+
+@pytest.fixture(scope='module')
+def learners(hub: str) -> Iterator[list[Learner]]:
+    """Sign in two learners, and run the chapter as both at once."""
+    both = [Learner(hub, 'ada'), Learner(hub, 'grace')]
+
+    def learn(learner: Learner) -> None:
+        learner.sign_in()
+        learner.start_kernel()
+        learner.run_chapter()
+
+    with ThreadPoolExecutor() as pool:
+        list(pool.map(learn, both))
+    yield both
+    for learner in both:
+        learner.close()
+
+
+def test_each_has_copies_of_their_own(learners):
+    for learner in learners:
+        names = {each['name'] for each in learner.get('/api/contents')['content']}
+        assert {'index.md', CHAPTER} <= names
+        folder = Path(learner.run('os.getcwd()').strip("'"))
+        assert folder.parts[-2:] == (learner.name, 'my_lessons')
+    assert not (ROOT / 'environment' / 'jupyterhub' / 'my_lessons').exists()
+
+
+def test_neither_touches_the_others_node(learners):
+    ada, grace = learners
+    nodes = [learner.run('sorted(node.get_fully_qualified_name() for node in ros.nodes)') for learner in learners]
+    assert nodes[0] == nodes[1] != '[]'
+    for learner in learners:
+        learner.run('%ros2 param set /clawbot_node max_acceleration_mps2 1.1')
+    ada.run('%ros2 param set /clawbot_node max_acceleration_mps2 1.7')
+    assert ada.run("robot.get_parameter('max_acceleration_mps2').value") == '1.7'
+    assert grace.run("robot.get_parameter('max_acceleration_mps2').value") == '1.1'
+    assert ada.run("os.environ['ROS_DOMAIN_ID']") != grace.run("os.environ['ROS_DOMAIN_ID']")
+
+
+def test_nobody_opens_the_others_server(learners):
+    ada, grace = learners
+    assert ada.status('/api/contents', grace.server) == 403
+    assert grace.status('/api/contents', ada.server) == 403
+
+
+def test_what_is_solved_is_kept_at_home(learners):
+    for learner in learners:
+        path = Path(learner.run("os.environ['PARAM_TUTORIAL_PROGRESS']").strip("'"))
+        assert path.parts[-3:] == (learner.name, 'my_lessons', 'progress.json')

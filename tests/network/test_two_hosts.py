@@ -1,0 +1,250 @@
+"""A node on one host, the panel on another, and the cable between them. See tests/support/network.py."""
+
+import contextlib
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.support.lab import CourseLab, wait_for
+from tests.support.network import Host, Network, Python, missing
+from tests.support.paths import NOTEBOOKS, ROOT
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(400)]
+
+NODE = '''
+import param_tutorial
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+node = param_tutorial.start().add(SimpleParamNode)
+'''
+PANEL = '''
+import param_tutorial
+from param_tutorial import ParameterClient, ParameterPanel
+from tests.support.widgets import enter, says, shows
+param_tutorial.start()
+panel = ParameterPanel('/simple_param_node')
+'''
+OF_NODE = 'node.get_parameter("max_speed_rpm").value'
+ON_PANEL = 'int(shows(panel, "max_speed_rpm")[0])'
+SAID = '(says(panel, "max_speed_rpm") or ("", ""))[1]'
+CHOSEN = {'ROS_DOMAIN_ID': '42'}
+
+
+@pytest.fixture
+def network(tmp_path: Path) -> Iterator[Network]:
+    if why := missing():
+        # In CI there is no excuse.
+        (pytest.fail if os.environ.get('CI') else pytest.skip)(f'two hosts can be made by root only: {why}')
+    with Network(tmp_path) as network:
+        yield network
+
+
+def start(network: Network) -> tuple[Python, Python]:
+    """Start a node on the robot and a panel on the laptop, in a domain and on a network that the user chose."""
+    robot, laptop = network.robot.python(**CHOSEN), network.laptop.python(**CHOSEN)
+    robot.run(NODE)
+    laptop.run(PANEL)
+    wait_for(lambda: laptop.run('"max_speed_rpm" in panel._front.state["rows"]'), 'the panel to find the node')
+    return robot, laptop
+
+
+def enter(laptop: Python, value: int) -> None:
+    laptop.run(f'enter(panel, "max_speed_rpm", "{value}")')
+
+
+def agree(robot: Python, laptop: Python, value: int | None = None) -> bool:
+    """True if panel and node have the same value, and the panel has nothing to remark."""
+    of_node = robot.run(OF_NODE)
+    return (laptop.run(ON_PANEL) == of_node == (of_node if value is None else value)
+            and not laptop.run(SAID) and not laptop.run('panel.status'))
+
+
+def test_the_panel_changes_a_node_on_another_host(network):
+    robot, laptop = start(network)
+    enter(laptop, 120)
+    wait_for(lambda: agree(robot, laptop, 120), 'the value on both hosts')
+    enter(laptop, -5)
+    wait_for(lambda: laptop.run(SAID) == 'max_speed_rpm must not be negative, got -5', "the node's reason")
+    assert (robot.run(OF_NODE), laptop.run(ON_PANEL)) == (120, 120)
+    # And what the node changes itself comes to the panel.
+    robot.run('from rclpy.parameter import Parameter\n'
+              'node.set_parameters([Parameter("max_speed_rpm", value=130)])[0].successful')
+    wait_for(lambda: laptop.run(ON_PANEL) == 130, "the node's own change")
+
+
+def test_a_panel_says_that_the_cable_is_out_and_comes_back_with_it(network):
+    robot, laptop = start(network)
+    network.unplug()
+    enter(laptop, 150)
+    wait_for(lambda: 'did not answer' in laptop.run(SAID), 'the word that no answer came')
+    assert 'or the network to its machine is slow or down' in laptop.run(SAID)
+    wait_for(lambda: 'is not running' in laptop.run('panel.status'), 'the word that the node is gone')
+    assert 'or the network to its machine is down' in laptop.run('panel.status')
+    # What the node has not confirmed is not shown.
+    assert (robot.run(OF_NODE), laptop.run(ON_PANEL)) == (100, 100)
+    robot.run('from rclpy.parameter import Parameter\n'
+              'node.set_parameters([Parameter("max_speed_rpm", value=130)])[0].successful')
+    network.plug()
+    wait_for(lambda: agree(robot, laptop, 130), 'what has changed meanwhile')
+    enter(laptop, 160)
+    wait_for(lambda: agree(robot, laptop, 160), 'the next change')
+
+
+def test_a_change_that_gets_lost_for_a_moment_is_shown_as_the_node_has_it(network):
+    """The cable is back before either host has given up the other, and DDS may then deliver what waited."""
+    robot, laptop = start(network)
+    network.unplug()
+    enter(laptop, 150)
+    wait_for(lambda: 'did not answer' in laptop.run(SAID), 'the word that no answer came')
+    network.plug()
+    wait_for(lambda: laptop.run('ParameterClient("/simple_param_node", timeout_sec=60).get_parameter("max_speed_rpm")'
+                                ) == robot.run(OF_NODE) == laptop.run(ON_PANEL), 'panel and node to agree')
+    enter(laptop, 160)
+    wait_for(lambda: agree(robot, laptop, 160), 'the next change')
+
+
+def test_on_a_slow_and_lossy_link_a_panel_waits_visibly_and_nothing_is_lost(network):
+    robot, laptop = start(network)
+    network.slow_down(0.1, 0.05)
+    for value in range(101, 121):
+        enter(laptop, value)
+        # Whatever it says on the way, it ends with what the node has, and with the change or a word on it.
+        wait_for(lambda: not laptop.run('panel._live.is_busy'), 'an answer, or a word')
+        said, shown = laptop.run(f'({SAID}, {ON_PANEL})')
+        assert shown == value or said, (value, shown)
+    # Slower than a person waits without asking.
+    network.slow_down(0.7, 0.0)
+    enter(laptop, 140)
+    wait_for(lambda: laptop.run(SAID) == 'Waiting for the node to answer…', 'the word that the panel waits')
+    network.slow_down(0.0, 0.0)
+    wait_for(lambda: agree(robot, laptop, 140), 'the last change')
+
+
+def reachable_ports(host: Host, target: str) -> list[int]:
+    """Return the TCP ports of an address to which another host can connect."""
+    probe = host.python()
+    ports = probe.run(f'''
+import selectors, socket
+found = []
+for first in range(1, 65536, 500):
+    selector = selectors.DefaultSelector()
+    for port in range(first, min(first + 500, 65536)):
+        each = socket.socket()
+        each.setblocking(False)
+        error = each.connect_ex(({target!r}, port))
+        selector.register(each, selectors.EVENT_WRITE, port)
+    while selector.get_map():
+        done = selector.select(20)
+        assert done, 'no answer'
+        for key, _ in done:
+            if key.fileobj.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR) == 0:
+                found.append(key.data)
+            selector.unregister(key.fileobj)
+            key.fileobj.close()
+found
+''')
+    probe.end()
+    return ports
+
+
+def udp_addresses(python: Python) -> set[str]:
+    """Return the local addresses on which a process receives UDP."""
+    found = python.run('import psutil\nsorted({each.laddr.ip for each in psutil.Process().net_connections("udp")})')
+    return set(found)
+
+
+def test_by_default_nobody_on_the_network_sees_or_sets_a_node(network):
+    robot = network.robot.python()
+    robot.run(NODE)
+    domain = robot.run('import os\nos.environ["ROS_DOMAIN_ID"]')
+    assert udp_addresses(robot) == {'127.0.0.1'}
+    # Someone who knows the domain, listens on all interfaces, and knows the address.
+    stranger = network.laptop.python(ROS_DOMAIN_ID=domain, ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET',
+                                     ROS_STATIC_PEERS=network.robot.address)
+    with pytest.raises(RuntimeError, match=r'NodeNotFoundError.*No node is running'):
+        stranger.run('''
+import param_tutorial
+from param_tutorial import ParameterClient
+param_tutorial.start()
+ParameterClient('/simple_param_node').set_parameter('max_speed_rpm', 0)
+''')
+    assert robot.run(OF_NODE) == 100
+    assert reachable_ports(network.laptop, network.robot.address) == []
+
+
+def test_the_stranger_would_see_a_node_on_a_network_that_the_user_chose(network):
+    """So it is not the stranger who is blind."""
+    robot = network.robot.python(ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET')
+    robot.run(NODE)
+    stranger = network.laptop.python(ROS_DOMAIN_ID=robot.run('import os\nos.environ["ROS_DOMAIN_ID"]'))
+    stranger.run('import param_tutorial\nfrom param_tutorial import ParameterClient\nparam_tutorial.start()')
+    stranger.run('ParameterClient("/simple_param_node", timeout_sec=60).set_parameter("max_speed_rpm", 90)')
+    assert robot.run(OF_NODE) == 90
+
+
+def test_the_probe_finds_a_port_that_is_open(network):
+    robot = network.robot.python()
+    port = robot.run('import socket\nserver = socket.create_server(("0.0.0.0", 0))\nserver.getsockname()[1]')
+    assert reachable_ports(network.laptop, network.robot.address) == [port]
+
+
+class LabOnHost(CourseLab):
+    """JupyterLab as `make lab` starts it, on a host, without a word on addresses, ports and tokens."""
+
+    def __init__(self, folder: Path, host: Host):
+        super().__init__(folder, [NOTEBOOKS / '01_what_are_parameters.ipynb'])
+        self._host = host
+
+    def _command(self) -> list[str]:
+        return self._host.command(*super()._command())
+
+    def _options(self) -> list[str]:
+        return ['--no-browser']
+
+    def _find_url(self) -> str | None:
+        info = self._folder / 'runtime' / f'jpserver-{self._process.pid}.json'
+        with contextlib.suppress(OSError, ValueError):
+            found = json.loads(info.read_text())
+            self.token = found['token']
+            return str(found['url'])
+        return None
+
+
+def test_jupyterlab_and_its_kernels_cannot_be_reached_from_another_host(network, tmp_path):
+    here = network.robot.python()
+    here.run('''
+import urllib.error, urllib.request
+def ask(url, token='', method='GET', data=None):
+    request = urllib.request.Request(url, method=method, data=data, headers={'Authorization': f'token {token}'})
+    try:
+        with urllib.request.urlopen(request, timeout=100) as answer:
+            return answer.status
+    except urllib.error.HTTPError as error:
+        return error.code
+    except urllib.error.URLError as error:
+        return str(error.reason)
+''')
+    with LabOnHost(tmp_path / 'lab', network.robot) as lab:
+        wait_for(lambda: here.run(f'ask("{lab.url}api/kernels", {lab.token!r})') == 200, 'the server')
+        assert here.run(f'ask("{lab.url}api/kernels", {lab.token!r}, "POST", b"{{}}")') == 201
+        # Someone on this host without the token.
+        assert here.run(f'ask("{lab.url}api/kernels")') == 403
+        assert len(lab.token) >= 40
+        listening = here.run('import psutil\nsorted({each.laddr.ip for each in psutil.net_connections("inet") '
+                             'if each.status == "LISTEN" or each.type == 2})')
+        assert set(listening) <= {'127.0.0.1', '::1'}
+        assert reachable_ports(network.laptop, network.robot.address) == []
+
+
+def test_a_chapter_needs_no_network(network):
+    """On a host that has never reached another one, nor any name server."""
+    network.unplug()
+    chapter = NOTEBOOKS / '05_2_with_a_callback.ipynb'
+    done = subprocess.run(
+        network.robot.command(sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '--nbval', chapter),
+        cwd=ROOT, env=network.robot.environment(), capture_output=True, text=True, timeout=360)
+    assert done.returncode == 0, done.stdout + done.stderr
