@@ -259,6 +259,8 @@ def test_a_typo_is_found_beside_the_right_name(tmp_path, block):
     path.write_text(f'/hall_3/lift: {{ros__parameters: {{steps: 10}}}}\n{block}: {{ros__parameters: {{name: a}}}}\n')
     finding, = check_files(path, Descriptions(LIFT.values()))
     assert (finding.kind, finding.line) == ('unknown node', 2)
+    assert finding.message == (f'there is no node {block}, so rcl ignores this block. '
+                               'Did you mean /hall_3/lift?')
 
 
 @pytest.mark.parametrize('block', ['/hall_3/lift_2', '/hall_4/lift', '/hall_3/left_lift', '/hall_3/crane'])

@@ -210,16 +210,18 @@ class _Check:
             if not (self._against.complete or nothing_matches or similar):
                 continue
             if '*' in start.name:
-                kind, message = 'never matched', (f'no node matches {start.name}{nearest(name, nodes, "")}'
-                                                  f' (* stands for one name, ** for any number of them)')
+                kind, message = 'never matched', (f'no node matches {start.name}, so rcl ignores this block'
+                                                  f'{nearest(name, nodes, "")}'
+                                                  ' (* stands for one name, ** for any number of them)')
             elif elsewhere:
                 kind, message = 'never matched', (
                     f'no node is called {name}, but there is {" and ".join(elsewhere)}: the block for it starts with '
-                    f'"{elsewhere[0]}:" or "/**/{last}:"')
+                    f'"{elsewhere[0]}:" or "/**/{last}:"; rcl ignores this one')
             else:
-                kind, message = 'unknown node', f'there is no node {name}{nearest(name, similar or nodes, "")}'
+                kind, message = 'unknown node', (f'there is no node {name}, so rcl ignores this block'
+                                                 f'{nearest(name, similar or nodes, "")}')
             self._reported.add(start.name)
-            self._add(start.file, start.place, kind, f'{message}; rcl ignores this block', start.name)
+            self._add(start.file, start.place, kind, message, start.name)
 
     # -- values -----------------------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ in that of ``settle``, with the panel's lock held. No lock is held while a reque
 no lock of a panel at all.
 """
 
+import html
 import threading
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -36,6 +37,7 @@ from param_tutorial.pictures.panel import PanelRow, arrange, panel_markup
 from param_tutorial.pictures.styles import sheet, style
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
+from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets import file_form
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.control import Control
@@ -527,6 +529,17 @@ class ParameterBrowser(FollowingView):
         super()._end()
         for node in list(self._panels):
             self._panels.pop(node).close()
+
+    # -- recording: see ``recordable`` -------------------------------------------------------------------
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return the nodes that are there as a list to read: without a kernel nothing can be opened or found."""
+        nodes = list(self._catalog.nodes.values()) if self._catalog else []
+        wait_until(lambda: all(node.is_read or node.problem for node in nodes), 'the answers of the nodes')
+        lines = ''.join(f'<li class="node-line"><code>{html.escape(node.name)}</code>'
+                        f'<span class="node-says">{html.escape(_says(node))}</span></li>' for node in nodes)
+        return {'kind': 'still', 'text': repr(self), 'html':
+                f'{style("widgets/browser.css")}<div class="param-browser"><ul class="node-list">{lines}</ul></div>'}
 
 
 def _says(node: CatalogNode) -> str:
