@@ -87,7 +87,7 @@ WRONG = {
         ([('        if event.node', '        while True:\n            pass\n        if event.node')],
          0, 'this callback did not return'),
         # Waits in the callback.
-        ([('        if event.node', "        __import__('time').sleep(1)\n        if event.node")], 0,
+        ([('        if event.node', "        __import__('time').sleep(4)\n        if event.node")], 0,
          'it waits, and keeps the executor busy meanwhile'),
         # Too late: the subscription is made when somebody calls for it.
         ([('        self.create_subscription(', '\n    def begin(self):\n        self.create_subscription(')], 0,
