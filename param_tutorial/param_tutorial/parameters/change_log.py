@@ -35,6 +35,8 @@ from param_tutorial.runtime.services import TIMEOUT_SEC
 
 KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
 _CLOSE_TIMEOUT_SEC = 10.0
+# How long nothing has to happen before new nodes are read once more.
+_READ_AGAIN_SEC = 0.5
 
 
 @dataclass(frozen=True)
@@ -275,6 +277,8 @@ class ChangeFollower:
         self._executor = executor or stage.current()
         self._known: dict[str, dict[str, Any]] = {}
         self._incarnations: dict[str, frozenset[bytes]] = {}
+        self._new: set[str] = set()
+        """Nodes that have been read once."""
         self._happened: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
         self._stop_listening = [self._executor.on_parameter_event(self._on_event),
                                 self._executor.on_graph_change(self._on_graph_change)]
@@ -316,10 +320,26 @@ class ChangeFollower:
     # In the follower's own thread.
 
     def _run(self) -> None:
-        while (happened := self._happened.get()) is not None:
+        while (happened := self._next()) is not None:
             with contextlib.suppress(ExecutorError):  # it has been stopped: nothing more will happen
                 if changes := happened():
                     self._listener(changes)
+
+    def _next(self) -> Callable[[], list[LoggedChange]] | None:
+        """Wait for what happens next, and no longer than until nodes are to be read again."""
+        if not self._new:
+            return self._happened.get()
+        try:
+            return self._happened.get(timeout=_READ_AGAIN_SEC)
+        except queue.Empty:
+            return self._read_again
+
+    def _read_again(self) -> list[LoggedChange]:
+        """Read the nodes that are new: the first events of one may come before its publisher knows of this reader."""
+        nodes, self._new = self._new & self._known.keys(), set()
+        answers, _ = ask_all(sorted(nodes), ParameterClient.get_parameters, timeout_sec=self._timeout_sec,
+                             executor=self._executor)
+        return [change for node, parameters in answers.items() for change in self._seen(node, parameters)]
 
     def _changes_of(self, event: ParameterEvent, time: datetime.datetime) -> list[LoggedChange]:
         known = self._known.setdefault(event.node, {})
@@ -351,6 +371,7 @@ class ChangeFollower:
                                       executor=self._executor) if came else ({}, {})
         for node, parameters in answers.items():
             changes += self._seen(node, parameters)
+        self._new |= answers.keys()
         self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
         for error in unanswered.values():
             if self._trouble is not None:
