@@ -92,7 +92,7 @@ def test_agrees_with_the_genuine_command(scenario, run, ros, tmp_path, monkeypat
     monkeypatch.chdir(tmp_path)
     steps = scenario['steps']
     for step, (stdout, stderr, status) in zip(steps, run([shlex.split(step['command'])[1:] for step in steps])):
-        assert status == step['returncode'], step['command']
+        assert status == step['returncode'], f"{step['command']}: {stderr}"
         if step['match'] == 'exact':
             assert (stdout, stderr) == (step['stdout'], step['stderr']), step['command']
         else:

@@ -146,6 +146,10 @@ def _half(participant: bytes) -> int:
     return int.from_bytes(participant[4:6], 'little')
 
 
+# For so long a node whose name is not in the graph may be about to come.
+_LEFT_SEC = 1.0
+
+
 def wait_for_service(is_ready: Callable[[], bool], node: str, service: str, observer: Node,
                      patience_sec: float | None = None) -> bool:
     """Wait until a parameter service of a node is ready, and give up when it is known that the node has none.
@@ -158,7 +162,8 @@ def wait_for_service(is_ready: Callable[[], bool], node: str, service: str, obse
     :raises WaitTimeoutError: it is not ready, and it is still not known whether the node has it.
     """
     patience_sec = PATIENCE_SEC if patience_sec is None else patience_sec
-    deadline = machine_time() + patience_sec
+    began = machine_time()
+    deadline = began + patience_sec
     while True:
         # In this order: what is found to be announced holds for the looks that follow.
         is_announced = _has_announced_services(node, observer)
@@ -167,6 +172,10 @@ def wait_for_service(is_ready: Callable[[], bool], node: str, service: str, obse
             return True
         if is_announced and not is_there:
             return False
+        # A service may be known before the node that has it, so that one which has not come yet seems to have left.
+        if machine_time() > began + _LEFT_SEC and not any(
+                _joined(*each) == node for each in observer.get_node_names_and_namespaces()):
+            return False
         if machine_time() >= deadline:
             raise WaitTimeoutError(f'timed out after {patience_sec:g} s waiting for {service} of {node}: was the node '
                                    f'created with start_parameter_services=False?')
@@ -174,14 +183,14 @@ def wait_for_service(is_ready: Callable[[], bool], node: str, service: str, obse
 
 
 def _has_announced_services(node: str, observer: Node) -> bool:
-    """True if all parameter services that a node has are in the graph, or the node is not.
+    """True if all parameter services that a node has are in the graph.
 
     rclpy 7.1 and rclcpp create a node's service get_type_description after its parameter services, if there are any.
     DDS announces the ends of a participant in the order of their creation, those that receive and those that send each.
     """
     nodes = _participants_of(observer.get_publishers_info_by_topic('/parameter_events'), node)
     if not nodes:
-        return not any(_joined(*each) == node for each in observer.get_node_names_and_namespaces())
+        return False
     service = f'{node}/get_type_description'
     return (nodes <= _participants_of(observer.get_subscriptions_info_by_topic(f'rq{service}Request', no_mangle=True))
             and nodes <= _participants_of(observer.get_publishers_info_by_topic(f'rr{service}Reply', no_mangle=True)))

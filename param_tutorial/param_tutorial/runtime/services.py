@@ -130,7 +130,7 @@ class Services:
                     sent[-1].add_done_callback(lambda _: finished.set())
                 if finished.wait(_LOOK_PERIOD_SEC):
                     break
-                gone = not client.service_is_ready()
+                gone = self._is_gone(node, client)
                 if finished.wait(_LOOK_PERIOD_SEC):  # an answer may have been on its way
                     break
                 if gone and is_second_chance:  # its callback could not be interrupted, so it was removed
@@ -208,7 +208,7 @@ class Services:
                 continue
             if machine_time() > call.sent + call.timeout_sec:
                 self._fail(future, self._no_answer(call.node, call.service, call.timeout_sec))
-            elif not call.client.service_is_ready():
+            elif self._is_gone(call.node, call.client):
                 self._fail(future, NodeGoneError(call.node, call.service))
 
     def take(self, error: BaseException, node: str, service: str, request: Any) -> bool:
@@ -239,6 +239,10 @@ class Services:
                     raise NodeNotFoundError(node, self.node_names()) from None
                 self._clients[node, service] = client
             return client
+
+    def _is_gone(self, node: str, client: Client) -> bool:
+        """True if a node that was there has left. On a busy machine a service alone may seem gone for a moment."""
+        return not client.service_is_ready() and node not in self.node_names(hidden=True)
 
     def _found(self, node: str, service: str, discovery_timeout_sec: float) -> Client:
         client = self._client(node, service)
