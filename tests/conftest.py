@@ -64,7 +64,7 @@ def pytest_configure(config: pytest.Config) -> None:
     tests to a worker with another order, and waits for it forever.
     """
     given = getattr(config, 'workerinput', {}).get(_DURATIONS)
-    config.stash[_known] = config.cache.get(_DURATIONS, {}) if given is None else given
+    config.stash[_known] = _remembered(config) if given is None else given
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -86,6 +86,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     items.sort(key=lambda item: -seconds.get(_file(item), 0.0))
 
 
+def _remembered(config: pytest.Config) -> dict[str, float]:
+    return config.cache.get(_DURATIONS, {}) if hasattr(config, 'cache') else {}  # not with -p no:cacheprovider
+
+
 def _file(test: pytest.Item | pytest.TestReport) -> str:
     return test.nodeid.partition('::')[0]
 
@@ -97,6 +101,7 @@ def pytest_runtest_logreport(report: pytest.TestReport) -> None:
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
     """Remember it for the next run, at its longest, since a run may be of some tests only."""
-    if not hasattr(session.config, 'workerinput'):  # pytest-xdist's workers leave it to the process that started them
-        known = collections.Counter(session.config.cache.get(_DURATIONS, {}))
+    # Not in pytest-xdist's workers, which leave it to the process that started them.
+    if not hasattr(session.config, 'workerinput') and hasattr(session.config, 'cache'):
+        known = collections.Counter(_remembered(session.config))
         session.config.cache.set(_DURATIONS, known | _seconds)

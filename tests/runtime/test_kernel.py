@@ -171,7 +171,7 @@ def test_interrupt_ends_what_a_shell_cell_waits_for_and_not_the_shell(kernel):
 
     hand = threading.Thread(target=press)
     hand.start()
-    assert 'Error' not in kernel.run("%%shell first\nbash -c 'touch begun; exec sleep 1000'")
+    assert 'Error' not in kernel.run("%%shell first\nbash -c ': > begun; exec sleep 1000'")
     hand.join()
     assert kernel.run('_exit_code') == '130'
     assert kernel.run('%%shell first\necho goes on') == 'goes on\n'

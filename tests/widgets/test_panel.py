@@ -591,6 +591,22 @@ def test_one_value_is_brought_back_alone(arm):
     wait_for_value(arm, 'tool', 'saw')
 
 
+def test_what_is_pressed_while_the_node_thinks_is_done_in_that_order(ros):
+    node = ros.add(Gate)
+    panel = ParameterPanel('/gate')
+    node.open.release(2)
+    enter(panel, 'x', '1')
+    panel.settle()
+    enter(panel, 'y', '2')
+    panel.settle()
+    press(panel, 'reset', name='x')
+    for button in ('undo', 'undo', 'redo'):
+        press(panel, button)
+    node.open.release(4)
+    wait_until(lambda: len(node.seen) == 6, 'all of it')
+    assert node.seen == [1, 2, 0, 1, 0, 2]
+
+
 # -- many parameters ------------------------------------------------------------------------------------
 
 

@@ -18,10 +18,11 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from param_tutorial.lessons.console import format_count, say
+from param_tutorial.lessons.console import say
 from param_tutorial.lessons.recording.recorded import Recordings
 from param_tutorial.lessons.recording.run import read_notebook, source_of
 from param_tutorial.lessons.workers import record_all
+from param_tutorial.pictures.wording import format_count
 
 PACKAGE_ROOT = Path(__file__).parents[2]
 ROOT = PACKAGE_ROOT.parent

@@ -8,11 +8,6 @@ def say(text: str) -> None:
     print(text, flush=True)
 
 
-def format_count(count: int, what: str) -> str:
-    """Return a number with its noun, which is in the singular for one."""
-    return f'{count} {what}{"" if count == 1 else "s"}'
-
-
 def format_path(path: Path) -> str:
     """Return a path as short as it can be: from the current folder if it is below that."""
     return str(path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path)

@@ -70,8 +70,9 @@ class Catalog:
         found: dict[str, list[str]] = {}
         for name, node in self.nodes.items():
             hits = [each for each, descriptor in node.descriptors.items()
-                    if all(word in _searched(name, descriptor, node.values.get(each)) for word in words)]
-            if hits or all(word in name.lower() for word in words):
+                    if _has_all(words, f'{name} {each} {descriptor.description} '
+                                       f'{format_value(descriptor, node.values.get(each))}')]
+            if hits or _has_all(words, name):
                 found[name] = hits
         return found
 
@@ -130,5 +131,6 @@ class Catalog:
         self._on_change()
 
 
-def _searched(node: str, descriptor: Descriptor, value: Any) -> str:
-    return f'{node} {descriptor.name} {descriptor.description} {format_value(descriptor, value)}'.lower()
+def _has_all(words: list[str], text: str) -> bool:
+    lower = text.lower()
+    return all(word in lower for word in words)

@@ -27,8 +27,9 @@ from param_tutorial.errors import ExecutorError, InvalidValueError, NodeError, P
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.parameters.parsing import matches
-from param_tutorial.parameters.sets import WordTable, counted
+from param_tutorial.parameters.sets import WordTable
 from param_tutorial.parameters.snapshot import Snapshot, ask_all
+from param_tutorial.pictures.wording import format_count
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import TOOL_NODE_NAME, BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
@@ -159,7 +160,7 @@ class ChangeLog(WordTable):
         """:param damaged: The numbers of the lines that could not be read."""
         self.changes = tuple(changes)
         self.damaged = tuple(damaged)
-        self.heading = counted(len(self.changes), 'change')
+        self.heading = format_count(len(self.changes), 'change')
         if self.damaged:
             self.heading += f'; unreadable: line {", ".join(map(str, self.damaged))}'
 

@@ -12,6 +12,7 @@ from param_tutorial.parameters.client import Descriptor
 from param_tutorial.parameters.descriptions import DescribedParameter
 from param_tutorial.parameters.parsing import effective, matches
 from param_tutorial.parameters.sets import WordTable
+from param_tutorial.pictures.wording import format_count
 
 CHANGES, SAME, READ_ONLY, UNKNOWN = 'changes', 'same', 'read-only', 'unknown'
 OTHER_NODE = 'not for this node'
@@ -52,7 +53,7 @@ class FilePreview(WordTable):
         self.notes = tuple(notes)
         counts = {verdict: sum(row.verdict == verdict for row in self) for verdict in (CHANGES, SAME, OTHER_NODE)}
         left = len(self.rows_by_parameter) - sum(counts.values())
-        parts = [f'{_counted(counts[CHANGES])} will change', f'{counts[SAME]} the same']
+        parts = [f'{format_count(counts[CHANGES], "value")} will change', f'{counts[SAME]} the same']
         parts += [f'{left} will not be loaded'] * (left > 0)
         parts += [f'{counts[OTHER_NODE]} for other nodes'] * (counts[OTHER_NODE] > 0)
         self.summary = ', '.join(parts)
@@ -144,7 +145,3 @@ def _row(name: str, value: Any, descriptors: Mapping[str, Descriptor], present: 
 
 def _format(value: Any) -> str:
     return '-' if value is None else values.format_value(value)
-
-
-def _counted(count: int) -> str:
-    return f'{count} value{"" if count == 1 else "s"}'

@@ -21,6 +21,7 @@ from param_tutorial.parameters.client import Descriptor, ParameterClient
 from param_tutorial.parameters.descriptions import DescribedParameter
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import table
+from param_tutorial.pictures.wording import format_count
 from param_tutorial.runtime import stage
 
 NodeLike = str | Node | ParameterClient
@@ -103,7 +104,7 @@ class ParameterSet(Mapping[str, Any]):
     __hash__ = None  # type: ignore[assignment]  # every object has one, says object; a list in it could not be hashed
 
     def __repr__(self) -> str:
-        return f'<ParameterSet: {self.label}, {counted(len(self), "parameter")}>'
+        return f'<ParameterSet: {self.label}, {format_count(len(self), "parameter")}>'
 
 
 class WordTable:
@@ -155,7 +156,7 @@ class Difference(WordTable):
         self.changes = tuple(changes)
         self.equal = equal
         self.heading = (f'{before.label} → {after.label}: '
-                        f'{counted(len(self.changes), "difference")}, {equal} the same')
+                        f'{format_count(len(self.changes), "difference")}, {equal} the same')
         self.columns = ('parameter', 'difference', before.label, after.label)
 
     def __len__(self) -> int:
@@ -241,7 +242,7 @@ class Restored(WordTable):
         :param outcomes: One for each parameter that differed.
         """
         self.outcomes = tuple(outcomes)
-        total = counted(len(self.outcomes), 'parameter')
+        total = format_count(len(self.outcomes), 'parameter')
         done = sum(outcome.word == 'set' for outcome in self.outcomes)
         self.complete = done == len(self.outcomes)
         """True if the node now holds all the values of the set."""
@@ -330,7 +331,7 @@ class Preview(WordTable):
         """
         self.expectations = tuple(expectations)
         will = sum(each.word == 'would be set' for each in self.expectations)
-        self.heading = (f'{node} from {wanted.label}: {counted(len(self.expectations), "difference")}, '
+        self.heading = (f'{node} from {wanted.label}: {format_count(len(self.expectations), "difference")}, '
                         f'{will} would be set')
 
     def __iter__(self) -> Iterator[Expectation]:
@@ -413,11 +414,6 @@ def _as_set(what: Comparable, label: str) -> ParameterSet:
     if isinstance(what, ParameterSet):
         return what
     return ParameterSet(what, label) if isinstance(what, Mapping) else ParameterSet.of(what)
-
-
-def counted(count: int, what: str) -> str:
-    """Return a number with its noun."""
-    return f'{count} {what}{"" if count == 1 else "s"}'
 
 
 def _format(value: Any, kind: str = '') -> str:

@@ -13,6 +13,7 @@ from param_tutorial.parameters import files, values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import Row, grouped_table
+from param_tutorial.pictures.wording import format_count
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import TOOL_NODE_NAME, BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
@@ -48,7 +49,7 @@ class Snapshot(dict[str, ParameterValues]):
         """Return the text of one parameter file for all nodes, which ``--params-file`` and ``restore`` read back."""
         dumps = {node: files.render(node, parameters) for node, parameters in self.items()}
         now = datetime.datetime.now().astimezone().isoformat(timespec='seconds')
-        lines = [f'{FIRST_WORDS} {len(self)} node{"" if len(self) == 1 else "s"}, {now}\n']
+        lines = [f'{FIRST_WORDS} {format_count(len(self), "node")}, {now}\n']
         lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
         left_out = {f'{node}: {name}': reason for node, dump in dumps.items() for name, reason in dump.left_out.items()}
         return files.Dump(''.join(lines) + '\n'.join(dump.text for dump in dumps.values()), left_out)

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from param_tutorial.parameters.descriptions import Descriptions
-from param_tutorial.parameters.sets import Change, Difference, ParameterSet, WordTable, compare, counted
+from param_tutorial.parameters.sets import Change, Difference, ParameterSet, WordTable, compare
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import Row, grouped_table
+from param_tutorial.pictures.wording import format_count
 
 _STYLE = style('parameters/sets.css')
 System = Mapping[str, Mapping[str, Any]]
@@ -48,8 +49,8 @@ class SystemDifference(WordTable):
         """The nodes that do not."""
         count = sum(map(len, self.differences.values())) + len(self.only_before) + len(self.only_after)
         self._count = count
-        self.heading = (f'{before} → {after}: {counted(count, "difference")} in '
-                        f'{counted(len(self.differences), "node")}, {len(self.same)} the same')
+        self.heading = (f'{before} → {after}: {format_count(count, "difference")} in '
+                        f'{format_count(len(self.differences), "node")}, {len(self.same)} the same')
 
     def __len__(self) -> int:
         return self._count

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from param_tutorial.pictures.tables import table
+from param_tutorial.pictures.wording import format_count
 
 HOUSEKEEPING = 'In every node'
 """The group of what every node has, which is seldom what one came for."""
@@ -144,7 +145,7 @@ def _head(node: str, count: int, status: str, tools: bool, mark: str) -> str:
                '<button type="button" class="param-save" aria-expanded="false">Save…</button>'
                '<button type="button" class="param-load" aria-expanded="false">Load…</button></span>' if tools else '')
     marked = f'<span class="param-mark">{html.escape(mark)}</span>' if mark else ''
-    told = f'{count} parameter{"" if count == 1 else "s"}'
+    told = format_count(count, 'parameter')
     bad = ' param-status-bad' if status else ''
     return (f'<div class="param-head"><span role="status"><span class="param-node">{html.escape(node)}</span>'
             f'<span class="param-status{bad}" data-count="{told}">{html.escape(status) or told}</span></span>'

@@ -12,10 +12,11 @@ from pathlib import Path
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.parameters.change_log import KINDS, ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
 from param_tutorial.parameters.parsing import matches
-from param_tutorial.parameters.sets import counted
 from param_tutorial.parameters.snapshot import Snapshot
+from param_tutorial.pictures.wording import format_count
 from param_tutorial.ros2.run import keeps_busy
 from param_tutorial.ros2.session import CommandFailed, Commands, Session, add_graph_options
+from param_tutorial.ros2.sources import pattern
 
 _LOOK_PERIOD_SEC = 0.5
 
@@ -43,7 +44,7 @@ def watch(session: Session, args: argparse.Namespace) -> int:
         raise CommandFailed(keeps_busy(['watch', *args.nodes]) + ' Or say how long: --duration 10')
     wanted = _compiled(args.filter)
     session.wait_for_graph(args)
-    patterns = ['/' + word.strip('/') for word in args.nodes]
+    patterns = list(map(pattern, args.nodes))
     happened: queue.SimpleQueue[list[LoggedChange] | ParameterToolError] = queue.SimpleQueue()
     end = math.inf if args.duration is None else time.monotonic() + args.duration
     # Ctrl+C is how it ends, whenever it comes.
@@ -79,7 +80,7 @@ def _tell(session: Session, what: list[LoggedChange] | ParameterToolError, wante
     shown = [each for each in what if each.kind not in ('begin', 'seen') and wanted.search(each.name)]
     if what and what[0].kind == 'begin':
         nodes = len({each.node for each in what[1:]})
-        session.print(f'Watching {counted(len(what) - 1, "parameter")} of {counted(nodes, "node")}')
+        session.print(f'Watching {format_count(len(what) - 1, "parameter")} of {format_count(nodes, "node")}')
     for each in shown:
         session.print(each)
     session.stdout.flush()
@@ -112,12 +113,12 @@ def history(session: Session, args: argparse.Namespace) -> int:
     log = ChangeLog.read(args.log)
     if log.damaged:
         session.complain(f'{args.log}: line {", ".join(map(str, log.damaged))} cannot be read, and was passed over')
-    patterns = ['/' + word.strip('/') for word in args.nodes]
+    patterns = list(map(pattern, args.nodes))
     _compiled(args.filter)
     if args.at is not None:
         then = _state(log, args.log, args.at)
         session.stdout.write(Snapshot({node: each for node, each in then.items() if not patterns or any(
-            matches(pattern, node) for pattern in patterns)}, {}).dump().text)
+            matches(each, node) for each in patterns)}, {}).dump().text)
         return 0
     selected = log.select(
         nodes=patterns, names=args.filter, kinds=KINDS if args.all else set(KINDS) - {'begin', 'seen'},

@@ -8,7 +8,7 @@ import argparse
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.parameters.checking import Findings, check_files
 from param_tutorial.parameters.descriptions import Descriptions
-from param_tutorial.parameters.sets import counted
+from param_tutorial.pictures.wording import format_count
 from param_tutorial.ros2 import sources
 from param_tutorial.ros2.session import CommandFailed, Commands, Session, add_graph_options
 
@@ -82,10 +82,7 @@ def describe(session: Session, args: argparse.Namespace) -> int:
     if args.save is None:
         session.stdout.write(dump.text)
     else:
-        try:
-            dump.save(args.save)
-        except OSError as error:
-            raise CommandFailed(f'cannot write {args.save}: {error.strerror}') from None
+        sources.save(session, dump, args.save)
         total = sum(len(each.parameters) for each in found.values())
-        session.print(f'Saved {counted(total, "parameter")} of {counted(len(found), "node")} to {args.save}')
+        session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
     return 1 if found.unanswered else 0

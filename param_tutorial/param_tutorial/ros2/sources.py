@@ -1,4 +1,4 @@
-"""What the commands about whole systems take as an argument: nodes, programs, and files that describe them."""
+"""What the commands about whole systems take as an argument, and the files that they write."""
 
 import argparse
 from pathlib import Path
@@ -6,6 +6,7 @@ from pathlib import Path
 from param_tutorial.errors import NodeError, NodeNotFoundError
 from param_tutorial.parameters import descriptions
 from param_tutorial.parameters.descriptions import Descriptions
+from param_tutorial.parameters.files import Dump
 from param_tutorial.parameters.parsing import matches
 from param_tutorial.ros2.isolated import describe_program
 from param_tutorial.ros2.session import CommandFailed, Session
@@ -24,6 +25,24 @@ def is_program(word: str) -> bool:
     return not is_file(word) and word.count('/') == 1 and all(word.split('/'))
 
 
+def pattern(word: str) -> str:
+    """Return a node's name, or a pattern of names, with the slash that one may leave out."""
+    return '/' + word.strip('/')
+
+
+def save(session: Session, dump: Dump, path: str) -> None:
+    """Write a file, and say what it could not hold.
+
+    :raises CommandFailed: it cannot be written.
+    """
+    try:
+        dump.save(path)
+    except OSError as error:
+        raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
+    for name, reason in dump.left_out.items():
+        session.complain(f'left out: {name}: {reason}')
+
+
 def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]:
     """Return the running nodes that a word names, once they are known.
 
@@ -31,7 +50,7 @@ def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]
     :param args: Has the options of ``add_graph_options``.
     :raises CommandFailed: there is none.
     """
-    name = '/' + word.strip('/')
+    name = pattern(word)
     if '*' not in name:
         if not session.is_there(name, session.patience(args)):
             session.wait_for_graph(args)
@@ -64,7 +83,7 @@ def describe(session: Session, word: str, args: argparse.Namespace) -> Descripti
         return describe_program(*word.split('/'))
     found = descriptions.describe(nodes_of(session, word, args), timeout_sec=args.timeout, executor=session.executor)
     report_unanswered(session, found.unanswered)
-    if '/' + word.strip('/') == '/**' and not found.unanswered:
+    if pattern(word) == '/**' and not found.unanswered:
         found.complete = True
     return found
 

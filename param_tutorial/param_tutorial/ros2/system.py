@@ -13,10 +13,11 @@ from typing import Any
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.parameters import descriptions, files, values
 from param_tutorial.parameters.editing import update_file
-from param_tutorial.parameters.sets import Difference, ParameterSet, compare, counted, preview
+from param_tutorial.parameters.sets import Difference, ParameterSet, compare, preview
 from param_tutorial.parameters.sets import restore as restore_node
 from param_tutorial.parameters.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all
 from param_tutorial.parameters.systems import SystemDifference, compare_systems, defaults_of, of_robot
+from param_tutorial.pictures.wording import format_count
 from param_tutorial.ros2 import sources
 from param_tutorial.ros2.changes import past
 from param_tutorial.ros2.isolated import describe_program
@@ -28,19 +29,6 @@ def add_to(commands: Commands) -> None:
     add_snapshot_arguments(commands.add_parser('snapshot', help='save the parameters of many nodes'))
     add_diff_arguments(commands.add_parser('diff', help='compare nodes, files, defaults and robots'))
     add_restore_arguments(commands.add_parser('restore', help='bring saved parameters back'))
-
-
-def save(session: Session, dump: files.Dump, path: str) -> None:
-    """Write a file, and say what it could not hold.
-
-    :raises CommandFailed: it cannot be written.
-    """
-    try:
-        dump.save(path)
-    except OSError as error:
-        raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
-    for name, reason in dump.left_out.items():
-        session.complain(f'left out: {name}: {reason}')
 
 
 # -- snapshot -----------------------------------------------------------------------------------------------
@@ -66,9 +54,9 @@ def snapshot(session: Session, args: argparse.Namespace) -> int:
     elif args.save is None:
         session.stdout.write(found.dump().text)
     else:
-        save(session, found.dump(), args.save)
+        sources.save(session, found.dump(), args.save)
         total = sum(map(len, found.values()))
-        session.print(f'Saved {counted(total, "parameter")} of {counted(len(found), "node")} to {args.save}')
+        session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
     return 1 if found.unanswered else 0
 
 
@@ -235,7 +223,7 @@ def bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], label:
         return 1 if unanswered else 0
     if args.backup:
         present = all_parameters(wanted, timeout_sec=args.timeout, executor=session.executor)
-        save(session, present.dump(), args.backup)
+        sources.save(session, present.dump(), args.backup)
     outcomes, unanswered = ask_all(
         wanted, lambda client: restore_node(client, ParameterSet(wanted[client.node], label),
                                             one_by_one=args.one_by_one, skip_read_only=args.skip_read_only),

@@ -10,6 +10,7 @@ from param_tutorial.parameters import files
 from param_tutorial.parameters.file_preview import CHANGES, OTHER_NODE, SAME, FilePreview, Loaded
 from param_tutorial.parameters.parsing import matches
 from param_tutorial.pictures.panel import file_markup
+from param_tutorial.pictures.wording import format_count
 
 # Where parameter files usually are: in the notebook's folder, in that of its package, in its workspace.
 _PLACES = ('config', '.', '../config')
@@ -68,7 +69,7 @@ def act(panel: FilePanel, *, is_save: bool, path: str, changed_only: bool) -> st
             left = panel.save(path, changed_only).left_out
             return file_markup(f'Saved to {path}.', _reasons('Left out', left))
         loaded = panel.load(path)
-        return file_markup(f'{_values(len(loaded.names))} of {path} '
+        return file_markup(f'{format_count(len(loaded.names), "value")} of {path} '
                            f'{"gathered" if loaded.is_gathered else "loaded"}.', _reasons('Not loaded', loaded))
     except (ParameterToolError, OSError, ValueError) as error:
         return file_markup(_sentence(error), is_bad=True)
@@ -85,8 +86,8 @@ def _look_before_saving(panel: FilePanel, path: str, changed_only: bool) -> dict
     if target.exists():
         word = 'Replace'
         notes.insert(0, f'{path} is there already, and will be replaced{_what_it_holds(target, panel.node)}.')
-    return {'markup': file_markup(f'{_values(count)} of {panel.node} will be written.', notes), 'button': word,
-            'can': True}
+    told = f'{format_count(count, "value")} of {panel.node} will be written.'
+    return {'markup': file_markup(told, notes), 'button': word, 'can': True}
 
 
 def _what_it_holds(path: Path, node: str) -> str:
@@ -103,7 +104,7 @@ def _look_before_loading(panel: FilePanel, path: str) -> dict[str, Any]:
     for row in preview:
         if row.verdict == OTHER_NODE:
             others[row.block] = others.get(row.block, 0) + 1
-    notes = [f'{_values(count)} for {block}: not for this node.' for block, count in others.items()]
+    notes = [f'{format_count(count, "value")} for {block}: not for this node.' for block, count in others.items()]
     rows = [words for row, words in zip(preview, preview.rows()) if row.verdict not in (SAME, OTHER_NODE)]
     # What will change stands first.
     rows.sort(key=lambda words: words[3] != CHANGES)
@@ -113,10 +114,6 @@ def _look_before_loading(panel: FilePanel, path: str) -> dict[str, Any]:
 
 def _reasons(word: str, left: Mapping[str, str]) -> list[str]:
     return [f'{word}: {name}, {reason}.' for name, reason in left.items()]
-
-
-def _values(count: int) -> str:
-    return f'{count} value{"" if count == 1 else "s"}'
 
 
 def _sentence(error: Exception) -> str:

@@ -9,7 +9,9 @@ in that of ``settle``, with the panel's lock held. No lock is held while a reque
 no lock of a panel at all.
 """
 
+import contextlib
 import html
+import queue
 import threading
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -24,6 +26,7 @@ from param_tutorial.errors import (
     ParameterFileError,
     ParameterNotDeclaredError,
     ParameterToolError,
+    WaitTimeoutError,
     describe_error,
 )
 from param_tutorial.parameters import values
@@ -35,6 +38,7 @@ from param_tutorial.parameters.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter
 from param_tutorial.parameters.text import format_value
 from param_tutorial.pictures.panel import PanelRow, arrange, panel_markup
 from param_tutorial.pictures.styles import sheet, style
+from param_tutorial.pictures.wording import format_count
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.runtime.waiting import wait_until
@@ -92,6 +96,9 @@ class ParameterPanel(View):
         self._controls: dict[str, Control] = {}
         self._in_order = names is not None
         self._edits = Edits(self._state, self._bring)
+        # What a person presses is done in that order, each when the one before has its answers.
+        self._jobs: queue.SimpleQueue[Callable[[], object]] = queue.SimpleQueue()
+        self._acting = threading.RLock()
         self._followed: list[tuple[str, LiveParameter]] = []
         self._rows: list[PanelRow] | None = None
         # What is wanted together, by name; None if each change is sent at once.
@@ -111,7 +118,7 @@ class ParameterPanel(View):
         elif self._live.status:
             fact = 'not available'
         else:
-            fact = f'{len(self._controls)} parameter{"" if len(self._controls) == 1 else "s"}'
+            fact = format_count(len(self._controls), 'parameter')
         return f'<ParameterPanel: {self._node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
@@ -169,17 +176,18 @@ class ParameterPanel(View):
         :return: Why the node rejected it, in which case it stays gathered; empty if it was accepted.
         :raises WaitTimeoutError: the node does not answer in time.
         """
-        wanted = self._gathered or {}
-        self.settle()
-        with self._edits.as_one():
-            try:
-                self._note = self._set_together(wanted)
-            except ParameterToolError as error:
-                self._note = describe_error(error)
-            if not self._note:
-                self._gathered = None
+        with self._acting:
+            wanted = self._gathered or {}
             self.settle()
-        return self._note
+            with self._edits.as_one():
+                try:
+                    self._note = self._set_together(wanted)
+                except ParameterToolError as error:
+                    self._note = describe_error(error)
+                if not self._note:
+                    self._gathered = None
+                self.settle()
+            return self._note
 
     def dump(self, *, changed_only: bool = False) -> Dump:
         """Return the values that the panel shows as a parameter file.
@@ -231,8 +239,11 @@ class ParameterPanel(View):
         :raises NodeError: the node is not there, or does not answer.
         :raises WaitTimeoutError: the node does not answer in time.
         """
-        self.settle()
-        preview = self.preview(path)
+        with self._acting:
+            self.settle()
+            return self._load(self.preview(path))
+
+    def _load(self, preview: FilePreview) -> Loaded:
         wanted = preview.accepted
         left = preview.left_out
         if self._gathered is not None:
@@ -269,16 +280,18 @@ class ParameterPanel(View):
 
         :raises WaitTimeoutError: the node does not answer in time.
         """
-        self.settle()
-        self._not_restored = self._edits.undo()
+        with self._acting:
+            self.settle()
+            self._not_restored = self._edits.undo()
 
     def redo(self) -> None:
         """Do again what was taken back last, and wait until the node has done so; see ``not_restored``.
 
         :raises WaitTimeoutError: the node does not answer in time.
         """
-        self.settle()
-        self._not_restored = self._edits.redo()
+        with self._acting:
+            self.settle()
+            self._not_restored = self._edits.redo()
 
     def reset(self, *names: str) -> None:
         """Set parameters back to what the panel first saw, and wait until the node has it; see ``not_restored``.
@@ -288,10 +301,11 @@ class ParameterPanel(View):
         :param names: By default all.
         :raises WaitTimeoutError: the node does not answer in time.
         """
-        self.settle()  # what was entered just now may still be on its way
-        with self._edits.as_one():
-            self._not_restored = self._bring({name: value for name, value in self.changed.items()
-                                              if not names or name in names})
+        with self._acting:
+            self.settle()  # what was entered just now may still be on its way
+            wanted = {name: value for name, value in self.changed.items() if not names or name in names}
+            with self._edits.as_one():
+                self._not_restored = self._bring(wanted)
 
     def _bring(self, wanted: State) -> dict[str, str]:
         """Ask for values until the node has them; return the reasons for those that it does not take."""
@@ -328,8 +342,14 @@ class ParameterPanel(View):
             job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
                                          'reset': lambda: self.reset(*names), 'gather': self.gather,
                                          'discard': self.discard, 'apply': self.apply}[content['do']]
+            self._jobs.put(job)
             # It waits for the node, and the kernel must not.
-            threading.Thread(target=job, name=f'{content["do"]} on the panel of {self._node}', daemon=True).start()
+            threading.Thread(target=self._do_next, name=f'{content["do"]} on the panel of {self._node}',
+                             daemon=True).start()
+
+    def _do_next(self) -> None:
+        with self._acting, contextlib.suppress(WaitTimeoutError):  # the panel shows what was not answered
+            self._jobs.get()()
 
     def _enter(self, content: dict[str, Any]) -> None:
         control = self._controls.get(content['name'])
@@ -383,7 +403,7 @@ class ParameterPanel(View):
         if self._gathered is None:
             return {}
         count = len(self._gathered)
-        told = f'{count} change{"" if count == 1 else "s"} gathered, not sent yet.'
+        told = f'{format_count(count, "change")} gathered, not sent yet.'
         return {'gathered': count, 'note': f'{told}\nRejected: {self._note}' if self._note else told}
 
     def _take(self, control: Control, value: Any, grip: object) -> None:
@@ -517,7 +537,7 @@ class ParameterBrowser(FollowingView):
         nodes = self._catalog.nodes if self._catalog else {}
         found = self.find(self._search) if self._search.strip() else dict.fromkeys(nodes, ())
         shown = [node for node in nodes.values() if node.name in found or node.name in self._panels]
-        status = 'no executor is running' if self._catalog is None else f'{len(nodes)} node{"s" * (len(nodes) != 1)}'
+        status = 'no executor is running' if self._catalog is None else format_count(len(nodes), 'node')
         if self._search.strip():
             status += f', {sum(map(len, found.values()))} parameters found in {len(found)}'
         self._front.state = {'status': status, 'nodes': [
@@ -545,5 +565,4 @@ class ParameterBrowser(FollowingView):
 def _says(node: CatalogNode) -> str:
     if node.problem:
         return node.problem
-    count = len(node.descriptors)
-    return f'{count} parameter{"" if count == 1 else "s"}' if node.is_read else 'asking …'
+    return format_count(len(node.descriptors), 'parameter') if node.is_read else 'asking …'
