@@ -334,8 +334,9 @@ def values_after_launch(text: str) -> dict[str, Any]:
             if new() and LAUNCHED not in new():
                 raise NoUse(f'a node `{LAUNCHED}`', f'there came a `{min(new())}`')
             wait_until(lambda: is_there(ros) or not terminal.is_running, LAUNCHED, ANSWER_SEC)
-            return dict(ParameterClient(LAUNCHED, timeout_sec=ANSWER_SEC).get_parameters(
-                ['cart_id', *settings(1.5, 0.6)]))
+            if is_there(ros):
+                return dict(ParameterClient(LAUNCHED, timeout_sec=ANSWER_SEC).get_parameters(
+                    ['cart_id', *settings(1.5, 0.6)]))
         except (NodeError, WaitTimeoutError):
             pass  # it has never come, or has ended in its constructor
         finally:
