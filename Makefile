@@ -43,8 +43,14 @@ class: setup  ## one table of a class's progress files: make class FOLDER=…, w
 hub: setup  ## start JupyterHub for a class on this machine: see environment/jupyterhub/README.md
 	@$(VENV) environment/jupyterhub/hub.py $(ARGS)
 
-test: setup-all  ## run the whole test suite, as CI does
-	@$(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval $(ARGS) tests notebooks
+SUITE := $(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval
+
+# All but the tests marked `thorough`.
+test: setup-all  ## run the test suite before you commit: every notebook is a test
+	@$(SUITE) -m "not thorough" $(ARGS) tests notebooks
+
+test-all: setup-all  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, each answer; CI runs it
+	@$(SUITE) $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit
@@ -98,4 +104,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class test test-fast test-pythons test-beside-ros play stranger html lesson bench lint lock clean
+.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-beside-ros play stranger html \
+    lesson bench lint release lock clean

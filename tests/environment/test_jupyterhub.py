@@ -21,7 +21,7 @@ import websocket
 from tests.support.lab import TIMEOUT_SEC, wait_for
 from tests.support.paths import ROOT
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(500)]
+pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(500)]
 
 PASSWORD = 'long-enough-a-secret'
 CHAPTER = '01_what_are_parameters.ipynb'

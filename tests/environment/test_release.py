@@ -16,7 +16,7 @@ import pytest
 from tests.support.lab import wait_for
 from tests.support.paths import ROOT
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(400)]
+pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(400)]
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -187,6 +187,7 @@ AS_PYPY = ('import platform, runpy, sys; sys.argv = sys.argv[1:]; platform.pytho
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_another_python_is_found_when_python3_will_not_do(checkout, tmp_path):
     # A name that is found but doesn't run, as pyenv's shim of a version that isn't selected.
     for name, text in {'python3.12': 'exit 127', 'python3.13': f'exec "{sys.executable}" "$@"'}.items():
@@ -212,6 +213,7 @@ def test_make_names_a_python_that_does_not_run(checkout):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_learner_gets_what_lessons_need_and_the_rest_is_added_when_asked_for(checkout):
     checkout.run()
     assert checkout.has('param_tutorial') and not checkout.has('six')
@@ -226,6 +228,7 @@ def test_a_learner_gets_what_lessons_need_and_the_rest_is_added_when_asked_for(c
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_second_run_does_nothing(checkout):
     assert 'is done' in checkout.run().out
     (checkout.root / 'build').rename(checkout.root / 'gone')
@@ -235,6 +238,7 @@ def test_a_second_run_does_nothing(checkout):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_stale_venv_is_made_afresh(checkout):
     checkout.run()
     mark = checkout.mark()
@@ -250,6 +254,7 @@ def test_a_stale_venv_is_made_afresh(checkout):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_the_venv_of_an_older_set_up_is_made_afresh(checkout):
     """Its stamp says other things; it is the course's all the same."""
     checkout.run()
@@ -260,6 +265,7 @@ def test_the_venv_of_an_older_set_up_is_made_afresh(checkout):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_checkout_that_was_moved_gets_a_new_venv(checkout):
     checkout.run()
     mark = checkout.mark()
@@ -272,6 +278,7 @@ def test_a_checkout_that_was_moved_gets_a_new_venv(checkout):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_another_python_asked_for_makes_it_afresh(checkout):
     """As far as this machine happens to have another one."""
     checkout.run()
@@ -284,6 +291,7 @@ def test_another_python_asked_for_makes_it_afresh(checkout):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_an_interrupted_set_up_starts_afresh(checkout, blocked):
     with checkout.start() as process, blocked.open('w'):
         os.killpg(process.pid, signal.SIGKILL)
@@ -295,6 +303,7 @@ def test_an_interrupted_set_up_starts_afresh(checkout, blocked):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_two_runs_at_once_make_it_once(checkout, blocked):
     first = checkout.start()
     # This waits until the first run reads from the pipe, and it reads on until the pipe is closed.
@@ -327,6 +336,7 @@ def test_a_package_with_another_hash_is_not_installed(checkout):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_library_that_is_broken_is_found_at_once(checkout):
     checkout.package.write_text('import no_such_library\n')
     said = checkout.run(status=1)
@@ -342,6 +352,7 @@ def test_a_checkout_that_cannot_be_written_to_is_named(checkout):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_sourced_ros_does_not_reach_the_new_environment(checkout, tmp_path):
     (tmp_path / 'six.py').touch()
     (tmp_path / 'contextlib.py').write_text('raise ImportError("from another Python")\n')

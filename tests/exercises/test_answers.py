@@ -22,7 +22,8 @@ def pytest_generate_tests(metafunc):
     if metafunc.cls:
         answers, names = metafunc.function.cases
         metafunc.parametrize(names, [
-            pytest.param(number, *each, id=f'{number}-{position}') for number, all_of_it in answers.items()
+            pytest.param(number, *each, id=f'{number}-{position}', marks=() if position < 2 else pytest.mark.thorough)
+            for number, all_of_it in answers.items()
             if metafunc.cls.first <= int(EXERCISES[number].chapter[:2]) <= metafunc.cls.last
             for position, each in enumerate(all_of_it)])
 

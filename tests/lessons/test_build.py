@@ -65,6 +65,7 @@ def test_there_is_one_whole_site_at_whatever_step_the_build_ends(tmp_path, monke
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 @pytest.mark.parametrize('when', ['workers start', 'kernels run'])
 def test_no_process_outlives_a_build(tmp_path, number, when):

@@ -14,7 +14,7 @@ from tests.support.lab import CourseLab, wait_for
 from tests.support.network import Host, Network, Python, missing
 from tests.support.paths import NOTEBOOKS, ROOT
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(400)]
+pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(400)]
 
 NODE = '''
 import param_tutorial

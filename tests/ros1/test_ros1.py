@@ -46,12 +46,14 @@ def scene_file(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_the_real_ros1_says_what_was_recorded(needs_ros1):
     done = asked()
     assert done.returncode == 0, done.stdout + done.stderr
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_another_answer_is_a_difference(needs_ros1, scene_file):
     done = asked(scene_file("/robot>>> rospy.set_param('~gain', 1)\n... rospy.get_param('~gain')\n2"))
     assert done.returncode == 1
@@ -59,6 +61,7 @@ def test_another_answer_is_a_difference(needs_ros1, scene_file):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_what_cannot_be_done_is_told_and_leaves_no_process(needs_ros1, scene_file):
     done = asked(scene_file('/robot>>> 1\n1\n! the robot sings'))
     assert done.returncode == 2

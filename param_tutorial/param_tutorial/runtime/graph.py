@@ -146,7 +146,7 @@ def _half(participant: bytes) -> int:
     return int.from_bytes(participant[4:6], 'little')
 
 
-# For so long a node whose name is not in the graph may be about to come.
+# For so long a node of which nothing is in the graph may be about to come.
 _LEFT_SEC = 1.0
 
 
@@ -172,14 +172,25 @@ def wait_for_service(is_ready: Callable[[], bool], node: str, service: str, obse
             return True
         if is_announced and not is_there:
             return False
-        # A service may be known before the node that has it, so that one which has not come yet seems to have left.
-        if machine_time() > began + _LEFT_SEC and not any(
-                _joined(*each) == node for each in observer.get_node_names_and_namespaces()):
+        if machine_time() > began + _LEFT_SEC and has_left(node, observer):
             return False
         if machine_time() >= deadline:
             raise WaitTimeoutError(f'timed out after {patience_sec:g} s waiting for {service} of {node}: was the node '
                                    f'created with start_parameter_services=False?')
         time.sleep(_LOOK_PERIOD_SEC)
+
+
+def has_left(node: str, observer: Node) -> bool:
+    """True if nothing of a node that was there is in the graph any more.
+
+    Its name alone says little: it comes in a message of its own, which Fast DDS repeats only after three seconds if it
+    gets lost, and by then the node's services may have been known for long.
+
+    :param node: Fully qualified.
+    """
+    return (all(_joined(*each) != node for each in nodes_in_graph(observer))
+            and not any(observer.get_subscriptions_info_by_topic(f'rq{node}/{service}Request', no_mangle=True)
+                        for service in SERVICE_TYPES))
 
 
 def _has_announced_services(node: str, observer: Node) -> bool:

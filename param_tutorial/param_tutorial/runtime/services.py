@@ -242,7 +242,7 @@ class Services:
 
     def _is_gone(self, node: str, client: Client) -> bool:
         """True if a node that was there has left. On a busy machine a service alone may seem gone for a moment."""
-        return not client.service_is_ready() and node not in self.node_names(hidden=True)
+        return not client.service_is_ready() and graph.has_left(node, self._tool_node)
 
     def _found(self, node: str, service: str, discovery_timeout_sec: float) -> Client:
         client = self._client(node, service)
