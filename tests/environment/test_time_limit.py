@@ -32,6 +32,7 @@ def test_after():
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_what_hangs_is_named_and_ended_and_the_others_run(tmp_path):
     (tmp_path / 'test_earlier.py').write_text('def test_that_is_done():\n    pass\n')
     (tmp_path / 'test_hanging.py').write_text(HANGING)

@@ -6,10 +6,11 @@ from tests.support.hostile import IN_THE_CELL, LINES, PLACES, attempt, started
 
 pytestmark = pytest.mark.slow
 
-# The commonest line everywhere; every other line in a callback, and in one more place by turns. `python -m
+# The commonest line everywhere; every other line in a callback, and thoroughly in one more place by turns. `python -m
 # tests.tools.hostile` tries all of them everywhere.
 TRIED = [('spin', place) for place in PLACES] + [
-    (name, place) for turn, name in enumerate(name for name in LINES if name != 'spin')
+    pytest.param(name, place, marks=() if place == 'timer' else pytest.mark.thorough)
+    for turn, name in enumerate(name for name in LINES if name != 'spin')
     for place in dict.fromkeys(('timer', list(PLACES)[turn % len(PLACES)]))]
 
 

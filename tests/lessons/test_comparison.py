@@ -74,6 +74,7 @@ def notebook(tmp_path_factory):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_the_verdict_is_that_of_pytest(notebook):
     path, executed = notebook
     ours = {name: not cell.difference(new.outputs)
@@ -89,6 +90,7 @@ def test_the_verdict_is_that_of_pytest(notebook):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_difference_names_what_differs_and_shows_the_lines(notebook):
     path, executed = notebook
     told = {name: cell.difference(new.outputs)
@@ -100,6 +102,7 @@ def test_a_difference_names_what_differs_and_shows_the_lines(notebook):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_comparing_leaves_the_outputs_as_they_are(notebook):
     path, _ = notebook
     pieces = [printed('1\n'), printed('2\n')]

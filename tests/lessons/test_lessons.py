@@ -25,6 +25,7 @@ def write(path, *cells):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_chapter_that_does_what_is_stored(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('print(1)', '1\n'), ('# NBVAL_IGNORE_OUTPUT\nprint(id(print))', '2\n'))
     assert list(run.cells_with_widgets(run.read_notebook(path))) == []
@@ -32,6 +33,7 @@ def test_a_chapter_that_does_what_is_stored(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('x = 1', ''), ('print(x)\nprint(2)', '7\n2\n'))
     with pytest.raises(run.ChapterError) as error:
@@ -42,6 +44,7 @@ def test_a_chapter_whose_output_is_not_the_stored_one(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_chapter_that_fails(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('1 / 0', ''))
     with pytest.raises(run.ChapterError, match=r'1_a\.ipynb, cell 2 \(1 / 0\): it raises ZeroDivisionError: division'):
@@ -49,6 +52,7 @@ def test_a_chapter_that_fails(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_chapter_that_was_not_run(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('x = 1', ''))
     notebook = nbformat.read(path, as_version=4)
@@ -116,6 +120,7 @@ def recorded(ros):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_answers_are_the_nodes_and_the_node_is_as_before(recorded):
     node, recording = recorded
     least, most, label = (rows_of(recording)[name]['answers'] for name in ('least', 'most', 'label'))
@@ -131,6 +136,7 @@ def test_answers_are_the_nodes_and_the_node_is_as_before(recorded):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_who_depends_on_whom_is_found_out_and_recorded(recorded):
     _, recording = recorded
     rows = rows_of(recording)
@@ -164,6 +170,7 @@ def test_a_node_that_takes_nothing_back_is_not_asked_further(ros):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_panel_whose_node_is_not_there(ros):
     panel = ParameterPanel('/nobody')
     recording = recorder.record(panel.model_id, NO_PAGE)

@@ -122,6 +122,7 @@ def test_a_robot_is_recorded_at_rest_and_with_its_drive(ros):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_every_combination_of_what_the_sliders_offer_is_filmed_once_for_a_page(ros):
     robot = ros.add(ClawbotNode, real_time=False)
     view = RobotView(robot)
