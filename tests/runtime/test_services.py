@@ -113,3 +113,22 @@ def test_clients_of_a_namespace_are_forgotten_and_made_again(ros):
     ros.run(lambda: ros.services.forget('/trial'), 'forget')
     assert not [key for key in ros.services._clients if key[0].startswith('/trial/')]
     assert ros.services.call('/trial/talker', 'list_parameters', ListParameters.Request()).result.names
+
+
+def test_clients_of_a_node_that_has_left_are_not_kept(ros):
+    before = len(list(ros.tool_node.clients))
+    for _ in range(3):
+        ros.add(SimpleParamNode)
+        assert ros.services.call(ROBOT, 'list_parameters', ListParameters.Request()).result.names
+        ros.remove_all()
+    wait_until(lambda: len(list(ros.tool_node.clients)) <= before, 'the clients to end', timeout_sec=20.0)
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+def test_a_node_is_answered_for_however_often_it_was_made_anew(ros):
+    """On a busy machine, a client that had outlived some two hundred servers got no answer for seconds."""
+    for _ in range(300):
+        ros.add(SimpleParamNode)
+        ros.services.call(ROBOT, 'list_parameters', ListParameters.Request())
+        ros.services.call(ROBOT, 'get_parameters', GetParameters.Request(names=['max_speed_rpm']))

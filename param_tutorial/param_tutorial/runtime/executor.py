@@ -25,7 +25,7 @@ from rclpy.signals import SignalHandlerOptions
 
 from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, rclpy_private
-from param_tutorial.runtime.graph import incarnations
+from param_tutorial.runtime.graph import Incarnations, incarnations
 from param_tutorial.runtime.listeners import Listeners
 from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_init, is_managed, prepare
 from param_tutorial.runtime.node_log import NodeLog
@@ -131,7 +131,7 @@ class BackgroundExecutor:
         self._nodes: list[Node] = []
         self._event_listeners: Listeners[[ParameterEvent]] = Listeners()
         self._graph_listeners: Listeners[[]] = Listeners()
-        self._incarnations: frozenset[tuple[str, bytes]] = frozenset()
+        self._incarnations: Incarnations = frozenset()
         self._stopping = False
         self._executor = rclpy_private.new_executor(self.context)
         self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
@@ -504,8 +504,8 @@ class BackgroundExecutor:
         nodes = incarnations(self.tool_node)
         if nodes == self._incarnations:
             return False
-        self._incarnations = nodes
-        self.services.graph_changed()
+        before, self._incarnations = self._incarnations, nodes
+        self.services.graph_changed(before, nodes)
         self._graph_listeners.call()
         return True
 

@@ -71,7 +71,10 @@ def _has_endpoints(observer: Node, name: str, namespace: str) -> bool:
         return False
 
 
-def incarnations(observer: Node) -> frozenset[tuple[str, bytes]]:
+Incarnations = frozenset[tuple[str, bytes]]
+
+
+def incarnations(observer: Node) -> Incarnations:
     """Return the fully qualified name of each node, with the DDS identity of its publisher on /parameter_events.
 
     A restarted node has the same name and another identity.

@@ -5,6 +5,7 @@ mid-call. What the requests mean is in ``client``.
 """
 
 import threading
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -39,6 +40,11 @@ _QUESTIONS = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'l
 _REPEAT_PERIOD_SEC = 0.7
 # How long to wait for an answer once more, when a callback had kept the executor's thread and no longer does.
 _SECOND_CHANCE_SEC = 1.5
+# Requests of a client that has outlived some two hundred servers reach the next one only with a heartbeat of Fast DDS
+# 2.14, after up to three seconds; those of a new client at once. On a busy machine: 14 of 260 against 0 of 300.
+_MOST_OUTLIVED = 50
+# A thread may have got hold of a client just before nobody else was to use it.
+_RETIREMENT_SEC = 5.0
 
 
 def full_name(node: str | Node) -> str:
@@ -66,6 +72,14 @@ class _PendingCall:
     """In machine time."""
 
 
+@dataclass(eq=False)
+class _RetiredClient:
+    node: str
+    client: Client
+    since: float
+    """In machine time."""
+
+
 class Services:
     """Calls parameter services through one node that an executor spins in another thread."""
 
@@ -83,6 +97,8 @@ class Services:
         self._pending: dict[Future, _PendingCall] = {}
         self._generation = 0
         self._greeted: dict[str, int] = {}
+        self._outlived: Counter[str] = Counter()
+        self._retired: list[_RetiredClient] = []
         self._lock = threading.RLock()
 
     def node_names(self, *, hidden: bool = False) -> list[str]:
@@ -162,9 +178,22 @@ class Services:
         self._wait_for_answer(client, node, 'set_parameters', SetParameters.Request(), timeout_sec, repeat=True)
         self._greeted[node] = generation
 
-    def graph_changed(self) -> None:
+    def graph_changed(self, before: graph.Incarnations, now: graph.Incarnations) -> None:
         """Take note that nodes came, went or were replaced; the executor's thread calls this."""
         self._generation += 1
+        present = {name for name, _ in now}
+        for name in {name for name, _ in before - now}:
+            self._outlived[name] += 1
+            if name not in present or self._outlived[name] >= _MOST_OUTLIVED:
+                self._retire(name)
+
+    def _retire(self, node: str) -> None:
+        """Let the next calls of a node have new clients."""
+        with self._lock:
+            self._retired += [_RetiredClient(node, self._clients.pop(key), machine_time())
+                              for key in list(self._clients) if key[0] == node]
+            self._greeted.pop(node, None)
+            del self._outlived[node]
 
     def call_async(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC) -> Future:
         """Call a parameter service of a node that is known to be there, without waiting.
@@ -190,19 +219,24 @@ class Services:
         and a hundred of them make it five times as long.
         """
         with self._lock:
+            for node in {node for node, _ in self._clients if node.startswith(f'{namespace}/')}:
+                self._retire(node)
+        self._end_retired(lambda each: each.node.startswith(f'{namespace}/'))
+
+    def _end_retired(self, choose: Callable[[_RetiredClient], bool]) -> None:
+        with self._lock:
             waiting = [call.client for call in self._pending.values()]
-            unused = [key for key, client in self._clients.items()
-                      if key[0].startswith(f'{namespace}/') and not any(client is other for other in waiting)]
-            clients = [self._clients.pop(key) for key in unused]
-            for node, _ in unused:
-                self._greeted.pop(node, None)
-        for client in clients:
-            self._tool_node.destroy_client(client)
+            ended = [each for each in self._retired
+                     if choose(each) and not any(each.client is client for client in waiting)]
+            self._retired = [each for each in self._retired if each not in ended]
+        for each in ended:
+            self._tool_node.destroy_client(each.client)
 
     def expire(self) -> None:
-        """Fail the calls whose node is gone or late; the executor's thread calls this now and then."""
+        """Fail the calls whose node is gone or late, and end clients without use; the executor's thread calls this."""
         with self._lock:
             pending = list(self._pending.items())
+        self._end_retired(lambda each: machine_time() > each.since + _RETIREMENT_SEC)
         for future, call in pending:
             if call.timeout_sec is None:
                 continue
