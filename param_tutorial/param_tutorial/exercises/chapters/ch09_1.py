@@ -30,7 +30,7 @@ NAMES = 'Names'
 
 
 fill = Exercise('9.1a', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='drive', hints=(
-    'What ROS 1 calls `~gains/kp` is private to its node. In ROS 2 each parameter is, so the `~` goes, and a dot '
+    'What ROS 1 calls `~gains/kp` is private to its node. In ROS 2 every parameter is, so the `~` goes, and a dot '
     'takes the place of the slash.',
     'The default settles the type: both numbers are doubles, so each default has a dot.',
     'The last gap is the value of the gain, read when `command` needs it: `self.get_parameter(…).value`.'))
