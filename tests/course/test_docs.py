@@ -75,7 +75,8 @@ def _minutes(text):
 
 
 def _hours(minutes):
-    return f'{minutes // 60} h {minutes % 60}'
+    hours, rest = divmod(minutes, 60)
+    return f'{hours} h {rest}' if rest else f'{hours} h'
 
 
 @pytest.mark.parametrize('name', CHAPTERS)

@@ -2,6 +2,8 @@
 
 from xml.etree import ElementTree
 
+import pytest
+
 from param_tutorial.pictures.tables import Markup, grouped_table, table, with_code
 
 
@@ -55,3 +57,13 @@ def test_markup_goes_in_as_it_is():
     assert found.findtext('tbody/tr/td/pre') == 'x'
     assert found.findtext('tbody/tr/td/code') == '<x>'
     assert ''.join(found.findall('tbody/tr/td')[1].itertext()) == 'see <x> & go'
+
+
+@pytest.mark.parametrize(('text', 'shown'), [
+    ('see `a * b * c` & go', 'see <code>a * b * c</code> &amp; go'),
+    ('it says *Must be positive.* twice', 'it says <em>Must be positive.</em> twice'),
+    ('in `*` and *bold*, `*`', 'in <code>*</code> and <em>bold</em>, <code>*</code>'),
+    *[(each, each) for each in ('2*x*3', '/*/a and /*', 'f(*args, **more)', '*.yaml and *.txt')],
+])
+def test_code_and_words_that_stand_out(text, shown):
+    assert with_code(text) == shown

@@ -9,6 +9,9 @@ from collections.abc import Iterable, Mapping, Sequence
 
 Row = Sequence[str]
 
+# Words begin and end with a letter; the asterisks of patterns and of arithmetic stay.
+_CODE_OR_WORDS = re.compile(r'`([^`]+)`|(?<![\w*])\*([A-Za-z][^*`\n]*[A-Za-z.])\*(?![\w*])')
+
 
 class Markup(str):
     """HTML that is complete, and must not be escaped again."""
@@ -17,8 +20,10 @@ class Markup(str):
 
 
 def with_code(text: str) -> Markup:
-    """Return a text as HTML in which what stands between backquotes is code."""
-    return Markup(re.sub(r'`([^`]+)`', r'<code>\1</code>', html.escape(text, quote=False)))
+    """Return a text as HTML in which what stands between backquotes is code, and words between asterisks stand out."""
+    return Markup(_CODE_OR_WORDS.sub(
+        lambda found: f'<code>{found[1]}</code>' if found[1] else f'<em>{found[2]}</em>',
+        html.escape(text, quote=False)))
 
 
 def table(columns: Sequence[str], rows: Iterable[Row], *, css_class: str = '', caption: str = '',

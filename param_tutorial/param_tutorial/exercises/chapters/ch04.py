@@ -19,7 +19,7 @@ FALLBACK = 'Several at once, and a fallback'
 START = 'Which value does a node start with?'
 
 read = Exercise('4a', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
-    'The method needs the value that the parameter has when somebody calls the method.',
+    'The method needs the value that the parameter has when someone calls the method.',
     '`self.get_parameter(name)` returns an object; the number in it is its `.value`.',
     'Python’s `min(a, b)` is the smaller of two numbers, so the method is one line: `return min(wanted_rpm, ...)`.'))
 

@@ -143,8 +143,8 @@ foresee = Exercise('7.1b', 'Predict what comes back', CHAPTER, DICTIONARY, hints
     'what the reader makes of what is written there.',
     'To rcl, `n` is a boolean and `2e3` is a number, and a string in quotes stays a string. `load` reads by the rules '
     'of YAML 1.1, twice, and the first reading removes the quotes.',
-    'rcl makes an empty array a parameter that is declared and has no value: `None`. If a node rejects a value, the '
-    'old one stays.'))
+    'rcl turns an empty array into a parameter that is declared and has no value: `None`. If a node rejects a value, '
+    'the old one stays.'))
 
 
 def require_start(text: str, because: Mapping[object, str], see: str = LOOKS_LIKE) -> None:

@@ -30,7 +30,7 @@ NAMES = 'Names'
 
 
 fill = Exercise('9.1a', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='drive', hints=(
-    'What ROS 1 calls `~gains/kp` is private to its node. In ROS 2 each parameter is, so the `~` goes, and a dot '
+    'What ROS 1 calls `~gains/kp` is private to its node. In ROS 2 every parameter is, so the `~` goes, and a dot '
     'takes the place of the slash.',
     'The default settles the type: both numbers are doubles, so each default has a dot.',
     'The last gap is the value of the gain, read when `command` needs it: `self.get_parameter(…).value`.'))
@@ -176,7 +176,7 @@ translate = Exercise('9.1c', 'Translate a file', CHAPTER, TEXT, hints=(
     'with dots.',
     'Read each value as rcl does. `1` and `2` are integers where doubles were declared, a list has one type, and `1e5` '
     'is a number unless it stands in quotes.',
-    'What belonged to everybody goes into a block `/**:`, with `ros__parameters` below it as well.'))
+    'What belonged to everyone goes into a block `/**:`, with `ros__parameters` below it as well.'))
 
 
 # What tells whether a node has started with the file, and holds something of its own block.
@@ -261,7 +261,7 @@ def frame(trial: Trial) -> None:
     for node_class in (TranslatedDrive, TranslatedCamera):
         take_for_granted_that_it_starts(trial, node_class, is_reached=False)
         expect_values(trial, node_class, {'base_frame': 'base_link'},
-                      'Nothing belongs to everybody any more: the key `/**` gives it to each node')
+                      'Nothing belongs to everyone any more: the key `/**` gives it to each node')
 
 
 EXERCISES = (fill, mend, translate)

@@ -9,7 +9,7 @@ RECALLS = (
         wrong('double: a speed needs decimals', 'The name of a parameter says nothing about its type. In Python `1` '
               'is an `int`; write `1.0` for a double.'),
         right('integer', 'The default decides the type, and `1` is an `int`.'),
-        wrong('none, until somebody sets a value', 'The declaration fixes the type at once: it is the type of the '
+        wrong('none, until someone sets a value', 'The declaration fixes the type at once: it is the type of the '
               'default.')),
            chapter='3', section='Build it: one declaration, one type'),
     Recall('4-r2', 'Two robots run the same program, each under its own name. You set the speed of the first to '

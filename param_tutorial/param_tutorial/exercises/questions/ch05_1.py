@@ -6,13 +6,13 @@ SOLVED = 'A dot, a quote, a pair of quotes: you spell values so that they arrive
 
 RECALLS = (
     Recall('5.1-r1', 'A node copied `max_speed_rpm` into an attribute in its constructor, and its timer uses '
-           'that attribute. Somebody sets the parameter from 100 to 150, and the node accepts. How fast does it '
+           'that attribute. Someone sets the parameter from 100 to 150, and the node accepts. How fast does it '
            'drive?', (
         wrong('150: it has accepted', 'Accepting a value stores it in the parameter. The copy knows nothing of '
               'that.'),
         right('100', 'The parameter says 150, but the node still uses its copy.')),
            chapter='4', section='Change it: when does a node notice?'),
-    Recall('5.1-r2', 'A parameter is a double. Somebody sends it the integer 1. What does the node do?', (
+    Recall('5.1-r2', 'A parameter is a double. Someone sends it the integer 1. What does the node do?', (
         wrong('It converts it, and stores 1.0', 'An rclpy node does not convert, not even an integer to a double.'),
         wrong('It stores the integer 1', 'The declaration fixed the type. An integer is another type.'),
         right('It rejects the value', 'The node does not convert: an integer is the wrong type for a double.')),
@@ -30,7 +30,7 @@ PREDICTIONS = (
     Prediction('5.1-2', 'You have set the speed to 150. What has the node logged about it?', (
         wrong('that its speed has changed', 'A node logs what its program tells it to log. This program has no line '
               'for a change.'),
-        wrong('a warning that somebody else changed it', 'A node does not mind who sets its parameters. It does not '
+        wrong('a warning that someone else changed it', 'A node does not mind who sets its parameters. It does not '
               'even learn who did.'),
         right('nothing', 'The node stored the value, and none of its own lines ran.'))),
     Prediction('5.1-3', 'The acceleration is a double, the speed an integer, the name a string. How many of these four '

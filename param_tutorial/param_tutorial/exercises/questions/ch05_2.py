@@ -11,7 +11,7 @@ RECALLS = (
               'script has to read that answer.'),
         right('0', 'The command did its work: it sent the request and printed the answer.')),
            chapter='5.1', section='Break it: rejections and mistakes'),
-    Recall('5.2-r2', "A node keeps `speed = self.get_parameter('max_speed_rpm')`. Later somebody changes the "
+    Recall('5.2-r2', "A node keeps `speed = self.get_parameter('max_speed_rpm')`. Later someone changes the "
            'parameter. What is `speed.value`?', (
         right('the old value', 'The object keeps the value that it had when the node took it.'),
         wrong('the new value', 'The object is not connected with the node. Ask again with `get_parameter`.')),
@@ -28,7 +28,7 @@ PREDICTIONS = (
         right('two', 'The callback rejects the speed and the acceleration: its comparisons are never true. The other '
               'two pass, because it does not look at them.'),
         wrong('none', 'The callback looks at the speed and the acceleration only. The other two commands succeed.'))),
-    Prediction('5.2-2', 'The speed is 100, and somebody sets 150. What does `get_parameter` return within the on-set '
+    Prediction('5.2-2', 'The speed is 100, and someone sets 150. What does `get_parameter` return within the on-set '
                'callback?', (
         wrong('150', 'While the on-set callback runs, nothing is stored. 150 is a proposal, which may still be '
               'rejected.'),

@@ -6,7 +6,7 @@ SOLVED = 'Your ranges hold, and each parameter has a descriptor of its own.'
 
 RECALLS = (
     Recall('6.1-r1', 'The description of a parameter says *Must be positive*, and the descriptor says nothing '
-           'else. Somebody sets it to -5. What does the node do?', (
+           'else. Someone sets it to -5. What does the node do?', (
         right('It accepts', 'A description is for people. Nothing enforces it.'),
         wrong('It rejects the value', 'A description is for people, and rclpy does not read it. A range enforces '
               'a limit, or a callback does.'),

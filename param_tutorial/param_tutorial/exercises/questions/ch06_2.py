@@ -36,7 +36,7 @@ PREDICTIONS = (
         right('byte array', 'It is the first array type that an empty list fits, and no string or number will ever go '
               'in.'),
         wrong('the declaration fails', 'The node starts without a word. It has a byte array, and that shows only when '
-              'somebody sets it.'))),
+              'someone sets it.'))),
     Prediction('6.2-3', 'The constructor sets `waypoints` to an empty list, after its declaration. This node starts '
                'with `-p waypoints:="[dock, door]"`. What does `waypoints` hold?', (
         wrong('dock and door', 'They were there after the declaration, and the next line replaced them.'),

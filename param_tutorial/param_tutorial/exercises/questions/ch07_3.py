@@ -67,4 +67,13 @@ PREDICTIONS = (
         wrong('both', 'The first one only lets others *set* what was not declared. For overrides it does nothing.'),
         wrong('neither', 'The second one declares every override that reaches the node, with a type and nothing '
               'else.'))),
+    Prediction('7.3-7', 'A file has three mistakes: a typo in the name of a parameter, a value out of its range, and a '
+               'block for a misspelled node. How many of them does the robot report when it starts with the file?', (
+        wrong('3', 'A node checks values. It knows nothing of names that it has not declared, nor of blocks for '
+              'others.'),
+        wrong('2', 'A typo in a name is no error to a node: the override waits for a declaration. And the block is for '
+              'another node, as far as rcl can tell.'),
+        right('1', 'The value out of range, because the declaration fails. The node ignores the other two without a '
+              'word.'),
+        wrong('0', 'The declaration checks an override against the range, and the node does not start.'))),
 )

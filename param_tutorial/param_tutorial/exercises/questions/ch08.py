@@ -24,7 +24,7 @@ PREDICTIONS = (
     Prediction('8-1', '`Late` declares its speed on the first ride. A stranger starts it, and sets the speed before '
                'any ride. What is the answer?', (
         wrong('accepted: the value waits for the declaration', 'An override at the start waits for a declaration. A '
-              'value that somebody sets does not.'),
+              'value that someone sets does not.'),
         right('rejected: undeclared', 'Before the first ride there is no such parameter, so nobody can see it or set '
               'it.'),
         wrong('none: the node does not start', '`Late` starts. It has no such parameter until its first ride.'))),

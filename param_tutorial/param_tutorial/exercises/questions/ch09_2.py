@@ -5,7 +5,7 @@ from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 SOLVED = 'The master is not missed, and nobody gets past your callbacks.'
 
 RECALLS = (
-    Recall('9.2-r1', 'A node declares `gains.kp`. Somebody sets `gains/kp`, as it was called in ROS 1. What does the '
+    Recall('9.2-r1', 'A node declares `gains.kp`. Someone sets `gains/kp`, as it was called in ROS 1. What does the '
            'node do?', (
         wrong('It sets gains.kp', 'A slash in a parameter name means nothing, so this is another name, and nobody '
               'declared it.'),

@@ -47,19 +47,26 @@ PREDICTIONS = (
               'x is in none of the three lists.'),
         right('nothing', '`undeclare_parameter` publishes no event, and a listener keeps believing in the '
               'parameter.'))),
-    Prediction('10.1-5', 'The topic is reliable. 200 events come while nobody can look at them. How many does the '
+    Prediction('10.1-5', 'The robot publishes three events: its speed is now 80, its speed is now 80, its name is now '
+               '*Logged*. Before, the speed was 120. How many changes does the follower report?', (
+        right('2', 'The second event repeats a value that the follower knows already, so nothing has changed.'),
+        wrong('3', 'The robot does publish three events. But the follower compares each with what it knows, and the '
+              'second one repeats the first.'),
+        wrong('1: the last value of each parameter is enough', 'The speed and the name are two parameters, and both '
+              'have changed.'))),
+    Prediction('10.1-6', 'The topic is reliable. 200 events come while nobody can look at them. How many does the '
                'listener with a depth of 10 get?', (
         wrong('200: the topic is reliable', 'Reliable means that they were delivered. The queue was too short to hold '
               'them.'),
         wrong('the first 10', 'A full queue drops its oldest message to make room for the next one.'),
         right('the last 10', 'A queue of ten keeps the newest ten. That the topic is reliable does not help.'))),
-    Prediction('10.1-6', 'A listener arrives after 200 changes of the speed, and then the gain is set once. What does '
+    Prediction('10.1-7', 'A listener arrives after 200 changes of the speed, and then the gain is set once. What does '
                'it hear?', (
         wrong('the last speed, and the gain', 'The topic is volatile: a message goes to those who are listening at '
               'that moment, and is then forgotten.'),
         right('the gain', 'The topic is volatile. For what came before, a listener has to ask.'),
         wrong('all 201', 'The topic is volatile: nothing is kept for those who subscribe later.'))),
-    Prediction('10.1-7', 'A parameter callback is registered for `note`. The arm declares `note`, and then `note` is '
+    Prediction('10.1-8', 'A parameter callback is registered for `note`. The arm declares `note`, and then `note` is '
                'deleted. How often is the callback called?', (
         wrong('twice', 'The handler looks for the name among the new and the changed parameters, and not among the '
               'deleted ones.'),

@@ -12,7 +12,7 @@ RECALLS = (
            chapter='10.1', section='Change it: what is published, and how often'),
     Recall('10.4-r2', 'A node keeps a rule for two parameters in an on-set callback. Which request does the callback '
            'never see?', (
-        wrong('one from a terminal', 'The terminal calls the same service as everybody else, and the node asks its '
+        wrong('one from a terminal', 'The terminal calls the same service as everyone else, and the node asks its '
               'callback.'),
         wrong('one that sets only one of the two', 'The callback sees it, and has to look up the other value itself.'),
         right('one with a value of the wrong type', 'The node checks the type first, and rejects the value without '

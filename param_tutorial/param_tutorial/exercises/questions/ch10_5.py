@@ -50,4 +50,12 @@ PREDICTIONS = (
         right('120, 100, 120', 'Two steps back, and one forward.'),
         wrong('140, 120, 140', '140 is where the robot is. The first undo leaves it.'),
         wrong('120, 100, 140', '`redo` takes back only the last undo, not both.'))),
+    Prediction('10.5-6', 'Three values have changed since that evening, and `watch` saw one of the changes. How many '
+               'values does the log bring back?', (
+        wrong('1', 'The log has one change in it, but it has more than changes: the value of every parameter, from '
+              'when `watch` began.'),
+        wrong('0: a log with a gap is worthless', 'The gap hides when the two values changed, and from what. It does '
+              'not hide what they were before.'),
+        right('3', 'When `watch` began, it wrote down the value of every parameter. That is enough to tell what they '
+              'were that evening.'))),
 )
