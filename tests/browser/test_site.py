@@ -455,11 +455,73 @@ def test_every_page_from_the_disk_and_from_a_server(made, browser, way):
                 expect(page.get_by_role('heading', level=1)).to_have_count(1)
         with open_page(browser, f'{address}/index.html') as page:
             page.keyboard.press('Control+k')
-            page.keyboard.type('controls')
+            page.keyboard.type('table')
+            dialog = page.get_by_role('dialog', name='Search')
+            expect(dialog.get_by_role('option')).to_have_text(re.compile('^Next 1 · Limits A table, and a link to '))
+            expect(dialog.get_by_role('option').locator('mark')).to_have_text('table')
+            expect(dialog.get_by_role('status')).to_have_text('1 section found.')
+            page.keyboard.press('ArrowDown')
             page.keyboard.press('Enter')
-            expect(page.locator('#search-results li a').first).to_be_visible()
-            page.locator('#search-results li a').first.click()
-            expect(page).to_have_url(re.compile(r'/[12]_\w+\.html'))
+            expect(page).to_have_url(re.compile(r'/1_limits\.html#next$'))
+            expect(page.get_by_role('heading', name='Next')).to_be_in_viewport()
+
+
+@limits
+def test_the_search_by_keyboard(page):
+    page.keyboard.press('Control+k')
+    box = page.get_by_role('combobox', name='Search the lessons …')
+    options = page.get_by_role('option')
+    expect(box).to_be_focused()
+    expect(box).to_have_attribute('aria-expanded', 'false')
+    page.keyboard.type('controls')
+    # "Control" is another form of the word; the code that says ParameterPanel is not.
+    expect(options).to_have_count(2)
+    expect(box).to_have_attribute('aria-expanded', 'true')
+    chosen = page.locator('[role=option][aria-selected=true]')
+    for key, position in (('ArrowDown', 0), ('ArrowDown', 1), ('ArrowDown', None), ('ArrowUp', 1), ('ArrowUp', 0),
+                          ('ArrowUp', None)):
+        page.keyboard.press(key)
+        expect(chosen).to_have_count(0 if position is None else 1)
+        pointed = box.get_attribute('aria-activedescendant')
+        assert pointed == (None if position is None else options.nth(position).get_attribute('id'))
+        expect(box).to_be_focused()
+    box.fill('nobody wrote this')
+    expect(options).to_have_count(0)
+    expect(page.get_by_role('dialog').get_by_role('status')).to_have_text('Nothing found.')
+    page.keyboard.press('Escape')
+    expect(page.get_by_role('dialog')).to_have_count(0)
+
+
+@limits
+def test_enter_without_a_choice_shows_all_hits_on_a_page_with_an_address(page):
+    page.keyboard.press('Control+k')
+    page.keyboard.type('heater')
+    page.keyboard.press('Enter')
+    expect(page).to_have_url(re.compile(r'/search\.html\?q=heater$'))
+    box = page.get_by_role('combobox')
+    expect(box).to_have_value('heater')
+    expect(page.get_by_role('option').first).to_contain_text('1 · Limits')
+    box.fill('safety mode')
+    expect(page).to_have_url(re.compile(r'/search\.html\?q=safety%20mode$'))
+    expect(page.get_by_role('option')).to_contain_text(['2 · A robot'])
+    assert check_page(page) == []
+
+
+@pytest.mark.parametrize('scheme', ['light', 'dark'])
+def test_nothing_that_axe_finds_in_the_open_search(made, browser, scheme):
+    with open_page(browser, (made.target / '1_limits.html').as_uri(), scheme=scheme) as page:
+        page.keyboard.press('Control+k')
+        page.keyboard.type('node')
+        page.get_by_role('option').first.wait_for()
+        page.keyboard.press('ArrowDown')
+        assert check_page(page) == []
+
+
+def test_what_the_search_does_not_give_away(made):
+    index = (made.target / 'searchindex.js').read_text()
+    assert 'Its controls' in index and 'a line' in index
+    for hidden in ('Right.', 'Not so.', 'rec-data', '85 is off the step'):
+        assert hidden not in index
 
 
 @pytest.mark.parametrize('scheme', ['light', 'dark'])

@@ -15,6 +15,7 @@ from param_tutorial.lessons.pages.writing import BuildError, write_pages, write_
 # A page by itself has nothing to search in, and no neighbors.
 _SETTINGS = {
     'html_sidebars': {'**': []},
+    'html_additional_pages': {},
     'html_theme_options.navbar_persistent': [],
     'html_theme_options.disable_search': True,
     'html_theme_options.show_prev_next': False,

@@ -2,9 +2,10 @@
 
 A recording depends on nothing in here.
 
-    drawing      recordings as accessible HTML
-    chapter      a chapter with its recordings as a source for Sphinx
-    front_page   the first page of the site
-    writing      lets Sphinx write pages
-    inlining     one page as one file
+    drawing       recordings as accessible HTML
+    chapter       a chapter with its recordings as a source for Sphinx
+    front_page    the first page of the site
+    writing       lets Sphinx write pages
+    search_index  the sections of all pages, for the site's search
+    inlining      one page as one file
 """

@@ -5,11 +5,6 @@
 'use strict';
 
 (() => {
-  // A page on a disk may not fetch another one, which the search would do to quote it.
-  if (location.protocol === 'file:' && typeof DOCUMENTATION_OPTIONS === 'object') {
-    DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
-  }
-
   const panels = [];
   const robots = [];
 
