@@ -82,7 +82,7 @@ heater = ros.add(Heater)''',
     "exercises.predict('6.1-2')",
     'What a hand does later does not show above:',
     "panel['low_c'].value = 19\npanel.settle()\npanel['low_c'].value",
-    '## Next\n\nA table, and a link to [the other one](2_robot.ipynb), and to [none](9_none.ipynb).\n\n'
+    '## Next\n\nA table, and a link to [the other one](2_robot.ipynb).\n\n'
     '| a | b |\n| --- | --- |\n| 1 | 2 |',
     "print('the end')\n1 / 0",
 )
@@ -556,7 +556,6 @@ def test_the_course_is_in_the_site_with_the_way_to_start_it(made):
 def test_links_lead_where_the_site_has_something(made):
     html = (made.target / '1_limits.html').read_text()
     assert 'href="2_robot.html"' in html
-    assert '9_none' not in re.sub(r'<script.*?</script>', '', html, flags=re.DOTALL)
     assert (made.target / 'notebooks/1_limits.ipynb').read_bytes() == (made.notebooks / '1_limits.ipynb').read_bytes()
     assert 'href="notebooks/1_limits.ipynb"' in html
 

@@ -25,7 +25,7 @@ nb_execution_mode = 'off'
 nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 nb_merge_streams = True
 myst_heading_anchors = 3
-myst_heading_slug_func = 'param_tutorial.lessons.pages.chapter.anchor'
+myst_heading_slug_func = 'param_tutorial.lessons.pages.links.anchor'
 
 html_theme = 'pydata_sphinx_theme'
 html_title = 'ROS 2 Parameters'
