@@ -259,6 +259,8 @@ def test_what_a_check_says_to_look_at_is_a_link(path):
 
 def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_path):
     index = tmp_path / 'index.md'
+    for name in ('1_a', '2_b', '3_c'):
+        (tmp_path / f'{name}.ipynb').touch()
     index.write_text('| 1 | [One](1_a.ipynb) | Why? | 20 |\n| 2 | [Two](2_b.ipynb) | How? | 30 |\n'
                      '| 3 | [Three](3_c.ipynb) | When? | 30 + 25 |\n')
     text = front_page.front_page_source(index, {tmp_path / '1_a.ipynb': {}, tmp_path / '3_c.ipynb': {}}, FACTS)
@@ -266,3 +268,17 @@ def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_
     assert '20 minutes' in text and 'href="3_c.html"' in text and '30 + 25 minutes' in text
     assert re.search(r'2026-01-02 \(`abc1234`\), on Python 3\.12\.1\s+with rclpy 7\.1\.6', text)
     assert 'Drive' not in text
+
+
+def test_the_first_page_has_the_groups_and_the_ways_of_the_notebooks_start_page(tmp_path):
+    recordings = {path: {} for path in sorted(NOTEBOOKS.glob('[0-9]*.ipynb'))}
+    text = front_page.front_page_source(NOTEBOOKS / 'index.md', recordings, FACTS)
+    original = (NOTEBOOKS / 'index.md').read_text()
+    groups = re.findall('^### .*$', original, re.MULTILINE)
+    assert len(groups) > 3 and [each for each in groups if f'\n{each}\n' not in text] == []
+    assert all(f'href="{path.stem}.html"' in text for path in recordings)
+    assert text.count('Afterwards you can ') == len(recordings)
+    for who in ('a student', 'a teacher', 'an engineer'):
+        assert f'**{who}**' in text
+    assert 'its exercises check themselves in JupyterLab' in text
+    assert '.ipynb' not in text.partition('## The lessons')[2]
