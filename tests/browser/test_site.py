@@ -315,6 +315,52 @@ def test_a_prediction_that_is_typed(page, typed, said):
     expect(form.get_by_role('status')).to_contain_text(said)
 
 
+def test_predictions_are_kept_in_the_browser_and_marked_beside_the_lessons(made, browser):
+    with open_page(browser, (made.target / '1_limits.html').as_uri()) as page:
+        marks = page.get_by_role('navigation', name='Lessons').locator('.lesson-mark')
+        chosen, typed = (page.locator('.rec-prediction').nth(number) for number in (0, 1))
+        expect(marks).to_have_count(0)
+        chosen.get_by_role('radio').nth(1).check()
+        chosen.get_by_role('button', name='Commit').click()
+        expect(marks).to_have_attribute('title', '1 of 2 questions answered')
+        typed.get_by_label('Your value').fill('many')
+        typed.get_by_label('Your value').press('Enter')
+        expect(marks).to_have_text('✓ (2 of 2 questions answered)')
+        said = chosen.get_by_role('status').inner_text()
+        page.reload()
+        expect(chosen.get_by_role('status')).to_have_text(said)
+        expect(chosen.get_by_role('radio').nth(1)).to_be_checked()
+        expect(chosen.get_by_role('radio').nth(1)).to_be_disabled()
+        expect(typed.get_by_label('Your value')).to_have_value('many')
+        chosen.get_by_role('button', name='Answer again').click()
+        expect(chosen.get_by_role('radio').first).to_be_focused()
+        expect(chosen.get_by_role('status')).to_be_empty()
+        expect(marks).to_have_text('1/2 (1 of 2 questions answered)')
+        page.goto((made.target / 'index.html').as_uri())
+        expect(page.locator('.front-lessons .lesson-mark')).to_have_text('1/2 (1 of 2 questions answered)')
+        expect(page.locator('.lesson-progress')).to_contain_text('You have answered one question.')
+        assert check_page(page) == []
+        page.get_by_role('button', name='Forget my answers').click()
+        expect(page.locator('.lesson-mark')).to_have_count(0)
+        expect(page.locator('.lesson-progress')).to_be_hidden()
+
+
+@pytest.mark.parametrize('kept', ['{', 'null', '7', '[1]', '{"1_limits": null}', '{"1_limits": {"of": 2}}',
+                                  '{"1_limits": {"of": 2, "answers": {"6.1-1": "no choice"}}}', None])
+def test_a_page_lives_with_whatever_the_browser_has_kept(made, browser, kept):
+    with open_page(browser, (made.target / '1_limits.html').as_uri()) as page:
+        if kept is None:  # it keeps nothing
+            page.add_init_script("Storage.prototype.setItem = () => { throw new DOMException('', 'QuotaExceededError'); }")
+        else:
+            page.evaluate("text => localStorage.setItem('ros2-parameters-lessons', text)", kept)
+        page.reload()
+        form = page.locator('.rec-prediction').first
+        form.get_by_role('radio').first.check()
+        form.get_by_role('button', name='Commit').click()
+        expect(form.get_by_role('status')).not_to_be_empty()
+        expect(form.get_by_role('button', name='Answer again')).to_be_visible()
+
+
 @robot
 def test_the_robot_drives_as_recorded(page):
     status = page.locator('.rec-says')

@@ -28,6 +28,8 @@ _TEXT = '''# Mastering ROS 2 Parameters with Python
 
 Each lesson asks one question and lets a real ROS 2 Jazzy node answer it. Everything it says, it shows.
 
+<p class="lesson-progress" hidden></p>
+
 {chapters}
 
 ## How to read them
