@@ -8,6 +8,7 @@ import contextlib
 import functools
 import http.server
 import json
+import os
 import re
 import shutil
 import threading
@@ -23,6 +24,7 @@ from param_tutorial.lessons.build import Site
 from param_tutorial.lessons.pages import writing
 from param_tutorial.lessons.recording import run
 from tests.support import lesson
+from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import ROOT
 from tests.tools.site_rules import check_page, open_page
 
@@ -114,6 +116,10 @@ def write_chapter(path, cells):
     NotebookClient(notebook, kernel_manager_class=run.OwnKernel, store_widget_state=False, coalesce_streams=True,
                    resources={'metadata': {'path': str(path.parent)}}).execute()
     nbformat.write(notebook, path)
+
+
+# In WebDriver's table of keys.
+FIREFOX_ENTER, FIREFOX_DOWN = '\ue007', '\ue015'
 
 
 @pytest.fixture(scope='module')
@@ -451,14 +457,6 @@ def test_one_view_that_cannot_be_unpacked_says_so_and_the_others_live(made, brow
     page.close()
 
 
-def test_all_controls_begin_anew_after_a_reload(made):
-    """Firefox keeps what a form held, unless it is told not to; then a control and its picture differ."""
-    for name in ('1_limits', '2_robot'):
-        html = (made.target / f'{name}.html').read_text()
-        controls = re.findall(r'<(?:input|select|textarea)\b[^>]*class="param-(?:box|slider)"[^>]*>', html)
-        assert controls and [each for each in controls if 'autocomplete="off"' not in each] == []
-
-
 @limits
 def test_a_button_copies_the_code_of_a_cell(page):
     cell = page.locator('div.cell_input').nth(1)
@@ -666,3 +664,80 @@ def test_a_chapter_that_is_not_there(made, tmp_path):
 
 def test_the_course_itself_is_what_is_built_by_default():
     assert archive.ROOT == ROOT
+
+
+# -- the same site in Firefox -------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope='module')
+def firefox_page(tmp_path_factory):
+    """The tab of a Firefox; nothing may be complained of. In CI a missing Firefox is a failure."""
+    if FIREFOX is None:
+        missing = 'there is no Firefox on the PATH: apt-get install firefox-esr'
+        if os.environ.get('CI'):
+            pytest.fail(missing)
+        pytest.skip(missing)
+    with firefox(tmp_path_factory.mktemp('profile')) as page:
+        yield page
+        assert page.complaints == []
+
+
+def show_in_firefox(page, path):
+    page.open(path.as_uri())
+    page.wait_for("document.documentElement.dataset.lesson === 'ready'")
+
+
+CONTROLS = """[...document.querySelectorAll('.param-row :is(input, textarea), .rec-prediction input')].map(
+    each => ['checkbox', 'radio'].includes(each.type) ? each.checked : each.value)"""
+MESSAGE = "document.querySelector('.param-row[data-name=%s] .param-message')?.textContent"
+
+
+def test_all_controls_begin_anew_after_a_reload_in_firefox(made, firefox_page):
+    """Firefox keeps what a form held, unless it is told not to; then a control and its picture differ."""
+    show_in_firefox(firefox_page, made.target / '1_limits.html')
+    before = firefox_page.evaluate(CONTROLS)
+    firefox_page.click('.rec-prediction input[type=radio]')
+    firefox_page.click('.param-row[data-name=on] input')
+    firefox_page.click('.param-row[data-name=low_c] input[type=range]')
+    firefox_page.click('.param-row[data-name=name] input')
+    firefox_page.press('x')
+    firefox_page.wait_for(f'{MESSAGE % "on"} && {MESSAGE % "low_c"}')
+    assert sum(one != other for one, other in zip(before, firefox_page.evaluate(CONTROLS), strict=True)) >= 4
+    firefox_page.reload()
+    firefox_page.wait_for("document.documentElement.dataset.lesson === 'ready'")
+    assert firefox_page.evaluate(CONTROLS) == before
+
+
+def test_firefox_gets_the_nodes_answers(made, firefox_page):
+    show_in_firefox(firefox_page, made.target / '1_limits.html')
+    for typed, said in (('15', 'Accepted.'), ('25', 'Rejected: 25 is not below 22')):
+        firefox_page.click('.param-row[data-name=low_c] .param-box')
+        firefox_page.evaluate("document.activeElement.select()")
+        firefox_page.press(*typed, FIREFOX_ENTER)
+        firefox_page.wait_for(f'{MESSAGE % "low_c"}?.trim() === {json.dumps(said)}')
+    assert firefox_page.evaluate("document.querySelector('.param-row[data-name=low_c] .param-box').value") == '15'
+
+
+def test_the_robot_drives_in_firefox(made, firefox_page):
+    show_in_firefox(firefox_page, made.target / '2_robot.html')
+    firefox_page.click('.param-row[data-name=enable_safety_mode] input')
+    firefox_page.click('.rec-drive')
+    firefox_page.wait_for("document.getAnimations().some(each => each.animationName?.startsWith('robot-'))")
+    firefox_page.wait_for("document.querySelector('.rec-says').textContent.includes('has run into the wall')")
+
+
+def test_the_search_in_firefox_from_the_disk(made, firefox_page):
+    show_in_firefox(firefox_page, made.target / 'index.html')
+    firefox_page.click('.search-button__button')
+    firefox_page.press(*'table')
+    firefox_page.wait_for("document.querySelector('.search-hit mark')?.textContent === 'table'")
+    firefox_page.press(FIREFOX_DOWN, FIREFOX_ENTER)
+    firefox_page.wait_for("location.href.endsWith('/1_limits.html#next')")
+
+
+@pytest.mark.parametrize('width', [390, 1280])
+@pytest.mark.parametrize('name', ['index', '1_limits', '2_robot', 'search'])
+def test_no_page_is_wider_than_the_window_of_firefox(made, firefox_page, name, width):
+    firefox_page.resize(width, 900)
+    show_in_firefox(firefox_page, made.target / f'{name}.html')
+    assert firefox_page.evaluate('document.documentElement.scrollWidth <= innerWidth')
