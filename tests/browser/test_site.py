@@ -492,6 +492,11 @@ def test_paper_is_white_and_all_code_is_on_it(page):
     assert page.locator('.cell_input .highlight pre').first.evaluate(
         'each => getComputedStyle(each).whiteSpace') == 'pre-wrap'
     assert page.locator('.bd-article h1').evaluate('each => getComputedStyle(each).breakAfter') == 'avoid'
+    for whole in ('.cell_input', '.rec', '.rec-prediction'):
+        assert page.locator(whole).first.evaluate('each => getComputedStyle(each).breakInside') == 'avoid'
+    announced = page.get_by_text('Two predictions, one to choose').evaluate('each => getComputedStyle(each).breakAfter')
+    assert announced == 'avoid'
+    expect(page.get_by_role('button', name='Commit')).to_have_count(0)
 
 
 @pytest.mark.parametrize('way', ['file', 'server'])
@@ -712,7 +717,7 @@ def test_firefox_gets_the_nodes_answers(made, firefox_page):
     show_in_firefox(firefox_page, made.target / '1_limits.html')
     for typed, said in (('15', 'Accepted.'), ('25', 'Rejected: 25 is not below 22')):
         firefox_page.click('.param-row[data-name=low_c] .param-box')
-        firefox_page.evaluate("document.activeElement.select()")
+        firefox_page.evaluate('document.activeElement.select()')
         firefox_page.press(*typed, FIREFOX_ENTER)
         firefox_page.wait_for(f'{MESSAGE % "low_c"}?.trim() === {json.dumps(said)}')
     assert firefox_page.evaluate("document.querySelector('.param-row[data-name=low_c] .param-box').value") == '15'

@@ -35,8 +35,8 @@ Each lesson asks one question and lets a real ROS 2 Jazzy node answer it. Everyt
 ## How to read them
 
 **Here, without installing anything.** No node runs in these pages. Every answer of a panel and every drive of a robot
-was recorded from the real one when the page was built. If something was not recorded, the page says so. Your changes
-stay in the page and are gone when you close it.
+was recorded from the real one when the page was built. If something was not recorded, the page says so. Your
+predictions are kept in this browser; other changes are gone when you close the page.
 
 **In JupyterLab, with a live robot.** Each lesson starts with a link to its notebook. The course brings a panel, a
 terminal and the real rclpy to any Linux machine with Python. `make lab` starts it; you don't need to install ROS.
