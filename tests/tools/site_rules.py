@@ -52,7 +52,8 @@ def check_page(page):
     found += [f'a link leads to {each}, which is not on the page' for each in lost]
     # It has a width of its own beside its curve, and no rule for curves is for it.
     found += page.evaluate('''() => [...document.querySelectorAll('.step-wheel')].map(
-        each => each.getBoundingClientRect().width).filter(width => width > 100).map(width => `a wheel is ${width} px wide`)''')
+        each => each.getBoundingClientRect().width).filter(width => width > 100)
+        .map(width => `a wheel is ${width} px wide`)''')
     return found + ['the page is wider than the window'] * too_wide + [f'{each} is not drawn' for each in undrawn]
 
 
