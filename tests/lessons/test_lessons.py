@@ -9,11 +9,12 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersR
 from rclpy.node import Node
 
 from param_tutorial import ParameterPanel
-from param_tutorial.lessons.pages import chapter, drawing, front_page
+from param_tutorial.lessons.pages import chapter, drawing, front_page, links, writing
 from param_tutorial.lessons.recording import recorder, run
 from param_tutorial.lessons.recording.questions import set_to, stops
 from param_tutorial.parameters.client import Range
 from param_tutorial.widgets.editors import Positions, WholePositions
+from tests.support.paths import NOTEBOOKS
 
 
 def write(path, *cells):
@@ -212,25 +213,79 @@ def test_what_a_node_says_is_text_and_not_markup():
     assert drawn.count('<script') == drawn.count('</script>') == 1
 
 
+FACTS = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': 'abc1234', 'changed': ''}
+
+
+def linked(folder, text, pages, **options):
+    """Return what Sphinx reads of a chapter with a text; there are other notebooks beside it."""
+    (folder / 'solutions').mkdir()
+    for name in ('2_b', '9_z', 'solutions/3_c'):
+        (folder / f'{name}.ipynb').touch()
+    path = folder / '3_c.ipynb'
+    nbformat.write(new_notebook(cells=[new_markdown_cell(f'# 3 · C\n{text}')]), path)
+    return chapter.chapter_source(path, {}, pages, **options).cells
+
+
+LINKS = '[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_c.ipynb) [w](https://example.org/x.md)'
+
+
 def test_links_of_a_chapter(tmp_path):
-    path = tmp_path / '3_c.ipynb'
-    nbformat.write(new_notebook(cells=[new_markdown_cell(
-        '# 3 · C\n[b](2_b.ipynb#Top) [z](9_z.ipynb) [s](solutions/3_c.ipynb) [w](https://example.org/x.md)')]), path)
-    text = chapter.chapter_source(path, {}, {'2_b', '3_c'}).cells[0].source
+    text = linked(tmp_path, LINKS, {'2_b', '3_c'})[0].source
     assert '[b](2_b.ipynb#Top) z <a href="notebooks/solutions/3_c.ipynb" download>s</a> [w](https:' in text
-    facts = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': 'abc1234', 'changed': ''}
-    alone = chapter.chapter_source(path, {}, {'3_c'}, alone=facts).cells
-    assert 'b z s [w](https:' in alone[0].source
-    assert 'as of 2026-01-02 (abc1234). It ran on Python 3.12.1' in alone[1].outputs[0].data['text/html']
+
+
+def test_links_of_a_chapter_alone(tmp_path):
+    cells = linked(tmp_path, LINKS, {'3_c'}, alone=FACTS)
+    assert 'b z s [w](https:' in cells[0].source
+    assert 'as of 2026-01-02 (abc1234). It ran on Python 3.12.1' in cells[1].outputs[0].data['text/html']
+
+
+def test_links_of_a_chapter_alone_lead_to_the_site_if_one_knows_where_that_is(tmp_path):
+    text = linked(tmp_path, LINKS, {'3_c'}, alone=FACTS, address='https://x.org/')[0].source
+    assert ('[b](https://x.org/2_b.html#Top) [z](https://x.org/9_z.html) '
+            '<a href="https://x.org/notebooks/solutions/3_c.ipynb" download>s</a> [w]') in text
+
+
+def test_a_link_to_a_notebook_that_is_not_there_stops_the_build(tmp_path):
+    with pytest.raises(writing.BuildError, match=r'^3_c\.ipynb links to 4_d\.ipynb, which is not there\.$'):
+        linked(tmp_path, '[d](4_d.ipynb)', {'3_c', '4_d'})
+
+
+@pytest.mark.parametrize('path', sorted(NOTEBOOKS.glob('[0-9]*.ipynb')), ids=lambda path: path.stem)
+def test_what_a_check_says_to_look_at_is_a_link(path):
+    notebook = run.read_notebook(path)
+    shown = links.Links(path, notebook, {path.stem})
+    outputs = [shown.in_output(output.data['text/html']) for cell in notebook.cells if cell.id.startswith('check-')
+               for output in cell.outputs]
+    named = [each for output in outputs for each in re.findall('<dt>look at</dt><dd>(.*?)</dd>', output)]
+    assert named and [each for each in named if not re.fullmatch('<a href="#[^"]+">“.*”</a>', each)] == []
+    assert shown.in_check('to compare: solutions/x.ipynb') == 'to compare: solutions/x.ipynb'
+    assert shown.in_check(f'to compare: solutions/{path.name}') == (
+        f'to compare: <a href="notebooks/solutions/{path.name}" download>solutions/{path.name}</a>')
 
 
 def test_the_first_page_lists_the_chapters_that_there_are_and_says_what_ran(tmp_path):
     index = tmp_path / 'index.md'
+    for name in ('1_a', '2_b', '3_c'):
+        (tmp_path / f'{name}.ipynb').touch()
     index.write_text('| 1 | [One](1_a.ipynb) | Why? | 20 |\n| 2 | [Two](2_b.ipynb) | How? | 30 |\n'
                      '| 3 | [Three](3_c.ipynb) | When? | 30 + 25 |\n')
-    facts = {'Python': '3.12.1', 'rclpy': '7.1.6', 'date': '2026-01-02', 'commit': 'abc1234', 'changed': ''}
-    text = front_page.front_page_source(index, {tmp_path / '1_a.ipynb': {}, tmp_path / '3_c.ipynb': {}}, facts)
+    text = front_page.front_page_source(index, {tmp_path / '1_a.ipynb': {}, tmp_path / '3_c.ipynb': {}}, FACTS)
     assert 'href="1_a.html"' in text and 'Why?' in text and 'Two' not in text
     assert '20 minutes' in text and 'href="3_c.html"' in text and '30 + 25 minutes' in text
     assert re.search(r'2026-01-02 \(`abc1234`\), on Python 3\.12\.1\s+with rclpy 7\.1\.6', text)
     assert 'Drive' not in text
+
+
+def test_the_first_page_has_the_groups_and_the_ways_of_the_notebooks_start_page(tmp_path):
+    recordings = {path: {} for path in sorted(NOTEBOOKS.glob('[0-9]*.ipynb'))}
+    text = front_page.front_page_source(NOTEBOOKS / 'index.md', recordings, FACTS)
+    original = (NOTEBOOKS / 'index.md').read_text()
+    groups = re.findall('^### .*$', original, re.MULTILINE)
+    assert len(groups) > 3 and [each for each in groups if f'\n{each}\n' not in text] == []
+    assert all(f'href="{path.stem}.html"' in text for path in recordings)
+    assert text.count('Afterwards you can ') == len(recordings)
+    for who in ('a student', 'a teacher', 'an engineer'):
+        assert f'**{who}**' in text
+    assert 'its exercises check themselves in JupyterLab' in text
+    assert '.ipynb' not in text.partition('## The lessons')[2]

@@ -47,6 +47,13 @@ def check_page(page):
     too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
     undrawn = page.evaluate('''() => [...document.querySelectorAll('.rec-panel, .rec-robot, .rec-log, .rec-still')]
         .filter(each => !each.getBoundingClientRect().height).map(each => each.id)''')
+    lost = page.evaluate('''() => [...document.querySelectorAll('a[href^="#"]')].filter(each => each.hash.length > 1
+        && !document.getElementById(decodeURIComponent(each.hash.slice(1)))).map(each => each.hash)''')
+    found += [f'a link leads to {each}, which is not on the page' for each in lost]
+    # It has a width of its own beside its curve, and no rule for curves is for it.
+    found += page.evaluate('''() => [...document.querySelectorAll('.step-wheel')].map(
+        each => each.getBoundingClientRect().width).filter(width => width > 100)
+        .map(width => `a wheel is ${width} px wide`)''')
     return found + ['the page is wider than the window'] * too_wide + [f'{each} is not drawn' for each in undrawn]
 
 

@@ -17,8 +17,9 @@ import nbformat
 
 from param_tutorial.lessons.archive import Archive, course_archive, provenance
 from param_tutorial.lessons.console import format_path, say
-from param_tutorial.lessons.pages.chapter import COURSE, NOTEBOOKS, chapter_source
+from param_tutorial.lessons.pages.chapter import COURSE, chapter_source
 from param_tutorial.lessons.pages.front_page import front_page_source
+from param_tutorial.lessons.pages.links import NOTEBOOKS
 from param_tutorial.lessons.pages.writing import BuildError, write_pages, write_static
 from param_tutorial.lessons.recording.recorded import Recordings
 
@@ -47,7 +48,7 @@ class Site:
         :param address: Where the site will be on the web, for search engines; by default nobody knows.
         :raises BuildError: there is no such chapter.
         """
-        self._address = f'{address.rstrip("/")}/' if address else ''
+        self.address = f'{address.rstrip("/")}/' if address else ''
         found = sorted(notebooks.glob('[0-9]*.ipynb'))
         self.chapters = [path for path in found
                          if names is None or any(path.stem.startswith(name) for name in names)]
@@ -66,7 +67,7 @@ class Site:
         recover(self.target)
         self._write_sources(self.record())
         say('Writing the pages')
-        settings = {'html_baseurl': self._address} if self._address else {}
+        settings = {'html_baseurl': self.address} if self.address else {}
         write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', processes=self._processes,
                     settings=settings)
         self._remove_strangers()
@@ -85,8 +86,8 @@ class Site:
         """Tell search engines the pages, if the site's address is known."""
         path = self.work / 'html' / 'sitemap.xml'
         path.unlink(missing_ok=True)
-        if self._address:
-            pages = ''.join(f'<url><loc>{html.escape(self._address)}{name}.html</loc></url>\n'
+        if self.address:
+            pages = ''.join(f'<url><loc>{html.escape(self.address)}{name}.html</loc></url>\n'
                             for name in ('index', *(chapter.stem for chapter in self.chapters)))
             path.write_text('<?xml version="1.0" encoding="UTF-8"?>\n'
                             f'<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n{pages}</urlset>\n',

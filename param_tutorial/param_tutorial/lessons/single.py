@@ -15,6 +15,7 @@ from param_tutorial.lessons.pages.writing import BuildError, write_pages, write_
 # A page by itself has nothing to search in, and no neighbors.
 _SETTINGS = {
     'html_sidebars': {'**': []},
+    'html_additional_pages': {},
     'html_theme_options.navbar_persistent': [],
     'html_theme_options.disable_search': True,
     'html_theme_options.show_prev_next': False,
@@ -38,8 +39,8 @@ def build(site: Site) -> Path:
     source = folder / 'source'
     source.mkdir(parents=True)
     write_static(source)
-    (source / path.name).write_text(
-        nbformat.writes(chapter_source(path, recordings[path], {path.stem}, alone=provenance())), encoding='utf-8')
+    chapter = chapter_source(path, recordings[path], {path.stem}, alone=provenance(), address=site.address)
+    (source / path.name).write_text(nbformat.writes(chapter), encoding='utf-8')
     write_pages(source, folder / 'html', folder / 'doctrees', settings={'root_doc': path.stem, **_SETTINGS})
     target = site.target.parent / f'{path.stem}.html'
     target.write_text(inline_page(folder / 'html' / f'{path.stem}.html'), encoding='utf-8')

@@ -1,6 +1,5 @@
 """A chapter with its recordings, as a source for Sphinx: outputs drawn, exercises with hints and solutions."""
 
-import html
 import itertools
 import re
 from pathlib import Path
@@ -10,45 +9,42 @@ import nbformat
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.lessons.pages import drawing
+from param_tutorial.lessons.pages.links import NOTEBOOKS, Links
 from param_tutorial.lessons.recording.recorded import Recordings
 from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets
 
-# Where the site keeps the notebooks for readers who want to run them.
-NOTEBOOKS = 'notebooks'
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
-# In what a cell has put out.
 _BOTH_WORDINGS = re.compile(r'<!-- notebook -->.*?<!-- page:\s*(.*?)\s*-->', re.DOTALL)
-_HREF = re.compile(r'<a href="(\w+)\.ipynb">(.*?)</a>', re.DOTALL)
-_LINK = re.compile(r'(?<!!)\[([^\]]*)\]\(([\w/.-]+\.(?:ipynb|md))(#[^)]*)?\)')
 
 
 def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
-                   alone: dict[str, str] | None = None) -> nbformat.NotebookNode:
+                   alone: dict[str, str] | None = None, address: str = '') -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
     :param recordings: For the id of each cell that shows widgets, their recordings in order.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
     :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
         ran, and on what; see ``archive.provenance``.
+    :param address: Where the whole site is on the web, for links to what is not beside that file.
+    :raises BuildError: a link leads to a file that is not there.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
+    links = Links(path, notebook, pages, is_alone=alone is not None, address=address)
     _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())))
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
-                output.data['text/html'] = _HREF.sub(
-                    lambda found: f'<a href="{found[1]}.html">{found[2]}</a>' if found[1] in pages else found[2],
-                    output.data['text/html'])
+                output.data['text/html'] = links.in_output(output.data['text/html'])
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
-            cell.source = _redirect_links(for_page(cell.source), pages, alone=alone is not None)
+            cell.source = links.in_markdown(for_page(cell.source))
         cells.append(cell)
         if len(cells) == 1:
             cells.append(_html_cell('to-run', _download_note(path) if alone is None else _provenance_note(alone)))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
-            cells.append(_html_cell(f'help-{cell.id}', help_html))
+            cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
     notebook.cells = cells
     notebook.metadata['language_info'] = {'name': 'python', 'pygments_lexer': 'ipython3'}
     return notebook
@@ -74,11 +70,6 @@ def title(path: Path) -> str:
     """Return the title of a chapter."""
     source: str = nbformat.read(path, as_version=4).cells[0].source
     return source.splitlines()[0].removeprefix('# ')
-
-
-def anchor(heading: str) -> str:
-    """Return the name by which JupyterLab, and so a chapter's links, know a heading."""
-    return heading.strip().replace(' ', '-')
 
 
 def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
@@ -110,19 +101,6 @@ def for_page(text: str) -> str:
     Where the two differ, the chapter says both: ``<!-- notebook -->Run this cell.<!-- page: Here it is. -->``.
     """
     return _BOTH_WORDINGS.sub(lambda found: found[1], text)
-
-
-def _redirect_links(text: str, pages: set[str], *, alone: bool) -> str:
-    """Lead links to where the site has what they mean."""
-    def link(found: re.Match[str]) -> str:
-        words, target, anchor = found.groups()
-        name, folder = Path(target).stem, Path(target).parent.name
-        if name in pages and not folder:
-            return f'[{words}]({target}{anchor or ""})'
-        if name in pages and folder and not alone:
-            return f'<a href="{NOTEBOOKS}/{html.escape(target)}" download>{html.escape(words)}</a>'
-        return words
-    return _LINK.sub(link, text)
 
 
 def _help_html(number: str, path: Path) -> str:

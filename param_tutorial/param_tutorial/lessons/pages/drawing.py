@@ -63,12 +63,14 @@ class Drawer:
         # A typed value may be none of the choices; the page's script compares it as the notebook does.
         facts = {'choices': {plain_answer(each.text): verdict(prediction, each.text) for each in prediction.choices},
                  'otherwise': verdict(prediction, '') if prediction.is_typed else ''}
-        return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" autocomplete="off" id="{name}">'
+        return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" autocomplete="off" id="{name}" '
+                f'data-number="{prediction.number}">'
                 f'<fieldset>'
                 f'<legend class="param-predict-question"><b>{prediction.word}</b> · '
                 f'{with_code(prediction.question)}</legend>'
                 f'{answers}<button type="submit" class="rec-commit" disabled>Commit</button></fieldset>'
-                f'<p class="rec-says" role="status"></p>{_packed(facts)}</form>')
+                f'<p class="rec-says" role="status"></p>'
+                f'<button type="button" class="rec-again" hidden>Answer again</button>{_packed(facts)}</form>')
 
     def _panel(self, recording: Recording, name: str) -> str:
         rows = [_panel_row(row) for row in recording['rows']]

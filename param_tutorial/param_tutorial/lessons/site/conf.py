@@ -3,10 +3,13 @@
 Nothing may come from elsewhere: no widgets' JavaScript, no fonts, no mathematics from a network of servers.
 """
 
+from pathlib import Path
 from typing import Any
 
 from docutils import nodes  # type: ignore[import-untyped]
 from sphinx.application import Sphinx
+
+from param_tutorial.lessons.pages.search_index import FILE_NAME, index_script
 
 project = 'Mastering ROS 2 Parameters with Python'
 author = 'the course'
@@ -22,7 +25,7 @@ nb_execution_mode = 'off'
 nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 nb_merge_streams = True
 myst_heading_anchors = 3
-myst_heading_slug_func = 'param_tutorial.lessons.pages.chapter.anchor'
+myst_heading_slug_func = 'param_tutorial.lessons.pages.links.anchor'
 
 html_theme = 'pydata_sphinx_theme'
 html_title = 'ROS 2 Parameters'
@@ -31,7 +34,8 @@ html_favicon = '_static/icon.svg'
 html_static_path = ['_static']
 templates_path = ['_templates']
 html_css_files = ['track.css', 'panel.css', 'side_by_side.css', 'lesson.css']
-html_js_files = ['panel.js', 'lesson.js']
+html_js_files = ['panel.js', 'progress.js', 'lesson.js', 'search.js']
+html_additional_pages = {'search': 'search.html'}
 html_sidebars = {'**': ['lessons.html']}
 html_copy_source = False
 html_show_sourcelink = False
@@ -65,6 +69,21 @@ def describe(_: Sphinx, __: str, ___: str, context: dict[str, Any], page: nodes.
         context['description'] = found.astext().replace('\n', ' ')[:200] if found else ''
 
 
+def leave_out_search(app: Sphinx) -> None:
+    """Let Sphinx make no index: the site has its own."""
+    app.builder.search = False  # type: ignore[attr-defined]
+
+
+def write_index(app: Sphinx, error: Exception | None) -> None:
+    """Write what the search knows."""
+    if not error and 'search' in app.config.html_additional_pages:
+        lessons, others = ({name: app.env.get_doctree(name) for name in names} for names in (
+            app.env.toctree_includes.get(app.config.root_doc, []), app.env.found_docs & {'claims'}))
+        Path(app.outdir, FILE_NAME).write_text(index_script(lessons, others), encoding='utf-8')
+
+
 def setup(app: Sphinx) -> None:
     """Called by Sphinx."""
+    app.connect('builder-inited', leave_out_search)
+    app.connect('build-finished', write_index)
     app.connect('html-page-context', describe)

@@ -5,11 +5,6 @@
 'use strict';
 
 (() => {
-  // A page on a disk may not fetch another one, which the search would do to quote it.
-  if (location.protocol === 'file:' && typeof DOCUMENTATION_OPTIONS === 'object') {
-    DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
-  }
-
   const panels = [];
   const robots = [];
 
@@ -308,21 +303,44 @@
     }
   }
 
-  /** Let a prediction be committed: it is locked then, and the page says what became of it. */
+  /** Let a prediction be committed: it is locked then, and the page says what became of it. The browser keeps it. */
   function ask(form, facts) {
     const button = form.querySelector('.rec-commit');
+    const again = form.querySelector('.rec-again');
     const given = () => (new FormData(form).get('answer') || '').trim();
+    const lock = answer => {
+      const number = Number(answer);
+      const plain = Number.isNaN(number) ? answer.toLowerCase() : String(number);
+      const verdict = Object.hasOwn(facts.choices, plain) ? facts.choices[plain] : facts.otherwise;
+      form.querySelector('.rec-says').innerHTML = verdict;
+      form.querySelector('fieldset').disabled = Boolean(verdict);
+      button.hidden = Boolean(verdict);
+      again.hidden = !verdict;
+      return verdict;
+    };
     form.addEventListener('input', () => { button.disabled = !given(); });
     form.addEventListener('submit', event => {
       event.preventDefault();
       const answer = given();
-      if (!answer) return;
-      const number = Number(answer);
-      const plain = Number.isNaN(number) ? answer.toLowerCase() : String(number);
-      form.querySelector('.rec-says').innerHTML = facts.choices[plain] || facts.otherwise;
-      form.querySelector('fieldset').disabled = true;
-      button.hidden = true;
+      if (answer && lock(answer)) LessonProgress.keep(form.dataset.number, answer);
     });
+    again.addEventListener('click', () => {
+      LessonProgress.forget(form.dataset.number);
+      form.querySelector('fieldset').disabled = false;
+      form.reset();
+      form.querySelector('.rec-says').textContent = '';
+      again.hidden = true;
+      button.hidden = false;
+      button.disabled = true;
+      form.querySelector('input').focus();
+    });
+    const kept = LessonProgress.answer(form.dataset.number);
+    if (kept === undefined) return;
+    const boxes = [...form.querySelectorAll('input')];
+    const box = boxes.find(each => each.type === 'text' || each.value === kept);
+    // The question may have other choices today.
+    if (!box || !lock(kept)) return;
+    if (box.type === 'text') box.value = kept; else box.checked = true;
   }
 
   /** Bring one view to life; where that fails, it says so, and the others live on. */
@@ -374,6 +392,7 @@
 
   async function begin() {
     offerCopies();
+    LessonProgress.begin();
     for (const form of document.querySelectorAll('.rec-prediction')) await enliven(form, facts => ask(form, facts));
     for (const [number, section] of [...document.querySelectorAll('.rec-robot')].entries()) {
       await enliven(section, facts => robots.push(new Robot(section, facts, number)));
