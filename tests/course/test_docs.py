@@ -111,6 +111,27 @@ def test_links_lead_somewhere(page):
         assert ((ROOT / page).parent / target).exists(), target
 
 
+def test_a_recording_in_the_readme_has_a_still_one_and_words_and_is_small():
+    pictures = re.findall(r'<picture>\n  <source media="\(prefers-reduced-motion: reduce\)" srcset="(.+)">\n'
+                          r'  <img src="(.+)" alt="(.+)">\n</picture>', README)
+    shown = {ROOT / path for still, moving, _ in pictures for path in (still, moving)}
+    assert shown == set((ROOT / '.github' / 'recordings').iterdir())
+    assert all(path.stat().st_size <= 400_000 for path in shown)
+    assert all(len(words) > 40 for _, _, words in pictures)
+
+
+def test_each_row_of_the_comparison_of_tools_names_tests_that_there_are():
+    page = ROOT / 'environment' / 'tools_compared.md'
+    rows = [line for line in page.read_text().splitlines() if re.search(r'\| (\*\*yes\*\*|partly) \|', line)]
+    assert len(rows) == 25 + 11
+    for row in rows:
+        links = re.findall(r'\]\((\S+) "(\S+)::(\w+)"\)', row)
+        assert links and len(links) == row.count(']('), row
+        for target, file, test in links:
+            assert (page.parent / target).resolve() == ROOT / file
+            assert f'def {test}(' in (ROOT / file).read_text(), test
+
+
 @pytest.mark.parametrize('name', param_tutorial.__all__)
 def test_public_names_exist_and_are_documented(name):
     assert getattr(param_tutorial, name).__doc__

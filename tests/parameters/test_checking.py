@@ -299,6 +299,15 @@ def test_what_is_no_parameter_file_is_a_finding(tmp_path, content):
     assert len(check_files(path, LIFT)) == 1
 
 
+@pytest.mark.parametrize('against', [None, LIFT])
+def test_a_name_that_is_no_pattern_is_a_finding_and_matches_nothing(tmp_path, against):
+    path = tmp_path / 'bad.yaml'
+    block = '{}:\n  ros__parameters:\n    speed: 0.5\n'
+    path.write_text(block.format('/hall_3/li[ft') + block.format('/hall_3.lift'))
+    kinds = [(each.line, each.kind) for each in check_files(path, against)]
+    assert kinds == [(2, 'unreadable'), (5, 'unreadable')]
+
+
 # -- whatever comes -------------------------------------------------------------------------------------------
 
 

@@ -237,6 +237,36 @@ def test_delete(client):
     assert [r.kind for r in client.delete_parameters(['count', 'cuont'])] == ['not deletable', 'undeclared']
 
 
+@pytest.mark.parametrize('deletions', [1, 20])
+def test_descriptors_and_values_are_of_the_same_parameters_though_some_are_deleted_meanwhile(ros, deletions):
+    class Volatile(Node):
+        def __init__(self):
+            super().__init__('volatile')
+            for number in range(20):
+                self.declare_parameter(f'p{number}', number, ParameterDescriptor(dynamic_typing=True))
+
+    class Unlucky(ParameterClient):
+        """Each time it has heard which parameters there are, the first is deleted."""
+
+        def list_parameters(self, *arguments, **options):
+            names = super().list_parameters(*arguments, **options)
+            if len(deleted) < deletions:
+                deleted.append(next(name for name in names if name.startswith('p')))
+                assert self.delete_parameter(deleted[-1]).successful
+            return names
+
+    deleted = []
+    client = Unlucky(ros.add(Volatile))
+    if deletions == 20:
+        with pytest.raises(ParameterNotDeclaredError):
+            client.describe_and_get()
+        return
+    descriptors, present = client.describe_and_get()
+    assert list(descriptors) == list(present) == client.list_parameters()
+    assert len(deleted) == deletions
+    assert list(client.describe_and_get(['p9', 'gone', 'p8'])[1].items()) == [('p9', 9), ('p8', 8)]
+
+
 @hypothesis.settings(suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture], deadline=None)
 @hypothesis.given(VALUES)
 def test_any_value_arrives_and_comes_back_unchanged(ros, value):

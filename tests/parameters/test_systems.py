@@ -13,9 +13,9 @@ from rclpy.node import Node
 from param_tutorial import all_parameters
 from param_tutorial.errors import ParameterFileError
 from param_tutorial.parameters import values
-from param_tutorial.parameters.client import ParameterValues
+from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.parameters.descriptions import describe
-from param_tutorial.parameters.sets import preview, restore
+from param_tutorial.parameters.sets import MAY_BE_TAKEN, preview, restore
 from param_tutorial.parameters.snapshot import Snapshot
 from param_tutorial.parameters.systems import compare_systems, defaults_of, of_robot
 from tests.parameters.test_files import NAMES
@@ -119,6 +119,13 @@ def test_a_preview_says_what_restoring_would_do_and_does_nothing(ros):
     done = restore('/arm', wanted, one_by_one=True)
     assert {each.name for each in done if each.word == 'set'} == {
         each.name for each in expected if each.word == 'would be set'}
+
+
+def test_a_preview_does_not_claim_that_a_node_would_reject_what_it_has_not_declared(ros):
+    ros.add(Node, 'open', allow_undeclared_parameters=True)
+    row, = preview('/open', {'anything': 1})
+    assert (row.word, row.reason) == ('not declared', MAY_BE_TAKEN)
+    assert ParameterClient('/open').set_parameter('anything', 1).successful
 
 
 @pytest.mark.parametrize('skip', [True, False])

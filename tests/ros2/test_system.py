@@ -122,6 +122,7 @@ def test_a_rejected_value_is_reported_and_nothing_of_that_node_is_changed(ros, t
     (['diff', 'nowhere.yaml', 'nowhere.yaml'], 'cannot read nowhere.yaml', 2),
     (['restore', 'nowhere.yaml'], 'cannot read nowhere.yaml', 1),
     (['snapshot', '/nobody'], 'there is no node /nobody', 1),
+    (['snapshot', '/nobody[*'], 'no running node matches /nobody[*', 1),
     (['diff', '/a'], 'the following arguments are required: AFTER', 2),
 ])
 def test_what_is_not_there_gets_a_sentence(ros, words, complaint, expected):

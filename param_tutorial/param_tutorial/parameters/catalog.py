@@ -107,8 +107,7 @@ class Catalog:
     def _read(self, node: CatalogNode) -> None:
         client = ParameterClient(node.name, executor=self._executor, timeout_sec=self._timeout_sec)
         try:
-            names = client.list_parameters()
-            descriptors, present = client.describe_parameters(names), client.get_parameters(names)
+            descriptors, present = client.describe_and_get()
         except ParameterToolError as error:
             node.problem = describe_error(error)
         else:

@@ -70,6 +70,7 @@ class LoggedChange:
         try:
             found = json.loads(line)
             time = datetime.datetime.fromisoformat(found['time'])
+            time.astimezone()  # the first and the last day of the calendar may not have a local time
             kind, node, name = found['kind'], found['node'], found['parameter']
             if time.tzinfo is None or kind not in KINDS or not (isinstance(node, str) and isinstance(name, str)):
                 raise ValueError('it lacks a time zone, a kind or a name')
@@ -232,7 +233,7 @@ class ChangeLog(WordTable):
 
         :raises InvalidValueError: it is no time.
         """
-        with contextlib.suppress(ValueError):
+        with contextlib.suppress(ValueError, OverflowError):
             day = datetime.time.fromisoformat(text)
             last = self.changes[-1].time if self.changes else datetime.datetime.now().astimezone()
             found = datetime.datetime.combine(last.astimezone(day.tzinfo), day).astimezone()

@@ -30,6 +30,9 @@ from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import DISCOVERY_TIMEOUT_SEC, TIMEOUT_SEC, full_name
 
+# How often all is asked if parameters are deleted between two questions.
+_ATTEMPTS = 4
+
 # What rclpy (and, after the bar, rclcpp) say when they reject, before any callback of the node is asked.
 _KINDS = (
     ('undeclared', r'^Invalid access to undeclared parameter|cannot be set because it was not declared$'),
@@ -278,6 +281,23 @@ class ParameterClient:
         answer = self._call('describe_parameters', DescribeParameters.Request(names=wanted)).descriptors
         self._require_all(wanted, answer)
         return Descriptors(zip(wanted, map(Descriptor.from_message, answer), strict=True))
+
+    def describe_and_get(self, names: Iterable[str] | None = None) -> tuple[Descriptors, ParameterValues]:
+        """Return descriptors and values of the same parameters, though some may be deleted meanwhile.
+
+        :param names: Only those of these that there are, in this order; by default all.
+        :raises ParameterNotDeclaredError: each time that the node was asked, one was deleted between two questions.
+        """
+        only = None if names is None else _listed(names)
+        for attempts_left in reversed(range(_ATTEMPTS)):
+            existing = self.list_parameters()
+            wanted = existing if only is None else [name for name in only if name in existing]
+            try:
+                return self.describe_parameters(wanted), self.get_parameters(wanted)
+            except ParameterNotDeclaredError:
+                if not attempts_left:
+                    raise
+        raise AssertionError('the last attempt returns or raises')
 
     def reference(self, names: Iterable[str] | None = None) -> Reference:
         """Return what the node tells of its parameters as a table in Markdown, for a README.

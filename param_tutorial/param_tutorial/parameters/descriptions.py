@@ -310,11 +310,9 @@ def describe(nodes: Iterable[str | Node] | str | Node | None = None, *, hidden: 
     :raises ExecutorError: no executor is running, or this is called from a callback.
     """
     def ask(client: ParameterClient) -> NodeDescription:
-        names = client.list_parameters()
-        descriptors, present = client.describe_parameters(names), client.get_parameters(names)
+        descriptors, present = client.describe_and_get()
         return NodeDescription(client.node, {
-            name: DescribedParameter(descriptors[name], present[name]) for name in names if name in present},
-            defaults_from)
+            name: DescribedParameter(each, present[name]) for name, each in descriptors.items()}, defaults_from)
 
     answers, unanswered = ask_all(nodes, ask, hidden=hidden, timeout_sec=timeout_sec, executor=executor)
     return Descriptions(answers.values(), complete=nodes is None and not unanswered, unanswered=unanswered)

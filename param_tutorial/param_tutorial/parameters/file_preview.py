@@ -11,10 +11,10 @@ from param_tutorial.parameters.checking import check_files
 from param_tutorial.parameters.client import Descriptor
 from param_tutorial.parameters.descriptions import DescribedParameter
 from param_tutorial.parameters.parsing import effective, matches
-from param_tutorial.parameters.sets import WordTable
+from param_tutorial.parameters.sets import MAY_BE_TAKEN, WordTable
 from param_tutorial.pictures.wording import format_count
 
-CHANGES, SAME, READ_ONLY, UNKNOWN = 'changes', 'same', 'read-only', 'unknown'
+CHANGES, SAME, READ_ONLY, NOT_DECLARED, NOT_SHOWN = 'changes', 'same', 'read-only', 'not declared', 'not shown'
 OTHER_NODE = 'not for this node'
 
 # What is wrong with the file itself. What is wrong with a value, each row says.
@@ -31,8 +31,8 @@ class PreviewRow:
     wanted: Any
     """The value in the file."""
     verdict: str
-    """'changes', 'same', or why it will not be asked for: 'read-only', 'unknown', 'wrong type', 'out of range',
-    'off the step' or 'not for this node'."""
+    """'changes', 'same', or why it will not be asked for: 'read-only', 'not declared', 'not shown' here, 'wrong type',
+    'out of range', 'off the step' or 'not for this node'."""
     reason: str = ''
     """What to know about the verdict, as a sentence without a full stop; empty if there is nothing to say."""
     block: str = ''
@@ -106,13 +106,13 @@ class Loaded(dict[str, str]):
 
 
 def preview_file(path: str | Path, node: str, descriptors: Mapping[str, Descriptor], present: Mapping[str, Any], *,
-                 unknown: str = 'the node has no such parameter') -> FilePreview:
+                 is_partial: bool = False) -> FilePreview:
     """Find out what loading a file into a node would do. The file is read as rcl reads it.
 
     :param node: The fully qualified name of the node.
     :param descriptors: What is known of its parameters, by their names.
     :param present: The values that they have now.
-    :param unknown: What to say of a parameter that is not among them.
+    :param is_partial: They are only those of a panel that shows some.
     :raises ParameterFileError: the file cannot be read, or rcl would reject it.
     """
     # A pipe or a device could keep the reader forever.
@@ -121,7 +121,7 @@ def preview_file(path: str | Path, node: str, descriptors: Mapping[str, Descript
     parser = files.parse(path)
     entries = effective(parser, node)
     wanted = files.values_of(path, entries)
-    rows = [_row(name, value, descriptors, present, unknown) for name, value in wanted.items()]
+    rows = [_row(name, value, descriptors, present, is_partial) for name, value in wanted.items()]
     rows += [PreviewRow(each.name, None, each.value, OTHER_NODE, f'it is for {each.block}', each.block)
              for each in parser.assignments if not matches(each.block, node)]
     notes = [f'line {each.line}: {each.message}' for each in check_files(path) if each.kind in _ABOUT_THE_FILE]
@@ -129,10 +129,12 @@ def preview_file(path: str | Path, node: str, descriptors: Mapping[str, Descript
 
 
 def _row(name: str, value: Any, descriptors: Mapping[str, Descriptor], present: Mapping[str, Any],
-         unknown: str) -> PreviewRow:
+         is_partial: bool) -> PreviewRow:
     if name not in descriptors:
         near = nearest(name, list(descriptors), 'It has no parameters at all')
-        return PreviewRow(name, None, value, UNKNOWN, f'{unknown}{near}')
+        verdict, reason = ((NOT_SHOWN, 'this panel shows no such parameter') if is_partial
+                           else (NOT_DECLARED, MAY_BE_TAKEN))
+        return PreviewRow(name, None, value, verdict, f'{reason}{near}')
     descriptor, now = descriptors[name], present.get(name)
     if values.same(now, value):
         return PreviewRow(name, now, value, SAME)

@@ -20,13 +20,7 @@ from rcl_interfaces.msg import ParameterEvent
 from rcl_interfaces.srv import SetParameters
 from rclpy.task import Future
 
-from param_tutorial.errors import (
-    ExecutorError,
-    NodeNotFoundError,
-    ParameterNotDeclaredError,
-    WaitTimeoutError,
-    describe_error,
-)
+from param_tutorial.errors import ExecutorError, NodeNotFoundError, WaitTimeoutError, describe_error
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor, ParameterClient, to_message
 from param_tutorial.parameters.live_state import LATE_SEC, Change, LiveState, ParameterState, Request, Todo
@@ -41,7 +35,6 @@ _SHOW_PERIOD_SEC = 1 / 30
 _READ_PERIOD_SEC = 1 / 60
 _GIVE_WAY_SEC = 0.002
 FIRST_LOOK_TIMEOUT_SEC = 10.0
-_DESCRIBE_ATTEMPTS = 4
 
 P = ParamSpec('P')
 
@@ -263,17 +256,8 @@ class LiveParameters:
         """Ask the node which parameters it has now, of which kind, and for their values; return that as an event."""
         executor = self._require_executor()
         executor.services.greet(self.node, timeout_sec=self._timeout_sec)
-        client = self.client()
-        for attempts_left in reversed(range(_DESCRIBE_ATTEMPTS)):
-            existing = client.list_parameters()
-            names = existing if self.names is None else [name for name in self.names if name in existing]
-            try:
-                return functools.partial(self._state.described, names, client.describe_parameters(names),
-                                         client.get_parameters(names))
-            except ParameterNotDeclaredError:  # deleted between two of these questions
-                if not attempts_left:
-                    raise
-        raise AssertionError('the last attempt returns or raises')
+        descriptors, present = self.client().describe_and_get(self.names)
+        return functools.partial(self._state.described, list(descriptors), descriptors, present)
 
     def _read(self, names: list[str]) -> Callable[[], Todo]:
         """Ask the node for some values; return them as an event."""

@@ -207,9 +207,12 @@ class Rejected(Exception):
 
 
 def matches(block: str, node: str) -> bool:
-    """True if a block of this name is for the node: ``*`` is one name, ``**`` any number of them, also none."""
-    pattern = re.sub(r'/\*\*|\*', lambda match: r'(/\w+)*' if len(match[0]) > 1 else r'\w+',
-                     block if block.startswith('/') else '/' + block)
+    """True if a block of this name is for the node: ``*`` is one name, ``**`` any number of them, also none.
+
+    :param block: May also be what somebody typed; what is no pattern matches nothing.
+    """
+    parts = re.split(r'(/\*\*|\*)', block if block.startswith('/') else '/' + block)
+    pattern = ''.join({'/**': r'(/\w+)*', '*': r'\w+'}.get(part) or re.escape(part) for part in parts)
     return re.fullmatch(pattern, node, re.ASCII) is not None
 
 

@@ -33,6 +33,9 @@ _CORNER = '/_defaults'
 
 _STYLE = style('parameters/sets.css')
 
+MAY_BE_TAKEN = 'the node has not declared it, and no service tells whether it would take it all the same'
+"""What a preview says of such a parameter: a node may allow undeclared ones."""
+
 
 class ParameterSet(Mapping[str, Any]):
     """The parameters of a node at one moment, or of a file: names and values, which do not change any more."""
@@ -363,6 +366,8 @@ def preview(node: NodeLike, wanted: Mapping[str, Any]) -> Preview:
         if obstacle is None and (objection := DescribedParameter(descriptors[name]).objection(value)):
             obstacle = Outcome(name, value, objection.kind, objection.reason)
         word, reason = (obstacle.word, obstacle.reason) if obstacle else ('would be set', '')
+        if name not in descriptors:
+            reason = MAY_BE_TAKEN
         return Expectation(name, present.get(name), value, word, reason)
 
     return Preview(client.node, target, map(expected, differing))

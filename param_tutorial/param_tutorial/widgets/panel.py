@@ -225,8 +225,7 @@ class ParameterPanel(View):
         return preview_file(Path(path).expanduser(), self._node,
                             {name: control.descriptor for name, control in self._controls.items()},
                             {name: control.value for name, control in self._controls.items()},
-                            unknown='this panel shows no such parameter' if self._in_order
-                                    else 'the node has no such parameter')
+                            is_partial=self._in_order)
 
     def load(self, path: str | Path) -> Loaded:
         """Ask the node for the values that a parameter file holds for it; ``undo`` takes them back together.
