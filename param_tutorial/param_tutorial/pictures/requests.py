@@ -54,7 +54,7 @@ class _Side:
 
 
 class Requests:
-    """Requests to whoever keeps the values, in one way or two. RequestsView (``widgets.pictured``) explains them."""
+    """Requests, sent in one way or two. RequestsView (``widgets.pictured``) explains the arguments."""
 
     def __init__(self, subject: str) -> None:
         self.subject = subject
