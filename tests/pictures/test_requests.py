@@ -73,6 +73,16 @@ def test_one_request_travels_in_one_frame():
     assert reels[0].duration_sec < reels[1].duration_sec
 
 
+def test_the_frame_is_around_all_rows_in_whatever_order_they_are_sent():
+    ways = Requests('back')
+    low, high, mode = (Request(name, '1', '1') for name in ('low', 'high', 'mode'))
+    ways.add('all', '/robot', {}, [mode, low, high])
+    ways.add('one', '/robot', {}, [low, high, mode], is_one=True)
+    frame = next(part.get('d') for part in drawn(ways).iter() if part.get('class') == 'motion-dashed')
+    top, bottom = float(re.search(r'^M\S+ ([\d.]+)', frame)[1]), float(re.search(r'V([\d.]+)', frame)[1])
+    assert all(top < float(y) < bottom for y in heights(ways, '1')) and len(set(heights(ways, '1'))) == 3
+
+
 def test_it_ends_as_it_is_drawn_at_rest(worlds):
     reel = motion.Reel('one')
     moving, still = worlds.html(reel), worlds.html(motion.Reel('one', is_still=True))

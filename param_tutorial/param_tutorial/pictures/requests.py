@@ -182,7 +182,7 @@ class Requests:
             tokens = [motion.group(self._token(side.requests[number], is_bad=bool(side.requests[number].objection)),
                                    reel.travel([(0.0, 0.0, heights[number])])) for number in numbers]
             if side.is_one:
-                top, end = heights[0] - 19, heights[-1] + 19
+                top, end = min(heights) - 19, max(heights) + 19
                 tokens.insert(0, motion.path(f'M{-_ASKED_WIDTH / 2} {top}h{_ASKED_WIDTH}V{end}h{-_ASKED_WIDTH}z',
                                              'motion-dashed'))
                 yield motion.path(f'M{left} {top}h{_ASKED_WIDTH}V{end}h{-_ASKED_WIDTH}z', 'motion-dashed')
