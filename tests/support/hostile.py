@@ -120,7 +120,8 @@ entered = left = False
 _WAIT = '''
 param_tutorial.wait_until(lambda: entered, 'the callback')
 ParameterClient('keeper').get_parameter('x')
-param_tutorial.wait_until(lambda: left or ros.failures or len(ros.nodes) < 2, 'the end of the callback')
+param_tutorial.wait_until(lambda: left or ros.failures or 'victim' not in [each.get_name() for each in ros.nodes],
+                          'the end of the callback')
 ros.run(lambda: None, 'see it through')
 '''
 

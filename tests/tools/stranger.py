@@ -308,14 +308,15 @@ class Stranger:
     def _handle(self, index: int, control: dict[str, Any], x: float, y: float) -> None:
         mouse, keyboard, chance = self._page.mouse, self._page.keyboard, self._chance
         what = f'cell {index}: {control["tag"].lower()} {control["type"]} {control["name"]!r}'
-        if control['type'] == 'slider' and chance.random() < 0.7:
+        is_slider = control['type'] in ('slider', 'range')
+        if is_slider and chance.random() < 0.7:
             distance = chance.randint(-150, 150)
             self._say(f'{what}, dragged by {distance}')
             mouse.move(x, y)
             mouse.down()
             mouse.move(x + distance, y, steps=chance.randint(2, 12))
             mouse.up()
-        elif control['type'] == 'slider':
+        elif is_slider:
             keys = chance.choices(('ArrowLeft', 'ArrowRight', 'Home', 'End'), k=chance.randint(1, 4))
             self._say(f'{what}, {keys}')
             mouse.click(x, y)

@@ -3,16 +3,19 @@
 import re
 
 import pytest
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 
 import param_tutorial
 from param_tutorial import (
     CallsView,
+    ChecksView,
     DeclarationsView,
     LayersView,
     LiftsView,
     ParameterClient,
     PlaneView,
+    RequestsView,
     Rules,
     TrailView,
     WorldsView,
@@ -132,6 +135,65 @@ def test_a_world_that_is_added_is_played():
     assert '@keyframes' in texts(view) and texts(view) != before
 
 
+# -- checks and requests -------------------------------------------------------------------------------------
+
+class Strict(Node):
+    def __init__(self):
+        super().__init__('strict')
+        limits = [IntegerRange(from_value=0, to_value=100, step=10)]
+        self.declare_parameter('speed', 50, ParameterDescriptor(integer_range=limits))
+        self.declare_parameter('serial', 50, ParameterDescriptor(integer_range=limits, read_only=True))
+        self.add_on_set_parameters_callback(
+            lambda parameters: SetParametersResult(successful=parameters[0].value != 60, reason='it rattles'))
+
+
+def test_a_request_is_stopped_by_the_first_check_that_it_fails(ros):
+    """Each but the last is wrong for its own check and for all later ones that can see it."""
+    view = ChecksView(ros.add(Strict), [
+        ('sped', 'x'), ('serial', 'x'), ('serial', 905), ('speed', None), ('speed', '60'), ('speed', 905),
+        ('speed', 45), ('speed', 60), ('speed', 70)])
+    stopped = re.findall(r'(\w+ = \S+) .*?(?:stopped at ([\w -]+):|is (stored))', view.text)
+    assert stopped == [
+        ("sped = 'x'", 'declared', ''), ("serial = 'x'", 'read-only', ''), ('serial = 905', 'read-only', ''),
+        ('speed = None', 'type', ''), ("speed = '60'", 'type', ''), ('speed = 905', 'range', ''),
+        ('speed = 45', 'step', ''), ('speed = 60', 'on-set callbacks', ''), ('speed = 70', '', 'stored')]
+    assert repr(view) == '<ChecksView: 1 of 9 get through all checks.>' and view.node == '/strict'
+
+
+def test_no_check_is_shown_for_a_node_that_is_not_there(ros):
+    with pytest.raises(NodeNotFoundError):
+        ChecksView('/nobody', [('speed', 1)])
+
+
+def test_requests_one_by_one_and_as_one_show_what_the_node_keeps(weather):
+    view, client = RequestsView('winter'), ParameterClient(weather)
+    view.send('one by one', weather, {'high_c': -10, 'low_c': -30})
+    assert repr(view) == '<RequestsView: one by one: 1 of 2 accepted.>'
+    assert 'high_c = -10 is rejected (rejected by the node), and /weather keeps 40' in view.text
+    view.send('as one', client, {'high_c': -10, 'low_c': -30}, atomically=True)
+    view.conclude('cold')
+    assert 'one request: high_c = -10 is accepted, and /weather keeps -10' in view.text and 'cold.' in view.text
+    assert client.get_parameters(['low_c', 'high_c']) == {'low_c': -30, 'high_c': -10}
+
+
+def test_what_fits_no_message_or_no_parameter_is_shown_as_rejected(weather):
+    view = RequestsView('high_c')
+    view.send('ROS 2', '/weather', [('high_c', [1, 'two']), ('high_c', 'hot'), ('hihg_c', 1)])
+    assert "high_c = [1, 'two'] is rejected (no type for it), and /weather keeps 40" in view.text
+    assert "high_c = 'hot' is rejected (wrong type), and /weather keeps 40" in view.text
+    assert 'hihg_c = 1 is rejected (undeclared), and /weather keeps nothing' in view.text
+
+
+def test_a_lenient_world_takes_everything_and_a_third_side_sends_nothing(weather):
+    view = RequestsView('high_c')
+    for title in ('ROS 1', 'once more'):
+        view.add_lenient(title, '/weather', {'high_c': 40}, [('high_c', 'hot')], server='master')
+    assert "ROS 1, high_c = 'hot' is accepted, and master keeps 'hot'; /weather gets 'hot' from master." in view.text
+    with pytest.raises(ValueError, match='room for 2 sides'):
+        view.send('ROS 2', weather, {'high_c': 20})
+    assert ParameterClient(weather).get_parameter('high_c') == 40
+
+
 # -- service calls -------------------------------------------------------------------------------------------
 
 def test_calls_are_real_and_show_what_came_back(weather):
@@ -191,7 +253,8 @@ def make_calls():
     return view
 
 
-VIEWS = {'calls': make_calls, 'worlds': lambda: WorldsView('speed'),
+VIEWS = {'calls': make_calls, 'checks': lambda: ChecksView('/weather', [('low_c', -6)]),
+         'requests': lambda: RequestsView('speed'), 'worlds': lambda: WorldsView('speed'),
          'layers': lambda: LayersView('speed', [('default', 100)]),
          'trail': make_trail, 'declarations': lambda: DeclarationsView(Weather),
          'lifts': lambda: LiftsView({'a': [(0, 0.0), (1, 1.0)]}),
