@@ -2,9 +2,11 @@
 
 import os
 import signal
+import socket
 import threading
 from pathlib import Path
 
+import psutil
 import pytest
 
 from param_tutorial import wait_until
@@ -131,6 +133,36 @@ def test_two_kernels_do_not_see_each_other(kernel):
         assert kernel.run('ros.domain_id') != other.run('ros.domain_id')
     finally:
         assert other.end() == 0
+
+
+def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
+    """os._exit runs no handler. What the kernel had started, its domain and its name in the graph go with it."""
+    kernel.run(START)
+    kernel.run("""
+        import os
+        from rclpy.node import Node
+        class Ends(Node):
+            def __init__(self):
+                super().__init__('ends')
+                self.declare_parameter('x', 1)
+                self.add_on_set_parameters_callback(lambda _: os._exit(7))
+        ros.add(Ends)
+        terminal = param_tutorial.Terminal('ros2 run param_tutorial cart_node')
+        param_tutorial.wait_until(lambda: '/cart_node' in ros.services.node_names(), 'the cart', 60)
+    """)
+    number = int(kernel.run('ros.domain_id'))
+    process = kernel.manager.provisioner.process
+    started = psutil.Process(process.pid).children(recursive=True)
+    assert started
+    kernel.client.execute("ParameterClient('/ends').set_parameter('x', 2)")
+    assert process.wait(DEADLINE_SEC) == 7
+    wait_until(lambda: not any(each.is_running() and each.status() != psutil.STATUS_ZOMBIE for each in started),
+               'what the kernel started to end')
+    # Another kernel may have the domain at once, and finds nobody in it.
+    assert domain.participant_ports(number) == set()
+    claim = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    claim.bind(f'\0param_tutorial/ros_domain/{number}')
+    claim.close()
 
 
 CHANGE_AND_LISTEN = """
