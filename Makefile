@@ -79,6 +79,9 @@ lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
 bench: setup-all  ## run the benchmarks
 	@$(VENV) -m tests.tools.bench $(ARGS)
 
+steady: setup-all  ## call the course's ros2 2,000 times and count wrong answers: make steady ARGS="--busy 8"
+	@$(VENV) -m tests.tools.steady $(ARGS)
+
 lint: setup-all  ## check code, notebooks and spelling without running them
 	@$(VENV) -m ruff check .
 	@$(VENV) -m codespell_lib --dictionary - --dictionary environment/words.txt
@@ -105,4 +108,4 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-beside-ros play stranger html \
-    lesson bench lint release lock clean
+    lesson bench steady lint release lock clean

@@ -6,6 +6,7 @@ import re
 import nbformat
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
+from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, PREDICTIONS, predicting
@@ -133,6 +134,15 @@ def test_the_text_in_its_place_does_not_give_the_answer_away(prediction):
 
 
 # -- the widget ------------------------------------------------------------------------------------------------
+
+
+def test_a_closed_question_leaves_nothing_with_ipywidgets():
+    before = set(widget_registry)
+    view = PredictionView(CHOICE, remember_nothing)
+    assert set(widget_registry) > before
+    view.close()
+    assert set(widget_registry) == before
+
 
 def test_without_cells_the_verdict_comes_at_once():
     said = answered(PredictionView(CHOICE, remember_nothing), 'a text')

@@ -151,6 +151,13 @@ def test_describe(client):
         client.describe_parameters(['count', 'gian'])
 
 
+def test_a_parameter_that_was_never_declared_is_described_under_its_name(ros):
+    client = ParameterClient(ros.add(Node, 'open', allow_undeclared_parameters=True))
+    client.set_parameter('free', 5).raise_for_reason()
+    assert client.describe_parameter('free').name == 'free'
+    assert client.describe_parameters()['free'].name == 'free'
+
+
 def test_types(client):
     types = {'unset': values.NOT_SET, 'numbers': values.INTEGER_ARRAY}
     assert client.get_parameter_types(types) == types

@@ -267,6 +267,22 @@ def test_many_restarts_do_not_pile_up(ros):
     assert ros.services.node_names() == ['/speed']
 
 
+def test_a_node_that_is_destroyed_leaves_no_service_behind(ros):
+    def services():
+        return len(ros.tool_node.get_subscriptions_info_by_topic(
+            'rq/speed/get_type_descriptionRequest', no_mangle=True))
+
+    for _ in range(5):
+        node = ros.add(Speed)
+    assert services() == 1
+    node.destroy_node()
+    param_tutorial.wait_until(lambda: services() == 0, 'the last one to go')
+    # Nor does a node without the service fail to go.
+    ros.add(Speed, ros_args=['-p', 'start_type_description_service:=false'])
+    assert ros.remove('/speed')
+    assert ros.services.node_names() == []
+
+
 def test_wait_until_says_what_it_waited_for():
     with pytest.raises(WaitTimeoutError, match='for the moon'):
         param_tutorial.wait_until(lambda: False, 'the moon', timeout_sec=0.01)

@@ -1,12 +1,16 @@
 """The executor in a real Jupyter kernel: re-run cells, interrupts, errors, restarts and the end."""
 
+import os
 import signal
+import socket
 import threading
 from pathlib import Path
 
+import psutil
 import pytest
 
 from param_tutorial import wait_until
+from param_tutorial.runtime import domain
 from tests.support.kernels import DEADLINE_SEC, Kernel
 
 pytestmark = pytest.mark.slow
@@ -129,6 +133,84 @@ def test_two_kernels_do_not_see_each_other(kernel):
         assert kernel.run('ros.domain_id') != other.run('ros.domain_id')
     finally:
         assert other.end() == 0
+
+
+def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
+    """os._exit runs no handler. What the kernel had started, its domain and its name in the graph go with it."""
+    kernel.run(START)
+    kernel.run("""
+        import os
+        from rclpy.node import Node
+        class Ends(Node):
+            def __init__(self):
+                super().__init__('ends')
+                self.declare_parameter('x', 1)
+                self.add_on_set_parameters_callback(lambda _: os._exit(7))
+        ros.add(Ends)
+        terminal = param_tutorial.Terminal('ros2 run param_tutorial cart_node')
+        param_tutorial.wait_until(lambda: '/cart_node' in ros.services.node_names(), 'the cart', 60)
+    """)
+    number = int(kernel.run('ros.domain_id'))
+    process = kernel.manager.provisioner.process
+    started = psutil.Process(process.pid).children(recursive=True)
+    assert started
+    kernel.client.execute("ParameterClient('/ends').set_parameter('x', 2)")
+    assert process.wait(DEADLINE_SEC) == 7
+    wait_until(lambda: not any(each.is_running() and each.status() != psutil.STATUS_ZOMBIE for each in started),
+               'what the kernel started to end')
+    # Another kernel may have the domain at once, and finds nobody in it.
+    assert domain.participant_ports(number) == set()
+    claim = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    claim.bind(f'\0param_tutorial/ros_domain/{number}')
+    claim.close()
+
+
+CHANGE_AND_LISTEN = """
+heard = []
+ros.on_parameter_event(lambda event: heard.extend(each.value.integer_value for each in event.changed_parameters))
+answer = client.set_parameter('max_speed_rpm', {number})
+param_tutorial.wait_until(lambda: heard, 'the event of this change')
+"""
+ASK_IN_A_PROCESS = """
+import subprocess, sys
+print(subprocess.check_output([sys.executable, '-m', 'param_tutorial', *'{words}'.split()], text=True), end='')
+"""
+
+
+def test_ten_kernels_on_one_machine_know_nothing_of_each_other():
+    learners: dict[int, Kernel] = {}
+    try:
+        for number in range(1, 11):
+            learners[number] = Kernel()
+        for learner in learners.values():  # at once: each looks for a free domain
+            learner.client.execute(START)
+        for number, learner in learners.items():
+            learner.run(CHANGE_AND_LISTEN.format(number=number))
+        for number, learner in learners.items():
+            assert learner.run('ros.services.node_names()') == "['/simple_param_node']"
+            assert learner.run("client.get_parameter('max_speed_rpm'), heard") == f'({number}, [{number}])'
+            assert learner.run(ASK_IN_A_PROCESS.format(words='node list')) == '/simple_param_node\n'
+            assert learner.run(ASK_IN_A_PROCESS.format(words='param get /simple_param_node max_speed_rpm')) == (
+                f'Integer value is: {number}\n')
+        assert len({learner.run('ros.domain_id') for learner in learners.values()}) == 10
+    finally:
+        for learner in learners.values():
+            learner.kill()
+
+
+def test_a_kernel_for_which_no_domain_is_left_says_what_to_do(kernel):
+    number, claim = domain._claim_free_domain()
+    try:
+        kernel.run(f'from param_tutorial.runtime import domain; domain.DOMAIN_IDS = range({number}, {number + 1})')
+        text = kernel.run(START)
+        assert text == (f'ExecutorError: all ROS domains from {number} to {number} are in use on this machine: shut '
+                        f'down kernels that are no longer needed, or set ROS_DOMAIN_ID to share one of them')
+    finally:
+        os.close(claim)
+    # The same cell works when another kernel has ended.
+    assert 'Error' not in kernel.run(START)
+    assert kernel.run('ros.domain_id, ros.services.node_names()') == f"({number}, ['/simple_param_node'])"
+    assert kernel.end() == 0
 
 
 SHELL = START + """

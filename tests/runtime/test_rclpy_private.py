@@ -308,6 +308,20 @@ def test_a_handle_is_destroyed_when_its_last_user_has_left(other_context):
     observer.destroy_node()
 
 
+def test_the_service_get_type_description_outlives_its_node_until_rcl_ends_it(ros):
+    def is_there():
+        return bool(ros.tool_node.get_subscriptions_info_by_topic(
+            'rq/forgotten/get_type_descriptionRequest', no_mangle=True))
+
+    node = Node('forgotten')
+    end = rclpy_private.keep_type_description_service(node)
+    node.destroy_node()
+    # If this fails, rclpy does it by itself now, and the function can go.
+    assert is_there()
+    end()
+    wait_until(lambda: not is_there(), 'the service to go')
+
+
 def test_answers_are_sent_through_an_attribute_of_the_service(ros, lamp):
     service = next(each for each in lamp.services if each.service_name == '/lamp/get_parameters')
     errors = []

@@ -6,7 +6,7 @@ another process is there first once in a while. The kernel then dies, or its cli
 
 import tempfile
 import uuid
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from jupyter_client.manager import KernelManager as KernelManagerOnPorts
@@ -32,10 +32,14 @@ class KernelManager(KernelManagerOnPorts):
 class Kernel:
     """A kernel, and what its cells gave."""
 
-    def __init__(self) -> None:
+    def __init__(self, environment: Mapping[str, str] | None = None) -> None:
+        """Start it.
+
+        :param environment: By default that of this process, but with a ROS domain of the kernel's own.
+        """
         self.manager = KernelManager(kernel_name='python3')
-        # The tests of this process have a ROS domain already; a kernel has to claim its own.
-        self.manager.start_kernel(env=domain.environment_without_domain())
+        # The tests of this process have a ROS domain already.
+        self.manager.start_kernel(env=dict(environment or domain.environment_without_domain()))
         self.client = self.manager.client()
         self.client.start_channels()
         self.client.wait_for_ready(timeout=DEADLINE_SEC)

@@ -60,6 +60,16 @@ class PredictionView(widgets.VBox):
         bundle[MIME_TYPE] = {'number': self.prediction.number}
         return bundle
 
+    def close(self) -> None:
+        """Close it with all its parts: ipywidgets keeps each that is not closed, in the kernel and in the browser."""
+        for part in (*self.children, self):
+            part.layout.close()
+            if style := getattr(part, 'style', None):
+                style.close()
+        for child in self.children:
+            child.close()
+        super().close()
+
     def commit(self) -> None:
         """Lock the answer in, and say what became of it as soon as it can be known."""
         if self._committed or not self._given:

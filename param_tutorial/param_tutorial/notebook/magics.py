@@ -13,7 +13,8 @@ import shlex
 import signal
 import subprocess
 import sys
-from contextlib import ExitStack, suppress
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -219,8 +220,7 @@ def _run(command: _Command) -> int:
     with interruptible(), ExitStack() as stack:
         output: TextStream = sys.stdout
         if command.target is not None:
-            path = Path(command.target).expanduser()
-            output = stack.enter_context(path.open('a' if command.append else 'w', encoding='utf-8'))
+            output = stack.enter_context(_opened(Path(command.target).expanduser(), 'a' if command.append else 'w'))
         streams = _Streams(output, sys.stderr)
         try:
             installed = genuine.path_for(command.words)
@@ -233,6 +233,18 @@ def _run(command: _Command) -> int:
             return _run_genuine(installed, command.words, streams)
         finally:
             streams.flush()
+
+
+@contextmanager
+def _opened(path: Path, mode: str) -> Iterator[TextStream]:
+    """Open a file to write to it, and name it if that fails, also later on: a disk that gets full names none."""
+    try:
+        with path.open(mode, encoding='utf-8') as file:
+            yield file
+    except OSError as error:
+        if error.filename not in (None, str(path)):
+            raise
+        raise type(error)(error.errno, error.strerror, str(path)) from None
 
 
 class _Streams:

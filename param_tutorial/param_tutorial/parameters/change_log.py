@@ -124,12 +124,12 @@ class ChangeLogWriter:
         :param path: The file; what is in it stays.
         :raises OSError: it cannot be written.
         """
-        self._file = Path(path).open('ab+')  # noqa: SIM115 - closed by __exit__
-        self._file.seek(0, os.SEEK_END)
-        if self._file.tell():
+        # Without a buffer: what found no room on a full disk would be written, and fail, once more in the end.
+        self._file = Path(path).open('ab+', buffering=0)  # noqa: SIM115 - closed by __exit__
+        self._is_torn = False
+        if self._file.seekable() and self._file.seek(0, os.SEEK_END):
             self._file.seek(-1, os.SEEK_END)
-            if self._file.read(1) != b'\n':  # a crash has torn the last line
-                self._file.write(b'\n')
+            self._is_torn = self._file.read(1) != b'\n'  # by a crash
 
     def __enter__(self) -> 'ChangeLogWriter':
         return self
@@ -142,8 +142,12 @@ class ChangeLogWriter:
 
         :raises OSError: they could not be written.
         """
-        self._file.write(''.join(f'{change.as_line()}\n' for change in changes).encode())
-        self._file.flush()
+        lines = ''.join(f'{change.as_line()}\n' for change in changes)
+        left = (f'\n{lines}' if self._is_torn else lines).encode()
+        self._is_torn = True
+        while left:
+            left = left[self._file.write(left):]
+        self._is_torn = False
         # A pipe or a terminal has no disk.
         with contextlib.suppress(OSError):
             os.fsync(self._file.fileno())

@@ -140,8 +140,11 @@ class Descriptor:
         return words + ['read only'] * self.read_only + ['any type'] * self.dynamic_typing
 
     @classmethod
-    def from_message(cls, message: ParameterDescriptor) -> 'Descriptor':
-        """Return what a rcl_interfaces/msg/ParameterDescriptor says."""
+    def from_message(cls, name: str, message: ParameterDescriptor) -> 'Descriptor':
+        """Return what a rcl_interfaces/msg/ParameterDescriptor says.
+
+        :param name: The parameter's. In the message it is empty if the parameter was set without being declared.
+        """
         # A range of the other kind than the value can be declared; rclpy never looks at it.
         ranges = {values.INTEGER: message.integer_range, values.DOUBLE: message.floating_point_range}.get(
             values.TYPES[message.type])
@@ -149,7 +152,7 @@ class Descriptor:
         if ranges:
             low, high = sorted((ranges[0].from_value, ranges[0].to_value))  # rclpy takes them in either order
             limits = Range(low, high, ranges[0].step)
-        return cls(message.name, values.TYPES[message.type], message.description, message.additional_constraints,
+        return cls(name, values.TYPES[message.type], message.description, message.additional_constraints,
                    message.read_only, message.dynamic_typing, limits)
 
     def __repr__(self) -> str:
@@ -280,7 +283,7 @@ class ParameterClient:
         wanted = self.list_parameters() if names is None else _listed(names)
         answer = self._call('describe_parameters', DescribeParameters.Request(names=wanted)).descriptors
         self._require_all(wanted, answer)
-        return Descriptors(zip(wanted, map(Descriptor.from_message, answer), strict=True))
+        return Descriptors(zip(wanted, map(Descriptor.from_message, wanted, answer), strict=True))
 
     def describe_and_get(self, names: Iterable[str] | None = None) -> tuple[Descriptors, ParameterValues]:
         """Return descriptors and values of the same parameters, though some may be deleted meanwhile.

@@ -101,8 +101,8 @@ def _claim_free_domain() -> tuple[int, int]:
             claim.close()
             continue
         return domain_id, claim.detach()
-    raise ExecutorError('all ROS domains from 1 to 101 are in use on this machine: set ROS_DOMAIN_ID to choose '
-                        'one, or shut down kernels that are no longer needed')
+    raise ExecutorError(f'all ROS domains from {DOMAIN_IDS[0]} to {DOMAIN_IDS[-1]} are in use on this machine: shut '
+                        f'down kernels that are no longer needed, or set ROS_DOMAIN_ID to share one of them')
 
 
 def participant_ports(domain_id: int) -> set[int]:

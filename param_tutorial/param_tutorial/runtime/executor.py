@@ -207,7 +207,7 @@ class BackgroundExecutor:
         """
         doomed = [each for each in self._nodes if node is each or _full_name(each) == node]
         for each in doomed:
-            self.run(each.destroy_node, f'remove {_full_name(each)}')
+            self._destroy_in_thread(each, each.destroy_node)
         if doomed:
             self._check_graph_soon()
         return bool(doomed)
@@ -236,7 +236,19 @@ class BackgroundExecutor:
             self._nodes.remove(node)
             self._executor.remove_node(node)
             destroy()
-        self.run(take_off, f'destroy {_full_name(node)}')
+        self._destroy_in_thread(node, take_off)
+
+    def _destroy_in_thread(self, node: Node, destroy: Callable[[], None]) -> None:
+        """Let the executor's thread destroy a node, and then what rclpy forgets."""
+        what = f'destroy {_full_name(node)}'
+        if self._in_thread():  # the callback that runs now may be the node's own, and needs its handles
+            destroy()
+            return
+        executor, end_service = self._executor, rclpy_private.keep_type_description_service(node)
+        self.run(destroy, what)
+        # In a turn of its own: by then the executor has let go of the service. One that is stuck never does.
+        if self._executor is executor:
+            self.run(end_service, what)
 
     # -- the thread -------------------------------------------------------------------------------------
 

@@ -1,0 +1,155 @@
+"""All that writes files, where the disk is full and where the folder is read-only: a clear word, and nothing lost."""
+
+import contextlib
+import io
+import os
+import resource
+import shutil
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+
+from param_tutorial import ParameterClient, ParameterPanel
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.parameters.change_log import ChangeLog
+from param_tutorial.progress.record import ProgressFile
+from param_tutorial.ros2 import command
+from param_tutorial.runtime import stage
+
+NODE = '/simple_param_node'
+HAND_WRITTEN = f'{NODE}:\n  ros__parameters:\n    max_speed_rpm: 3  # as the motor has it\n    robot_name: Old\n'
+# So few bytes of a file find room.
+ROOM = 40
+NOBODY = 65534
+
+
+@contextlib.contextmanager
+def full_disk(_folder: Path) -> Iterator[str]:
+    """Let no file grow beyond a few bytes: a write is cut short and then fails, as on a disk that gets full."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (ROOM, before[1]))
+    try:
+        yield 'File too large'
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+@contextlib.contextmanager
+def read_only(folder: Path) -> Iterator[str]:
+    """Let nobody write into a folder, nor root, who may do so whatever the folder says."""
+    modes = {path: path.stat().st_mode for path in [*folder.rglob('*'), folder]}
+    for path, mode in modes.items():
+        path.chmod(mode & ~0o222 | 0o444)
+    user = os.geteuid()
+    if user == 0:
+        os.seteuid(NOBODY)
+    try:
+        yield 'Permission denied'
+    finally:
+        os.seteuid(user)
+        for path, mode in modes.items():
+            path.chmod(mode)
+
+
+@pytest.fixture
+def folder():
+    """Yield a folder that everybody may look into; pytest's own are for one user."""
+    made = Path(tempfile.mkdtemp(prefix='param_tutorial_'))
+    made.chmod(0o755)
+    yield made
+    shutil.rmtree(made)
+
+
+def files(folder):
+    """Return the content of each file in a folder."""
+    return {path.name: path.read_text() for path in folder.iterdir()}
+
+
+def run(*words):
+    """Run a command; return what it says went wrong, and the exit status."""
+    stdout, stderr = io.StringIO(), io.StringIO()
+    status = command.main([str(word) for word in words], stdout=stdout, stderr=stderr, get_executor=stage.current,
+                          in_notebook=True)
+    return stderr.getvalue(), status
+
+
+def save_by_panel(path):
+    """Save from a panel."""
+    panel = ParameterPanel(NODE)
+    try:
+        panel.save(path)
+    except OSError as error:
+        return str(error), 1
+    finally:
+        panel.close()
+    return '', 0
+
+
+def remember(path):
+    """Remember that an exercise is solved."""
+    said = ProgressFile(path).add_solved('3a')
+    return said or '', 1 if said else 0
+
+
+WRITERS = {
+    'panel': save_by_panel,
+    'snapshot': lambda path: run('snapshot', '--save', path),
+    'update': lambda path: run('snapshot', '--update', path),
+    'describe': lambda path: run('describe', NODE, '--save', path),
+    'backup': lambda path: run('restore', path.with_name('other.yaml'), '--backup', path),
+    'watch': lambda path: run('watch', '--log', path, '--duration', 60),
+    'progress': remember,
+}
+
+
+@pytest.mark.parametrize('hindered', [full_disk, read_only])
+@pytest.mark.parametrize(('writer', 'is_new'), [
+    (writer, is_new) for writer in WRITERS for is_new in (True, False) if writer != 'update' or not is_new])
+def test_what_cannot_be_written_is_said_and_changes_nothing(ros, folder, writer, is_new, hindered):
+    ros.add(SimpleParamNode)
+    path = folder / 'robot.yaml'
+    (folder / 'other.yaml').write_text(f'{NODE}:\n  ros__parameters:\n    max_speed_rpm: 7\n')
+    if not is_new and writer == 'progress':
+        ProgressFile(path).add_solved('1a')
+    elif not is_new:
+        path.write_text(HAND_WRITTEN)
+    before = files(folder)
+    with hindered(folder) as reason:
+        said, status = WRITERS[writer](path)
+    assert status == 1
+    assert reason in said
+    assert 'Traceback' not in said and said.rstrip('\n').count('\n') == 0
+    after = files(folder)
+    if writer == 'watch' and hindered is full_disk:
+        # What was in a log stays, and what follows, torn off, keeps nobody from reading or continuing it.
+        assert after.pop(path.name).startswith(before.pop(path.name, ''))
+    assert after == before
+    assert ParameterClient(NODE).get_parameter('max_speed_rpm') == 100
+
+
+def test_a_log_that_could_not_be_continued_is_read_and_goes_on_when_there_is_room(ros, folder):
+    ros.add(SimpleParamNode)
+    path = folder / 'changes.log'
+    assert run('watch', '--log', path, '--duration', 0.5) == ('', 0)
+    first = ChangeLog.read(path).changes
+    with full_disk(folder):
+        assert run('watch', '--log', path, '--duration', 60)[1] == 1
+    assert ChangeLog.read(path).changes == first
+    assert run('watch', '--log', path, '--duration', 0.5) == ('', 0)
+    assert len(ChangeLog.read(path).changes) == 2 * len(first)
+
+
+@pytest.mark.parametrize('hindered', [full_disk, read_only])
+def test_a_redirected_command_says_that_its_file_cannot_be_written(ros, folder, hindered, capsys):
+    ros.add(SimpleParamNode)
+    shell = InteractiveShell.instance()
+    shell.history_manager.enabled = False
+    shell.run_line_magic('load_ext', 'param_tutorial')
+    with hindered(folder) as reason:
+        shell.run_line_magic('ros2', f'param dump {NODE} > {folder}/robot.yaml')
+    printed = capsys.readouterr()
+    assert f"{reason}: '{folder}/robot.yaml'" in printed.err
+    assert 'Traceback' not in printed.err
