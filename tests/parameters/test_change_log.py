@@ -110,6 +110,15 @@ def test_the_state_at_any_time(minute, state):
     assert LOG.at(START + datetime.timedelta(minutes=minute)) == state
 
 
+def test_a_state_knows_its_time_and_a_time_without_zone_is_a_local_one():
+    local = (START + datetime.timedelta(minutes=5)).astimezone().replace(tzinfo=None)
+    state = LOG.at(local)
+    assert state == {'/a': {'x': 2}, '/b': {'y': 'a'}}
+    assert f'2 nodes, {local.astimezone().isoformat(timespec="seconds")}' in state.dump().text
+    assert LOG.at().taken == LOG.changes[-1].time
+    assert [each.kind for each in LOG.select(since=local, until=local)] == ['changed']
+
+
 def test_changes_are_selected():
     assert [each.name for each in LOG.select(nodes=['/b'])] == ['y', '']
     assert [each.new for each in LOG.select(names='^x$', kinds=['changed'])] == [2, 3]

@@ -10,6 +10,7 @@ told from the lines before it.
 
 import contextlib
 import datetime
+import itertools
 import json
 import math
 import os
@@ -19,6 +20,7 @@ import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
@@ -36,8 +38,9 @@ from param_tutorial.runtime.services import TIMEOUT_SEC
 
 KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
 _CLOSE_TIMEOUT_SEC = 10.0
-# How long nothing has to happen before new nodes are read once more.
-_READ_AGAIN_SEC = 0.5
+# When a node that is new is read again, each after so long. On a busy machine its publisher may know of this reader
+# only after a heartbeat of Fast DDS, which comes every three seconds.
+_READ_AGAIN_SEC = (0.5, 1.0, 2.0, 4.0)
 
 
 @dataclass(frozen=True)
@@ -204,9 +207,11 @@ class ChangeLog(WordTable):
         :param nodes: Names of nodes, or patterns such as ``/robot1/**``; by default all.
         :param names: A regular expression that is searched in the parameter's name.
         :param kinds: Some of KINDS; by default all.
+        :param since: Without a time zone, a local time, like ``until``.
         :raises re.error: names is no regular expression.
         """
         wanted, patterns, kinds = re.compile(names), list(nodes), set(kinds)
+        since, until = since and since.astimezone(), until and until.astimezone()
         return ChangeLog((each for each in self.changes
                           if (not patterns or any(matches(pattern, each.node) for pattern in patterns))
                           and (not names or (each.name and wanted.search(each.name)))
@@ -215,7 +220,14 @@ class ChangeLog(WordTable):
                          self.damaged)
 
     def at(self, time: datetime.datetime | None = None) -> Snapshot:
-        """Return the parameters that the nodes had at a time; by default at the end of the log."""
+        """Return the parameters that the nodes had at a time; by default at the end of the log.
+
+        :param time: Without a time zone, a local time.
+        """
+        if time is not None:
+            time = time.astimezone()
+        elif self.changes:
+            time = self.changes[-1].time
         state: dict[str, dict[str, Any]] = {}
         for each in self.changes:
             if time is not None and each.time > time:
@@ -228,7 +240,7 @@ class ChangeLog(WordTable):
                 state.setdefault(each.node, {}).pop(each.name, None)
             else:
                 state.setdefault(each.node, {})[each.name] = each.new
-        return Snapshot({node: ParameterValues(parameters) for node, parameters in sorted(state.items())}, {})
+        return Snapshot({node: ParameterValues(parameters) for node, parameters in sorted(state.items())}, {}, time)
 
     def parse_time(self, text: str) -> datetime.datetime:
         """Return the time that a person names: ``14:05``, ``14:05:30``, or a date and a time as in ISO 8601.
@@ -283,8 +295,8 @@ class ChangeFollower:
         self._executor = executor or stage.current()
         self._known: dict[str, dict[str, Any]] = {}
         self._incarnations: dict[str, frozenset[bytes]] = {}
-        self._new: set[str] = set()
-        """Nodes that have been read once."""
+        self._new: dict[str, list[float]] = {}
+        """When a node is to be read again, in the seconds of the monotonic clock."""
         self._happened: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
         self._stop_listening = [self._executor.on_parameter_event(self._on_event),
                                 self._executor.on_graph_change(self._on_graph_change)]
@@ -332,19 +344,22 @@ class ChangeFollower:
                     self._listener(changes)
 
     def _next(self) -> Callable[[], list[LoggedChange]] | None:
-        """Wait for what happens next, and no longer than until nodes are to be read again."""
-        if not self._new:
-            return self._happened.get()
+        """Wait for what happens next, and no longer than until a node is to be read again."""
+        due = min((times[0] for times in self._new.values()), default=None)
         try:
-            return self._happened.get(timeout=_READ_AGAIN_SEC)
+            return self._happened.get(timeout=None if due is None else max(0.0, due - monotonic()))
         except queue.Empty:
             return self._read_again
 
     def _read_again(self) -> list[LoggedChange]:
         """Read the nodes that are new: the first events of one may come before its publisher knows of this reader."""
-        nodes, self._new = self._new & self._known.keys(), set()
-        answers, _ = ask_all(sorted(nodes), ParameterClient.get_parameters, timeout_sec=self._timeout_sec,
-                             executor=self._executor)
+        due = [node for node, times in self._new.items() if times[0] <= monotonic()]
+        for node in due:
+            times = self._new.pop(node)
+            if times[1:] and node in self._known:
+                self._new[node] = times[1:]
+        answers, _ = ask_all(sorted(self._known.keys() & due), ParameterClient.get_parameters,
+                             timeout_sec=self._timeout_sec, executor=self._executor)
         return [change for node, parameters in answers.items() for change in self._seen(node, parameters)]
 
     def _changes_of(self, event: ParameterEvent, time: datetime.datetime) -> list[LoggedChange]:
@@ -377,7 +392,8 @@ class ChangeFollower:
                                       executor=self._executor) if came else ({}, {})
         for node, parameters in answers.items():
             changes += self._seen(node, parameters)
-        self._new |= answers.keys()
+        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=monotonic()))[1:]
+        self._new |= dict.fromkeys(answers, again)
         self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
         for error in unanswered.values():
             if self._trouble is not None:

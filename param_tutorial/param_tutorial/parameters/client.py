@@ -152,8 +152,8 @@ class Descriptor:
         if ranges:
             low, high = sorted((ranges[0].from_value, ranges[0].to_value))  # rclpy takes them in either order
             limits = Range(low, high, ranges[0].step)
-        return cls(name, values.TYPES[message.type], message.description, message.additional_constraints,
-                   message.read_only, message.dynamic_typing, limits)
+        return cls(message.name or name, values.TYPES[message.type], message.description,
+                   message.additional_constraints, message.read_only, message.dynamic_typing, limits)
 
     def __repr__(self) -> str:
         facts = [self.type.label, *self.rules]

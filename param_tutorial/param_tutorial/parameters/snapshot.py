@@ -29,10 +29,13 @@ FIRST_WORDS = '# Snapshot of'
 class Snapshot(dict[str, ParameterValues]):
     """Node names, sorted, and for each its ParameterValues. A plain dictionary, but for how it is shown."""
 
-    def __init__(self, nodes: dict[str, ParameterValues], unanswered: dict[str, NodeError]):
+    def __init__(self, nodes: dict[str, ParameterValues], unanswered: dict[str, NodeError],
+                 taken: datetime.datetime | None = None):
         super().__init__(nodes)
         self.unanswered = unanswered
         """The nodes that are not in it, and why: each an error of Services.call."""
+        self.taken = taken or datetime.datetime.now().astimezone()
+        """When the nodes had these values; by default now."""
 
     def __missing__(self, node: str) -> ParameterValues:
         raise self.unanswered.get(node) or NodeNotFoundError(node, list(self))
@@ -48,8 +51,7 @@ class Snapshot(dict[str, ParameterValues]):
     def dump(self) -> files.Dump:
         """Return the text of one parameter file for all nodes, which ``--params-file`` and ``restore`` read back."""
         dumps = {node: files.render(node, parameters) for node, parameters in self.items()}
-        now = datetime.datetime.now().astimezone().isoformat(timespec='seconds')
-        lines = [f'{FIRST_WORDS} {format_count(len(self), "node")}, {now}\n']
+        lines = [f'{FIRST_WORDS} {format_count(len(self), "node")}, {self.taken.isoformat(timespec="seconds")}\n']
         lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
         left_out = {f'{node}: {name}': reason for node, dump in dumps.items() for name, reason in dump.left_out.items()}
         return files.Dump(''.join(lines) + '\n'.join(dump.text for dump in dumps.values()), left_out)

@@ -118,7 +118,7 @@ def history(session: Session, args: argparse.Namespace) -> int:
     if args.at is not None:
         then = _state(log, args.log, args.at)
         session.stdout.write(Snapshot({node: each for node, each in then.items() if not patterns or any(
-            matches(each, node) for each in patterns)}, {}).dump().text)
+            matches(each, node) for each in patterns)}, {}, then.taken).dump().text)
         return 0
     selected = log.select(
         nodes=patterns, names=args.filter, kinds=KINDS if args.all else set(KINDS) - {'begin', 'seen'},
