@@ -687,7 +687,8 @@ def firefox_page(tmp_path_factory):
         assert page.complaints == []
 
 
-def show_in_firefox(page, path):
+def show_in_firefox(page, path, width=1280):
+    page.resize(width, 900)
     page.open(path.as_uri())
     page.wait_for("document.documentElement.dataset.lesson === 'ready'")
 
@@ -743,6 +744,5 @@ def test_the_search_in_firefox_from_the_disk(made, firefox_page):
 @pytest.mark.parametrize('width', [390, 1280])
 @pytest.mark.parametrize('name', ['index', '1_limits', '2_robot', 'search'])
 def test_no_page_is_wider_than_the_window_of_firefox(made, firefox_page, name, width):
-    firefox_page.resize(width, 900)
-    show_in_firefox(firefox_page, made.target / f'{name}.html')
+    show_in_firefox(firefox_page, made.target / f'{name}.html', width)
     assert firefox_page.evaluate('document.documentElement.scrollWidth <= innerWidth')
