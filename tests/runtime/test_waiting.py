@@ -1,5 +1,6 @@
 """Time limits are counted in the time that the machine has: where many threads share a core, they are longer."""
 
+import signal
 import threading
 from types import SimpleNamespace
 
@@ -68,3 +69,19 @@ def test_a_wait_ends_with_what_it_waits_for():
 def test_a_condition_that_does_not_come_true_is_named():
     with pytest.raises(WaitTimeoutError, match=r'timed out after 0\.1 s waiting for the end'):
         wait_until(lambda: False, 'the end', 0.1)
+
+
+def test_a_signals_handler_may_ask_for_machine_time_while_the_thread_that_it_interrupts_does(monkeypatch):
+    asked = []
+    monkeypatch.setattr(waiting, '_LOOK_PERIOD_SEC', 0.0)  # each look reads a file, and so takes longer
+    previous = signal.signal(signal.SIGALRM, lambda *_: asked.append(waiting.machine_time()))
+    signal.setitimer(signal.ITIMER_REAL, 0.001, 0.001)
+    try:
+        times = [waiting.machine_time()]
+        while len(asked) < 200:
+            times.append(waiting.machine_time())
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, previous)
+    assert times == sorted(times)
+    assert asked == sorted(asked)

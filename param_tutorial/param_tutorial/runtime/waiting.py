@@ -28,7 +28,8 @@ class _MachineClock:
     """Adds up the time that passes, divided by how much too many threads share a core."""
 
     def __init__(self) -> None:
-        self._lock = threading.Lock()
+        # A signal's handler may ask, too, while the thread that it interrupts is in here.
+        self._lock = threading.RLock()
         self._slowness = 1.0
         self._looked = self._read = time.monotonic()
         self._seconds = 0.0
@@ -38,8 +39,8 @@ class _MachineClock:
             now = time.monotonic()
             if now - self._looked >= _LOOK_PERIOD_SEC:
                 self._slowness, self._looked = _slowness(), now
-            self._seconds += (now - self._read) / self._slowness
-            self._read = now
+            self._seconds += max(0.0, now - self._read) / self._slowness
+            self._read = max(now, self._read)
             return self._seconds
 
 
