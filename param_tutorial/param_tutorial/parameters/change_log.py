@@ -25,7 +25,7 @@ from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
 
-from param_tutorial.errors import ExecutorError, InvalidValueError, NodeError, ParameterFileError
+from param_tutorial.errors import ExecutorError, InvalidValueError, NodeError, NodeGoneError, ParameterFileError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.parameters.parsing import matches
@@ -396,7 +396,8 @@ class ChangeFollower:
         self._new |= dict.fromkeys(answers, again)
         self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
         for error in unanswered.values():
-            if self._trouble is not None:
+            # One that has left meanwhile is told as gone.
+            if self._trouble is not None and not isinstance(error, NodeGoneError):
                 self._trouble(error)
         return changes
 
