@@ -13,15 +13,22 @@ from rclpy.node import Node
 from param_tutorial import node_graph, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.ros2 import command
+from param_tutorial.runtime import graph, waiting
 
 
 @pytest.fixture
 def haunted(ros, monkeypatch):
-    """Return an executor whose rmw lists a ghost, and one with the name of the robot."""
+    """Return an executor that has been there for long, and whose rmw lists a ghost, and one with the robot's name."""
+    list_also(monkeypatch, ros, 'ghost', 'simple_param_node')
+    monkeypatch.setitem(graph._first_looks, ros.tool_node, -graph._UNHEARD_SEC)
+    return ros
+
+
+def list_also(monkeypatch, ros, *names):
+    """Let rmw list some names of which nothing else is known."""
     listed = ros.tool_node.get_node_names_and_namespaces
     monkeypatch.setattr(ros.tool_node, 'get_node_names_and_namespaces',
-                        lambda: [('ghost', '/'), ('simple_param_node', '/'), *listed()])
-    return ros
+                        lambda: [*((name, '/') for name in names), *listed()])
 
 
 def shown(ros, *words):
@@ -44,6 +51,30 @@ def test_a_node_beside_a_ghost_of_its_name_is_one(haunted):
     assert haunted.services.node_names() == ['/simple_param_node']
     assert shown(haunted, 'node', 'list') == '/simple_param_node\n'
     assert node_graph().serves == ['/simple_param_node']
+
+
+def test_a_node_whose_name_comes_first_is_waited_for(ros, monkeypatch):
+    """As that of a process which has lived long comes to a new one."""
+    monkeypatch.setattr(graph, '_LEFT_SEC', 0.0)
+    list_also(monkeypatch, ros, 'simple_param_node')
+    looks = []
+
+    def is_ready():
+        looks.append(1)
+        if len(looks) == 5:
+            ros.add(SimpleParamNode)
+        return ros.services.is_ready('/simple_param_node', 'list_parameters')
+
+    assert graph.wait_for_service(is_ready, '/simple_param_node', 'list_parameters', ros.tool_node)
+
+
+def test_what_a_new_process_has_not_heard_of_a_node_counts_as_missing(ros, monkeypatch):
+    monkeypatch.setitem(graph._first_looks, ros.tool_node, waiting.machine_time())
+    wait_until(lambda: graph.is_complete(ros.tool_node), 'all to be known')
+    list_also(monkeypatch, ros, 'simple_param_node')
+    assert not graph.is_complete(ros.tool_node)
+    ros.add(SimpleParamNode)
+    assert graph.is_complete(ros.tool_node)
 
 
 def test_a_node_without_parameter_events_is_one_as_long_as_it_has_anything(ros):

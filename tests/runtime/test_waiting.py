@@ -83,5 +83,4 @@ def test_a_signals_handler_may_ask_for_machine_time_while_the_thread_that_it_int
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         signal.signal(signal.SIGALRM, previous)
-    assert times == sorted(times)
-    assert asked == sorted(asked)
+    assert times == sorted(times)  # what the handler was told may not be in order: it may interrupt itself
