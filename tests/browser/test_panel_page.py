@@ -16,7 +16,7 @@ from playwright.sync_api import expect
 from param_tutorial.runtime import domain
 from tests.support.lab import wait_for
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
 NODE = '''
     import rclpy

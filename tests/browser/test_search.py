@@ -12,7 +12,7 @@ from tests.support.paths import NOTEBOOKS
 from tests.tools.site_rules import open_page
 
 pytestmark = [
-    pytest.mark.slow, pytest.mark.timeout(600),
+    pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600),
     *(pytest.mark.filterwarnings(f'ignore::{kind}Warning') for kind in ('Deprecation', 'PendingDeprecation'))]
 
 

@@ -77,13 +77,16 @@ def spinning(executor_class, *node_makers, **options):
     executor = executor_class(context=context, **options)
     for node in nodes:
         executor.add_node(node)
-    thread = threading.Thread(target=executor.spin)
+    # Not spin(): if it is shut down while its thread is about to wait, that of rclpy 7.1.6 raises an AttributeError.
+    end = Future()
+    thread = threading.Thread(target=executor.spin_until_future_complete, args=[end])
     thread.start()
     try:
         yield nodes
     finally:
-        executor.shutdown()
+        end.set_result(None)
         thread.join()
+        executor.shutdown()
         for node in nodes:
             node.destroy_node()
         context.try_shutdown()
@@ -178,7 +181,7 @@ class Slow(Node):
         self.has_heard.set()
 
 
-def test_services_and_subscriptions_may_await_under_rclpys_spin():
+def test_services_and_subscriptions_may_await_under_rclpys_own_executor():
     with spinning(SingleThreadedExecutor, Slow) as (slow,):
         assert slow.client.wait_for_service(60)
         assert slow.client.call(GetParameters.Request(), timeout_sec=60)

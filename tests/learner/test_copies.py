@@ -386,6 +386,7 @@ def kill_at(number):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_delivery_that_is_killed_anywhere_is_made_up_for_by_the_next(tmp_path):
     """Each time one step later, until a delivery comes to its end."""
     for killed_at in range(1, 100):

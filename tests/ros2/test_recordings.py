@@ -7,6 +7,7 @@ from tests.tools import recordings
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_the_terminals_in_the_readme_show_what_the_commands_print(tmp_path):
     domain.choose()
     environment = recordings.shell_environment()

@@ -82,7 +82,7 @@ def as_new_process(words: list[str]) -> Answer:
 
 
 @pytest.mark.parametrize('run', [
-    in_this_process, pytest.param(as_new_processes, marks=pytest.mark.slow)])
+    in_this_process, pytest.param(as_new_processes, marks=[pytest.mark.slow, pytest.mark.thorough])])
 @pytest.mark.parametrize('scenario', SCENARIOS, ids=lambda scenario: scenario['scenario'].replace(' ', '_'))
 def test_agrees_with_the_genuine_command(scenario, run, ros, tmp_path, monkeypatch):
     for description in NODES:

@@ -177,6 +177,7 @@ print(subprocess.check_output([sys.executable, '-m', 'param_tutorial', *'{words}
 """
 
 
+@pytest.mark.thorough
 def test_ten_kernels_on_one_machine_know_nothing_of_each_other():
     learners: dict[int, Kernel] = {}
     try:

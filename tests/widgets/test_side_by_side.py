@@ -50,6 +50,8 @@ def test_a_view_that_is_closed_leaves_it_before(views):
     assert panel._on_close == []
 
 
+@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_page_records_both_and_draws_them_in_their_places(views):
     both = SideBySide(*views)
     facts = recorder.describe([both.model_id])
