@@ -64,7 +64,8 @@ _SHELL_CALL = "get_ipython().run_cell_magic('shell', "
 def _await_shell(lines: list[str]) -> list[str]:
     """Make a cell of ``%%shell`` one that awaits its commands.
 
-    ipykernel hears of sliders and buttons while a cell awaits something, and not before the end of any other cell.
+    Where a page has no subshell for its widgets, ipykernel hears of sliders and buttons while a cell awaits something,
+    and not before the end of any other cell.
     """
     return [line.replace(_SHELL_CALL, "await get_ipython().run_cell_magic('shell_awaited', ", 1)
             if line.startswith(_SHELL_CALL) else line for line in lines]
