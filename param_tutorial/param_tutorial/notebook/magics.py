@@ -31,6 +31,7 @@ from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.run import keeps_busy
 from param_tutorial.ros2.session import TextStream
 from param_tutorial.runtime import domain, stage
+from param_tutorial.runtime.backlog import from_pages
 
 if TYPE_CHECKING:
     import ipywidgets
@@ -72,7 +73,8 @@ def _await_shell(lines: list[str]) -> list[str]:
 
 
 def _before_cell(info: ExecutionInfo) -> None:
-    """Let the cell that is about to run read its own log lines only."""
+    """Let the cell that is about to run find all done that a hand did before it, and read its own log lines only."""
+    from_pages.wait()
     with suppress(ExecutorError):  # raised before the first start()
         stage.current().node_log.mark()
     ipython = get_ipython()
