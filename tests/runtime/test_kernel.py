@@ -8,6 +8,7 @@ from pathlib import Path
 
 import psutil
 import pytest
+from ipykernel.comm.comm import BaseComm
 
 from param_tutorial import wait_until
 from param_tutorial.runtime import domain
@@ -214,6 +215,17 @@ def test_a_kernel_for_which_no_domain_is_left_says_what_to_do(kernel):
     assert kernel.end() == 0
 
 
+def when_exists(path, act):
+    """Do something in a thread as soon as a file exists; return the thread."""
+    def wait_and_act():
+        wait_until(path.exists, f'{path}', timeout_sec=DEADLINE_SEC)
+        act()
+
+    hand = threading.Thread(target=wait_and_act)
+    hand.start()
+    return hand
+
+
 SHELL = START + """
 import ipywidgets
 %load_ext param_tutorial
@@ -233,12 +245,10 @@ def test_a_button_works_while_a_shell_cell_waits(kernel):
     model_id, home = kernel.run('print(button.model_id, first.home)').split()
 
     def click():
-        wait_until((Path(home) / 'begun').exists, 'the shell', timeout_sec=DEADLINE_SEC)
         content = {'comm_id': model_id, 'data': {'method': 'custom', 'content': {'event': 'click'}}}
         kernel.client.shell_channel.send(kernel.client.session.msg('comm_msg', content))
 
-    hand = threading.Thread(target=click)
-    hand.start()
+    hand = when_exists(Path(home) / 'begun', click)
     assert kernel.run(WAITS_FOR_CLICK) == 'clicked\n'
     hand.join()
     assert kernel.run('_exit_code') == '1'
@@ -247,17 +257,85 @@ def test_a_button_works_while_a_shell_cell_waits(kernel):
 def test_interrupt_ends_what_a_shell_cell_waits_for_and_not_the_shell(kernel):
     kernel.run(SHELL)
     home = Path(kernel.run('print(first.home)').strip())
-
-    def press():
-        wait_until((home / 'begun').exists, 'the shell', timeout_sec=DEADLINE_SEC)
-        kernel.manager.provisioner.process.send_signal(signal.SIGINT)
-
-    hand = threading.Thread(target=press)
-    hand.start()
+    hand = when_exists(home / 'begun', lambda: kernel.manager.provisioner.process.send_signal(signal.SIGINT))
     assert 'Error' not in kernel.run("%%shell first\nbash -c ': > begun; exec sleep 1000'")
     hand.join()
     assert kernel.run('_exit_code') == '130'
     assert kernel.run('%%shell first\necho goes on') == 'goes on\n'
+
+
+class Page:
+    """A page in a browser, as far as a kernel knows of it: it has a subshell for what a person does with widgets."""
+
+    def __init__(self, kernel):
+        self._client = kernel.client
+        self.subshell = self._ask('create_subshell_request', {})['subshell_id']
+
+    def _ask(self, kind, content):
+        request = self._client.session.msg(kind, content)
+        self._client.control_channel.send(request)
+        reply = self._client.control_channel.get_msg(timeout=DEADLINE_SEC)
+        assert reply['parent_header']['msg_id'] == request['header']['msg_id']
+        return reply['content']
+
+    def touch(self, model_id, content):
+        """Send what the script of a widget sends when a person uses it."""
+        message = self._client.session.msg('comm_msg', {
+            'comm_id': model_id, 'data': {'method': 'custom', 'content': content}})
+        message['header']['subshell_id'] = self.subshell
+        self._client.shell_channel.send(message)
+
+    def close(self):
+        self._ask('delete_subshell_request', {'subshell_id': self.subshell})
+
+
+PANEL = START + """
+from pathlib import Path
+from param_tutorial import RobotView
+from param_tutorial.nodes.clawbot_node import ClawbotNode
+panel = ParameterPanel(node)
+robot = ros.add(ClawbotNode)
+view = RobotView(robot)
+"""
+ENTER = {'do': 'enter', 'client': 'page', 'name': 'max_speed_rpm', 'number': 1}
+
+
+@pytest.mark.parametrize('wait', [
+    "ros.node_log.read(until='max_speed_rpm is now 55', timeout_sec=30)",
+    "param_tutorial.wait_until(lambda: client.get_parameter('max_speed_rpm') == 55, 'the hand', 30)",
+])
+def test_a_panel_answers_while_a_cell_waits_for_it(kernel, wait, tmp_path):
+    kernel.run(PANEL)
+    page, model_id = Page(kernel), kernel.run('print(panel._front.model_id)').strip()
+    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {**ENTER, 'text': '55'}))
+    assert 'Error' not in kernel.run(f"Path('{tmp_path}/waits').touch()\n{wait}")
+    hand.join()
+    # The next page has another subshell, and the one of this page is gone.
+    page.close()
+    Page(kernel).touch(model_id, {**ENTER, 'text': '60'})
+    assert kernel.run(wait.replace('55', '60')) in ("'[INFO] [simple_param_node]: max_speed_rpm is now 60'", 'True')
+
+
+@pytest.mark.skipif(not hasattr(BaseComm, '_reply_subshell_for'),
+                    reason='ipykernel before 7.4, which Python 3.10 gets, does not say that a message has come')
+def test_a_cell_begins_when_all_is_done_that_was_done_on_the_page_before_it(kernel):
+    kernel.run('%load_ext param_tutorial' + PANEL)
+    page, model_id = Page(kernel), kernel.run('print(panel._front.model_id)').strip()
+    # The thread beside the cells is slow.
+    kernel.run('import time; ask = panel._enter; panel._enter = lambda content: [time.sleep(0.1), ask(content)]')
+    for speed in (55, 56):
+        page.touch(model_id, {**ENTER, 'text': f'{speed}'})
+    assert kernel.run("panel.settle(); panel['max_speed_rpm'].value") == '56'
+
+
+def test_a_robot_drives_while_a_cell_waits_for_it(kernel, tmp_path):
+    kernel.run(PANEL)
+    page, model_id = Page(kernel), kernel.run('print(view._button.model_id)').strip()
+    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'event': 'click'}))
+    wait = "ros.node_log.read(since='speeds', until='speeds', node='/clawbot_node', timeout_sec=30)"
+    text = kernel.run(f"Path('{tmp_path}/waits').touch()\n{wait}")
+    assert text == "'[INFO] [clawbot_node]: Clawbot speeds up with 0.5 m/s^2'"
+    hand.join()
 
 
 def test_a_shell_cell_says_what_is_wrong_with_its_name(kernel):

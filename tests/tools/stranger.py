@@ -12,8 +12,7 @@ goes through Chromium, by mouse and keyboard. For each chapter, in a kernel and 
 3. Run All, with play while it runs. Now each output must be the stored one. The kernel must be idle, every panel must
    still change its node and every robot must drive, also after the page was reloaded. The browser must not complain.
 
-It also says which cells kept the kernel busy: a slider does not answer as long as a cell runs, unless the cell awaits
-something, as those of %%shell do.
+It also says which cells kept the kernel busy, because the next one has to wait for them.
 """
 
 import argparse

@@ -31,6 +31,7 @@ from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.run import keeps_busy
 from param_tutorial.ros2.session import TextStream
 from param_tutorial.runtime import domain, stage
+from param_tutorial.runtime.backlog import from_pages
 
 if TYPE_CHECKING:
     import ipywidgets
@@ -64,14 +65,16 @@ _SHELL_CALL = "get_ipython().run_cell_magic('shell', "
 def _await_shell(lines: list[str]) -> list[str]:
     """Make a cell of ``%%shell`` one that awaits its commands.
 
-    ipykernel hears of sliders and buttons while a cell awaits something, and not before the end of any other cell.
+    Where a page has no subshell for its widgets, ipykernel hears of sliders and buttons while a cell awaits something,
+    and not before the end of any other cell.
     """
     return [line.replace(_SHELL_CALL, "await get_ipython().run_cell_magic('shell_awaited', ", 1)
             if line.startswith(_SHELL_CALL) else line for line in lines]
 
 
 def _before_cell(info: ExecutionInfo) -> None:
-    """Let the cell that is about to run read its own log lines only."""
+    """Let the cell that is about to run find all done that a hand did before it, and read its own log lines only."""
+    from_pages.wait()
     with suppress(ExecutorError):  # raised before the first start()
         stage.current().node_log.mark()
     ipython = get_ipython()

@@ -3,10 +3,10 @@
 ``parameters.live`` follows the node, ``pictures.panel`` draws the controls, and ``panel.js`` lets a person use them, in
 the browser; here the three are kept in step, and what was done is kept for undo.
 
-Threads. What a person enters comes in the kernel's main thread and goes straight to ``LiveParameter.ask``, before
-anything is drawn. Everything that is drawn is drawn in ``_show``, which ``live`` calls in its worker's thread or
-in that of ``settle``, with the panel's lock held. No lock is held while a request is sent; the executor's thread takes
-no lock of a panel at all.
+Threads. What a person enters comes in a thread of the kernel's, often while a cell runs in another (see
+``beside_cells``), and goes straight to ``LiveParameter.ask``, before anything is drawn. Everything that is drawn is
+drawn in ``_show``, which ``live`` calls in its worker's thread or in that of ``settle``, with the panel's lock held. No
+lock is held while a request is sent; the executor's thread takes no lock of a panel at all.
 """
 
 import contextlib
@@ -331,7 +331,7 @@ class ParameterPanel(View):
     # -- the browser ------------------------------------------------------------------------------------
 
     def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
-        """Do what a person did in the browser; called by ipywidgets in the kernel's main thread."""
+        """Do what a person did in the browser; called by ipywidgets."""
         if content['do'] == 'enter':
             self._enter(content)
         elif content['do'] in ('look', 'act'):
@@ -516,7 +516,7 @@ class ParameterBrowser(FollowingView):
         self._worker.wake()
 
     def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
-        """Do what a person did in the browser; called by ipywidgets in the kernel's main thread."""
+        """Do what a person did in the browser; called by ipywidgets."""
         if content['do'] == 'find':
             self._search = content['text']
             self._worker.wake()

@@ -16,6 +16,7 @@ from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import full_name
 from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets import recordable
+from param_tutorial.widgets.beside_cells import answer_beside_cells
 from param_tutorial.widgets.cells import close_with_cell
 
 
@@ -40,6 +41,8 @@ class View(widgets.VBox):
         self._on_close: list[Callable[[View], object]] = []
         super().__init__(list(parts))
         self.add_class(css_class)
+        for widget in (self, *_all_within(self)):
+            answer_beside_cells(widget)
         recordable.register(self.model_id, self)
 
     def on_close(self, listener: Callable[['View'], object]) -> Callable[[], None]:
