@@ -112,7 +112,7 @@ def test_two_panels_stay_in_step(arm):
 
 
 def test_a_dynamic_parameter_that_has_become_bytes_still_shows_what_it_was(arm):
-    """rclpy takes an empty list for an array of bytes, and no number can be written as one."""
+    """An empty list is an array of bytes to rclpy, and no number can be written as one."""
     enter(arm, 'payload', '[]')
     arm.settle()
     row = arm._front.state['rows']['payload']
