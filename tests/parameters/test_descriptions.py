@@ -136,6 +136,32 @@ def test_the_validators_of_a_schema(tmp_path, validation, good, bad, type_name):
     assert described.objection(bad).reason.startswith('it must') or 'may only' in described.objection(bad).reason
 
 
+def test_a_reference_is_made_from_a_schema(tmp_path):
+    path = tmp_path / 'schema.yaml'
+    path.write_text('''
+arm:
+  joints: {type: string_array, read_only: true, description: "Which | how many"}
+  gains:
+    __map_joints:
+      p: {type: double, default_value: 1, validation: {bounds<>: [0.0, 2.0], own::check: null}}
+  qos_overrides: {type: int, default_value: 1, unit: mm}
+''')
+    assert repr(read(path).reference()) == r"""
+| parameter | type | default | enforced | meaning |
+| --- | --- | --- | --- | --- |
+| `joints` | string array |  | read only | Which \| how many |
+| `gains.<joints>.p` | double | `1.0` | bounds&lt;>: [0.0, 2.0], own::check&lt;> |  |
+| `qos_overrides` | integer | `1` |  | In mm. |
+""".lstrip()
+
+
+def test_a_saved_description_gives_the_reference_that_the_running_node_gives(ros, tmp_path):
+    ros.add(Arm)
+    path = tmp_path / 'arm.yaml'
+    describe('/arm').dump().save(path)
+    assert read(path).reference() == ParameterClient('/arm').reference()
+
+
 # -- nonsense -------------------------------------------------------------------------------------------------
 
 

@@ -11,13 +11,13 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tutorial import all_parameters
-from param_tutorial.errors import ParameterFileError
+from param_tutorial.errors import NoAnswerError, NodeGoneError, NodeNotFoundError, ParameterFileError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.parameters.descriptions import describe
-from param_tutorial.parameters.sets import MAY_BE_TAKEN, preview, restore
+from param_tutorial.parameters.sets import MAY_BE_TAKEN, Outcome, ParameterSet, Restored, preview, restore
 from param_tutorial.parameters.snapshot import Snapshot
-from param_tutorial.parameters.systems import compare_systems, defaults_of, of_robot
+from param_tutorial.parameters.systems import SystemRestored, compare_systems, defaults_of, of_robot
 from tests.parameters.test_files import NAMES
 from tests.support.nodes import Arm
 from tests.support.strategies import VALUES
@@ -140,3 +140,31 @@ def test_read_only_values_are_reported_or_passed_over(ros, skip):
     restored = restore('/locked', {'serial': 'B', 'speed': 2}, skip_read_only=skip)
     assert restored.complete is skip
     assert [each.name for each in restored] == (['speed'] if skip else ['serial', 'speed'])
+
+
+def test_what_became_of_many_nodes_is_one_table():
+    wanted = ParameterSet({'a': 1, 'b': 2}, 'monday.yaml')
+    done = Restored('/arm', wanted, [Outcome('a', 1, 'set'), Outcome('b', 2, 'rejected', 'too large')])
+    unanswered = {'/left': NodeGoneError('/left', 'set_parameters'), '/right': NodeNotFoundError('/right', []),
+                  '/lift': NoAnswerError('/lift', 'set_parameters', 1)}
+    assert repr(SystemRestored('monday.yaml', {'/arm': done}, unanswered)) == '''\
+4 nodes from monday.yaml: NOT COMPLETE, 1 of 2 parameters set, 3 without an answer
+
+node    parameter  wanted  outcome    reason
+/arm    a          1       set
+/arm    b          2       rejected   too large
+/left                      gone
+/right                     not there
+/lift                      no answer'''
+
+
+@pytest.mark.parametrize(('words', 'is_complete', 'expected'), [
+    ([], True, 'nothing to do, all values are there'), (['set'], True, 'complete, 1 parameter set'),
+    (['rejected'], False, 'NOT RESTORED, nothing was changed'),
+    (['not kept'], False, 'NOT COMPLETE, 0 of 1 parameter set'),
+])
+def test_the_heading_of_that_table_says_how_it_ended(words, is_complete, expected):
+    wanted = ParameterSet({'a': 1}, 'monday.yaml')
+    result = SystemRestored('monday.yaml', {'/arm': Restored('/arm', wanted, [Outcome('a', 1, each) for each in words]),
+                                            '/lift': Restored('/lift', wanted, [])}, {})
+    assert (result.complete, result.heading) == (is_complete, f'2 nodes from monday.yaml: {expected}')

@@ -47,6 +47,10 @@ def test_what_a_running_node_declares_is_saved_and_checked_against(ros, file, tm
     assert run('check', file(GOOD), '--against', saved)[2] == 0
     assert run('check', file(BAD), '--against', saved)[2] == 1
     assert run('describe', saved)[0] == saved.read_text()
+    table, stderr, status = run('describe', saved, '--format', 'markdown')
+    assert table.startswith('| parameter | type | value | enforced | meaning |\n')
+    assert '| `max_speed_rpm` | integer | `100` |' in table
+    assert (stderr, status) == ('', 0)
 
 
 @pytest.mark.slow

@@ -48,7 +48,13 @@ node                parameter   difference     {"before":9}  after
     assert '1 would be set' in stdout
     assert ParameterClient('/left/camera').get_parameter('rate') == 15
     stdout, stderr, status = run('restore', path, '--backup', backup)
-    assert stdout.count('complete, 1 parameter set') == 2
+    assert stdout == f'''\
+2 nodes from {path}: complete, 2 parameters set
+
+node                parameter   wanted     outcome  reason
+/left/camera        rate        30         set
+/simple_param_node  robot_name  'Clawbot'  set
+'''
     assert (stderr, status) == ('', 0)
     assert run('diff', path, '/**')[2] == 0
     assert Snapshot.from_file(backup)['/left/camera']['rate'] == 15
@@ -101,7 +107,12 @@ def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp
     assert run('diff', path, '/**', '--timeout', '0.5')[2] == 2
     path.write_text(path.read_text() + '/silent:\n  ros__parameters:\n    a: 1\n')
     stdout, stderr, status = run('restore', path, '--timeout', '0.5')
-    assert 'nothing to do' in stdout
+    assert stdout == f'''\
+2 nodes from {path}: NOT COMPLETE, 1 without an answer
+
+node     parameter  wanted  outcome    reason
+/silent                     no answer
+'''
     assert '/silent did not answer' in stderr
     assert status == 1
 
@@ -114,6 +125,20 @@ def test_a_rejected_value_is_reported_and_nothing_of_that_node_is_changed(ros, t
     assert 'NOT RESTORED, nothing was changed' in stdout
     assert status == 1
     assert ParameterClient('/simple_param_node').get_parameter('robot_name') == 'Clawbot'
+
+
+def test_one_table_of_many_nodes_says_what_was_set_and_what_was_rejected(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    ros.add(Camera, '/left')
+    path = tmp_path / 'bad.yaml'
+    path.write_text('/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: -1\n'
+                    '/left/camera:\n  ros__parameters:\n    rate: 15\n')
+    stdout, stderr, status = run('restore', path)
+    heading, _, *rows = stdout.splitlines()
+    assert heading == f'2 nodes from {path}: NOT COMPLETE, 1 of 2 parameters set'
+    assert {tuple(row.split()[:4]) for row in rows[1:]} == {
+        ('/simple_param_node', 'max_speed_rpm', '-1', 'rejected'), ('/left/camera', 'rate', '15', 'set')}
+    assert (stderr, status) == ('', 1)
 
 
 @pytest.mark.parametrize(('words', 'complaint', 'expected'), [

@@ -111,6 +111,17 @@ def test_two_panels_stay_in_step(arm):
     wait_until(lambda: shows(arm, 'joints') == ('1', 0), 'the first panel to follow the second')
 
 
+def test_a_dynamic_parameter_that_has_become_bytes_still_shows_what_it_was(arm):
+    """An empty list is an array of bytes to rclpy, and no number can be written as one."""
+    enter(arm, 'payload', '[]')
+    arm.settle()
+    row = arm._front.state['rows']['payload']
+    assert (row['text'], row['first']) == ('[]', '1.5')
+    enter(arm, 'tool', 'saw')  # the panel goes on
+    arm.settle()
+    assert arm['tool'].value == 'saw'
+
+
 def test_a_dynamic_parameter_follows_its_type(arm):
     ParameterClient(NODE).set_parameter('payload', ['a', 'b'])
     wait_until(lambda: shows(arm, 'payload') == ('[a, b]',), 'the panel to follow')

@@ -367,7 +367,7 @@ class ChangeFollower:
         changes = []
         for kind, parameters in (('declared', event.new_parameters), ('changed', event.changed_parameters)):
             for each in parameters:
-                new = _value_in(each.value)
+                new = values.to_python_or_none(each.value)
                 if each.name in known and values.same(known[each.name], new):
                     continue  # it was read meanwhile, or set to what it was
                 old = known.get(each.name)
@@ -412,8 +412,3 @@ class ChangeFollower:
 
 def _now() -> datetime.datetime:
     return datetime.datetime.now().astimezone()
-
-
-def _value_in(message: Any) -> Any:
-    """Return the value in a ParameterValue message, None if its type number is none of a parameter."""
-    return values.to_python(message) if message.type < len(values.TYPES) else None

@@ -25,6 +25,7 @@ from rclpy.node import Node
 from param_tutorial.errors import InvalidValueError, ParameterNotDeclaredError, ParameterRejectedError, nearest
 from param_tutorial.parameters import files, values
 from param_tutorial.parameters.editing import update_file
+from param_tutorial.parameters.reference import Entry, Reference, reference_of
 from param_tutorial.parameters.values import ParameterType
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
@@ -168,19 +169,6 @@ class Descriptors(dict[str, Descriptor]):
         return '\n'.join(map(repr, self.values())) or '(no parameters)'
 
 
-@dataclass(frozen=True)
-class Reference:
-    """A table of a node's parameters in Markdown; a notebook shows it as a table."""
-
-    text: str
-
-    def __repr__(self) -> str:
-        return self.text
-
-    def _repr_markdown_(self) -> str:
-        return self.text
-
-
 def is_housekeeping(name: str) -> bool:
     """True if this is one of the parameters that rclpy and rclcpp declare in every node."""
     return name in ('use_sim_time', 'start_type_description_service') or name.startswith('qos_overrides.')
@@ -315,11 +303,9 @@ class ParameterClient:
             names = [name for name in self.list_parameters() if not is_housekeeping(name)]
         wanted = _listed(names)
         present = self.get_parameters(wanted)
-        rows = [('parameter', 'type', 'value', 'enforced', 'meaning'), ('---',) * 5]
-        for name, each in self.describe_parameters(wanted).items():
-            rows.append((_code(name), each.type.label, _code(values.format_value(present[name])), ', '.join(each.rules),
-                         _cell(' '.join(filter(None, (each.description, each.additional_constraints))))))
-        return Reference(''.join(f'| {" | ".join(row)} |\n' for row in rows))
+        return reference_of(Entry(name, each.type.label, values.format_value(present[name]), each.rules,
+                                  (each.description, each.additional_constraints))
+                            for name, each in self.describe_parameters(wanted).items())
 
     def set_parameter(self, name: str, value: Any) -> SetResult:
         """Ask the node to set one parameter. A rejection is a result, not an exception.
@@ -457,21 +443,6 @@ def _listed(names: Iterable[str], what: str = 'names') -> list[str]:
         if all(isinstance(name, str) for name in listed):
             return listed
     raise TypeError(f'{names!r} is not a list of {what}; a list with one of them is ["gain"]')
-
-
-def _cell(text: str) -> str:
-    """Return a text made fit for a cell of a table in Markdown."""
-    for char, escaped in (('\\', '\\\\'), ('&', '&amp;'), ('<', '&lt;'), ('`', '\\`'), ('|', '\\|')):
-        text = text.replace(char, escaped)
-    return ' '.join(text.split())
-
-
-def _code(text: str) -> str:
-    """Return a cell of code, in which only a bar and a line break would still end the cell."""
-    text = ' '.join(text.splitlines())
-    fence = '`' * (1 + max(map(len, re.findall('`+', text)), default=0))
-    blank = ' ' if '`' in text else ''
-    return f'{fence}{blank}{text}{blank}{fence}'.replace('|', '\\|')
 
 
 def to_message(name: str, value: Any, parameter_type: ParameterType | None = None) -> Parameter:

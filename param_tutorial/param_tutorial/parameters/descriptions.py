@@ -40,8 +40,9 @@ from rclpy.node import Node
 
 from param_tutorial.errors import NodeError, ParameterFileError
 from param_tutorial.parameters import values
-from param_tutorial.parameters.client import Descriptor, ParameterClient, Range
+from param_tutorial.parameters.client import Descriptor, ParameterClient, Range, is_housekeeping
 from param_tutorial.parameters.files import Dump
+from param_tutorial.parameters.reference import Entry, Reference, reference_of
 from param_tutorial.parameters.snapshot import ask_all
 from param_tutorial.parameters.values import ParameterType
 from param_tutorial.runtime.executor import BackgroundExecutor
@@ -95,6 +96,12 @@ class DescribedParameter:
         """The values among which it chooses; empty if there is no such list."""
         found = self.validation.get('one_of', ((),))[0]
         return tuple(found) if isinstance(found, list) else ()
+
+    @property
+    def validator_calls(self) -> list[str]:
+        """The validators with their arguments, as a schema writes them, e.g. ``'bounds<>: [0.0, 2.0]'``."""
+        return [f'{name}<>' + (f': {values.format_value(list(arguments))}' if arguments else '')
+                for name, arguments in self.validation.items()]
 
     def objection(self, value: Any) -> Objection | None:
         """Return why the parameter cannot hold a value; None if nothing is known against it.
@@ -234,6 +241,24 @@ class NodeDescription:
         choices = [(self._keys(part, known) or []) if part.startswith(_MAP) else [part] for part in template.split('.')]
         yield from itertools.islice(map('.'.join, itertools.product(*choices)), 1000)
 
+    def reference(self) -> Reference:
+        """Return a table of the parameters in Markdown, for a README.
+
+        Where a schema makes parameters of another one's values, the table has one row for them: ``gains.<joints>.p``.
+        Parameters that every node has are left out.
+        """
+        is_declared = self.defaults_from == AS_DECLARED
+
+        def entry(name: str, each: DescribedParameter) -> Entry:
+            known = '' if each.default is None and is_declared else values.format_value(each.default)
+            told = each.descriptor
+            return Entry(re.sub(rf'{_MAP}(\w+)', r'<\1>', name), told.type.label, known,
+                         [*told.rules, *each.validator_calls],
+                         (told.description, told.additional_constraints, each.unit and f'In {each.unit}.'))
+
+        return reference_of([entry(name, each) for name, each in self.parameters.items() if not is_housekeeping(name)],
+                            'default' if is_declared else 'value')
+
 
 class Descriptions(dict[str, NodeDescription]):
     """The descriptions of nodes, by their names."""
@@ -259,6 +284,11 @@ class Descriptions(dict[str, NodeDescription]):
         lines = [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
         return Dump('# What nodes declare, saved by param_tutorial: to check parameter files without a robot.\n'
                     + ''.join(lines) + text, {})
+
+    def reference(self) -> Reference:
+        """Return a table in Markdown for each node, with its name as a heading if there are several."""
+        return Reference('\n'.join((f'## {node}\n\n' if len(self) > 1 else '') + each.reference().text
+                                   for node, each in self.items()))
 
 
 class _Dumper(yaml.SafeDumper):

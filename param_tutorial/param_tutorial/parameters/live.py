@@ -207,7 +207,8 @@ class LiveParameters:
     def _on_event(self, event: ParameterEvent) -> None:
         if event.node != self.node:
             return
-        changes = [Change(each.name, each.value.type, _value_in(each.value)) for each in event.changed_parameters]
+        changes = [Change(each.name, each.value.type, values.to_python_or_none(each.value))
+                   for each in event.changed_parameters]
         self._hand_over(self._state.changed, changes, others=bool(event.new_parameters or event.deleted_parameters))
 
     def _on_graph_change(self) -> None:
@@ -313,8 +314,3 @@ class LiveParameters:
         return executor is not None and executor.is_running and (
             not self.status or self._is_ready()
             or any(each.get_fully_qualified_name() == self.node for each in executor.nodes))
-
-
-def _value_in(message: Any) -> Any:
-    """Return the value in a ParameterValue message, None if its type number is none of a parameter."""
-    return values.to_python(message) if message.type < len(values.TYPES) else None

@@ -10,8 +10,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from param_tutorial.errors import NodeError, NodeGoneError, NodeNotFoundError
 from param_tutorial.parameters.descriptions import Descriptions
-from param_tutorial.parameters.sets import Change, Difference, ParameterSet, WordTable, compare
+from param_tutorial.parameters.sets import Change, Difference, ParameterSet, Restored, WordTable, compare
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import Row, grouped_table
 from param_tutorial.pictures.wording import format_count
@@ -85,6 +86,38 @@ class SystemDifference(WordTable):
         groups = self._groups()
         return _STYLE + grouped_table(self.columns if groups else (), groups, css_class='param-set',
                                       caption=self.heading)
+
+
+class SystemRestored(WordTable):
+    """What became of the parameters of many nodes that differed from a set. Shown as one table."""
+
+    columns = ('node', *Restored.columns)
+
+    def __init__(self, label: str, nodes: Mapping[str, Restored], unanswered: Mapping[str, NodeError]):
+        """
+        :param label: Where the values come from.
+        :param nodes: What became of each node that has answered.
+        :param unanswered: The other nodes, and why; whether they were changed is not known.
+        """
+        self.nodes, self.unanswered = dict(nodes), dict(unanswered)
+        self.complete = not unanswered and all(each.complete for each in nodes.values())
+        """True if all nodes now hold their values of the set."""
+        words = [outcome.word for each in nodes.values() for outcome in each]
+        done, total = words.count('set'), format_count(len(words), 'parameter')
+        if self.complete:
+            result = f'complete, {total} set' if words else 'nothing to do, all values are there'
+        elif done or 'not kept' in words or unanswered:
+            result = f'NOT COMPLETE, {done} of {total} set' if words else 'NOT COMPLETE'
+        else:
+            result = 'NOT RESTORED, nothing was changed'
+        missing = f', {len(unanswered)} without an answer' if unanswered else ''
+        self.heading = f'{format_count(len(nodes) + len(unanswered), "node")} from {label}: {result}{missing}'
+
+    def rows(self) -> list[tuple[str, ...]]:
+        changed = [(node, *row) for node, each in self.nodes.items() for row in each.rows()]
+        return changed + [(node, '', '', 'not there' if isinstance(error, NodeNotFoundError)
+                           else 'gone' if isinstance(error, NodeGoneError) else 'no answer', '')
+                          for node, error in self.unanswered.items()]
 
 
 def _plain(value: Any) -> Any:

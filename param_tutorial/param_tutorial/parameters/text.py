@@ -123,8 +123,17 @@ def form_of(descriptor: Descriptor) -> Form:
 
 
 def format_value(descriptor: Descriptor, value: Any) -> str:
-    """Return a value as a person would type it; an empty text if the parameter is not set."""
-    return '' if value is None else form_of(descriptor).format(value)
+    """Return a value as a person would type it; an empty text if the parameter is not set.
+
+    :param value: Need not be of the parameter's type: a dynamic parameter, or a node that has been started again, had
+        another type before.
+    """
+    if value is None:
+        return ''
+    form = form_of(descriptor)
+    if form is not _FORMS[values.NOT_SET] and not descriptor.type.accepts(value):
+        form = _FORMS[values.type_of(value)]
+    return form.format(value)
 
 
 def parse_value(descriptor: Descriptor, text: str) -> Any:

@@ -155,6 +155,14 @@ def to_python(message: Any) -> Any:
     return list(value) if parameter_type.is_array else value
 
 
+def to_python_or_none(message: Any) -> Any:
+    """Return the plain Python value of a ParameterValue message, None if its type number is none of the ten.
+
+    A node that publishes nonsense must not end what follows the parameter events of all nodes.
+    """
+    return to_python(message) if 0 <= message.type < len(TYPES) else None
+
+
 def format_value(value: Any, letters: int = 200) -> str:
     """Return a value as text for people, as Python does; of a long one the beginning, and how long it is.
 

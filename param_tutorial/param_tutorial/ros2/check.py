@@ -8,6 +8,7 @@ import argparse
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.parameters.checking import Findings, check_files
 from param_tutorial.parameters.descriptions import Descriptions
+from param_tutorial.parameters.files import Dump
 from param_tutorial.pictures.wording import format_count
 from param_tutorial.ros2 import sources
 from param_tutorial.ros2.session import CommandFailed, Commands, Session, add_graph_options
@@ -67,6 +68,8 @@ def add_describe_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('sources', nargs='+', metavar='SOURCE', help=sources.HELP)
     parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
+    parser.add_argument('--format', choices=('yaml', 'markdown'), default='yaml',
+                        help='markdown is a table for a README (default: yaml)')
     parser.set_defaults(verb=describe)
 
 
@@ -78,7 +81,7 @@ def describe(session: Session, args: argparse.Namespace) -> int:
         found.update(each)
         found.unanswered.update(each.unanswered)
         found.complete = found.complete or each.complete
-    dump = found.dump()
+    dump = found.dump() if args.format == 'yaml' else Dump(found.reference().text, {})
     if args.save is None:
         session.stdout.write(dump.text)
     else:

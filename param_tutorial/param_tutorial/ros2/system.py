@@ -16,7 +16,7 @@ from param_tutorial.parameters.editing import update_file
 from param_tutorial.parameters.sets import Difference, ParameterSet, compare, preview
 from param_tutorial.parameters.sets import restore as restore_node
 from param_tutorial.parameters.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all
-from param_tutorial.parameters.systems import SystemDifference, compare_systems, defaults_of, of_robot
+from param_tutorial.parameters.systems import SystemDifference, SystemRestored, compare_systems, defaults_of, of_robot
 from param_tutorial.pictures.wording import format_count
 from param_tutorial.ros2 import sources
 from param_tutorial.ros2.changes import past
@@ -228,9 +228,9 @@ def bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], label:
         wanted, lambda client: restore_node(client, ParameterSet(wanted[client.node], label),
                                             one_by_one=args.one_by_one, skip_read_only=args.skip_read_only),
         timeout_sec=args.timeout, executor=session.executor)
-    for restored in outcomes.values():
-        session.print(restored)
+    result = SystemRestored(label, outcomes, unanswered)
+    # What there is to say of one node alone does not need its name in each row.
+    for table in outcomes.values() if len(wanted) == 1 else [result]:
+        session.print(table)
     sources.report_unanswered(session, unanswered)
-    complete = all(restored.complete for restored in outcomes.values())
-    return 0 if complete and not unanswered else 1
-
+    return 0 if result.complete else 1
