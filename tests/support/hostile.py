@@ -50,7 +50,7 @@ class Line(NamedTuple):
 
 _NO_SPIN = ('leave this line out|runs inside the executor|spun in the background|timed out after|only the executor can '
             'bring')
-_NOT_BACK = 'did not return|does not return|was still running|did not answer|KeyboardInterrupt'
+_NOT_BACK = 'did not return|blocks the thread|does not return|was still running|did not answer|KeyboardInterrupt'
 LINES = {
     'spin': Line('rclpy.spin(self)', _NO_SPIN),
     'spin_once': Line('rclpy.spin_once(self)', _NO_SPIN),

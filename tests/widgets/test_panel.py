@@ -686,6 +686,26 @@ def test_gathered_changes_are_one_request(ros):
     assert (panel['low'].value, panel['high'].value) == (1, 2)
 
 
+def test_a_cell_does_what_it_says_whatever_button_was_pressed_before(ros):
+    node = ros.add(Band)
+    panel = ParameterPanel('/band')
+    press(panel, 'gather')
+    wait_until(lambda: panel.gathered == {}, 'the panel to gather')
+    enter(panel, 'high', '20')
+    panel['low'].value = 0
+    panel.settle()
+    assert (node.get_parameter('low').value, panel.gathered) == (0, {'high': 20})
+    panel.gather()
+    panel['low'].value = 3
+    assert panel.gathered == {'high': 20, 'low': 3}
+    assert panel.apply() == ''
+    press(panel, 'gather')
+    wait_until(lambda: panel.gathered == {}, 'the panel to gather again')
+    panel['low'].value = 4
+    panel.settle()
+    assert (node.get_parameter('low').value, panel.gathered) == (4, {})
+
+
 def test_what_is_rejected_stays_gathered_until_it_is_mended_or_discarded(ros):
     ros.add(Band)
     panel = ParameterPanel('/band')

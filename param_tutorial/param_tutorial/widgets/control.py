@@ -18,10 +18,14 @@ _WAITING = 'Waiting for the node to answer…'
 class Control:
     """One parameter on a panel: ``panel['max_speed_rpm']``."""
 
-    def __init__(self, parameter: LiveParameter, take: 'Callable[[Control, Any, object], None]'):
-        """:param take: Called with the control, a value that somebody wants, and the grip: see ``slide``."""
+    def __init__(self, parameter: LiveParameter, take: 'Callable[[Control, Any, object], None]',
+                 assign: 'Callable[[Control, Any], None]'):
+        """
+        :param take: Called with the control, a value that a person wants, and the grip: see ``slide``.
+        :param assign: Called with the control and a value that code wants.
+        """
         self._parameter = parameter
-        self._take = take
+        self._take, self._assign = take, assign
         self.first = parameter.value
         """What it had when the panel first saw it."""
         self._shape: Any = None
@@ -38,12 +42,16 @@ class Control:
 
     @property
     def value(self) -> Any:
-        """The value that the node confirmed last. Assigning to it moves the control as a person would."""
+        """The value that the node confirmed last. Assigning to it asks the node for another one.
+
+        If ``ParameterPanel.gather`` was called, the new value is gathered; if a person pressed *Gather*, what the code
+        assigns is sent nevertheless.
+        """
         return self._parameter.value
 
     @value.setter
     def value(self, value: Any) -> None:
-        self._take(self, fit(self._parameter.descriptor, value), None)
+        self._assign(self, fit(self._parameter.descriptor, value))
 
     @property
     def message(self) -> str:

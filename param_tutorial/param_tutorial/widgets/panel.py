@@ -103,6 +103,7 @@ class ParameterPanel(View):
         self._rows: list[PanelRow] | None = None
         # What is wanted together, by name; None if each change is sent at once.
         self._gathered: State | None = None
+        self._is_code_gathered = False
         self._note = ''
         self._not_restored: dict[str, str] = {}
         self._front = _Front(search=search)
@@ -161,8 +162,13 @@ class ParameterPanel(View):
 
     def gather(self) -> None:
         """From now on gather changes, until ``apply`` sends them together or ``discard`` forgets them."""
+        self._gather(is_code_gathered=True)
+
+    def _gather(self, *, is_code_gathered: bool) -> None:
+        self._is_code_gathered |= is_code_gathered
         if self._gathered is None:
             self._gathered, self._note = {}, ''
+            self._is_code_gathered = is_code_gathered
             self._show()
 
     def discard(self) -> None:
@@ -339,7 +345,8 @@ class ParameterPanel(View):
         else:
             names = [content['name']] if content.get('name') else []
             job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
-                                         'reset': lambda: self.reset(*names), 'gather': self.gather,
+                                         'reset': lambda: self.reset(*names),
+                                         'gather': lambda: self._gather(is_code_gathered=False),
                                          'discard': self.discard, 'apply': self.apply}[content['do']]
             self._jobs.put(job)
             # It waits for the node, and the kernel must not.
@@ -406,16 +413,26 @@ class ParameterPanel(View):
         return {'gathered': count, 'note': f'{told}\nRejected: {self._note}' if self._note else told}
 
     def _take(self, control: Control, value: Any, grip: object) -> None:
-        """Ask for a value that somebody wants, or gather it."""
+        """Ask for a value that a person wants, or gather it."""
         if self._gathered is None:
-            self._edits.begin(control.name, grip)
-            control.ask(value)
+            self._ask(control, value, grip)
             return
         self._gathered = {**self._gathered, control.name: value}
         if values.same(value, control.value):
             del self._gathered[control.name]
         self._note = ''
         self._show()
+
+    def _assign(self, control: Control, value: Any) -> None:
+        """Ask for a value that code wants; gather it only if code said so: a cell does what it says."""
+        if self._is_code_gathered:
+            self._take(control, value, None)
+        else:
+            self._ask(control, value, None)
+
+    def _ask(self, control: Control, value: Any, grip: object) -> None:
+        self._edits.begin(control.name, grip)
+        control.ask(value)
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
         """Make the controls that are missing and drop those whose parameter is gone; keep all others as they are."""
@@ -424,7 +441,7 @@ class ParameterPanel(View):
         for name, parameter in parameters.items():
             control = old.get(name)
             if control is None or control.parameter is not parameter:
-                control = Control(parameter, self._take)
+                control = Control(parameter, self._take, self._assign)
                 if name in old:
                     control.first = old[name].first
             controls[name] = control
