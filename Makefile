@@ -56,8 +56,8 @@ test-all: setup-all  ## the same and what takes long: fresh set-ups, networks, J
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit
 	@$(VENV) -m pytest -n 3 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
 
-# On two cores about a minute for each; a version that isn't here is named and passed over.
-test-pythons: setup-all  ## run the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
+# On two cores two or three minutes for each; a version that isn't here is named and passed over.
+test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
 	@$(VENV) -m tests.tools.pythons $(ARGS)
 
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced

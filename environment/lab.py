@@ -50,7 +50,7 @@ def environment(outer: Mapping[str, str]) -> dict[str, str]:
 def command(arguments: Sequence[str], program: str) -> list[str]:
     """Return JupyterLab's command line; the learner's own arguments come last, so that they win."""
     copies = Copies.of_learner(ROOT)
-    # Jupyter refuses to run as root unless told so. In a container or a robot's shell root is the only user there is.
+    # Jupyter does not run as root unless it is told to. In a container or a robot's shell, root is the only user.
     as_root = ['--allow-root'] if hasattr(os, 'geteuid') and os.geteuid() == 0 else []
     # The chapters' commands are bash's, whichever shell the learner has, and its start-up file puts `python` right.
     bash = shutil.which('bash')

@@ -37,7 +37,7 @@ class Reader(Node):
 
 
 def rcl_reads(ros, text, node='/lab/reader'):
-    """Return what a real node makes of a parameter file; None if it refuses to start."""
+    """Return what a real node makes of a parameter file; None if it does not start."""
     namespace, _, name = node.rpartition('/')
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
         file.write(text if isinstance(text, bytes) else text.encode())

@@ -401,7 +401,7 @@ def test_a_killed_process_does_not_stand_for_one_that_has_not_been_heard(ros):
     assert graph.is_complete(ros.tool_node)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unheard:
         unheard.bind(('127.0.0.1', 7400 + 250 * ros.domain_id + 10 + 2 * 100))
-        assert '/killed' in ros.services.node_names()  # it has not taken leave
+        assert '/killed' in ros.services.node_names()  # nobody has said that it is gone
         assert not graph.is_complete(ros.tool_node)
     wait_until(lambda: '/killed' not in ros.services.node_names(), 'the lease to end', 30)
 

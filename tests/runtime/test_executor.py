@@ -330,14 +330,14 @@ def test_an_interrupt_hits_the_main_thread_and_not_the_node():
 
 
 def test_a_refusing_callback_is_no_error(ros):
-    class Refusing(Speed):
+    class Rejecting(Speed):
         def __init__(self):
             super().__init__()
             self.add_on_set_parameters_callback(
                 lambda parameters: SetParametersResult(successful=False, reason='no'))
 
     errors = len(ros.errors)
-    assert ParameterClient(ros.add(Refusing)).set_parameter('rpm', 2).reason == 'no'
+    assert ParameterClient(ros.add(Rejecting)).set_parameter('rpm', 2).reason == 'no'
     assert len(ros.errors) == errors
 
 

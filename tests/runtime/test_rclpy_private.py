@@ -119,7 +119,7 @@ def limit_in_this_thread(seconds=0.3):
     return rclpy_private.forbid_waiting(lambda: None, rclpy_private.WaitLimit(
         lambda: threading.current_thread() is this, seconds,
         lambda nodes: ZeroDivisionError(f'spins {[node.get_name() for node in nodes]} forever'),
-        lambda what, seconds: ZeroDivisionError(f'{what}: in vain for {seconds} s')))
+        lambda what, seconds: ZeroDivisionError(f'{what}: timed out after {seconds} s')))
 
 
 @pytest.fixture
@@ -142,9 +142,9 @@ def test_rclpys_own_executors_take_a_time_limit_in_place_of_none(other_context, 
     for wait in (executor.spin_once, lambda: rclpy.spin_once(node, executor=executor),
                  lambda: executor.spin_once(timeout_sec=-1),
                  lambda: executor.spin_once_until_future_complete(future)):
-        with pytest.raises(ZeroDivisionError, match='something to do: in vain'):
+        with pytest.raises(ZeroDivisionError, match='something to do: timed out'):
             wait()
-    with pytest.raises(ZeroDivisionError, match='the future: in vain'):
+    with pytest.raises(ZeroDivisionError, match='the future: timed out'):
         executor.spin_until_future_complete(future)
     executor.spin_until_future_complete(future, timeout_sec=0.2)
     executor.spin_once(timeout_sec=0.2)
@@ -180,7 +180,7 @@ def test_a_signal_is_handled_while_an_executor_waits(other_context, limited):
 def test_a_client_returns_none_when_no_answer_comes_in_time(other_context, limited):
     node = Node('asking', context=other_context)
     client = node.create_client(GetParameters, '/nobody/get_parameters')
-    with pytest.raises(ZeroDivisionError, match='an answer from /nobody/get_parameters: in vain'):
+    with pytest.raises(ZeroDivisionError, match='an answer from /nobody/get_parameters: timed out'):
         client.call(GetParameters.Request())
     assert client.call(GetParameters.Request(), timeout_sec=0.01) is None
     node.destroy_node()

@@ -1,7 +1,10 @@
-"""Run the tests that talk to rclpy on every other CPython that the lock is for, as far as this machine has it.
+"""Run the chapters, and the tests that talk to rclpy, on every other CPython that the lock is for.
 
-Each gets an environment under build/pythons/, from the lock and so with the same versions. uv finds the interpreters on
-the PATH, to which those of pyenv are added here. It downloads none.
+Each output of a chapter is compared with the stored one, whatever Python that came from.
+
+Each version gets an environment under build/pythons/, from the lock and so with the same packages. uv finds the
+interpreters on the PATH, to which those of pyenv are added here. It downloads none: a version that isn't here is named
+and passed over.
 """
 
 import os
@@ -14,8 +17,9 @@ from tests.support.paths import ROOT
 
 LOCK = ROOT / 'environment' / 'requirements-dev.lock'
 MINORS = range(10, 15)
-# What runs nodes in this process. Notebooks, browser, website, builds and commands take minutes, and are about others.
-TESTS = [f'tests/{room}' for room in ('nodes', 'parameters', 'runtime', 'widgets')]
+# The chapters, and what runs nodes in this process. Browser, website, builds and commands take minutes, and are about
+# others.
+TESTS = [*(f'tests/{room}' for room in ('nodes', 'parameters', 'runtime', 'widgets')), 'notebooks']
 
 
 def find_uv() -> Path:
@@ -46,7 +50,8 @@ def make_environment(uv: Path, version: str) -> Path | None:
 def run_tests(python: Path, arguments: list[str]) -> tuple[bool, str]:
     """Return whether the tests passed, and the last line of what pytest said; print all of it if they did not."""
     done = subprocess.run(
-        [python, '-m', 'pytest', '-q', '-n', '4', '--dist', 'loadscope', '-m', 'not slow', *arguments, *TESTS],
+        [python, '-m', 'pytest', '-q', '-n', '4', '--dist', 'loadscope', '--no-loadscope-reorder', '--nbval',
+         '-m', 'not slow', *arguments, *TESTS],
         cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode:
         print(done.stdout)

@@ -352,7 +352,7 @@ class Stranger:
     def _reload(self) -> None:
         self._lab_page.reload()
         self._page.evaluate(_LISTEN)
-        # Views come back one after another, once the kernel has told of them.
+        # Views come back one after another, once the kernel has reported them.
         self._becomes(lambda: self._page.evaluate(_LIVE_CELLS))
 
     # -- the look ----------------------------------------------------------------------------------------

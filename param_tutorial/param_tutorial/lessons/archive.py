@@ -141,7 +141,7 @@ def course_archive(folder: str) -> bytes:
 
 
 def _git(*arguments: str) -> str:
-    """Return what git prints about the course; nothing if it is no clone, or there is no git."""
+    """Return what git prints about the course; nothing if it is not a clone, or there is no git."""
     try:
         return subprocess.run(['git', *arguments], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
     except (OSError, subprocess.CalledProcessError):

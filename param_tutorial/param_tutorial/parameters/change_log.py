@@ -79,7 +79,7 @@ class LoggedChange:
                 raise ValueError('it lacks a time zone, a kind or a name')
             return cls(time, kind, node, name, _decode(found['old']), _decode(found['new']))
         except (KeyError, TypeError, AttributeError, RecursionError, OverflowError) as error:
-            raise ValueError(f'it is no line of a log: {error}') from None
+            raise ValueError(f'it is not a line of a log: {error}') from None
 
     def __str__(self) -> str:
         time = f'{self.time.astimezone():%H:%M:%S.%f}'[:-3]
@@ -247,7 +247,7 @@ class ChangeLog(WordTable):
 
         A time of day is the last one that the log has reached; without a time zone, it is a local one.
 
-        :raises InvalidValueError: it is no time.
+        :raises InvalidValueError: it is not a time.
         """
         with contextlib.suppress(ValueError, OverflowError):
             day = datetime.time.fromisoformat(text)

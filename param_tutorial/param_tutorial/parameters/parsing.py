@@ -56,7 +56,7 @@ def _strtol(text: str) -> int | None:
     if match is None:
         return None
     sign, hexadecimal, octal, decimal = match.groups()
-    # A number of thousands of digits exceeds 64 bits anyway, and Python refuses to read it.
+    # A number of thousands of digits exceeds 64 bits anyway, and Python raises an exception for it.
     digits = hexadecimal or octal or decimal
     if len(digits.lstrip('0')) > 22:
         return None

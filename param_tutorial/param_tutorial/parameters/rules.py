@@ -88,7 +88,7 @@ class Rules:
     def __init__(self, node: Node):
         """Register an on-set callback. Several Rules on one node, and further callbacks, are all asked.
 
-        :raises RuleError: it is no node.
+        :raises RuleError: it is not a node.
         """
         if not isinstance(node, Node):
             raise RuleError(f'Rules takes the node whose parameters they are for, usually self, not {node!r}')

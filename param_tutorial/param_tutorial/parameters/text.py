@@ -163,7 +163,7 @@ _MOST_ITEMS = 100
 def format_items(descriptor: Descriptor, value: Any) -> list[str] | None:
     """Return the elements of an array as a person would type each into a box of its own.
 
-    :return: None if it is no array, has very many elements, or one has several lines, which no such box can hold.
+    :return: None if it is not an array, has very many elements, or one has several lines, which no such box can hold.
     """
     if (descriptor.type not in _ITEMS or descriptor.dynamic_typing or not isinstance(value, list)
             or len(value) > _MOST_ITEMS):

@@ -90,7 +90,7 @@ class Session:
 
         tool = self.executor.tool_node
         # Ghosts gather in a process that lives long. One that has just joined has none, and hears of a node's name
-        # before it hears of what shows that it is no ghost.
+        # before it hears of what shows that it is not a ghost.
         known = nodes_in_graph(tool) if self.in_notebook else tool.get_node_names_and_namespaces()
         names = (NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}') for name, namespace in known)
         return [each for each in names if hidden or not each.name.startswith(HIDDEN_NODE_PREFIX)]

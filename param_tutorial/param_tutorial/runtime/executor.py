@@ -397,7 +397,7 @@ class BackgroundExecutor:
             f'{_full_name(node)} is spun in the background already, and spinning it here would take it away from '
             f'there: to wait for something in a cell, use param_tutorial.wait_until(...)')
 
-    def refusal(self, node: Node, other: Executor) -> Exception | None:
+    def objection(self, node: Node, other: Executor) -> Exception | None:
         """Return the exception to raise when another executor wants to spin a node, None if it may."""
         if other is self._executor or not self.is_running or node not in self._nodes:
             return None
@@ -522,7 +522,7 @@ class BackgroundExecutor:
         return True
 
     def _tell_of_nodes(self) -> None:
-        # The graph may have told of a node while its constructor ran, when nobody could find it among the nodes yet.
+        # The graph may have reported a node while its constructor ran, when nobody could find it among the nodes yet.
         if not self._check_graph():
             self._graph_listeners.call()
 
@@ -565,9 +565,9 @@ class _NodeHost:
                 namespace = value
         self.ros.remove(f'/{namespace.strip("/")}/{name}'.replace('//', '/'))
 
-    def refusal(self, node: Node, other: Executor) -> Exception | None:
+    def objection(self, node: Node, other: Executor) -> Exception | None:
         """Return the exception to raise when another executor wants to spin a node, None if it may."""
-        return self.ros.refusal(node, other)
+        return self.ros.objection(node, other)
 
     def destroy(self, node: Node, destroy: Callable[[], None]) -> None:
         """Take a node off the stage, if it is there, and destroy it."""

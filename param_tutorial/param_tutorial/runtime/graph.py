@@ -154,7 +154,7 @@ def _participants(node: Node) -> tuple[set[bytes], set[bytes]]:
 def _killed(participants: set[bytes]) -> set[bytes]:
     """Return those participants that belonged to a process of this machine that is no more.
 
-    One that was killed has not taken leave, and would count as one of those that hold a port. The identity of a
+    One that was killed has not said that it leaves, and would count as one of those that hold a port. The identity of a
     participant of Fast DDS begins with the vendor, the host, and the lower half of the process's number
     (``GuidPrefix_t::create`` of Fast DDS 2.14).
     """

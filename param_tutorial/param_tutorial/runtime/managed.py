@@ -115,7 +115,7 @@ class Host(Protocol):
     def before_node_init(self, node_name: str, options: dict[str, Any]) -> None:
         """Hear of a node that is about to be created; options are the keyword arguments of Node."""
 
-    def refusal(self, node: Node, other: Executor) -> Exception | None:
+    def objection(self, node: Node, other: Executor) -> Exception | None:
         """Return the exception to raise when another executor wants to spin a node, None if it may."""
 
     def destroy(self, node: Node, destroy: Callable[[], None]) -> None:
@@ -201,7 +201,7 @@ class _Hooks(Node):
 
     @executor.setter
     def executor(self, executor: Executor | None) -> None:
-        if executor is not None and (refusal := self.host_of_node.refusal(self, executor)):
+        if executor is not None and (objection := self.host_of_node.objection(self, executor)):
             executor.remove_node(self)  # which has taken it in already, and asks afterwards
-            raise refusal
+            raise objection
         _EXECUTOR_OF_NODE.__set__(self, executor)

@@ -94,7 +94,7 @@ def _what_it_holds(path: Path, node: str) -> str:
     try:
         others = [name for name in files.parse(path).blocks if not matches(name, node)]
     except ParameterFileError:
-        return '. It is no parameter file'
+        return '. It is not a parameter file'
     return f'. Its parameters for {", ".join(others)} would be lost' if others else ''
 
 

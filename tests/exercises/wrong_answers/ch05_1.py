@@ -19,7 +19,7 @@ WRONG = {
         ([('get /gripper', 'get --timeout 60 /griper')], 0, 'it was still running after'),
         ([('retries 5', 'retries "5')], 0, '`ros2 param set /gripper retries "5`: No closing quotation'),
         ([('ros2 param get /gripper mode\n', '')], 2, 'there is no `get` in your lines'),
-        # Both are wrong, and each requirement is told of its own line.
+        # Both are wrong, and each requirement names its own line.
         ([('set /gripper retries', 'set /griper retries'), ('get /gripper mode', 'get /gripper')], 1,
          'the terminal says: ros2 param get: error: the following arguments are required: parameter_name'),
     ],

@@ -122,7 +122,7 @@ RIGHT = {
          ('    """', '        """')],
     ],
     '10.1a': [
-        # A relative name, keywords, and a profile of one's own.
+        # A relative name, keywords, and your own profile.
         [("'/parameter_events', self.write", "'parameter_events', self.write")],
         [("ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events",
           "msg_type=ParameterEvent, topic='/parameter_events', callback=self.write, qos_profile=500")],

@@ -97,7 +97,7 @@ class ParameterFile:
     def evaluate(self, context: Context) -> Path:
         """Return the path of a file without substitutions.
 
-        :raises LaunchFailed: there is no such file to substitute in, or it is no YAML afterwards.
+        :raises LaunchFailed: there is no such file to substitute in, or it is not YAML afterwards.
         """
         path = self.param_file if isinstance(self.param_file, Path) else Path(perform(self.param_file, context))
         if not self.allow_substs:

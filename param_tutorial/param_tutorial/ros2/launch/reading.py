@@ -34,7 +34,7 @@ _PACKAGES = {name.partition('.')[0] for name in MODULES}
 def load_description(path: Path) -> LaunchDescription:
     """Run a launch file and return what it describes.
 
-    :raises LaunchFailed: it is no launch file in Python, or needs what only a full installation has.
+    :raises LaunchFailed: it is not a launch file in Python, or needs what only a full installation has.
     """
     if path.suffix != '.py':
         raise LaunchFailed(f"{path.name} is no launch file in Python, and the course's own ros2 launch reads no other. "
@@ -95,7 +95,7 @@ def _module(name: str) -> ModuleType:
     module.__path__ = []
     module.__dict__.update(MODULES[name])
 
-    def refuse(wanted: str) -> NoReturn:
+    def raise_missing(wanted: str) -> NoReturn:
         # The import system asks for these of any module.
         if wanted.startswith('__'):
             raise AttributeError(wanted)
@@ -104,5 +104,5 @@ def _module(name: str) -> ModuleType:
                            f'{FULL_INSTALLATION}')
 
     # PEP 562: what a module has under this name is asked for names that it lacks.
-    module.__dict__['__getattr__'] = refuse
+    module.__dict__['__getattr__'] = raise_missing
     return module
