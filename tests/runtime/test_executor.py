@@ -1,11 +1,13 @@
 """background: life and death of the executor, its nodes and its thread."""
 
+import gc
 import inspect
 import re
 import subprocess
 import sys
 import textwrap
 import threading
+import weakref
 from pathlib import Path
 
 import pytest
@@ -265,6 +267,22 @@ def test_many_restarts_do_not_pile_up(ros):
     after = threading.active_count(), len(list(Path('/proc/self/fd').iterdir()))
     assert after == before
     assert ros.services.node_names() == ['/speed']
+
+
+def test_a_class_whose_node_has_gone_is_not_kept(ros):
+    """A cell that runs again makes its class anew: a lesson that is run often would keep hundreds."""
+    class Passing(Node):
+        def __init__(self):
+            super().__init__('passing')
+    gone = weakref.ref(Passing)
+    assert type(ros.add(Passing)) is type(ros.add(Passing))
+    ros.remove_all()
+    del Passing
+
+    def is_gone():
+        gc.collect()
+        return gone() is None
+    param_tutorial.wait_until(is_gone, 'the class to be collected')
 
 
 def test_a_node_that_is_destroyed_leaves_no_service_behind(ros):

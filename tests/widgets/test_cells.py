@@ -1,16 +1,40 @@
 """What a cell made goes when the cell runs again."""
 
+import gc
+import weakref
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+from ipywidgets.widgets.widget import _instances as widget_registry
+
+from param_tutorial import SideBySide, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.widgets import cells
 from param_tutorial.widgets.log import LogView
 from param_tutorial.widgets.panel import ParameterPanel
+from param_tutorial.widgets.robot import RobotView
 
 
-def test_a_cell_that_runs_again_closes_what_it_made(ros, monkeypatch):
-    ros.add(SimpleParamNode)
+@pytest.fixture
+def shell(monkeypatch):
+    """Yield an IPython of the test's own."""
+    shell = InteractiveShell()
+    monkeypatch.setattr('IPython.get_ipython', lambda: shell)
+    yield shell
+    shell.history_manager.end_session()
+
+
+@pytest.fixture
+def run(monkeypatch, shell):
+    """Yield a list whose one item is the cell that runs now, and which of its runs it is."""
     run = [('cell 1', 'run 1')]
     monkeypatch.setattr(cells, '_this_cell', lambda: run[0])
     monkeypatch.setattr(cells, '_made', {})
+    return run
+
+
+def test_a_cell_that_runs_again_closes_what_it_made(ros, run):
+    ros.add(SimpleParamNode)
     first, second = ParameterPanel('/simple_param_node'), LogView()
     run[0] = ('cell 2', 'run 2')
     elsewhere = ParameterPanel('/simple_param_node')
@@ -20,3 +44,36 @@ def test_a_cell_that_runs_again_closes_what_it_made(ros, monkeypatch):
     assert repr(first) == '<ParameterPanel: /simple_param_node, closed>'
     assert second.comm is None
     assert repr(elsewhere) == '<ParameterPanel: /simple_param_node, 9 parameters>'
+
+
+def test_ipython_forgets_what_a_cell_made_when_it_runs_again(ros, run, shell):
+    ros.add(SimpleParamNode)
+    shell.run_cell('from param_tutorial import ParameterPanel', store_history=True)
+    shell.run_cell("ParameterPanel('/simple_param_node')", store_history=True)
+    shell.run_cell('40 + 2', store_history=True)
+    panel = weakref.ref(shell.user_ns['Out'][2])
+    for number in range(4, 8):  # IPython also has the last three results as _, __ and ___
+        run[0] = ('cell 1', f'run {number}')
+        shell.run_cell("ParameterPanel('/simple_param_node')", store_history=True)
+
+    def is_gone():
+        gc.collect()
+        return panel() is None
+
+    wait_until(is_gone, 'the first panel to be forgotten')
+    assert list(shell.user_ns['Out']) == [3, 7]
+    assert '_2' not in shell.user_ns and shell.user_ns['_3'] == 42
+
+
+@pytest.mark.parametrize('make', [
+    lambda: ParameterPanel('/simple_param_node'), LogView,
+    lambda: SideBySide(RobotView('/simple_param_node'), ParameterPanel('/simple_param_node'))], ids=[
+        'panel', 'log', 'side by side'])
+def test_a_closed_view_leaves_nothing_with_ipywidgets(ros, make):
+    ros.add(SimpleParamNode)
+    before = set(widget_registry)
+    view = make()
+    assert set(widget_registry) > before
+    for part in (view, *getattr(view, 'parts', ())):
+        part.close()
+    assert set(widget_registry) == before

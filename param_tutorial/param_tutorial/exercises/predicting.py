@@ -13,7 +13,7 @@ import ipywidgets as widgets
 from param_tutorial.exercises.prediction import MIME_TYPE, Prediction
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import with_code
-from param_tutorial.widgets.cells import close_with_cell
+from param_tutorial.widgets.cells import close_looks, close_with_cell
 
 STYLE = style('exercises/prediction.css')
 COMMIT, COMMITTED = 'Commit', 'Committed'
@@ -63,9 +63,7 @@ class PredictionView(widgets.VBox):
     def close(self) -> None:
         """Close it with all its parts: ipywidgets keeps each that is not closed, in the kernel and in the browser."""
         for part in (*self.children, self):
-            part.layout.close()
-            if style := getattr(part, 'style', None):
-                style.close()
+            close_looks(part)
         for child in self.children:
             child.close()
         super().close()

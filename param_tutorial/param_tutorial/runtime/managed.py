@@ -124,7 +124,7 @@ class Host(Protocol):
 
 def prepare(node_class: type[Node], host: Host) -> Node:
     """Return an object of a class derived from node_class, with the hooks; its constructor has yet to run."""
-    managed_class = _managed(node_class)  # type: ignore[arg-type]  # mypy takes no class of rclpy for hashable
+    managed_class = _managed(node_class)
     node = managed_class.__new__(managed_class)
     node.host_of_node = host
     return node
@@ -143,10 +143,13 @@ def is_managed(node: object) -> bool:
     return isinstance(node, _Hooks)
 
 
-@functools.cache
 def _managed(node_class: Any) -> 'type[_Hooks]':
     """Derive a class with the hooks: a base class that comes just before Node in the method resolution order."""
     bases = (_Hooks,) if node_class is Node else (node_class, _Hooks)
+    # A class knows those derived from it without keeping them. A cache would keep all classes of cells that run again.
+    for derived in bases[0].__subclasses__():
+        if derived.__bases__ == bases:
+            return derived
     return type(node_class.__name__, bases, {
         '__module__': node_class.__module__, '__doc__': node_class.__doc__, '__qualname__': node_class.__qualname__})
 

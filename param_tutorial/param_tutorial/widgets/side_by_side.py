@@ -6,7 +6,7 @@ import ipywidgets as widgets
 
 from param_tutorial.pictures.styles import style
 from param_tutorial.widgets import recordable
-from param_tutorial.widgets.cells import close_with_cell
+from param_tutorial.widgets.cells import close_looks, close_with_cell
 from param_tutorial.widgets.view import View
 
 _STYLE = style('widgets/side_by_side.css')
@@ -47,7 +47,9 @@ class SideBySide(widgets.VBox):
         self._box.children = self.children = ()
         for widget in (self._style, self._box):
             widget.close()
+            close_looks(widget)
         super().close()
+        close_looks(self)
 
     def _drop(self, view: View) -> None:
         """Take a view out that is about to be closed: a browser cannot do so afterwards, and says so."""

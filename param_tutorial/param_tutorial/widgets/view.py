@@ -17,7 +17,7 @@ from param_tutorial.runtime.services import full_name
 from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets import recordable
 from param_tutorial.widgets.beside_cells import answer_beside_cells
-from param_tutorial.widgets.cells import close_with_cell
+from param_tutorial.widgets.cells import close_looks, close_with_cell
 
 
 def nothing() -> None:
@@ -72,8 +72,10 @@ class View(widgets.VBox):
                 if isinstance(box, widgets.Box):
                     box.children = ()
             super().close()
+            close_looks(self)
             for part in parts:
                 part.close()
+                close_looks(part)
 
     def _end(self) -> None:
         """Stop following."""
