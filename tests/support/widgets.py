@@ -42,20 +42,25 @@ def texts(panel):
     return '\n'.join(pieces)
 
 
+def _row(panel, name):
+    """Return the state of a control; a panel knows a parameter a moment before it is drawn."""
+    return panel._front.state['rows'].get(name, {})
+
+
 def shows(panel, name):
     """Return what the control of a parameter shows: its text, and where its slider stands, if it has one."""
-    state = panel._front.state['rows'][name]
-    return (state['text'], state['position']) if 'position' in state else (state['text'],)
+    state = _row(panel, name)
+    return tuple(state[each] for each in ('text', 'position') if each in state)
 
 
 def says(panel, name):
     """Return what stands beside the control of a parameter: what kind of message, and its words."""
-    return panel._front.state['rows'][name].get('message')
+    return _row(panel, name).get('message')
 
 
 def is_locked(panel, name):
     """Return whether nobody can use the control of a parameter."""
-    return panel._front.state['rows'][name].get('is_locked', False)
+    return _row(panel, name).get('is_locked', False)
 
 
 def wait_for_value(panel, name, value):
