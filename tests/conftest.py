@@ -1,4 +1,4 @@
-"""What all tests need: a clean start, the fixture `ros`, a time limit, and the longest files first."""
+"""What all tests need: a clean start, the fixtures `ros` and `ipython`, a time limit, and the longest files first."""
 
 import atexit
 import collections
@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import hypothesis
 import nbval.kernel
 import pytest
+from IPython.core.interactiveshell import InteractiveShell
 from xdist.workermanage import WorkerController
 
 import param_tutorial
@@ -57,6 +58,16 @@ def ros() -> Iterator[BackgroundExecutor]:
     yield executor
     terminal.end_all()
     executor.remove_all()
+
+
+@pytest.fixture
+def ipython() -> Iterator[InteractiveShell]:
+    """Yield an IPython with the notebook extension; the next test gets another one."""
+    shell = InteractiveShell.instance()
+    shell.history_manager.enabled = False  # two test processes would share its database
+    shell.run_line_magic('load_ext', 'param_tutorial')
+    yield shell
+    InteractiveShell.clear_instance()
 
 
 def pytest_configure(config: pytest.Config) -> None:

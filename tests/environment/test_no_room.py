@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from IPython.core.interactiveshell import InteractiveShell
 
 from param_tutorial import ParameterClient, ParameterPanel
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -143,13 +142,10 @@ def test_a_log_that_could_not_be_continued_is_read_and_goes_on_when_there_is_roo
 
 
 @pytest.mark.parametrize('hindered', [full_disk, read_only])
-def test_a_redirected_command_says_that_its_file_cannot_be_written(ros, folder, hindered, capsys):
+def test_a_redirected_command_says_that_its_file_cannot_be_written(ros, folder, hindered, ipython, capsys):
     ros.add(SimpleParamNode)
-    shell = InteractiveShell.instance()
-    shell.history_manager.enabled = False
-    shell.run_line_magic('load_ext', 'param_tutorial')
     with hindered(folder) as reason:
-        shell.run_line_magic('ros2', f'param dump {NODE} > {folder}/robot.yaml')
+        ipython.run_line_magic('ros2', f'param dump {NODE} > {folder}/robot.yaml')
     printed = capsys.readouterr()
     assert f"{reason}: '{folder}/robot.yaml'" in printed.err
     assert 'Traceback' not in printed.err

@@ -7,7 +7,6 @@ import sys
 
 import pytest
 from IPython.core.error import UsageError
-from IPython.core.interactiveshell import InteractiveShell
 
 from param_tutorial import Shell
 from param_tutorial.errors import ShellError
@@ -81,18 +80,13 @@ def test_the_learners_own_settings_stay_outside(monkeypatch):
     shell.close()
 
 
-def test_the_magic_types_a_cell_into_the_shell_it_names(shell, capsys):
-    ipython = InteractiveShell.instance()
-    ipython.run_line_magic('load_ext', 'param_tutorial')
-    try:
-        ipython.user_ns['first'] = shell
-        ipython.run_cell_magic('shell', 'first', 'echo {braces} $((1 + 1))\nfalse\n')
-        assert capsys.readouterr().out == '{braces} 2\n'
-        assert ipython.user_ns['_exit_code'] == 1
-        with pytest.raises(UsageError, match='nobody is none'):
-            ipython.run_cell_magic('shell', 'nobody', 'echo lost')
-    finally:
-        InteractiveShell.clear_instance()
+def test_the_magic_types_a_cell_into_the_shell_it_names(shell, ipython, capsys):
+    ipython.user_ns['first'] = shell
+    ipython.run_cell_magic('shell', 'first', 'echo {braces} $((1 + 1))\nfalse\n')
+    assert capsys.readouterr().out == '{braces} 2\n'
+    assert ipython.user_ns['_exit_code'] == 1
+    with pytest.raises(UsageError, match='nobody is none'):
+        ipython.run_cell_magic('shell', 'nobody', 'echo lost')
 
 
 # -- ros2 pkg create ------------------------------------------------------------------------------------------------
