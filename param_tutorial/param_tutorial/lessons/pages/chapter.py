@@ -7,15 +7,23 @@ from pathlib import Path
 import nbformat
 
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
+from param_tutorial.exercises.achievements import HOW
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.lessons.pages import drawing
 from param_tutorial.lessons.pages.links import NOTEBOOKS, Links
 from param_tutorial.lessons.recording.recorded import Recordings
 from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets
+from param_tutorial.pictures.tables import with_code
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
 _BOTH_WORDINGS = re.compile(r'<!-- notebook -->.*?<!-- page:\s*(.*?)\s*-->', re.DOTALL)
+
+# What checks and ticks say, as HTML, and what a page says in its place: all hints stand below a check.
+_WORDINGS_OF_OUTPUTS = {
+    r' \(the next: <code>exercises\.hint\([^)]*\)</code>\)': '',
+    re.escape(str(with_code(HOW))): 'In the notebook, what you solve is remembered and ticked here. This page '
+                                    'remembers the questions that you answer on it.'}
 
 
 def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
@@ -31,11 +39,11 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
     links = Links(path, notebook, pages, is_alone=alone is not None, address=address)
-    _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())))
+    _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())), links)
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
-                output.data['text/html'] = links.in_output(output.data['text/html'])
+                output.data['text/html'] = links.in_output(output_for_page(output.data['text/html']))
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
@@ -50,7 +58,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     return notebook
 
 
-def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer) -> None:
+def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer, links: Links) -> None:
     """Put what a page can show in the place of each widget."""
     for _, cell in cells_with_widgets(notebook):
         remaining = iter(recordings[cell.id])
@@ -62,7 +70,7 @@ def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer:
             if MIME_TYPE in output.get('data', {}):
                 number = output.data[MIME_TYPE]['number']
                 prediction = PREDICTIONS.get(number) or RECALLS[number]
-                output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction)})
+                output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction, links.in_verdict)})
                 cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
 
 
@@ -101,6 +109,13 @@ def for_page(text: str) -> str:
     Where the two differ, the chapter says both: ``<!-- notebook -->Run this cell.<!-- page: Here it is. -->``.
     """
     return _BOTH_WORDINGS.sub(lambda found: found[1], text)
+
+
+def output_for_page(text: str) -> str:
+    """Return what a cell has put out, as HTML, with the page's wording where it orders what only a notebook can do."""
+    for notebook, page in _WORDINGS_OF_OUTPUTS.items():
+        text = re.sub(notebook, page, text)
+    return text
 
 
 def _help_html(number: str, path: Path) -> str:

@@ -11,7 +11,7 @@ import itertools
 import json
 import re
 import zlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from decimal import Decimal
 from typing import Any
 
@@ -51,8 +51,11 @@ class Drawer:
                 'events': self._events, 'side by side': self._side_by_side, 'still': self._still}
         return draw[recording['kind']](recording, f'{self._page}-{next(self._numbers)}')
 
-    def draw_prediction(self, prediction: Prediction) -> str:
-        """Return the HTML of a prediction: a form that says what became of the answer, as soon as there is one."""
+    def draw_prediction(self, prediction: Prediction, linked: Callable[[str], str] = str) -> str:
+        """Return the HTML of a prediction: a form that says what became of the answer, as soon as there is one.
+
+        :param linked: Returns a verdict with the page's links in it.
+        """
         name = f'{self._page}-{next(self._numbers)}'
         if prediction.is_typed:
             answers = '<input type="text" name="answer" autocomplete="off" aria-label="Your value">'
@@ -61,8 +64,9 @@ class Drawer:
                               f'value="{html.escape(each.text)}">'
                               f'<span>{html.escape(each.text)}</span></label>' for each in prediction.choices)
         # A typed value may be none of the choices; the page's script compares it as the notebook does.
-        facts = {'choices': {plain_answer(each.text): verdict(prediction, each.text) for each in prediction.choices},
-                 'otherwise': verdict(prediction, '') if prediction.is_typed else ''}
+        facts = {'choices': {plain_answer(each.text): linked(verdict(prediction, each.text))
+                             for each in prediction.choices},
+                 'otherwise': linked(verdict(prediction, '')) if prediction.is_typed else ''}
         return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" autocomplete="off" id="{name}" '
                 f'data-number="{prediction.number}">'
                 f'<fieldset>'
