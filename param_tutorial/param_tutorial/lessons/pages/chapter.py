@@ -11,8 +11,10 @@ from param_tutorial.exercises.achievements import HOW
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.lessons.pages import drawing
 from param_tutorial.lessons.pages.links import NOTEBOOKS, Links
+from param_tutorial.lessons.pages.terms import terms_script
 from param_tutorial.lessons.recording.recorded import Recordings
 from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets
+from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.pictures.tables import with_code
 
 # The folder and the archive of the course that the site offers.
@@ -27,11 +29,13 @@ _WORDINGS_OF_OUTPUTS = {
 
 
 def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
-                   alone: dict[str, str] | None = None, address: str = '') -> nbformat.NotebookNode:
+                   glossary: Glossary | None = None, alone: dict[str, str] | None = None,
+                   address: str = '') -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
     :param recordings: For the id of each cell that shows widgets, their recordings in order.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
+    :param glossary: The words that the page explains where they stand.
     :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
         ran, and on what; see ``archive.provenance``.
     :param address: Where the whole site is on the web, for links to what is not beside that file.
@@ -50,7 +54,9 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
             cell.source = links.in_markdown(for_page(cell.source))
         cells.append(cell)
         if len(cells) == 1:
-            cells.append(_html_cell('to-run', _download_note(path) if alone is None else _provenance_note(alone)))
+            note = _download_note(path) if alone is None else _provenance_note(alone)
+            words = terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
+            cells.append(_html_cell('to-run', note + words))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
     notebook.cells = cells
