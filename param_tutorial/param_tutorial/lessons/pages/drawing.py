@@ -68,7 +68,7 @@ class Drawer:
                              for each in prediction.choices},
                  'otherwise': linked(verdict(prediction, '')) if prediction.is_typed else ''}
         return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" autocomplete="off" id="{name}" '
-                f'data-number="{prediction.number}">'
+                f'data-number="{prediction.number}"{" data-decided" if prediction.is_decided_by_a_cell else ""}>'
                 f'<fieldset>'
                 f'<legend class="param-predict-question"><b>{prediction.word}</b> · '
                 f'{with_code(prediction.question)}</legend>'
@@ -98,7 +98,9 @@ class Drawer:
             f'<noscript><p class="rec-note">The controls answer only where the page may run its script.</p></noscript>'
             f'<div class="param-panel">{markup}</div>'
             f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
-            f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}{looks}{album}</div>')
+            f'<button type="button" class="rec-link" disabled>Copy a link to these settings</button>'
+            f'<p class="rec-note">{_explanation(recording)}</p>'
+            f'<p class="rec-note rec-from-link" role="status"></p></div>{_packed(facts)}{looks}{album}</div>')
 
     def _robot(self, recording: Recording, name: str) -> str:
         look, node = recording['look'], html.escape(recording['node'])
