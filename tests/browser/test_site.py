@@ -82,9 +82,14 @@ heater = ros.add(Heater)''',
     'Two predictions, one to choose and one to type:',
     "from param_tutorial import exercises\n\nexercises.predict('6.1-1')",
     "exercises.predict('6.1-2')",
-    'What a hand does later does not show above:',
+    "print('-20, -15, 0, 50 and 52')",
+    'Five of the eight. What a hand does later does not show above:',
     "panel['low_c'].value = 19\npanel.settle()\npanel['low_c'].value",
-    '## Next\n\nA table, and a link to [the other one](2_robot.ipynb).\n\n'
+    '## Words\n\nA callback is called. Another callback, `callback`, and a [callback](2_robot.ipynb).\n\n'
+    'A post-set callback is no mere callback.\n\n'
+    '| word | meaning |\n|---|---|\n| callback | a function that `rclpy` calls |\n'
+    '| post-set callback | acts on what is stored |\n| step | an everyday word |',
+    '## Next\n\nA table, and a link to [the other one](2_robot.ipynb). No callback.\n\n'
     '| a | b |\n| --- | --- |\n| 1 | 2 |',
     "print('the end')\n1 / 0",
 )
@@ -349,6 +354,109 @@ def test_predictions_are_kept_in_the_browser_and_marked_beside_the_lessons(made,
         page.get_by_role('button', name='Forget my answers').click()
         expect(page.locator('.lesson-mark')).to_have_count(0)
         expect(page.locator('.lesson-progress')).to_be_hidden()
+
+
+@limits
+def test_an_output_below_a_prediction_is_folded_until_one_commits_or_looks(page):
+    form = page.locator('.rec-prediction').nth(1)
+    shown, told = page.get_by_text('-20, -15, 0, 50 and 52', exact=True), page.get_by_text('Five of the eight')
+    look = page.get_by_role('button', name='Commit to an answer, or look at that of question 6.1-2')
+    expect(page.locator('.lesson-look')).to_have_count(1)  # below the other prediction no cell decides it
+    expect(shown).to_be_hidden()
+    expect(told).to_be_hidden()
+    expect(look).to_have_attribute('aria-expanded', 'false')
+    look.press('Enter')
+    expect(shown).to_be_visible()
+    expect(told).to_be_visible()
+    expect(look).to_have_attribute('aria-expanded', 'true')
+    look.press('Enter')
+    expect(shown).to_be_hidden()
+    page.emulate_media(media='print')
+    expect(shown).to_be_visible()
+    expect(look).to_be_hidden()
+    page.emulate_media(media='screen')
+    form.get_by_label('Your value').fill('4')
+    form.get_by_label('Your value').press('Enter')
+    expect(shown).to_be_visible()
+    expect(look).to_be_hidden()
+    page.reload()
+    expect(shown).to_be_visible()
+
+
+def test_without_a_script_nothing_is_folded(made, browser):
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto((made.target / '1_limits.html').as_uri())
+    expect(page.get_by_text('-20, -15, 0, 50 and 52', exact=True)).to_be_visible()
+    expect(page.locator('.lesson-look, .lesson-term')).to_have_count(0)
+    context.close()
+
+
+@limits
+def test_a_word_of_the_glossary_is_explained_at_its_first_use_in_a_section(page):
+    terms, meaning = page.locator('.lesson-term'), page.locator('.lesson-meaning')
+    expect(terms).to_have_text(['callback', 'post-set callback', 'callback'])
+    term = page.get_by_role('button', name='callback', exact=True).first
+    expect(term).to_have_accessible_description('callback · a function that rclpy calls (chapter 1)')
+    term.focus()
+    expect(meaning).to_have_text('callback · a function that rclpy calls (chapter 1)')
+    expect(meaning).to_be_in_viewport(ratio=1)
+    page.keyboard.press('Escape')
+    expect(meaning).to_be_hidden()
+    expect(term).to_be_focused()
+    page.keyboard.press('Enter')
+    expect(meaning).to_be_visible()
+    page.keyboard.press('Tab')
+    expect(meaning).to_be_hidden()
+    terms.nth(1).hover()
+    expect(meaning).to_have_text('post-set callback · acts on what is stored (chapter 1)')
+    meaning.hover()
+    expect(meaning).to_be_visible()
+    page.get_by_role('heading', level=1).hover()
+    expect(meaning).to_be_hidden()
+
+
+@limits
+def test_a_link_brings_the_settings_of_a_panel_back(page):
+    copy = page.get_by_role('button', name='Copy a link to these settings')
+    expect(copy).to_be_disabled()
+    type_into(page, 'power_w', '900')  # the node makes it 300
+    type_into(page, 'high_c', '34')
+    type_into(page, 'low_c', '30')  # which the node accepts after that alone
+    type_into(page, 'name', 'Rex')
+    copy.click()
+    expect(page.locator('.rec-from-link')).to_have_text('The link is copied. It brings these settings back.')
+    page.evaluate("document.body.append(Object.assign(document.createElement('textarea'), {id: 'here'}))")
+    page.locator('#here').focus()
+    page.keyboard.press('Control+v')
+    address = page.locator('#here').input_value()
+    page.goto('about:blank')
+    page.goto(address)
+    for name, text in (('power_w', '300'), ('high_c', '34'), ('low_c', '30'), ('name', 'Rex')):
+        expect(box(page, name)).to_have_value(text)
+    expect(page.locator('.rec-from-link')).to_have_text('These settings come from the link that brought you here.')
+    expect(page.get_by_role('log', name='Log of /heater')).to_contain_text('power_w is now 300')
+    assert check_page(page) == []
+
+
+@limits
+@pytest.mark.parametrize(('settings', 'said'), [
+    ('{panel}?power_w=150&low_c=25', 'asks for low_c = 25, which this panel has not recorded as accepted.'),
+    ('{panel}?power_w=150&nobody=1', 'asks for nobody = 1, which'),
+    ('{panel}?power_w=150&__proto__=%3Cb%3E', 'asks for __proto__ = <b>, which'),
+    ('{panel}?serial=SN-2', 'asks for serial = SN-2, which'),
+    ('{panel}', 'asks for nothing, which'),
+    ('{panel}?%ff&=&==%', 'which this panel has not recorded as accepted.'),
+    ('nowhere?power_w=150', 'asks for settings of a panel that is not on this page.')])
+def test_a_bad_link_is_ignored_with_a_sentence(page, settings, said):
+    panel = page.locator('.rec-panel').get_attribute('id')
+    page.evaluate('hash => { location.hash = hash }', f'#set-{settings.format(panel=panel)}')
+    note = page.locator('.lesson-no-link' if 'nowhere' in settings else '.rec-from-link')
+    expect(note).to_contain_text(said)
+    expect(note).to_contain_text('It was ignored.')
+    expect(box(page, 'power_w')).to_have_value('100')
+    expect(box(page, 'low_c')).to_have_value('18')
+    expect(page.get_by_role('button', name='Back to the start')).to_be_disabled()
 
 
 @pytest.mark.parametrize('kept', ['{', 'null', '7', '[1]', '{"1_limits": null}', '{"1_limits": {"of": 2}}',

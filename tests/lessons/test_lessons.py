@@ -1,5 +1,7 @@
 """The HTML lessons without a browser: chapters are run and compared, and answers are recorded, not worked out."""
 
+import html
+import json
 import re
 
 import nbformat
@@ -9,9 +11,11 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersR
 from rclpy.node import Node
 
 from param_tutorial import ParameterPanel
-from param_tutorial.lessons.pages import chapter, drawing, front_page, links, writing
+from param_tutorial.exercises import RECALLS, predicting
+from param_tutorial.lessons.pages import chapter, drawing, front_page, links, terms, writing
 from param_tutorial.lessons.recording import recorder, run
 from param_tutorial.lessons.recording.questions import set_to, stops
+from param_tutorial.notebook.glossary import Entry, Glossary
 from param_tutorial.parameters.client import Range
 from param_tutorial.widgets.editors import Positions, WholePositions
 from tests.support.paths import NOTEBOOKS
@@ -289,3 +293,39 @@ def test_the_first_page_has_the_groups_and_the_ways_of_the_notebooks_start_page(
         assert f'**{who}**' in text
     assert 'its exercises check themselves in JupyterLab' in text
     assert '.ipynb' not in text.partition('## The lessons')[2]
+
+
+@pytest.mark.parametrize('number', RECALLS)
+def test_the_verdict_on_a_recall_links_to_the_section_that_answers_it(number):
+    notebooks = {path.stem: run.read_notebook(path) for path in sorted(NOTEBOOKS.glob('[0-9]*.ipynb'))}
+    path = next(NOTEBOOKS.glob('01_*.ipynb'))
+    shown = links.Links(path, notebooks[path.stem], set(notebooks))
+    recall = RECALLS[number]
+    for choice in recall.choices:
+        said = shown.in_verdict(predicting.verdict(recall, choice.text))
+        (page, place), = re.findall(r'<a href="(\w+)\.html#([^"]+)">“', said)
+        there = links.Links(NOTEBOOKS / f'{page}.ipynb', notebooks[page], set())
+        assert html.unescape(place) in there.anchors
+        assert chapter.title(NOTEBOOKS / f'{page}.ipynb').startswith(f'{recall.chapter} · ')
+    nowhere = links.Links(path, notebooks[path.stem], {path.stem}, is_alone=True)
+    assert '<a ' not in nowhere.in_verdict('You learned it in chapter 3, “Declare”.')
+    assert shown.in_verdict('You learned it in chapter 99, “Declare”.') == 'You learned it in chapter 99, “Declare”.'
+
+
+def test_a_page_explains_words_as_its_chapter_uses_them_and_no_everyday_ones():
+    glossary = Glossary(Entry(*each, 'x.ipynb') for each in (
+        ('snapshot', 'an early one', '2'), ('snapshot', 'its own', '10.2'), ('snapshot', 'a </script> later', '10.5'),
+        ('to declare', 'to create', '3'), ('`await`', 'wait', '5.3'), ('left', 'not changed', '1')))
+
+    def told(chapter):
+        script = terms.terms_script(glossary, chapter)
+        assert script.count('</script>') == 1
+        known = json.loads(re.sub('<[^>]+>$|^<[^>]+>', '', script))
+        return {each['word']: (each['code'], each['meaning']) for each in known}
+
+    assert told('10.2')['snapshot'] == (False, '<b>snapshot</b> · its own (chapter 10.2)')
+    assert told('9.1')['snapshot'][1].endswith('an early one (chapter 2)')
+    assert 'later (chapter 10.5)' in told('11')['snapshot'][1]
+    assert told('1').keys() == {'snapshot', 'declare', 'await'}
+    assert told('1')['await'] == (True, '<b><code>await</code></b> · wait (chapter 5.3)')
+    assert terms.terms_script(Glossary([]), '1') == ''

@@ -8,7 +8,7 @@ import re
 import nbformat
 import pytest
 
-from param_tutorial.lessons.pages.chapter import for_page
+from param_tutorial.lessons.pages.chapter import for_page, output_for_page
 from tests.support.paths import NOTEBOOKS
 
 CHAPTERS = sorted(NOTEBOOKS.glob('[0-9]*.ipynb'))
@@ -31,6 +31,16 @@ def prose(path):
 @pytest.mark.parametrize('path', CHAPTERS, ids=lambda path: path.stem)
 def test_a_page_says_nothing_that_only_a_notebook_can_do(path):
     assert [found.group() for text in prose(path) for found in ONLY_IN_A_NOTEBOOK.finditer(for_page(text))] == []
+
+
+@pytest.mark.parametrize('path', CHAPTERS, ids=lambda path: path.stem)
+def test_what_a_cell_put_out_orders_nothing_that_only_a_notebook_can_do(path):
+    shown = [output_for_page(output.data['text/html']) for cell in nbformat.read(path, as_version=4).cells
+             for output in cell.get('outputs', ()) if 'text/html' in output.get('data', {})]
+    orders = re.compile(rf'{ONLY_IN_A_NOTEBOOK.pattern}|\bexercises\.\w+\(|\bmake lab\b')
+    assert [found.group() for text in shown for found in orders.finditer(text)] == []
+    ticks = [text for text in shown if 'class="param-progress"' in text]
+    assert [text for text in ticks if 'In the notebook, what you solve is remembered' not in text] == []
 
 
 @pytest.mark.parametrize('path', CHAPTERS, ids=lambda path: path.stem)

@@ -223,6 +223,7 @@ def main(site: Path) -> int:
             for line in lines.strip().splitlines():
                 page.goto((site / f'{name}.html').as_uri())
                 page.wait_for_selector('html[data-lesson=ready]', state='attached')
+                page.evaluate("document.querySelectorAll('.lesson-look button').forEach(each => each.click())")
                 # A value with blanks in it stands alone.
                 steps = [line.strip()] if '[' in line else line.split()
                 missing = try_out(page, int(number or 0), steps)

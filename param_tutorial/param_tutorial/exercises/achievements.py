@@ -15,7 +15,7 @@ from param_tutorial.progress.record import Progress, ProgressFile
 from param_tutorial.progress.storage import write_whole
 
 _STYLE = style('exercises/achievements.css')
-_HOW = 'Start the course with `make lab`, and what you solve is remembered and ticked here.'
+HOW = 'Start the course with `make lab`, and what you solve is remembered and ticked here.'
 CERTIFICATE = 'certificate.html'
 
 
@@ -68,7 +68,7 @@ class ChapterProgress(Answer):
             lines += ['', ' '.join(f'{each.number}{self._mark(each)}' for each in questions)]
         if self._remembers and self.is_solved:
             lines += ['', f'Solved. {self._chapter.praise}']
-        return '\n'.join([*lines, *(['', _HOW] if not self._remembers else []), *([self.text] if self.text else [])])
+        return '\n'.join([*lines, *(['', HOW] if not self._remembers else []), *([self.text] if self.text else [])])
 
     def _mark(self, prediction: Prediction) -> str:
         made = self._predicted.get(prediction.number)
@@ -88,7 +88,7 @@ class ChapterProgress(Answer):
         solved = self._remembers and self.is_solved
         praise = (f'<div class="param-praise">{medal(self._chapter.number)}'
                   f'<p><b>Solved.</b> {with_code(self._chapter.praise)}</p></div>' if solved else '')
-        notes = ''.join(f'<p>{with_code(each)}</p>' for each in (self.text, '' if self._remembers else _HOW) if each)
+        notes = ''.join(f'<p>{with_code(each)}</p>' for each in (self.text, '' if self._remembers else HOW) if each)
         return (f'{_STYLE}<div class="param-progress"><p><b>{self._heading}</b></p>{praise}'
                 f'<ul class="param-exercises">{exercises}</ul>'
                 f'{questions}{notes}</div>')
@@ -109,7 +109,7 @@ class CourseProgress(Answer):
 
     def __init__(self, chapters: Sequence[Chapter], file: ProgressFile | None):
         """:param file: The learner's; None if nothing is remembered."""
-        progress, note = file.read() if file else (Progress(), _HOW)
+        progress, note = file.read() if file else (Progress(), HOW)
         self._rows = []
         for each in chapters:
             solved = sum(exercise.number in progress.solved for exercise in each.exercises)
@@ -136,7 +136,7 @@ class Certificate(Answer):
         """:param name: The learner's; empty for a line to write it on."""
         self._html = ''
         if file is None:
-            super().__init__('A certificate lists the exercises that you have solved, with their dates. ' + _HOW)
+            super().__init__('A certificate lists the exercises that you have solved, with their dates. ' + HOW)
             return
         progress, note = file.read()
         solved = {number: _day(at) for number, at in progress.solved.items()}

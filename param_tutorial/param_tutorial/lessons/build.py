@@ -22,6 +22,7 @@ from param_tutorial.lessons.pages.front_page import front_page_source
 from param_tutorial.lessons.pages.links import NOTEBOOKS
 from param_tutorial.lessons.pages.writing import BuildError, write_pages, write_static
 from param_tutorial.lessons.recording.recorded import Recordings
+from param_tutorial.notebook.glossary import Glossary
 
 _NOT_FOUND = '''---
 orphan: true
@@ -125,8 +126,10 @@ class Site:
         claims = self.notebooks / 'claims.md'
         if claims.exists():
             sources[Path(claims.name)] = f'---\norphan: true\n---\n{claims.read_text(encoding="utf-8")}'
+        glossary = Glossary.of(self.notebooks)
         for path in self.chapters:
-            sources[Path(path.name)] = nbformat.writes(chapter_source(path, recordings[path], pages)) + '\n'
+            page = chapter_source(path, recordings[path], pages, glossary=glossary)
+            sources[Path(path.name)] = nbformat.writes(page) + '\n'
             sources[download / path.name] = path.read_text(encoding='utf-8')
         for path in sorted((self.notebooks / 'solutions').glob('*.ipynb')):
             if path.stem in pages:

@@ -11,6 +11,7 @@ from param_tutorial.lessons.console import format_path, say
 from param_tutorial.lessons.pages.chapter import chapter_source
 from param_tutorial.lessons.pages.inlining import inline_page
 from param_tutorial.lessons.pages.writing import BuildError, write_pages, write_static
+from param_tutorial.notebook.glossary import Glossary
 
 # A page by itself has nothing to search in, and no neighbors.
 _SETTINGS = {
@@ -39,7 +40,8 @@ def build(site: Site) -> Path:
     source = folder / 'source'
     source.mkdir(parents=True)
     write_static(source)
-    chapter = chapter_source(path, recordings[path], {path.stem}, alone=provenance(), address=site.address)
+    chapter = chapter_source(path, recordings[path], {path.stem}, glossary=Glossary.of(site.notebooks),
+                             alone=provenance(), address=site.address)
     (source / path.name).write_text(nbformat.writes(chapter), encoding='utf-8')
     write_pages(source, folder / 'html', folder / 'doctrees', settings={'root_doc': path.stem, **_SETTINGS})
     target = site.target.parent / f'{path.stem}.html'

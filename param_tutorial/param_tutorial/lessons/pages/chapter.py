@@ -7,23 +7,35 @@ from pathlib import Path
 import nbformat
 
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
+from param_tutorial.exercises.achievements import HOW
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.lessons.pages import drawing
 from param_tutorial.lessons.pages.links import NOTEBOOKS, Links
+from param_tutorial.lessons.pages.terms import terms_script
 from param_tutorial.lessons.recording.recorded import Recordings
 from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets
+from param_tutorial.notebook.glossary import Glossary
+from param_tutorial.pictures.tables import with_code
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
 _BOTH_WORDINGS = re.compile(r'<!-- notebook -->.*?<!-- page:\s*(.*?)\s*-->', re.DOTALL)
 
+# What checks and ticks say, as HTML, and what a page says in its place: all hints stand below a check.
+_WORDINGS_OF_OUTPUTS = {
+    r' \(the next: <code>exercises\.hint\([^)]*\)</code>\)': '',
+    re.escape(str(with_code(HOW))): 'In the notebook, what you solve is remembered and ticked here. This page '
+                                    'remembers the questions that you answer on it.'}
+
 
 def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
-                   alone: dict[str, str] | None = None, address: str = '') -> nbformat.NotebookNode:
+                   glossary: Glossary | None = None, alone: dict[str, str] | None = None,
+                   address: str = '') -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
     :param recordings: For the id of each cell that shows widgets, their recordings in order.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
+    :param glossary: The words that the page explains where they stand.
     :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
         ran, and on what; see ``archive.provenance``.
     :param address: Where the whole site is on the web, for links to what is not beside that file.
@@ -31,18 +43,20 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
     links = Links(path, notebook, pages, is_alone=alone is not None, address=address)
-    _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())))
+    _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())), links)
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
-                output.data['text/html'] = links.in_output(output.data['text/html'])
+                output.data['text/html'] = links.in_output(output_for_page(output.data['text/html']))
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
             cell.source = links.in_markdown(for_page(cell.source))
         cells.append(cell)
         if len(cells) == 1:
-            cells.append(_html_cell('to-run', _download_note(path) if alone is None else _provenance_note(alone)))
+            note = _download_note(path) if alone is None else _provenance_note(alone)
+            words = terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
+            cells.append(_html_cell('to-run', note + words))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
     notebook.cells = cells
@@ -50,7 +64,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     return notebook
 
 
-def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer) -> None:
+def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer, links: Links) -> None:
     """Put what a page can show in the place of each widget."""
     for _, cell in cells_with_widgets(notebook):
         remaining = iter(recordings[cell.id])
@@ -62,7 +76,7 @@ def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer:
             if MIME_TYPE in output.get('data', {}):
                 number = output.data[MIME_TYPE]['number']
                 prediction = PREDICTIONS.get(number) or RECALLS[number]
-                output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction)})
+                output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction, links.in_verdict)})
                 cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
 
 
@@ -101,6 +115,13 @@ def for_page(text: str) -> str:
     Where the two differ, the chapter says both: ``<!-- notebook -->Run this cell.<!-- page: Here it is. -->``.
     """
     return _BOTH_WORDINGS.sub(lambda found: found[1], text)
+
+
+def output_for_page(text: str) -> str:
+    """Return what a cell has put out, as HTML, with the page's wording where it orders what only a notebook can do."""
+    for notebook, page in _WORDINGS_OF_OUTPUTS.items():
+        text = re.sub(notebook, page, text)
+    return text
 
 
 def _help_html(number: str, path: Path) -> str:

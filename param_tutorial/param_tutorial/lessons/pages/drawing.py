@@ -11,7 +11,7 @@ import itertools
 import json
 import re
 import zlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from decimal import Decimal
 from typing import Any
 
@@ -51,8 +51,11 @@ class Drawer:
                 'events': self._events, 'side by side': self._side_by_side, 'still': self._still}
         return draw[recording['kind']](recording, f'{self._page}-{next(self._numbers)}')
 
-    def draw_prediction(self, prediction: Prediction) -> str:
-        """Return the HTML of a prediction: a form that says what became of the answer, as soon as there is one."""
+    def draw_prediction(self, prediction: Prediction, linked: Callable[[str], str] = str) -> str:
+        """Return the HTML of a prediction: a form that says what became of the answer, as soon as there is one.
+
+        :param linked: Returns a verdict with the page's links in it.
+        """
         name = f'{self._page}-{next(self._numbers)}'
         if prediction.is_typed:
             answers = '<input type="text" name="answer" autocomplete="off" aria-label="Your value">'
@@ -61,10 +64,11 @@ class Drawer:
                               f'value="{html.escape(each.text)}">'
                               f'<span>{html.escape(each.text)}</span></label>' for each in prediction.choices)
         # A typed value may be none of the choices; the page's script compares it as the notebook does.
-        facts = {'choices': {plain_answer(each.text): verdict(prediction, each.text) for each in prediction.choices},
-                 'otherwise': verdict(prediction, '') if prediction.is_typed else ''}
+        facts = {'choices': {plain_answer(each.text): linked(verdict(prediction, each.text))
+                             for each in prediction.choices},
+                 'otherwise': linked(verdict(prediction, '')) if prediction.is_typed else ''}
         return (f'{PREDICTION_STYLE}<form class="rec-prediction param-predict" autocomplete="off" id="{name}" '
-                f'data-number="{prediction.number}">'
+                f'data-number="{prediction.number}"{" data-decided" if prediction.is_decided_by_a_cell else ""}>'
                 f'<fieldset>'
                 f'<legend class="param-predict-question"><b>{prediction.word}</b> · '
                 f'{with_code(prediction.question)}</legend>'
@@ -94,7 +98,9 @@ class Drawer:
             f'<noscript><p class="rec-note">The controls answer only where the page may run its script.</p></noscript>'
             f'<div class="param-panel">{markup}</div>'
             f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
-            f'<p class="rec-note">{_explanation(recording)}</p></div>{_packed(facts)}{looks}{album}</div>')
+            f'<button type="button" class="rec-link" disabled>Copy a link to these settings</button>'
+            f'<p class="rec-note">{_explanation(recording)}</p>'
+            f'<p class="rec-note rec-from-link" role="status"></p></div>{_packed(facts)}{looks}{album}</div>')
 
     def _robot(self, recording: Recording, name: str) -> str:
         look, node = recording['look'], html.escape(recording['node'])

@@ -17,6 +17,8 @@ _HEADING = re.compile(r'^#+ +(.+)$', re.MULTILINE)
 _SECTION = re.compile(r'“([^“”]+)”')
 _SOLUTIONS = re.compile(r'(?<![\w/"])(solutions/(\w+)\.ipynb)')
 _TAG = re.compile(r'<[^>]+>')
+# What a recall says to look up: a section of another chapter.
+_ELSEWHERE = re.compile(r'\bchapter (\d+(?:\.\d+)?), (“[^“”]+”)')
 
 
 class Links:
@@ -31,7 +33,7 @@ class Links:
         :param address: Where the whole site is on the web, for what is not beside the page; empty if nobody knows.
         """
         self._path, self._pages, self._is_alone, self._address = path, pages, is_alone, address
-        self._anchors = {anchor(heading.replace('`', '')) for cell in notebook.cells if cell.cell_type == 'markdown'
+        self.anchors = {anchor(heading.replace('`', '')) for cell in notebook.cells if cell.cell_type == 'markdown'
                          for heading in _HEADING.findall(cell.source)}
 
     def in_markdown(self, text: str) -> str:
@@ -50,6 +52,20 @@ class Links:
         """Return the HTML of checks and hints, with links to the sections and the solutions that they name."""
         text = _SECTION.sub(self._section_link, text)
         return _SOLUTIONS.sub(lambda found: self._html_link(found[1], found[1]), text)
+
+    def in_verdict(self, text: str) -> str:
+        """Return what is said to an answer, as HTML, with a link to the section of the chapter that it names."""
+        return _ELSEWHERE.sub(self._elsewhere_link, text)
+
+    def _elsewhere_link(self, found: re.Match[str]) -> str:
+        number, section = found.groups()
+        begins = re.compile(rf'0*{number.replace(".", "_")}_(?!\d_)')
+        chapters = sorted(self._path.parent.glob('[0-9]*.ipynb'))
+        target = next((path for path in chapters if begins.match(path.name)), None)
+        if target is None:
+            return found[0]
+        place = anchor(html.unescape(_TAG.sub('', section.strip('“”'))))
+        return f'chapter {number}, {self._html_link(target.name, section, f"#{place}")}'
 
     def _lead(self, found: re.Match[str]) -> str:
         words, target, place = found[1], found[2], found[3] or ''
@@ -74,7 +90,7 @@ class Links:
 
     def _section_link(self, found: re.Match[str]) -> str:
         name = anchor(html.unescape(_TAG.sub('', found[1])))
-        return f'<a href="#{html.escape(name)}">{found[0]}</a>' if name in self._anchors else found[0]
+        return f'<a href="#{html.escape(name)}">{found[0]}</a>' if name in self.anchors else found[0]
 
 
 def anchor(heading: str) -> str:

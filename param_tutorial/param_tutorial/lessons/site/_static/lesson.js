@@ -7,6 +7,8 @@
 (() => {
   const panels = [];
   const robots = [];
+  // A link to settings: this, the id of a panel, a question mark, and what was typed by the names of the parameters.
+  const LINK = '#set-';
 
   /** Give what stands packed in a script of the page. */
   async function unpack(script) {
@@ -50,8 +52,12 @@
       this.looks = album('.rec-looks', section);
       this.films = album(`.rec-album[data-album="${facts.album}"]`, document);
       this.rows = new Map(facts.rows.map(row => [row.name, new RecordedRow(this, row)]));
+      // What was typed to come to this state, in order.
+      this.entered = new Map();
       this.resetButton = section.querySelector('.rec-reset');
       this.resetButton.addEventListener('click', () => this.reset());
+      this.linkButton = section.querySelector('.rec-link');
+      this.linkButton.addEventListener('click', () => this.copyLink());
       this.shown = new ParameterPanel(section.querySelector('.param-panel'), {
         patience: '',
         enter: (name, entry) => this.enter(name, entry),
@@ -87,7 +93,7 @@
       const rows = {};
       for (const row of this.rows.values()) rows[row.name] = row.state;
       this.shown.show({rows});
-      this.resetButton.disabled = !Object.keys(this.changed).length;
+      this.resetButton.disabled = this.linkButton.disabled = !Object.keys(this.changed).length;
     }
 
     /** Take over what the node did to its parameters. */
@@ -131,10 +137,44 @@
       }
     }
 
-    reset() {
+    goBack() {
       for (const row of this.rows.values()) { row.text = row.shown; row.message = null; }
+      this.entered.clear();
+      this.say('');
       this.take({});
+    }
+
+    reset() {
+      this.goBack();
       this.section.querySelector('.param-row :is(input, textarea, select):enabled').focus();
+    }
+
+    say(text) {
+      this.section.querySelector('.rec-from-link').textContent = text;
+    }
+
+    async copyLink() {
+      const address = `${location.href.split('#')[0]}${LINK}${this.section.id}?${new URLSearchParams([...this.entered])}`;
+      this.say(await copy(address) ? 'The link is copied. It brings these settings back.' : `The link: ${address}`);
+    }
+
+    /** Do again what a link says was typed; all of it or, with a sentence, nothing. */
+    followLink(entries) {
+      this.goBack();
+      let waiting = entries;
+      // What one value needs, another one of the link may bring.
+      for (let before = Infinity; waiting.length && waiting.length < before;) {
+        before = waiting.length;
+        waiting = waiting.filter(([name, text]) => !this.rows.get(name)?.ask(text));
+      }
+      if (waiting.length || !entries.length) {
+        this.goBack();
+        const told = waiting.map(([name, text]) => `${name} = ${text}`).join(', ') || 'nothing';
+        this.say(`The link that brought you here asks for ${told}, which this panel has not recorded as accepted. It was ignored.`);
+      } else {
+        this.say('These settings come from the link that brought you here.');
+      }
+      this.section.scrollIntoView({block: 'center'});
     }
   }
 
@@ -170,18 +210,23 @@
       return this.facts.positions.reduce((best, _, index) => distance(index) < distance(best) ? index : best, 0);
     }
 
-    /** Look up what the node said to a value, in the state in which the panel is. */
+    /** Look up what the node said to a value, in the state in which the panel is.
+
+       @return True if it accepted the value. */
     ask(typed) {
       const [answer, because] = this.lookUp(typed);
       if (!answer) {
         this.message = ['unknown', because];
         this.panel.draw();
-        return;
+        return false;
       }
+      this.panel.say('');
       if ('reason' in answer) {
         this.message = ['rejected', answer.reason];
       } else {
         this.text = answer.value;
+        this.panel.entered.delete(this.name);
+        this.panel.entered.set(this.name, typed);
         const others = Object.keys(this.panel.changed).filter(name => name !== this.name);
         this.message = ['accepted', (this.same(typed, answer.value) ? ''
           : `The node has made it ${answer.value}. `)
@@ -190,6 +235,7 @@
       this.panel.take(answer.also || {});
       this.tellLog(answer);
       this.panel.tell(answer.events || []);
+      return 'value' in answer;
     }
 
     same(typed, value) {
@@ -303,6 +349,34 @@
     }
   }
 
+  /** Hide what gives the answer to a prediction away, up to the next cell, until it is committed to or the reader looks.
+
+     Only the screen hides it: see the style sheet. */
+  function foldAnswer(form) {
+    const cell = form.closest('div.cell');
+    const answer = [];
+    for (let each = cell.nextElementSibling; each && !each.matches('section, h2, h3'); each = each.nextElementSibling) {
+      const isCell = each.matches('div.cell');
+      if (isCell && (answer.some(part => !part.matches('.cell_output')) || each.querySelector('.rec-prediction'))) break;
+      if (!isCell) answer.push(each);
+      else answer.push(...each.querySelectorAll(':scope > .cell_output'));
+    }
+    const [first] = answer;
+    if (!first?.matches('.cell_output')) return;
+    const line = Object.assign(document.createElement('p'), {className: 'lesson-look'});
+    const button = Object.assign(document.createElement('button'), {type: 'button', textContent: 'Commit to an answer, or look'});
+    button.setAttribute('aria-label', `${button.textContent} at that of question ${form.dataset.number}`);
+    line.append(button);
+    first.before(line);
+    const show = isShown => {
+      for (const each of answer) each.classList.toggle('lesson-folded', !isShown);
+      button.setAttribute('aria-expanded', isShown);
+    };
+    button.addEventListener('click', () => show(button.getAttribute('aria-expanded') !== 'true'));
+    form.addEventListener('lesson-committed', () => { show(true); line.hidden = true; });
+    show(false);
+  }
+
   /** Let a prediction be committed: it is locked then, and the page says what became of it. The browser keeps it. */
   function ask(form, facts) {
     const button = form.querySelector('.rec-commit');
@@ -316,6 +390,7 @@
       form.querySelector('fieldset').disabled = Boolean(verdict);
       button.hidden = Boolean(verdict);
       again.hidden = !verdict;
+      if (verdict) form.dispatchEvent(new Event('lesson-committed'));
       return verdict;
     };
     form.addEventListener('input', () => { button.disabled = !given(); });
@@ -390,7 +465,25 @@
     }
   }
 
+  /** Bring the settings back that the page's address names, if it names any. */
+  function followLink() {
+    if (!location.hash.startsWith(LINK)) return;
+    const [id, query] = location.hash.slice(LINK.length).split(/\?(.*)/s);
+    const panel = panels.find(each => each.section.id === id);
+    if (panel) {
+      panel.followLink([...new URLSearchParams(query)]);
+      return;
+    }
+    const note = document.querySelector('.lesson-no-link') || Object.assign(document.createElement('p'), {className: 'lesson-download lesson-no-link'});
+    note.setAttribute('role', 'status');
+    note.textContent = 'The link that brought you here asks for settings of a panel that is not on this page. It was ignored.';
+    document.querySelector('.bd-article h1').after(note);
+    scrollTo(0, 0);
+  }
+
   async function begin() {
+    // Before the first picture of the page: nothing may jump.
+    document.querySelectorAll('.rec-prediction[data-decided]').forEach(foldAnswer);
     offerCopies();
     LessonProgress.begin();
     for (const form of document.querySelectorAll('.rec-prediction')) await enliven(form, facts => ask(form, facts));
@@ -400,6 +493,8 @@
     for (const section of document.querySelectorAll('.rec-panel')) {
       await enliven(section, facts => panels.push(new RecordedPanel(section, facts)));
     }
+    followLink();
+    addEventListener('hashchange', followLink);
     // The first page begins with a drive, if nothing else is wanted.
     const [first] = robots;
     if (first && first.section.closest('.front-robot') && !matchMedia('(prefers-reduced-motion: reduce)').matches) first.drive();
