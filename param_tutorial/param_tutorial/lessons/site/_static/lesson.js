@@ -371,10 +371,14 @@
     const show = isShown => {
       for (const each of answer) each.classList.toggle('lesson-folded', !isShown);
       button.setAttribute('aria-expanded', isShown);
+      // What was hidden had no size when the theme's script let the keyboard scroll what is too wide.
+      for (const box of answer.flatMap(each => [...each.querySelectorAll('[tabindex="-1"]')])) {
+        if (box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight) box.tabIndex = 0;
+      }
     };
     button.addEventListener('click', () => show(button.getAttribute('aria-expanded') !== 'true'));
     form.addEventListener('lesson-committed', () => { show(true); line.hidden = true; });
-    show(false);
+    show(LessonProgress.answer(form.dataset.number) !== undefined);
   }
 
   /** Let a prediction be committed: it is locked then, and the page says what became of it. The browser keeps it. */
