@@ -93,7 +93,7 @@ def test_lab_copies_the_chapters_into_the_current_folder_and_opens_them(python, 
                                    env=elsewhere, stdout=output, stderr=subprocess.STDOUT)
     try:
         runtime = tmp_path / 'my_lessons' / '.jupyter' / 'runtime'
-        found = wait_for(lambda: process.poll() is not None or re.search(r'http://127\S+', log.read_text()),
+        found = wait_for(lambda: process.poll() is not None or re.search(r'http://127\S+(?=\s)', log.read_text()),
                          'JupyterLab')
         assert found is not True, log.read_text()
         with urllib.request.urlopen(found[0].replace('lab/tree/index.md', 'api/contents'), timeout=100) as answer:

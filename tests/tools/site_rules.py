@@ -15,6 +15,12 @@ WCAG = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa']
 # Without preload axe fetches no style sheets, which a page on a disk may not do.
 AXE_OPTIONS = {'runOnly': {'type': 'tag', 'values': WCAG}, 'resultTypes': ['violations'], 'preload': False}
 MAX_LESSON_BYTES = 3_000_000
+# Up to here web.dev calls a page good: https://web.dev/articles/cls.
+MAX_LAYOUT_SHIFT = 0.1
+_SUM_UP_LAYOUT_SHIFTS = '''
+    window.layoutShift = 0;
+    new PerformanceObserver(list => { for (const each of list.getEntries()) window.layoutShift += each.value; })
+        .observe({type: 'layout-shift', buffered: true});'''
 
 
 @contextlib.contextmanager
@@ -31,6 +37,7 @@ def open_page(browser, address, *, scheme='light', width=1280):
     # The search asks for a summary of each page that it finds; who clicks before they are there breaks that off.
     page.on('requestfailed', lambda request: request.failure == 'net::ERR_ABORTED'
             or complaints.append(f'failed {request.url}: {request.failure}'))
+    page.add_init_script(_SUM_UP_LAYOUT_SHIFTS)
     page.goto(address)
     page.wait_for_function("document.documentElement.dataset.lesson === 'ready'")
     yield page
@@ -40,6 +47,7 @@ def open_page(browser, address, *, scheme='light', width=1280):
 
 def check_page(page):
     """Return what keeps somebody from using a page, in words."""
+    shift = page.evaluate('window.layoutShift')
     # What is closed would not be looked at.
     page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
     page.evaluate("document.querySelectorAll('.lesson-look [aria-expanded=false]').forEach(each => each.click())")
@@ -55,6 +63,9 @@ def check_page(page):
     found += page.evaluate('''() => [...document.querySelectorAll('.step-wheel')].map(
         each => each.getBoundingClientRect().width).filter(width => width > 100)
         .map(width => `a wheel is ${width} px wide`)''')
+    # On a phone's screen one line more is a tenth, and a browser may draw a paragraph before it has read its end.
+    if shift > MAX_LAYOUT_SHIFT and page.viewport_size['width'] > 1000:
+        found.append(f'what stands on it moves while it is loaded: a layout shift of {shift:.2f}')
     return found + ['the page is wider than the window'] * too_wide + [f'{each} is not drawn' for each in undrawn]
 
 

@@ -349,13 +349,18 @@
     }
   }
 
+  // For each prediction what is folded below it, and the button that shows it.
+  const folds = new Map();
+
   /** Hide what gives the answer to a prediction away, up to the next cell, until it is committed to or the reader looks.
 
-     Only the screen hides it: see the style sheet. */
+     Only the screen hides it: see the style sheet. Called while the page is being loaded, so that nothing is drawn that
+     goes away again: what has come by then is folded. */
   function foldAnswer(form) {
-    const cell = form.closest('div.cell');
     const answer = [];
-    for (let each = cell.nextElementSibling; each && !each.matches('section, h2, h3'); each = each.nextElementSibling) {
+    for (let each = form.closest('div.cell').nextElementSibling; each && !each.matches('section, h2, h3');
+      each = each.nextElementSibling) {
+      if (document.readyState === 'loading' && !each.nextSibling) break; // it may have come in part
       const isCell = each.matches('div.cell');
       if (isCell && (answer.some(part => !part.matches('.cell_output')) || each.querySelector('.rec-prediction'))) break;
       if (!isCell) answer.push(each);
@@ -363,22 +368,40 @@
     }
     const [first] = answer;
     if (!first?.matches('.cell_output')) return;
+    const fold = folds.get(form) || offerLook(form, first);
+    for (const each of answer) if (!fold.answer.has(each)) {
+      fold.answer.add(each);
+      each.classList.toggle('lesson-folded', !fold.isShown());
+    }
+  }
+
+  /** Put the button that shows an answer before it. */
+  function offerLook(form, first) {
     const line = Object.assign(document.createElement('p'), {className: 'lesson-look'});
     const button = Object.assign(document.createElement('button'), {type: 'button', textContent: 'Commit to an answer, or look'});
     button.setAttribute('aria-label', `${button.textContent} at that of question ${form.dataset.number}`);
     line.append(button);
     first.before(line);
+    const fold = {answer: new Set(), isShown: () => button.getAttribute('aria-expanded') === 'true'};
     const show = isShown => {
-      for (const each of answer) each.classList.toggle('lesson-folded', !isShown);
       button.setAttribute('aria-expanded', isShown);
-      // What was hidden had no size when the theme's script let the keyboard scroll what is too wide.
-      for (const box of answer.flatMap(each => [...each.querySelectorAll('[tabindex="-1"]')])) {
-        if (box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight) box.tabIndex = 0;
+      for (const each of fold.answer) {
+        each.classList.toggle('lesson-folded', !isShown);
+        // What was hidden had no size when the theme's script let the keyboard scroll what is too wide.
+        for (const box of [each, ...each.querySelectorAll('*')].filter(one => one.matches('[tabindex="-1"]'))) {
+          if (box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight) box.tabIndex = 0;
+        }
       }
     };
-    button.addEventListener('click', () => show(button.getAttribute('aria-expanded') !== 'true'));
+    button.addEventListener('click', () => show(!fold.isShown()));
     form.addEventListener('lesson-committed', () => { show(true); line.hidden = true; });
     show(LessonProgress.answer(form.dataset.number) !== undefined);
+    folds.set(form, fold);
+    return fold;
+  }
+
+  function foldAnswers() {
+    document.querySelectorAll('.rec-prediction[data-decided]').forEach(foldAnswer);
   }
 
   /** Let a prediction be committed: it is locked then, and the page says what became of it. The browser keeps it. */
@@ -486,8 +509,8 @@
   }
 
   async function begin() {
-    // Before the first picture of the page: nothing may jump.
-    document.querySelectorAll('.rec-prediction[data-decided]').forEach(foldAnswer);
+    arriving.disconnect();
+    foldAnswers();
     offerCopies();
     LessonProgress.begin();
     for (const form of document.querySelectorAll('.rec-prediction')) await enliven(form, facts => ask(form, facts));
@@ -505,5 +528,7 @@
     document.documentElement.dataset.lesson = 'ready';
   }
 
+  const arriving = new MutationObserver(foldAnswers);
+  arriving.observe(document, {childList: true, subtree: true});
   if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin); else begin();
 })();
