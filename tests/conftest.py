@@ -1,4 +1,4 @@
-"""What all tests need: a clean start, the fixtures `ros` and `ipython`, a time limit, and the longest files first."""
+"""What all tests need: a clean start, the fixtures, a time limit, and the longest files first."""
 
 import atexit
 import collections
@@ -18,6 +18,7 @@ import param_tutorial
 from param_tutorial.notebook import terminal
 from param_tutorial.runtime import node_log, waiting
 from param_tutorial.runtime.executor import BackgroundExecutor
+from tests.support.ipython import ipython_with_extension
 from tests.support.kernels import KernelManager
 
 pytest_plugins = ['tests.support.time_limit']
@@ -63,11 +64,17 @@ def ros() -> Iterator[BackgroundExecutor]:
 @pytest.fixture
 def ipython() -> Iterator[InteractiveShell]:
     """Yield an IPython with the notebook extension; the next test gets another one."""
-    shell = InteractiveShell.instance()
-    shell.history_manager.enabled = False  # two test processes would share its database
-    shell.run_line_magic('load_ext', 'param_tutorial')
+    with ipython_with_extension() as shell:
+        yield shell
+
+
+@pytest.fixture
+def bare_ipython(monkeypatch: pytest.MonkeyPatch) -> Iterator[InteractiveShell]:
+    """Yield an IPython of the test's own, without the extension, which widgets take for the one that they are in."""
+    shell = InteractiveShell()
+    monkeypatch.setattr('IPython.get_ipython', lambda: shell)
     yield shell
-    InteractiveShell.clear_instance()
+    shell.history_manager.end_session()
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -5,7 +5,6 @@ import re
 
 import nbformat
 import pytest
-from IPython.core.interactiveshell import InteractiveShell
 from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tutorial import exercises
@@ -21,15 +20,6 @@ TYPED = Prediction('1-2', 'How many?', (right('150', 'Yes.'), wrong('100', 'More
 
 def remember_nothing(number: str, choice: str, is_right: bool) -> str:
     return ''
-
-
-@pytest.fixture
-def shell(monkeypatch):
-    """Yield an IPython of the test's own, whose cells the widget follows."""
-    shell = InteractiveShell()
-    monkeypatch.setattr('IPython.get_ipython', lambda: shell)
-    yield shell
-    shell.history_manager.end_session()
 
 
 def run(shell, source='1'):
@@ -170,49 +160,50 @@ def test_the_button_waits_for_an_answer():
     assert not view.button.disabled
 
 
-def test_the_verdict_waits_for_the_next_cell(shell):
-    shell.user_ns['PredictionView'] = lambda: shell.user_ns.setdefault('views', []).append(
+def test_the_verdict_waits_for_the_next_cell(bare_ipython):
+    bare_ipython.user_ns['PredictionView'] = lambda: bare_ipython.user_ns.setdefault('views', []).append(
         PredictionView(CHOICE, remember_nothing))
-    run(shell, 'PredictionView()')
-    view, = shell.user_ns['views']
+    run(bare_ipython, 'PredictionView()')
+    view, = bare_ipython.user_ns['views']
     assert 'Now run the next cell' in answered(view, 'a number')
-    run(shell, '1 / 0')
+    run(bare_ipython, '1 / 0')
     assert 'Right.' in view.said.value
 
 
-def test_after_run_all_the_verdict_comes_at_once(shell):
+def test_after_run_all_the_verdict_comes_at_once(bare_ipython):
     view = PredictionView(CHOICE, remember_nothing)
-    run(shell)
+    run(bare_ipython)
     assert view.said.value == ''
     assert 'Right.' in answered(view, 'a number')
 
 
-def test_a_cell_that_shows_another_prediction_decides_nothing(shell):
-    shell.user_ns['show'] = lambda: PredictionView(TYPED, remember_nothing)
+def test_a_cell_that_shows_another_prediction_decides_nothing(bare_ipython):
+    bare_ipython.user_ns['show'] = lambda: PredictionView(TYPED, remember_nothing)
     first = PredictionView(CHOICE, remember_nothing)
     answered(first, 'a number')
-    run(shell, 'another = show()')
+    run(bare_ipython, 'another = show()')
     assert 'Now run the next cell' in first.said.value
-    run(shell)
+    run(bare_ipython)
     assert 'Right.' in first.said.value
-    assert 'Not so.' in answered(shell.user_ns['another'], '7')
+    assert 'Not so.' in answered(bare_ipython.user_ns['another'], '7')
 
 
-def test_a_cell_that_runs_again_goes_on_with_what_was_committed(shell):
+def test_a_cell_that_runs_again_goes_on_with_what_was_committed(bare_ipython):
     given = []
-    shell.user_ns['show'] = lambda: PredictionView(CHOICE, lambda *arguments: given.append(arguments) or 'A note.')
-    run(shell, 'view = show()')
-    answered(shell.user_ns['view'], 'a number')
-    run(shell, 'view = show()')
-    again = shell.user_ns['view']
+    bare_ipython.user_ns['show'] = lambda: PredictionView(
+        CHOICE, lambda *arguments: given.append(arguments) or 'A note.')
+    run(bare_ipython, 'view = show()')
+    answered(bare_ipython.user_ns['view'], 'a number')
+    run(bare_ipython, 'view = show()')
+    again = bare_ipython.user_ns['view']
     assert again.answer.value == 'a number' and again.answer.disabled
     assert 'Now run the next cell' in again.said.value
-    run(shell)
+    run(bare_ipython)
     assert 'Right.' in again.said.value and 'A note.' in again.said.value
     assert len(given) == 1
     # What is decided may be tried again.
-    run(shell, 'view = show()')
-    assert shell.user_ns['view'].answer.value is None
+    run(bare_ipython, 'view = show()')
+    assert bare_ipython.user_ns['view'].answer.value is None
 
 
 def test_an_answer_that_could_not_be_saved_is_reported():
@@ -241,8 +232,8 @@ def test_a_prediction_number_that_does_not_exist_gets_suggestions(number):
     assert 'There is no prediction' in repr(exercises.predict(number))
 
 
-def test_one_shell_is_followed_once(shell):
+def test_one_shell_is_followed_once(bare_ipython):
     for _ in range(3):
         PredictionView(CHOICE, remember_nothing)
-    hooks = shell.events.callbacks['post_run_cell']
+    hooks = bare_ipython.events.callbacks['post_run_cell']
     assert sum(each.__func__ is predicting._Watch._on_end for each in hooks if hasattr(each, '__func__')) == 1

@@ -11,7 +11,6 @@ import textwrap
 import threading
 
 import pytest
-from IPython.core.interactiveshell import InteractiveShell
 from IPython.utils.capture import capture_output
 
 import param_tutorial
@@ -20,16 +19,13 @@ from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook import magics
 from param_tutorial.ros2 import genuine
 from param_tutorial.runtime import domain, surroundings
+from tests.support.ipython import ipython_with_extension
 
 
 @pytest.fixture(scope='module')
 def shell():
-    # Without a history file: two test processes would share its database.
-    shell = InteractiveShell.instance()
-    shell.history_manager.enabled = False
-    shell.run_line_magic('load_ext', 'param_tutorial')
-    yield shell
-    InteractiveShell.clear_instance()
+    with ipython_with_extension() as shell:
+        yield shell
 
 
 @pytest.fixture

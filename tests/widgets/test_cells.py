@@ -4,7 +4,6 @@ import gc
 import weakref
 
 import pytest
-from IPython.core.interactiveshell import InteractiveShell
 from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tutorial import SideBySide, wait_until
@@ -16,16 +15,7 @@ from param_tutorial.widgets.robot import RobotView
 
 
 @pytest.fixture
-def shell(monkeypatch):
-    """Yield an IPython of the test's own."""
-    shell = InteractiveShell()
-    monkeypatch.setattr('IPython.get_ipython', lambda: shell)
-    yield shell
-    shell.history_manager.end_session()
-
-
-@pytest.fixture
-def run(monkeypatch, shell):
+def run(monkeypatch, bare_ipython):
     """Yield a list whose one item is the cell that runs now, and which of its runs it is."""
     run = [('cell 1', 'run 1')]
     monkeypatch.setattr(cells, '_this_cell', lambda: run[0])
@@ -46,23 +36,23 @@ def test_a_cell_that_runs_again_closes_what_it_made(ros, run):
     assert repr(elsewhere) == '<ParameterPanel: /simple_param_node, 9 parameters>'
 
 
-def test_ipython_forgets_what_a_cell_made_when_it_runs_again(ros, run, shell):
+def test_ipython_forgets_what_a_cell_made_when_it_runs_again(ros, run, bare_ipython):
     ros.add(SimpleParamNode)
-    shell.run_cell('from param_tutorial import ParameterPanel', store_history=True)
-    shell.run_cell("ParameterPanel('/simple_param_node')", store_history=True)
-    shell.run_cell('40 + 2', store_history=True)
-    panel = weakref.ref(shell.user_ns['Out'][2])
+    bare_ipython.run_cell('from param_tutorial import ParameterPanel', store_history=True)
+    bare_ipython.run_cell("ParameterPanel('/simple_param_node')", store_history=True)
+    bare_ipython.run_cell('40 + 2', store_history=True)
+    panel = weakref.ref(bare_ipython.user_ns['Out'][2])
     for number in range(4, 8):  # IPython also has the last three results as _, __ and ___
         run[0] = ('cell 1', f'run {number}')
-        shell.run_cell("ParameterPanel('/simple_param_node')", store_history=True)
+        bare_ipython.run_cell("ParameterPanel('/simple_param_node')", store_history=True)
 
     def is_gone():
         gc.collect()
         return panel() is None
 
     wait_until(is_gone, 'the first panel to be forgotten')
-    assert list(shell.user_ns['Out']) == [3, 7]
-    assert '_2' not in shell.user_ns and shell.user_ns['_3'] == 42
+    assert list(bare_ipython.user_ns['Out']) == [3, 7]
+    assert '_2' not in bare_ipython.user_ns and bare_ipython.user_ns['_3'] == 42
 
 
 @pytest.mark.parametrize('make', [

@@ -665,11 +665,15 @@ def test_a_value_that_a_rule_chooses_is_chosen_from_a_list(ros):
 # -- together -------------------------------------------------------------------------------------------
 
 
+def press_gather(panel):
+    press(panel, 'gather')
+    wait_until(lambda: panel.gathered == {}, 'the panel to gather')
+
+
 def test_gathered_changes_are_one_request(ros):
     node = ros.add(Band)
     panel = ParameterPanel('/band')
-    press(panel, 'gather')
-    wait_until(lambda: panel.gathered == {}, 'the panel to gather')
+    press_gather(panel)
     enter(panel, 'low', '10')
     enter(panel, 'high', '20')
     enter(panel, 'name', 'other')
@@ -689,8 +693,7 @@ def test_gathered_changes_are_one_request(ros):
 def test_a_cell_does_what_it_says_whatever_button_was_pressed_before(ros):
     node = ros.add(Band)
     panel = ParameterPanel('/band')
-    press(panel, 'gather')
-    wait_until(lambda: panel.gathered == {}, 'the panel to gather')
+    press_gather(panel)
     enter(panel, 'high', '20')
     panel['low'].value = 0
     panel.settle()
@@ -699,8 +702,7 @@ def test_a_cell_does_what_it_says_whatever_button_was_pressed_before(ros):
     panel['low'].value = 3
     assert panel.gathered == {'high': 20, 'low': 3}
     assert panel.apply() == ''
-    press(panel, 'gather')
-    wait_until(lambda: panel.gathered == {}, 'the panel to gather again')
+    press_gather(panel)
     panel['low'].value = 4
     panel.settle()
     assert (node.get_parameter('low').value, panel.gathered) == (4, {})

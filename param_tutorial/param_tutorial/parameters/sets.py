@@ -8,7 +8,7 @@ Values are compared as ROS stores them: 1, 1.0 and True are three different ones
 tells no type, so it counts as one of the type that the other side has.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -234,6 +234,20 @@ class Outcome:
     reason: str = ''
 
 
+def how_it_ended(outcomes: Sequence[Outcome], *, have_all_answered: bool = True) -> str:
+    """Return what became of parameters that were to be restored, in a few words.
+
+    :param have_all_answered: False if there are more of them, in nodes that have not answered.
+    """
+    words = [outcome.word for outcome in outcomes]
+    done, total = words.count('set'), format_count(len(words), 'parameter')
+    if have_all_answered and done == len(words):
+        return f'complete, {total} set' if words else 'nothing to do, all values are there'
+    if done or 'not kept' in words or not have_all_answered:
+        return f'NOT COMPLETE, {done} of {total} set' if words else 'NOT COMPLETE'
+    return 'NOT RESTORED, nothing was changed'
+
+
 class Restored(WordTable):
     """What became of the parameters of a node that differed from a set. Shown as a table."""
 
@@ -245,19 +259,9 @@ class Restored(WordTable):
         :param outcomes: One for each parameter that differed.
         """
         self.outcomes = tuple(outcomes)
-        total = format_count(len(self.outcomes), 'parameter')
-        done = sum(outcome.word == 'set' for outcome in self.outcomes)
-        self.complete = done == len(self.outcomes)
+        self.complete = all(outcome.word == 'set' for outcome in self.outcomes)
         """True if the node now holds all the values of the set."""
-        if not self.outcomes:
-            words = 'nothing to do, all values are there'
-        elif self.complete:
-            words = f'complete, {total} set'
-        elif done or any(outcome.word == 'not kept' for outcome in self.outcomes):
-            words = f'NOT COMPLETE, {done} of {total} set'
-        else:
-            words = 'NOT RESTORED, nothing was changed'
-        self.heading = f'{node} from {wanted.label}: {words}'
+        self.heading = f'{node} from {wanted.label}: {how_it_ended(self.outcomes)}'
 
     def __iter__(self) -> Iterator[Outcome]:
         return iter(self.outcomes)

@@ -12,7 +12,7 @@ from typing import Any
 
 from param_tutorial.errors import NodeError, NodeGoneError, NodeNotFoundError
 from param_tutorial.parameters.descriptions import Descriptions
-from param_tutorial.parameters.sets import Change, Difference, ParameterSet, Restored, WordTable, compare
+from param_tutorial.parameters.sets import Change, Difference, ParameterSet, Restored, WordTable, compare, how_it_ended
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import Row, grouped_table
 from param_tutorial.pictures.wording import format_count
@@ -102,14 +102,8 @@ class SystemRestored(WordTable):
         self.nodes, self.unanswered = dict(nodes), dict(unanswered)
         self.complete = not unanswered and all(each.complete for each in nodes.values())
         """True if all nodes now hold their values of the set."""
-        words = [outcome.word for each in nodes.values() for outcome in each]
-        done, total = words.count('set'), format_count(len(words), 'parameter')
-        if self.complete:
-            result = f'complete, {total} set' if words else 'nothing to do, all values are there'
-        elif done or 'not kept' in words or unanswered:
-            result = f'NOT COMPLETE, {done} of {total} set' if words else 'NOT COMPLETE'
-        else:
-            result = 'NOT RESTORED, nothing was changed'
+        result = how_it_ended([outcome for each in nodes.values() for outcome in each],
+                              have_all_answered=not unanswered)
         missing = f', {len(unanswered)} without an answer' if unanswered else ''
         self.heading = f'{format_count(len(nodes) + len(unanswered), "node")} from {label}: {result}{missing}'
 

@@ -22,7 +22,7 @@ import re
 import time
 import weakref
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from rclpy.node import Node, NodeNameNonExistentError
@@ -192,10 +192,11 @@ def wait_for_service(is_ready: Callable[[], bool], node: str, service: str, obse
             return True
         if is_announced and not is_there:
             return False
-        is_listed = any(_joined(*each) == node for each in observer.get_node_names_and_namespaces())
-        if machine_time() > began + (_UNHEARD_SEC if is_listed else _LEFT_SEC) and has_left(node, observer):
+        now = machine_time()
+        if (now > began + _LEFT_SEC and has_left(node, observer)
+                and (now > began + _UNHEARD_SEC or not _is_among(observer.get_node_names_and_namespaces(), node))):
             return False
-        if machine_time() >= deadline:
+        if now >= deadline:
             raise WaitTimeoutError(f'timed out after {patience_sec:g} s waiting for {service} of {node}: was the node '
                                    f'created with start_parameter_services=False?')
         time.sleep(_LOOK_PERIOD_SEC)
@@ -209,7 +210,7 @@ def has_left(node: str, observer: Node) -> bool:
 
     :param node: Fully qualified.
     """
-    return (all(_joined(*each) != node for each in nodes_in_graph(observer))
+    return (not _is_among(nodes_in_graph(observer), node)
             and not any(observer.get_subscriptions_info_by_topic(f'rq{node}/{service}Request', no_mangle=True)
                         for service in SERVICE_TYPES))
 
@@ -235,6 +236,11 @@ def _participants_of(endpoints: list[TopicEndpointInfo], node: str | None = None
 
 def _joined(name: str, namespace: str) -> str:
     return f'{namespace.rstrip("/")}/{name}'
+
+
+def _is_among(names: Iterable[tuple[str, str]], node: str) -> bool:
+    """True if a node, by its fully qualified name, is one of those whose names and namespaces are given."""
+    return any(_joined(*each) == node for each in names)
 
 
 def who_talks_to_whom(observer: Node) -> NodeGraph:

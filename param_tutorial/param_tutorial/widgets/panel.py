@@ -165,11 +165,11 @@ class ParameterPanel(View):
         self._gather(is_code_gathered=True)
 
     def _gather(self, *, is_code_gathered: bool) -> None:
-        self._is_code_gathered |= is_code_gathered
         if self._gathered is None:
-            self._gathered, self._note = {}, ''
-            self._is_code_gathered = is_code_gathered
+            self._gathered, self._note, self._is_code_gathered = {}, '', is_code_gathered
             self._show()
+        elif is_code_gathered:
+            self._is_code_gathered = True
 
     def discard(self) -> None:
         """Forget what was gathered, and send each change at once again."""
