@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -587,6 +588,33 @@ def test_undo_of_a_hundred_edits_gives_the_exact_first_state(arm, edits):
         assert arm.not_restored == {}
     now = ParameterClient(NODE).get_parameters(arm.names)
     assert [name for name in first if not values.same(first[name], now[name])] == []
+
+
+def test_an_edit_does_not_end_before_the_node_is_asked(arm, monkeypatch):
+    control = arm['joints']
+    drawing = threading.Thread(target=arm._show)
+
+    def draw_and_ask(value):
+        drawing.start()
+        drawing.join(0.3)  # it has to wait until the node is asked
+        control.parameter.ask(value)
+
+    monkeypatch.setattr(control, 'ask', draw_and_ask)
+    enter(arm, 'joints', '9')
+    monkeypatch.undo()
+    drawing.join()
+    arm.settle()
+    arm.undo()
+    assert arm['joints'].value == 5
+
+
+def test_bringing_back_can_be_undone_as_soon_as_it_is_done(arm):
+    ParameterClient(NODE).set_parameter('joints', 9)
+    wait_for_value(arm, 'joints', 9)
+    arm.reset()
+    assert arm._front.state['undo']
+    arm.undo()
+    assert arm['joints'].value == 9
 
 
 def test_one_value_is_brought_back_alone(arm):

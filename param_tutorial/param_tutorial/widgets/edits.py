@@ -63,10 +63,10 @@ class Edits:
     @contextlib.contextmanager
     def as_one(self) -> Iterator[None]:
         """Take all that is asked for meanwhile as one edit, also if the node has answered everything in between."""
-        self.begin('', None)
         with self._lock:
             self._held += 1
         try:
+            self.begin('', None)  # not before: somebody may end it at once
             yield
         finally:
             with self._lock:

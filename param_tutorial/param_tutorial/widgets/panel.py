@@ -13,7 +13,7 @@ import contextlib
 import html
 import queue
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -185,7 +185,7 @@ class ParameterPanel(View):
         with self._acting:
             wanted = self._gathered or {}
             self.settle()
-            with self._edits.as_one():
+            with self._as_one_edit():
                 try:
                     self._note = self._set_together(wanted)
                 except ParameterToolError as error:
@@ -255,13 +255,21 @@ class ParameterPanel(View):
             self._gathered, self._note = {**self._gathered, **wanted}, ''
             self._show()
             return Loaded(left, wanted, is_gathered=True)
-        with self._edits.as_one():
+        with self._as_one_edit():
             if self._set_together(wanted):
                 left |= self._bring(wanted)
             self.settle()
         left |= {name: f'the node has stored {self[name].value!r}' for name, value in wanted.items()
                  if name not in left and self._differs(name, value)}
         return Loaded(left, [name for name in wanted if name not in left])
+
+    @contextlib.contextmanager
+    def _as_one_edit(self) -> Iterator[None]:
+        try:
+            with self._edits.as_one():
+                yield
+        finally:
+            self._show()  # what can be undone now
 
     def _set_together(self, wanted: State) -> str:
         """Ask for values in one request, and return why the node rejected it; empty if it did not."""
@@ -309,7 +317,7 @@ class ParameterPanel(View):
         with self._acting:
             self.settle()  # what was entered just now may still be on its way
             wanted = {name: value for name, value in self.changed.items() if not names or name in names}
-            with self._edits.as_one():
+            with self._as_one_edit():
                 self._not_restored = self._bring(wanted)
 
     def _bring(self, wanted: State) -> dict[str, str]:
@@ -431,8 +439,10 @@ class ParameterPanel(View):
             self._ask(control, value, None)
 
     def _ask(self, control: Control, value: Any, grip: object) -> None:
-        self._edits.begin(control.name, grip)
-        control.ask(value)
+        # A drawing ends the edit if nothing is under way, and nothing is between these two lines.
+        with self._drawing:
+            self._edits.begin(control.name, grip)
+            control.ask(value)
 
     def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
         """Make the controls that are missing and drop those whose parameter is gone; keep all others as they are."""
