@@ -77,66 +77,93 @@ def forbid_waiting(forbidden_here: ForbiddenHere, limit: WaitLimit | None = None
     :param limit: For waits that are not forbidden, and have no time limit of their own.
     :return: Call it to leave rclpy as it was.
     """
-    wait, spin_until, spin, call = (Executor.wait_for_ready_callbacks, Executor.spin_until_future_complete,
-                                    Executor.spin, Client.call)
-    rclpys_spin = rclpy.spin
-
-    def limit_here() -> WaitLimit | None:
-        return limit if limit is not None and limit.applies_here() else None
-
-    def ask_and_wait(self: Executor, timeout_sec: float | TimeoutObject | None = None, *args: Any) -> Any:
-        if error := forbidden_here():
-            raise error
-        here = limit_here()
-        return wait(self, timeout_sec, *args) if here is None else _wait_in_slices(wait, here, self, timeout_sec, *args)
-
-    def ask_and_spin_until(self: Executor, future: Future, timeout_sec: float | None = None) -> None:
-        here = limit_here()
-        if here is None or (timeout_sec is not None and timeout_sec >= 0):
-            spin_until(self, future, timeout_sec)
-            return
-        spin_until(self, future, here.timeout_sec)
-        if not future.done():
-            raise here.in_vain('the future', here.timeout_sec)
-
-    def ask_and_spin(self: Executor) -> None:
-        if error := forbidden_here():
-            raise error
-        if here := limit_here():
-            raise here.endless(self.get_nodes())
-        spin(self)
-
-    def ask_and_spin_node(node: Node, executor: Executor | None = None) -> None:
-        if error := forbidden_here():
-            raise error
-        if here := limit_here():
-            raise here.endless([node])
-        rclpys_spin(node, executor)
-
-    def ask_and_call(self: Client, request: Any, timeout_sec: float | None = None) -> Any:
-        if timeout_sec is None and (error := forbidden_here()):
-            raise error
-        here = limit_here()
-        if here is None or timeout_sec is not None:
-            return call(self, request, timeout_sec)
-        answer = call(self, request, here.timeout_sec)
-        if answer is None:
-            raise here.in_vain(f'an answer from {self.srv_name}', here.timeout_sec)
-        return answer
-
-    ours = [(Executor, 'wait_for_ready_callbacks', wait, ask_and_wait),
-            (Executor, 'spin_until_future_complete', spin_until, ask_and_spin_until),
-            (Executor, 'spin', spin, ask_and_spin),
-            (Client, 'call', call, ask_and_call),
-            (rclpy, 'spin', rclpys_spin, ask_and_spin_node)]
-    for owner, name, _, asking in ours:
-        setattr(owner, name, asking)
+    guard = _WaitGuard(forbidden_here, limit)
+    restorers = [_replace(Executor, 'wait_for_ready_callbacks', guard.wait),
+                 _replace(Executor, 'spin_until_future_complete', guard.spin_until),
+                 _replace(Executor, 'spin', guard.spin),
+                 _replace(Client, 'call', guard.call),
+                 _replace(rclpy, 'spin', guard.spin_node)]
 
     def allow_waiting() -> None:
-        for owner, name, original, asking in ours:
-            if getattr(owner, name) is asking:
-                setattr(owner, name, original)
+        for restore in restorers:
+            restore()
     return allow_waiting
+
+
+def _replace(owner: Any, name: str, function: Callable[..., Any]) -> Callable[[], None]:
+    """Put a function in the place of one of rclpy's.
+
+    :param function: Called as the other was; with the instance, if it was a method.
+    :return: Puts the other one back, unless somebody else has replaced it since.
+    """
+    original = getattr(owner, name)
+
+    # A method of ours would not be given the instance of theirs.
+    @functools.wraps(original)
+    def instead(*args: Any, **options: Any) -> Any:
+        return function(*args, **options)
+
+    def restore() -> None:
+        if getattr(owner, name) is instead:
+            setattr(owner, name, original)
+    setattr(owner, name, instead)
+    return restore
+
+
+class _WaitGuard:
+    """rclpy's ways to wait, as they were when it was made, each with a question first."""
+
+    def __init__(self, forbidden_here: ForbiddenHere, limit: WaitLimit | None) -> None:
+        self._forbidden_here, self._limit = forbidden_here, limit
+        self._wait, self._spin, self._call = Executor.wait_for_ready_callbacks, Executor.spin, Client.call
+        self._spin_until, self._spin_node = Executor.spin_until_future_complete, rclpy.spin
+
+    def _ask(self) -> None:
+        if error := self._forbidden_here():
+            raise error
+
+    @property
+    def _limit_here(self) -> WaitLimit | None:
+        return self._limit if self._limit is not None and self._limit.applies_here() else None
+
+    def wait(self, executor: Executor, timeout_sec: float | TimeoutObject | None = None, *args: Any) -> Any:
+        self._ask()
+        if limit := self._limit_here:
+            return _wait_in_slices(self._wait, limit, executor, timeout_sec, *args)
+        return self._wait(executor, timeout_sec, *args)
+
+    def spin_until(self, executor: Executor, future: Future, timeout_sec: float | None = None) -> None:
+        limit = self._limit_here
+        if limit is None or (timeout_sec is not None and timeout_sec >= 0):
+            self._spin_until(executor, future, timeout_sec)
+            return
+        self._spin_until(executor, future, limit.timeout_sec)
+        if not future.done():
+            raise limit.in_vain('the future', limit.timeout_sec)
+
+    def spin(self, executor: Executor) -> None:
+        self._ask()
+        if limit := self._limit_here:
+            raise limit.endless(executor.get_nodes())
+        self._spin(executor)
+
+    def spin_node(self, node: Node, executor: Executor | None = None) -> None:
+        self._ask()
+        if limit := self._limit_here:
+            raise limit.endless([node])
+        self._spin_node(node, executor)
+
+    def call(self, client: Client, request: Any, timeout_sec: float | None = None) -> Any:
+        if timeout_sec is not None:
+            return self._call(client, request, timeout_sec)
+        self._ask()
+        limit = self._limit_here
+        if limit is None:
+            return self._call(client, request, None)
+        answer = self._call(client, request, limit.timeout_sec)
+        if answer is None:
+            raise limit.in_vain(f'an answer from {client.srv_name}', limit.timeout_sec)
+        return answer
 
 
 def _wait_in_slices(wait: Callable[..., Any], limit: WaitLimit, executor: Executor,
