@@ -151,7 +151,7 @@ class NodeGraph:
         topic, *rest = self._column(self._RIGHT_X, ['', *self.listens]).values()
         listeners = dict(zip(self.listens, rest))
         parts = [words(x + self._BOX_WIDTH / 2, 18, title, 'middle', _BOLD) for x, title in (
-            (self._LEFT_X, 'asks'), (self._MIDDLE_X, 'has parameters'), (self._RIGHT_X, 'is told of changes'))]
+            (self._LEFT_X, 'asks'), (self._MIDDLE_X, 'has parameters'), (self._RIGHT_X, 'hears of changes'))]
         stroke = f'stroke="{INK}" stroke-width="1.5"'
         for asker, asked in self.asks:
             dashes = ' stroke-dasharray="5 4"' if asked in self.missing else ''

@@ -46,7 +46,7 @@ PREDICTIONS = (
                'the three reasons does the node give?', (
         right('It is read-only', 'The lock is checked before the range, and only the first failure is named.'),
         wrong('It is out of range', 'It is, and rclpy would have said so, but it checks the lock before the range.'),
-        wrong('It is no valid step', 'The step is checked last, and only the first failure is named.'),
+        wrong('It is between two steps', 'The step is checked last, and only the first failure is named.'),
         wrong('It names all three', 'rclpy stops at the first check that fails.'))),
     Prediction('6.2-5', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a '
                'speed of 180. How many of them reach the callback with the branches?', (

@@ -51,7 +51,7 @@ PREDICTIONS = (
               "text, and guesses again. Quotes don't survive that."))),
     Prediction('7.1-5', "The file says `waypoints: []`, and the default is ['dock']. What does the node get when it "
                'reads `waypoints`?', (
-        wrong('[]', 'An empty array in a file has no type, so it is no value either.'),
+        wrong('[]', "An empty array in a file has no type, so it isn't a value either."),
         wrong("['dock']", 'The file takes the default away, and puts nothing in its place.'),
         right('an exception: there is no value', 'The empty array takes the default away and puts nothing in its '
               'place.'))),

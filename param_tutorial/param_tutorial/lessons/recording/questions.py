@@ -223,5 +223,5 @@ def _as_typed(descriptor: Descriptor, literal: Any) -> str | None:
         if values.type_of(normal) is not descriptor.type and not descriptor.dynamic_typing:
             return None
         return format_value(descriptor, normal)
-    except Exception:  # whatever it is that the lesson speaks of, it is no value
+    except Exception:  # whatever it is that the lesson speaks of, it is not a value
         return None
