@@ -2,24 +2,33 @@
 
 import atexit
 import collections
+import io
 import os
 import shutil
 import signal
+import sys
 import tempfile
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import hypothesis
 import nbval.kernel
 import pytest
-from IPython.core.interactiveshell import InteractiveShell
 from xdist.workermanage import WorkerController
 
 import param_tutorial
 from param_tutorial.notebook import terminal
 from param_tutorial.runtime import node_log, waiting
 from param_tutorial.runtime.executor import BackgroundExecutor
-from tests.support.ipython import ipython_with_extension
 from tests.support.kernels import KernelManager
+
+if TYPE_CHECKING:
+    from IPython.core.interactiveshell import InteractiveShell
+
+# Where stdin is closed, pytest fails an assertion as soon as it is asked for the encoding, and IPython asks when it is
+# imported. So nothing above imports it.
+if sys.__stdin__ is None:
+    sys.__stdin__ = io.StringIO()
 
 pytest_plugins = ['tests.support.time_limit']
 
@@ -62,15 +71,19 @@ def ros() -> Iterator[BackgroundExecutor]:
 
 
 @pytest.fixture
-def ipython() -> Iterator[InteractiveShell]:
+def ipython() -> 'Iterator[InteractiveShell]':
     """Yield an IPython with the notebook extension; the next test gets another one."""
+    from tests.support.ipython import ipython_with_extension
+
     with ipython_with_extension() as shell:
         yield shell
 
 
 @pytest.fixture
-def bare_ipython(monkeypatch: pytest.MonkeyPatch) -> Iterator[InteractiveShell]:
+def bare_ipython(monkeypatch: pytest.MonkeyPatch) -> 'Iterator[InteractiveShell]':
     """Yield an IPython of the test's own, without the extension, which widgets take for the one that they are in."""
+    from IPython.core.interactiveshell import InteractiveShell
+
     shell = InteractiveShell()
     monkeypatch.setattr('IPython.get_ipython', lambda: shell)
     yield shell

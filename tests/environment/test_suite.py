@@ -1,4 +1,4 @@
-"""A test that hangs is named and ended with all that it has started, and the others are run."""
+"""The suite itself: a test that hangs is ended and the others are run, wherever `make test` is started."""
 
 import re
 import subprocess
@@ -48,3 +48,14 @@ def test_what_hangs_is_named_and_ended_and_the_others_run(tmp_path):
     assert 'in test_that_hangs\n' in done.stderr
     child = int(done.stderr.partition('started ')[2].split()[0])
     assert child not in [process.pid for process in psutil.process_iter() if process.status() != psutil.STATUS_ZOMBIE]
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+@pytest.mark.parametrize('workers', ['0', '1'])
+def test_tests_run_where_stdin_is_closed(workers):
+    tests = 'tests/notebook/test_magics.py'  # they import IPython, which looks at stdin
+    done = subprocess.run(['sh', '-c', 'exec "$@" <&-', 'sh', sys.executable, '-m', 'pytest', '-n', workers, '-k',
+                           'an_answer_goes', tests], cwd=ROOT, capture_output=True, text=True, timeout=150)
+    assert re.search(r'[1-9]\d* passed', done.stdout), done.stdout + done.stderr
+    assert done.returncode == 0
