@@ -25,7 +25,7 @@ from rclpy.signals import SignalHandlerOptions
 
 from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, rclpy_private
-from param_tutorial.runtime.graph import Incarnations, incarnations
+from param_tutorial.runtime.graph import Incarnations, incarnations, note_arrival
 from param_tutorial.runtime.listeners import Listeners
 from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_init, is_managed, prepare
 from param_tutorial.runtime.node_log import NodeLog
@@ -135,6 +135,7 @@ class BackgroundExecutor:
         self._stopping = False
         self._executor = rclpy_private.new_executor(self.context)
         self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
+        note_arrival(self.tool_node)
         self.tool_node.create_subscription(
             Log, '/rosout', self.node_log.receive,
             QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL))
