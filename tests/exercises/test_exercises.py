@@ -19,7 +19,7 @@ from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06_2, ch07_3, ch11
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
-from param_tutorial.runtime import stage
+from param_tutorial.runtime import graph, stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from tests.support.answers import blank, not_yet, notebook, solution
 from tests.support.paths import NOTEBOOKS
@@ -188,6 +188,44 @@ def test_code_that_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried', 'not tried']
     assert 'it was still running after 0.5 s' in repr(exercises.check('5.3b', waits))
     assert not ros.nodes
+
+
+SWALLOWS = '''
+class Swallows:
+    def __del__(self):
+        while True:
+            pass
+
+swallows = Swallows()
+del swallows
+while True:
+    pass
+'''
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings('ignore:Exception ignored in:pytest.PytestUnraisableExceptionWarning')
+def test_code_that_python_does_not_let_be_interrupted_at_first_is_interrupted_later(ros, monkeypatch):
+    monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
+    assert 'it was still running after 0.5 s' in repr(exercises.check('10.3c', SWALLOWS))
+    assert not ros.nodes
+
+
+def test_a_wrong_name_in_the_learners_lines_is_not_searched_for(ros, monkeypatch):
+    """All nodes that they can mean are in this process. Discovery may take longer than a check gives the lines."""
+    def search(*_):
+        raise AssertionError('there was a search')
+
+    monkeypatch.setattr(graph, 'wait_for', search)
+    result = exercises.check('10.3c', solution('10.3c', ('/wheel_controller', '/wheel')))
+    assert 'there is no node /wheel. No node is running' in result.findings[0].happened
+
+
+def test_the_learners_client_is_called_as_they_know_it(ros):
+    result = exercises.check('10.3c', solution('10.3c', ('set_parameters_atomically', 'set_all')))
+    assert "'ParameterClient' object has no attribute 'set_all'" in result.findings[0].happened
+    unusual = [("ParameterClient('/wheel_controller')", "ParameterClient('/wheel_controller', timeout_sec=2.0)")]
+    assert exercises.check('10.3c', solution('10.3c', *unusual)).done
 
 
 class Loops(Node):

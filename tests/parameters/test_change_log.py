@@ -14,9 +14,10 @@ from rclpy.node import Node
 
 from param_tutorial import ParameterClient, all_parameters, wait_until
 from param_tutorial.errors import InvalidValueError, ParameterFileError
-from param_tutorial.parameters import values
+from param_tutorial.parameters import change_log, values
 from param_tutorial.parameters.change_log import ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
 from param_tutorial.parameters.systems import compare_systems
+from param_tutorial.runtime.rclpy_private import observe_changes
 from tests.support.nodes import Arm
 from tests.support.strategies import TEXT, VALUES
 
@@ -178,6 +179,21 @@ def test_a_node_that_restarts_has_gone_and_come(ros, told):
     ros.add(Arm)
     wait_until(lambda: find(told, kind='gone'), 'the old node to be missed')
     wait_until(lambda: ChangeLog(told).at().get('/arm', {}).get('offset') == 0.5, 'the new node to be seen')
+
+
+def test_a_change_whose_event_got_lost_is_found_when_a_new_node_is_read_again(ros, monkeypatch):
+    """However slow the machine is: it is read again in the time that the machine has had."""
+    now = 0.0
+    monkeypatch.setattr(change_log, 'machine_time', lambda: now)
+    node, changes = ros.add(Arm), []
+    ros.run(lambda: observe_changes(node, lambda _, callback, parameters: callback(parameters),
+                                    lambda _publish, _event: None), 'lose its events')
+    with ChangeFollower(changes.extend):
+        ParameterClient(node).set_parameter('offset', 0.75)
+        assert not find(changes, kind='changed')
+        now = sum(change_log._READ_AGAIN_SEC)
+        wait_until(lambda: find(changes, kind='changed'), 'the change to be told')
+    assert [(each.name, each.old, each.new) for each in find(changes, kind='changed')] == [('offset', 0.5, 0.75)]
 
 
 def test_the_state_at_the_end_is_what_the_nodes_have(ros, told):

@@ -1,5 +1,7 @@
 """domain: a ROS domain for each process, unless the user chose one."""
 
+import functools
+import itertools
 import os
 import socket
 import subprocess
@@ -98,6 +100,18 @@ def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant
         os.close(descriptor)
         with pytest.raises(ExecutorError, match='are in use on this machine'):
             domain._claim_free_domain()
+
+
+def test_a_port_that_a_look_at_the_table_passes_over_is_found_by_the_next(monkeypatch):
+    """Linux passes over one while others are closed."""
+    port, other = 7400 + 250 * 5 + 10, 80
+    for looks in ([{other}, {port}, {port}], [{port, other}, {other}, {port}, {port}]):
+        monkeypatch.setattr(domain, '_listed_ports', functools.partial(next, iter(looks)))
+        assert domain.participant_ports(5) == {port}
+    # Where others never cease to come and go, all that was seen counts.
+    looks = itertools.cycle([{other}, {port}, {443}])
+    monkeypatch.setattr(domain, '_listed_ports', functools.partial(next, looks))
+    assert domain.participant_ports(5) == {port}
 
 
 @pytest.mark.slow

@@ -217,6 +217,35 @@ def test_a_callback_that_never_returns_is_interrupted(ros, monkeypatch, capfd):
     assert ParameterClient('/speed').set_parameter('rpm', 2).successful
 
 
+@pytest.mark.slow
+@pytest.mark.filterwarnings('ignore:Exception ignored in:pytest.PytestUnraisableExceptionWarning')
+def test_an_interruption_that_python_only_prints_comes_again(ros, capfd):
+    """As in ``RcutilsLogger.__del__`` of rclpy."""
+    entered, let_go = threading.Event(), threading.Event()
+
+    def wait():
+        entered.set()
+        while not let_go.wait(0.01):
+            pass
+
+    class Swallows:
+        def __del__(self):
+            wait()
+
+    def act(node):
+        swallows = Swallows()
+        del swallows
+        wait()
+
+    node = ros.add(Asking, act)
+    assert entered.wait(30)
+    ros.run(lambda: None, 'do nothing', timeout_sec=0.3)
+    assert not let_go.is_set()
+    assert ros.nodes == (node,)
+    assert 'did not return, so it was interrupted' in capfd.readouterr().err
+    assert ParameterClient(node).set_parameter('rpm', 2).successful
+
+
 def test_run_gives_the_result_or_the_exception(ros):
     assert ros.run(threading.current_thread, 'look') is not threading.current_thread()
     with pytest.raises(KeyError, match='x'):
@@ -489,6 +518,8 @@ def test_a_node_that_destroys_itself_in_its_callback_leaves_the_stage(ros):
     param_tutorial.wait_until(lambda: ros.nodes == (), 'the node to be gone')
     ros.run(lambda: None, 'see its callback through')
     assert ros.services.node_names() == []
+    param_tutorial.wait_until(lambda: not ros.tool_node.get_subscriptions_info_by_topic(
+        'rq/asking/get_type_descriptionRequest', no_mangle=True), 'its last service to go')
     assert ParameterClient(ros.add(Speed)).set_parameter('rpm', 2).successful
 
 

@@ -10,6 +10,7 @@ import pytest
 from rcl_interfaces.srv import ListParameters
 from rclpy.node import Node
 
+import param_tutorial
 from param_tutorial import node_graph, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.ros2 import command
@@ -20,7 +21,7 @@ from param_tutorial.runtime import graph, waiting
 def haunted(ros, monkeypatch):
     """Return an executor that has been there for long, and whose rmw lists a ghost, and one with the robot's name."""
     list_also(monkeypatch, ros, 'ghost', 'simple_param_node')
-    monkeypatch.setitem(graph._first_looks, ros.tool_node, -graph._UNHEARD_SEC)
+    monkeypatch.setitem(graph._arrivals, ros.tool_node, -graph._UNHEARD_SEC)
     return ros
 
 
@@ -53,6 +54,15 @@ def test_a_node_beside_a_ghost_of_its_name_is_one(haunted):
     assert node_graph().serves == ['/simple_param_node']
 
 
+def test_a_process_that_has_lived_long_does_not_wait_for_a_ghost_even_when_it_looks_for_the_first_time(monkeypatch):
+    param_tutorial.stop()
+    ros = param_tutorial.start()
+    list_also(monkeypatch, ros, 'ghost')
+    later = waiting.machine_time() + graph._UNHEARD_SEC + 1.0
+    monkeypatch.setattr(graph, 'machine_time', lambda: later)
+    assert graph.is_complete(ros.tool_node)
+
+
 def test_a_node_whose_name_comes_first_is_waited_for(ros, monkeypatch):
     """As that of a process which has lived long comes to a new one."""
     monkeypatch.setattr(graph, '_LEFT_SEC', 0.0)
@@ -69,7 +79,7 @@ def test_a_node_whose_name_comes_first_is_waited_for(ros, monkeypatch):
 
 
 def test_what_a_new_process_has_not_heard_of_a_node_counts_as_missing(ros, monkeypatch):
-    monkeypatch.setitem(graph._first_looks, ros.tool_node, waiting.machine_time())
+    monkeypatch.setitem(graph._arrivals, ros.tool_node, waiting.machine_time())
     wait_until(lambda: graph.is_complete(ros.tool_node), 'all to be known')
     list_also(monkeypatch, ros, 'simple_param_node')
     assert not graph.is_complete(ros.tool_node)

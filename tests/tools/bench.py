@@ -248,6 +248,43 @@ finally:
     robot.wait()
 '''
 
+# One node with more and more parameters: what takes more than its share of the time shows.
+SCALE = '''
+import tempfile, time
+from pathlib import Path
+import param_tutorial
+from param_tutorial import ParameterClient, all_parameters, compare
+from rclpy.node import Node
+
+class Many(Node):
+    def __init__(self, count):
+        super().__init__('many', enable_rosout=False)
+        for index in range(count):
+            self.declare_parameter(f'group_{index % 50}.value_{index}', float(index))
+
+def timed(function):
+    start = time.perf_counter()
+    function()
+    return time.perf_counter() - start
+
+executor = param_tutorial.start()
+result = {}
+with tempfile.TemporaryDirectory() as folder:
+    path = Path(folder, 'many.yaml')
+    for count in COUNTS:
+        client = ParameterClient(executor.add(Many, count), timeout_sec=120)
+        before = client.get_parameters()
+        after = {name: value + 1.0 for name, value in before.items() if name.startswith('group_')}
+        ways = {'list': client.list_parameters, 'dump': lambda: client.dump(path),
+                'load': lambda: client.load(path).raise_for_reason(),
+                'snapshot': lambda: all_parameters('/many', timeout_sec=120),
+                'difference': lambda: repr(compare(before, after))}
+        for way, function in ways.items():
+            result[f'{way} {count}'] = min(timed(function) for _ in range(ROUNDS))
+        if count == 1000:
+            result['one by one'] = timed(lambda: [client.get_parameter(name) for name in after])
+'''
+
 
 @dataclass
 class Row:
@@ -319,6 +356,18 @@ def whole_system(rounds: int) -> list[Row]:
                 f'{took["one by one"] / took["at once"]:.0f} times as long', '', None),
             Row('the same, with a `param dump` for each node', f'{50 * took["command"] / took["at once"]:.0f} times as '
                                                                f'long', '', None)]
+
+
+def many_parameters(rounds: int) -> list[Row]:
+    """Measure one node with 1 to 10,000 parameters."""
+    counts = (1, 100, 1000, 10_000)
+    took = in_kernel(SCALE.replace('ROUNDS', str(rounds)).replace('COUNTS', str(counts)))
+    rows = [Row(f'{way} of 1, 100, 1,000 and 10,000 parameters',
+                ' '.join(f'{1000 * took[f"{way} {count}"]:.0f}' for count in counts) + ' ms', '', None)
+            for way in ('list', 'dump', 'load', 'snapshot', 'difference')]
+    ratio = took['one by one'] / took['dump 1000']
+    return [*rows, Row('a dump of 1,000 parameters, against a call for each, in the same process',
+                       f'{ratio:.0f} times faster', '', None)]
 
 
 def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
@@ -395,16 +444,19 @@ def main() -> int:
     print(textwrap.dedent(f'''\
         {platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, \
         load {os.getloadavg()[0]:.1f}'''))
+    saved = ROOT / 'build' / 'bench.json'
+    last = {row['what']: row['figure'] for row in json.loads(saved.read_text())} if saved.exists() else {}
     rows: list[Row] = []
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
                     lambda: step_response(1 if quick else 5), lambda: whole_system(1 if quick else 5),
+                    lambda: many_parameters(1 if quick else 5),
                     lambda: lesson_in_browser(1 if quick else 5, 5.0 if quick else 20.0),
                     large_panels, robot_in_browser):
         for row in measure():
             rows.append(row)
             verdict = {True: 'met', False: 'NOT MET', None: ''}[row.met]
-            print(f'{row.what:72} {row.figure:28} {row.bar:20} {verdict}', flush=True)
-    saved = ROOT / 'build' / 'bench.json'
+            print(f'{row.what:72} {row.figure:28} {row.bar:20} {verdict:8}'
+                  + (f'last time: {last[row.what]}' if row.what in last else ''), flush=True)
     saved.parent.mkdir(exist_ok=True)
     saved.write_text(json.dumps([asdict(row) for row in rows], indent=1) + '\n')
     print(f'Saved as {saved.relative_to(ROOT)}')

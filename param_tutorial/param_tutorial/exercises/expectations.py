@@ -13,6 +13,7 @@ from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
+from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient
@@ -105,11 +106,24 @@ def run_lines(trial: Trial, **names: object) -> dict[str, Any]:
     return space
 
 
-def client_in_corner(node: Node | str) -> ParameterClient:
-    """Return what ``ParameterClient(node)`` is for the learner, whose nodes are in the corner during a check."""
-    if isinstance(node, str) and not node.startswith(f'{CORNER}/'):  # a node's own full name is right already
-        return ParameterClient(f'{CORNER}/{node.lstrip("/")}')
-    return ParameterClient(node)
+class ClientInCorner(ParameterClient):
+    """What ParameterClient is for the learner, whose nodes are in the corner during a check."""
+
+    def __init__(self, node: Node | str, *arguments: Any, **options: Any):
+        if isinstance(node, str) and not node.startswith(f'{CORNER}/'):  # a node's own full name is right already
+            node = f'{CORNER}/{node.lstrip("/")}'
+        super().__init__(node, *arguments, **options)
+
+    def _call(self, service: str, request: Any) -> Any:
+        # Others may be on their way; those in the corner are in this process. A search that takes as long as discovery
+        # may take would be ended by the time limit, which does not know that a name is wrong.
+        if self.node not in (each.get_fully_qualified_name() for each in self.executor.nodes):
+            raise NodeNotFoundError(self.node, self.executor.services.node_names())
+        return super()._call(service, request)
+
+
+# An AttributeError, for one, names the class as the learner knows it.
+ClientInCorner.__name__ = ParameterClient.__name__
 
 
 def derive(mixin: type[NodeT], node_class: type[Node]) -> type[NodeT]:

@@ -8,7 +8,6 @@ import re
 import signal
 import tempfile
 import threading
-import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -46,7 +45,8 @@ _SHORT_TIME_LIMIT_SEC = 1.0
 # When a check as a whole should have come to its end. What comes close to it gets less and less time, though never
 # less than the short limit: a callback that sleeps is asked a dozen times.
 _WHOLE_CHECK_SEC = 6.0
-
+# How often to look whether a limit is over: machine time is right only for those who look often.
+_RING_PERIOD_SEC = 0.1
 
 # What rclpy raises for a parameter file, with rcl's own words in it.
 _NOT_A_PARAMETER_FILE = re.compile(r"Couldn't parse params file: .*? Error: (.*?), at \S+:\d+", re.DOTALL)
@@ -114,14 +114,14 @@ class Trial:
                  began_sec: float | None = None):
         """
         :param has_waited_in_vain: In an earlier trial with this work.
-        :param began_sec: When the first trial with this work began, by the monotonic clock. By default now.
+        :param began_sec: When the first trial with this work began, in machine time. By default now.
         """
         self.ros = ros
         self.work = work
         self.names: list[str] = []
         """The names of the nodes that were made of the work."""
         self.has_waited_in_vain = has_waited_in_vain
-        self._began_sec = time.monotonic() if began_sec is None else began_sec
+        self._began_sec = machine_time() if began_sec is None else began_sec
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
     @overload
@@ -186,7 +186,7 @@ class Trial:
 
     def _limit_sec(self) -> float:
         """Return how long a constructor, function or answer may take now."""
-        left_sec = self._began_sec + _WHOLE_CHECK_SEC - time.monotonic()
+        left_sec = self._began_sec + _WHOLE_CHECK_SEC - machine_time()
         return min(TIME_LIMIT_SEC, max(_SHORT_TIME_LIMIT_SEC, round(left_sec, 1)))
 
     def ros2(self, *words: str) -> str:
@@ -326,16 +326,20 @@ def _time_limit(limit_sec: float) -> Iterator[None]:
     deadline = machine_time() + limit_sec
 
     def ring(_number: int, _frame: FrameType | None) -> None:
-        left_sec = deadline - machine_time()
-        if left_sec <= 0.0:
+        nonlocal deadline
+        if machine_time() > deadline:
+            # Once more after as long: an exception that comes while Python runs a __del__ is printed and lost.
+            deadline += limit_sec
             raise TooLong(limit_sec)
-        signal.setitimer(signal.ITIMER_REAL, left_sec)
 
     previous = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, limit_sec)
+    signal.setitimer(signal.ITIMER_REAL, _RING_PERIOD_SEC, _RING_PERIOD_SEC)
     try:
-        yield
-    finally:
+        try:
+            yield
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+    finally:  # also if it has rung once more, on the way out
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, previous)
 

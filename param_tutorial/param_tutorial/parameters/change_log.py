@@ -20,7 +20,6 @@ import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from time import monotonic
 from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
@@ -35,12 +34,15 @@ from param_tutorial.pictures.wording import format_count
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import TOOL_NODE_NAME, BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
+from param_tutorial.runtime.waiting import machine_time
 
 KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
 _CLOSE_TIMEOUT_SEC = 10.0
 # When a node that is new is read again, each after so long. On a busy machine its publisher may know of this reader
 # only after a heartbeat of Fast DDS, which comes every three seconds.
 _READ_AGAIN_SEC = (0.5, 1.0, 2.0, 4.0)
+# Where machine time is slow, what is left of it would be halved again and again.
+_LEAST_WAIT_SEC = 0.01
 
 
 @dataclass(frozen=True)
@@ -296,7 +298,7 @@ class ChangeFollower:
         self._known: dict[str, dict[str, Any]] = {}
         self._incarnations: dict[str, frozenset[bytes]] = {}
         self._new: dict[str, list[float]] = {}
-        """When a node is to be read again, in the seconds of the monotonic clock."""
+        """When a node is to be read again, in machine time."""
         self._happened: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
         self._stop_listening = [self._executor.on_parameter_event(self._on_event),
                                 self._executor.on_graph_change(self._on_graph_change)]
@@ -347,13 +349,14 @@ class ChangeFollower:
         """Wait for what happens next, and no longer than until a node is to be read again."""
         due = min((times[0] for times in self._new.values()), default=None)
         try:
-            return self._happened.get(timeout=None if due is None else max(0.0, due - monotonic()))
+            return self._happened.get(timeout=None if due is None else max(_LEAST_WAIT_SEC, due - machine_time()))
         except queue.Empty:
             return self._read_again
 
     def _read_again(self) -> list[LoggedChange]:
         """Read the nodes that are new: the first events of one may come before its publisher knows of this reader."""
-        due = [node for node, times in self._new.items() if times[0] <= monotonic()]
+        now = machine_time()
+        due = [node for node, times in self._new.items() if times[0] <= now]
         for node in due:
             times = self._new.pop(node)
             if times[1:] and node in self._known:
@@ -392,7 +395,7 @@ class ChangeFollower:
                                       executor=self._executor) if came else ({}, {})
         for node, parameters in answers.items():
             changes += self._seen(node, parameters)
-        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=monotonic()))[1:]
+        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=machine_time()))[1:]
         self._new |= dict.fromkeys(answers, again)
         self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
         for error in unanswered.values():

@@ -200,17 +200,17 @@ def _add_parameters(lines: list[str], parameters: dict[str, tuple[str, list[str]
     heads = {name: name.partition('.')[0] for name in parameters}
     flat = {name for name in parameters if name in (heads[name], f'{heads[name]}.') or heads[name] in parameters
             or '' in name.split('.')}
-    done = set()
+    below: dict[str, dict[str, tuple[str, list[str]]]] = {}
+    for name, written in parameters.items():
+        if name not in flat:
+            below.setdefault(heads[name], {})[name[len(heads[name]) + 1:]] = written
     for name, (inline, items) in parameters.items():
-        head = heads[name]
         if name in flat:
             _add_key(lines, name, indent, inline)
             lines += [f'{indent}- {item}' for item in items]
-        elif head not in done:
-            done.add(head)
-            _add_key(lines, head, indent, '')
-            _add_parameters(lines, {other[len(head) + 1:]: parameters[other] for other in parameters
-                           if heads[other] == head and other not in flat}, indent + '  ')
+        elif nested := below.pop(heads[name], None):  # with the first of its names
+            _add_key(lines, heads[name], indent, '')
+            _add_parameters(lines, nested, indent + '  ')
 
 
 def _add_key(lines: list[str], name: str, indent: str, inline: str) -> None:

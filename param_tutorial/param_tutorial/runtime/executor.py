@@ -25,7 +25,7 @@ from rclpy.signals import SignalHandlerOptions
 
 from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, rclpy_private
-from param_tutorial.runtime.graph import Incarnations, incarnations
+from param_tutorial.runtime.graph import Incarnations, incarnations, note_arrival
 from param_tutorial.runtime.listeners import Listeners
 from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_init, is_managed, prepare
 from param_tutorial.runtime.node_log import NodeLog
@@ -135,6 +135,7 @@ class BackgroundExecutor:
         self._stopping = False
         self._executor = rclpy_private.new_executor(self.context)
         self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
+        note_arrival(self.tool_node)
         self.tool_node.create_subscription(
             Log, '/rosout', self.node_log.receive,
             QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL))
@@ -241,12 +242,13 @@ class BackgroundExecutor:
     def _destroy_in_thread(self, node: Node, destroy: Callable[[], None]) -> None:
         """Let the executor's thread destroy a node, and then what rclpy forgets."""
         what = f'destroy {_full_name(node)}'
-        if self._in_thread():  # the callback that runs now may be the node's own, and needs its handles
-            destroy()
-            return
         executor, end_service = self._executor, rclpy_private.keep_type_description_service(node)
+        # The service ends in a turn of its own: by then the executor has let go of it. One that is stuck never does.
+        if self._in_thread():  # a callback runs now, maybe the node's own
+            destroy()
+            executor.create_task(end_service)
+            return
         self.run(destroy, what)
-        # In a turn of its own: by then the executor has let go of the service. One that is stuck never does.
         if self._executor is executor:
             self.run(end_service, what)
 
@@ -316,12 +318,23 @@ class BackgroundExecutor:
         ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread.ident or 0), ctypes.py_object(error))
 
     def _interrupt(self, has_ended_within: Callable[[float], bool]) -> bool:
-        """Raise an exception in the callback that keeps the thread. Return True if that ends it."""
+        """Raise an exception in the callback that keeps the thread. Return True if that ends it.
+
+        An exception that comes while Python runs a ``__del__``, and rclpy's loggers have one, is printed and lost. So
+        before a callback counts as one that cannot be interrupted, it is raised a second time.
+        """
+        kept_by = self.callback_watch.running
         _CallbackInterrupted.is_noticed.clear()
         self._raise_in_thread(_CallbackInterrupted)
         if within(_NOTICE_TIMEOUT_SEC, has_ended_within):
             return True
-        return _CallbackInterrupted.is_noticed.is_set() and within(INTERRUPT_TIMEOUT_SEC, has_ended_within)
+        if not _CallbackInterrupted.is_noticed.is_set():
+            return False
+        if within(INTERRUPT_TIMEOUT_SEC, has_ended_within):
+            return True
+        if self.callback_watch.running is kept_by:
+            self._raise_in_thread(_CallbackInterrupted)
+        return within(INTERRUPT_TIMEOUT_SEC, has_ended_within)
 
     def _ends_within(self, seconds: float) -> bool:
         self._thread.join(seconds)

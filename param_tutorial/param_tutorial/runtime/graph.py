@@ -119,7 +119,13 @@ def is_complete(observer: Node) -> bool:
     return not _missing(observer) and not _has_unheard_nodes(observer)
 
 
-_first_looks: weakref.WeakKeyDictionary[Node, float] = weakref.WeakKeyDictionary()
+# When an observer joined; of one that has not said so, when it first looked.
+_arrivals: weakref.WeakKeyDictionary[Node, float] = weakref.WeakKeyDictionary()
+
+
+def note_arrival(observer: Node) -> None:
+    """Take note that an observer has been created just now."""
+    _arrivals[observer] = machine_time()
 
 
 def _has_unheard_nodes(observer: Node) -> bool:
@@ -128,7 +134,7 @@ def _has_unheard_nodes(observer: Node) -> bool:
     To one that has been there for longer, such a name is a ghost's.
     """
     now = machine_time()
-    if now > _first_looks.setdefault(observer, now) + _UNHEARD_SEC:
+    if now > _arrivals.setdefault(observer, now) + _UNHEARD_SEC:
         return False
     return not set(observer.get_node_names_and_namespaces()) <= set(nodes_in_graph(observer))
 

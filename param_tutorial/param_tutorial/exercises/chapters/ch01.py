@@ -8,8 +8,8 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import (
+    ClientInCorner,
     WithSecondJudge,
-    client_in_corner,
     derive,
     expect_fixed_type,
     run_lines,
@@ -230,7 +230,7 @@ class Noting(Patient):
 def ordered(trial: Trial) -> Noting:
     """Run the learner's lines with a new robot."""
     robot = trial.start(Noting)
-    run_lines(trial, robot=robot, ParameterClient=client_in_corner, Parameter=Parameter)
+    run_lines(trial, robot=robot, ParameterClient=ClientInCorner, Parameter=Parameter)
     if not robot.starts:
         raise NoUse('the robot drives', 'nothing has made it drive')
     return robot

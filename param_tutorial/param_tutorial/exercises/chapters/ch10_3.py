@@ -13,7 +13,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.errors import InvalidValueError, ParameterFileError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.expectations import client_in_corner, run_lines
+from param_tutorial.exercises.expectations import ClientInCorner, run_lines
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 from param_tutorial.parameters import files, values
@@ -253,7 +253,7 @@ def ordered(trial: Trial) -> Noting:
     :raises NoUse: they do not run to their end, or change nothing.
     """
     controller = trial.start(Noting, ros_args=['-r', '__node:=wheel_controller'])
-    run_lines(trial, ParameterClient=client_in_corner)
+    run_lines(trial, ParameterClient=ClientInCorner)
     if not controller.requests:
         raise NoUse('a request that the controller accepts', 'there is none')
     return controller

@@ -8,7 +8,7 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
-from param_tutorial.exercises.expectations import client_in_corner, run_lines
+from param_tutorial.exercises.expectations import ClientInCorner, run_lines
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.parameters.rules import Rules
@@ -49,7 +49,7 @@ def tried(trial: Trial, ros_args: Sequence[str]) -> tuple[Any, ParameterSet, Par
     robot = trial.start(Robot, ros_args=ros_args)
     client = trial.client(robot)
     before = ParameterSet.of(client)
-    space = run_lines(trial, ParameterClient=client_in_corner, ParameterSet=ParameterSet, compare=compare,
+    space = run_lines(trial, ParameterClient=ClientInCorner, ParameterSet=ParameterSet, compare=compare,
                       restore=restore)
     return space.get('changed'), before, ParameterSet.of(client)
 
