@@ -432,10 +432,8 @@ class Stranger:
     def _wait(self, condition: Callable[[], object], what: str, timeout_sec: float = _HANG_SEC) -> None:
         if not self._is_soon(condition, timeout_sec):
             running = [index for index, (_, state) in enumerate(self._page.evaluate(_CELLS)) if state == 'running']
-            # An open dialog takes all keys.
-            raise Hang(f'HANGS: waited {timeout_sec:g} s for {what}; running cells: {running}; dialogs: '
-                       f'{self._page.locator(".jp-Dialog").all_inner_texts()}; kernels: {self._lab.kernels()}\n'
-                       f'{"".join(self._stacks())}')
+            raise Hang(f'HANGS: waited {timeout_sec:g} s for {what}; running cells: {running}; kernels: '
+                       f'{self._lab.kernels()}\n{"".join(self._stacks())}')
 
     def _stacks(self) -> Iterator[str]:
         """Yield where the threads of the kernels are, if py-spy is on the PATH."""
