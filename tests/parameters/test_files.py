@@ -247,7 +247,7 @@ def rcl_rejection_of(text):
     """Return what rcl's parser says against a file, or nothing."""
     context = Context()
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
-        file.write(text.encode())
+        file.write(text if isinstance(text, bytes) else text.encode())
         file.flush()
         try:
             rclpy.init(args=['--ros-args', '--params-file', file.name], context=context,

@@ -335,8 +335,11 @@ def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote):
     wait_until(lambda: panel['x'].message, 'the panel to give up', 20)
     assert '/stopped did not answer set_parameters within 1 s' in panel['x'].message
     wait_until(lambda: shows(panel, 'x') == ('1',), 'the control to spring back')
+    assert '/stopped did not answer' in panel.status
+    wait_until(lambda: is_locked(panel, 'x'), 'the control to be locked')
     process.send_signal(signal.SIGCONT)  # it does what it was asked to, late
     wait_until(lambda: shows(panel, 'x') == ('5',), 'the panel to hear of it', 20)
+    wait_until(lambda: not panel.status and not is_locked(panel, 'x'), 'the panel to be of use again', 20)
     panel.close()
 
 

@@ -33,7 +33,7 @@ from param_tutorial.parameters import values
 from param_tutorial.parameters.catalog import Catalog, CatalogNode
 from param_tutorial.parameters.client import ParameterClient, node_name
 from param_tutorial.parameters.file_preview import FilePreview, Loaded, preview_file
-from param_tutorial.parameters.files import Dump, render
+from param_tutorial.parameters.files import Dump, as_path, render
 from param_tutorial.parameters.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
 from param_tutorial.parameters.text import format_value
 from param_tutorial.pictures.panel import PanelRow, arrange, panel_markup
@@ -214,13 +214,13 @@ class ParameterPanel(View):
         :param path: An existing file is replaced as a whole, or not at all.
         :param changed_only: Only what differs from what the panel first saw.
         :return: The text, and which parameters no file can hold (``left_out``), with the reason.
-        :raises ParameterFileError: there is nothing to write.
+        :raises ParameterFileError: there is nothing to write, or no such path.
         :raises OSError: the file cannot be written.
         :raises WaitTimeoutError: the node does not answer in time.
         """
         self.settle()
         dump = self.dump(changed_only=changed_only)
-        dump.save(Path(path).expanduser())
+        dump.save(as_path(path, is_typed=True))
         return dump
 
     def preview(self, path: str | Path) -> FilePreview:
@@ -228,7 +228,7 @@ class ParameterPanel(View):
 
         :raises ParameterFileError: the file cannot be read, or rcl would reject it.
         """
-        return preview_file(Path(path).expanduser(), self._node,
+        return preview_file(as_path(path, is_typed=True), self._node,
                             {name: control.descriptor for name, control in self._controls.items()},
                             {name: control.value for name, control in self._controls.items()},
                             is_partial=self._in_order)
