@@ -283,3 +283,7 @@ def test_a_node_is_found_by_its_parameters_and_opened(planner):
     expect(page.box('map_name')).to_have_value('yard')
     nodes.get_by_role('button', name='/planner', exact=True).click()
     expect(opened).to_have_count(0)
+    nodes.get_by_role('searchbox').fill('no such thing')
+    expect(nodes.locator('.node-line')).to_have_count(0)
+    nodes.get_by_role('searchbox').press('Escape')
+    expect(nodes.locator('.node-line')).to_have_count(1)

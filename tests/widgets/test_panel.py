@@ -334,6 +334,7 @@ def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote):
     wait_until(lambda: says(panel, 'x') == waiting, 'the panel to say that it waits')
     wait_until(lambda: panel['x'].message, 'the panel to give up', 20)
     assert '/stopped did not answer set_parameters within 1 s' in panel['x'].message
+    wait_until(lambda: says(panel, 'x') == ('failed', panel['x'].message), 'the panel not to speak of a rejection')
     wait_until(lambda: shows(panel, 'x') == ('1',), 'the control to spring back')
     assert '/stopped did not answer' in panel.status
     wait_until(lambda: is_locked(panel, 'x'), 'the control to be locked')

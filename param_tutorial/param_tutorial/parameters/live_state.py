@@ -51,6 +51,8 @@ class ParameterState:
         """What the node confirmed last; None if it is declared without a value."""
         self.message = ''
         """Why the last value that was asked for did not become the parameter's; empty if it did."""
+        self.is_unanswered = False
+        """True if the message is that the node was not asked, or did not answer: it has rejected nothing."""
         self.asked_at = 0.0
         self.answered_at = 0.0
         """When the node's last answer came, on the clock of ``runtime.waiting.machine_time``."""
@@ -198,7 +200,7 @@ class LiveState(Generic[ParameterT]):
         """A hand entered something that is no value, so the node is not asked."""
         parameter.waiting = None
         if not parameter.busy:
-            parameter.message = reason
+            parameter.message, parameter.is_unanswered = reason, False
         self._must_show = True
         return Todo(show=True)
 
@@ -428,7 +430,7 @@ class LiveState(Generic[ParameterT]):
         following, parameter.request, parameter.waiting = parameter.waiting, None, None
         if following is not None:
             return self._begin(following, now)._replace(read=self._must_describe)
-        parameter.message = reason
+        parameter.message, parameter.is_unanswered = reason, bool(reason) and not doubtful
         if doubtful and self.parameters.get(parameter.name) is parameter:  # and not deleted meanwhile
             self._must_read.add(parameter.name)
         self._must_show = True
@@ -442,7 +444,7 @@ class LiveState(Generic[ParameterT]):
 
     def _give_up(self, parameter: ParameterState, reason: str) -> None:
         parameter.request = parameter.waiting = None
-        parameter.message = reason
+        parameter.message, parameter.is_unanswered = reason, True
 
     def _fall_silent(self, error: Exception, ask_again_at: float) -> None:
         """Take note that the node is there and does not answer; everything is read when it does."""

@@ -202,7 +202,7 @@ class PanelRow {
     const told = document.createElement('span');
     told.className = `param-message param-${kind}`;
     // An alert is read out when it comes onto the page.
-    told.setAttribute('role', kind === 'rejected' ? 'alert' : 'status');
+    told.setAttribute('role', kind === 'rejected' || kind === 'failed' ? 'alert' : 'status');
     const word = {rejected: 'Rejected:', accepted: 'Accepted.', unknown: 'Not recorded:'}[kind];
     if (word) {
       const strong = document.createElement('b');
