@@ -301,7 +301,8 @@ LINES = [
 
 @pytest.mark.parametrize('begins', [b'', codecs.BOM_UTF8], ids=['', 'BOM'])
 @pytest.mark.parametrize('ends', [b'\n', b'\r\n'], ids=['LF', 'CRLF'])
-@pytest.mark.parametrize(('lines', 'kind', 'line', 'column', 'words'), LINES, ids=[ascii(each[0])[:40] for each in LINES])
+@pytest.mark.parametrize(('lines', 'kind', 'line', 'column', 'words'), LINES,
+                         ids=[ascii(each[0])[:40] for each in LINES])
 def test_a_mistake_is_found_whatever_the_editor(tmp_path, lines, kind, line, column, words, begins, ends):
     content = b'/hall_3/lift:\n  ros__parameters:\n' + (lines if isinstance(lines, bytes) else lines.encode())
     path = tmp_path / 'lift.yaml'

@@ -229,6 +229,12 @@ def test_the_form_says_what_saving_would_replace(arm):
     for wrong, words in (('config', 'config is a folder'), ('no/a.yaml', 'there is no folder no')):
         answer = ask_form(arm, 'look', is_save=True, path=wrong)
         assert words in answer['markup'] and not answer['can']
+    enter(arm, 'tool', 'saw')
+    arm.settle()
+    assert ask_form(arm, 'look', is_save=True, path='config/new.yaml', changed_only=True)['button'] == 'Save'
+    assert 'Saved to config/new.yaml.' in ask_form(
+        arm, 'act', is_save=True, path='config/new.yaml', changed_only=True)['said']
+    assert files.read('config/new.yaml', NODE) == {'tool': 'saw'}
 
 
 @pytest.mark.parametrize('is_save', [True, False])
@@ -239,9 +245,3 @@ def test_the_form_says_what_is_wrong_with_a_path(arm, is_save, path, words):
     answer = ask_form(arm, 'look', is_save=is_save, path=path)
     assert words in html.unescape(answer['markup']) and not answer['can']
     assert words in html.unescape(ask_form(arm, 'act', is_save=is_save, path=path)['said'])
-    enter(arm, 'tool', 'saw')
-    arm.settle()
-    assert ask_form(arm, 'look', is_save=True, path='config/new.yaml', changed_only=True)['button'] == 'Save'
-    assert 'Saved to config/new.yaml.' in ask_form(
-        arm, 'act', is_save=True, path='config/new.yaml', changed_only=True)['said']
-    assert files.read('config/new.yaml', NODE) == {'tool': 'saw'}

@@ -129,7 +129,7 @@ class ChangeLogWriter:
         :raises OSError: it cannot be written.
         """
         # Without a buffer: what found no room on a full disk would be written, and fail, once more in the end.
-        self._file = as_path(path).open('ab+', buffering=0)  # noqa: SIM115 - closed by __exit__
+        self._file = as_path(path).open('ab+', buffering=0)
         self._is_torn = False
         if self._file.seekable() and self._file.seek(0, os.SEEK_END):
             self._file.seek(-1, os.SEEK_END)

@@ -200,7 +200,8 @@ class _Check:
                 also = (' and `ros2 param load` only the last' if first.name == start.name else
                         f' because {first.name} and {start.name} are one node')
                 self._add(start.file, start.place, 'duplicate',
-                          f'there is a block for {first.name} in line {first.place.line} already: rcl reads both,{also}',
+                          f'there is a block for {first.name} in line {first.place.line} already: rcl reads '
+                          f'both,{also}',
                           start.name)
         assignments: dict[tuple[str, str, str], Assignment] = {}
         for each in self._parser.assignments:

@@ -498,9 +498,10 @@ def _not_text(error: yaml.reader.ReaderError, content: bytes) -> Rejected:
         before, reason = content.decode().partition(chr(error.character))[0], f'this is not YAML: {error.reason}'
     except UnicodeDecodeError as wrong:
         byte = content[wrong.start:wrong.start + 1]
-        meant = byte.decode('cp1252', 'ignore')
         before = content[:wrong.start].decode()
-        reason = f'this is not UTF-8: the byte 0x{byte.hex()}' + (f' would be {meant!r} in Windows-1252' if meant else '')
+        reason = f'this is not UTF-8: the byte 0x{byte.hex()}'
+        if meant := byte.decode('cp1252', 'ignore'):
+            reason += f' would be {meant!r} in Windows-1252'
     before = before.removeprefix('\ufeff')
     return Rejected(Place(before.count('\n') + 1, len(before) - before.rfind('\n')), reason)
 
@@ -520,8 +521,8 @@ def _likely_cause(what: str, before: str, after: str) -> str:
         return 'A name ends with a colon and a space'
     if what.startswith('mapping values'):
         return ("A text with ': ' in it needs quotes" if ': ' in before else
-                'It goes on with the line above: a name ends with a colon and a space, and the names of one block begin '
-                'in the same column')
+                'It goes on with the line above: a name ends with a colon and a space, and the names of one block '
+                'begin in the same column')
     if what.startswith('did not find expected key'):
         return ('The text before it has ended: a quote inside quotes is written twice' if before.strip() else
                 'The names of one block begin in the same column')
