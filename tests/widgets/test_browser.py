@@ -110,6 +110,18 @@ def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     gate.open.release()
 
 
+@pytest.mark.slow
+def test_a_node_that_did_not_answer_is_asked_again(ros, remote):
+    process = remote('drowsy', 'asleep')
+    browser = ParameterBrowser(timeout_sec=0.5)
+    wait_until(lambda: 'did not answer' in says(browser).get('/drowsy', ''), 'the word that it does not answer', 20)
+    process.stdin.write('\n')
+    process.stdin.flush()
+    wait_until(lambda: says(browser) == {'/drowsy': '3 parameters'}, 'it to be read after all', 20)
+    assert not lines(browser)['/drowsy']['is_bad']
+    browser.close()
+
+
 def test_it_outlives_the_executor(ros, shown):
     import param_tutorial
 
