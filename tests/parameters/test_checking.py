@@ -256,6 +256,7 @@ LINES = [
     ('  \tspeed: 0.25\n', 'unreadable', 3, 3, 'Indent with spaces'),
     ('    name: lift\n    speed:0.25\n', 'unreadable', 4, 5, 'A name ends with a colon and a space'),
     ('    speed:0.25\n    name: lift\n', 'unreadable', 4, 9, 'It goes on with the line above'),
+    ('    speed:0.25\n', 'unreadable', 3, 5, 'a space must follow the colon in speed:0.25'),
     ('    steps: 40\n      name: lift\n', 'unreadable', 4, 11, 'the names of one block begin in the same column'),
     ('    steps: 40\n   name: lift\n', 'unreadable', 4, 4, 'The names of one block begin in the same column'),
     ('    name: a: b\n', 'unreadable', 3, 12, "A text with ': ' in it needs quotes"),

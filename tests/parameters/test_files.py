@@ -273,6 +273,8 @@ def test_a_block_is_for_the_nodes_that_rcl_gives_it_to(ros, block, node):
     ('/n:\n  ros__parameters:\n    a: [1, x]\n', 'line 3: the elements of a must all be of one type'),
     ('/n:\n  ros__parameters:\n    a: [[1], [2]]\n', 'line 3: a list cannot stand here'),
     ('/n:\n  a: 1\n', 'line 2: there is a value before ros__parameters'),
+    ('/n:\n  ros__parameters:\n    a:1\n    b: 2\n', 'line 3: a space must follow the colon in a:1'),
+    ('/n:\n  ros__parameters:\n    a:1\n', 'line 3: a space must follow the colon in a:1'),
     ('ros__parameters:\n  a: 1\n', 'line 1: there is no node name before ros__parameters'),
     ('/my node:\n  ros__parameters:\n    a: 1\n', "line 2: '/my node' is not a node name"),
     ('/n:\n\tros__parameters:\n', 'line 2: this is not YAML'),

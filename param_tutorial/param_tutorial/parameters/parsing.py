@@ -413,8 +413,10 @@ class Parser:
 
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:
-            self._object(place, f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters',
-                         self.node_keys)
+            glued = re.match(r'[\w.]+:\S+', event.value)
+            reason = (f'a space must follow the colon in {glued[0]}' if glued else
+                      f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters')
+            self._object(place, reason, self.node_keys)
             if not self.in_sequence:
                 self._leave_node_key()
             return
