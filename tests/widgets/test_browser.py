@@ -92,6 +92,17 @@ def test_a_panel_is_opened_and_shut(shown):
     assert repr(shown) == '<ParameterBrowser: closed>'
 
 
+def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
+    press(shown, 'toggle', node='/fan')
+    press(shown, 'toggle', node='/arm')
+    ros.remove('/fan')
+    wait_until(lambda: says(shown) == {'/arm': '22 parameters', '/fan': 'not running'}, 'the list to say so')
+    assert lines(shown)['/fan']['is_open']
+    assert shown._front.state['status'] == '1 node'
+    press(shown, 'toggle', node='/fan')
+    wait_until(lambda: says(shown) == {'/arm': '22 parameters'}, 'its line to go')
+
+
 def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     gate = ros.add(Gate)
     ros.add(Fan)

@@ -562,14 +562,21 @@ class ParameterBrowser(FollowingView):
     def _show(self) -> None:
         nodes = self._catalog.nodes if self._catalog else {}
         found = self.find(self._search) if self._search.strip() else dict.fromkeys(nodes, ())
-        shown = [node for node in nodes.values() if node.name in found or node.name in self._panels]
+        lines = {}
+        for name, node in nodes.items():
+            if name in found or name in self._panels:
+                hits = [[hit, format_value(node.descriptors[hit], node.values[hit])]
+                        for hit in list(found.get(name, ()))[:_HITS]]
+                lines[name] = {'name': name, 'is_open': name in self._panels, 'is_bad': bool(node.problem),
+                               'says': _says(node), 'hits': hits}
+        # A panel outlives its node, and should still be closed where it was opened.
+        lines |= {name: {'name': name, 'is_open': True, 'is_bad': True, 'says': 'not running', 'hits': []}
+                  for name in self._panels if name not in nodes}
         status = 'no executor is running' if self._catalog is None else format_count(len(nodes), 'node')
         if self._search.strip():
-            status += f', {sum(map(len, found.values()))} parameters found in {len(found)}'
-        self._front.state = {'status': status, 'nodes': [
-            {'name': node.name, 'is_open': node.name in self._panels, 'is_bad': bool(node.problem),
-             'says': _says(node), 'hits': [[name, format_value(node.descriptors[name], node.values[name])]
-                                           for name in list(found.get(node.name, ()))[:_HITS]]} for node in shown]}
+            count = sum(map(len, found.values()))
+            status += f', {format_count(count, "parameter")} found in {len(found)}'
+        self._front.state = {'status': status, 'nodes': [lines[name] for name in sorted(lines)]}
 
     def _end(self) -> None:
         super()._end()
