@@ -569,8 +569,9 @@ class ParameterBrowser(FollowingView):
                         for hit in list(found.get(name, ()))[:_HITS]]
                 lines[name] = {'name': name, 'is_open': name in self._panels, 'is_bad': bool(node.problem),
                                'says': _says(node), 'hits': hits}
-        # A panel outlives its node, and should still be closed where it was opened.
-        lines |= {name: {'name': name, 'is_open': True, 'is_bad': True, 'says': 'not running', 'hits': []}
+        # A panel outlives its node, and should still be closed where it was opened. The node may also be there: one
+        # that was stopped for longer than DDS waits answers again, but ROS lists it no more.
+        lines |= {name: {'name': name, 'is_open': True, 'is_bad': True, 'says': 'not in the graph', 'hits': []}
                   for name in self._panels if name not in nodes}
         status = 'no executor is running' if self._catalog is None else format_count(len(nodes), 'node')
         if self._search.strip():
