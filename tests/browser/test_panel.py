@@ -46,6 +46,12 @@ panel''',
 )
 
 
+DOUBLE_IDS = '''() => {
+    const ids = [...document.querySelectorAll('.param-panel [id]')].map(each => each.id);
+    return ids.filter((each, index) => ids.indexOf(each) !== index);
+}'''
+
+
 @pytest.fixture(scope='module')
 def opened(browser, tmp_path_factory):
     """Return a server on the notebook, and a page with it."""
@@ -278,8 +284,15 @@ def test_a_node_is_found_by_its_parameters_and_opened(planner):
     expect(opened.get_by_role('searchbox')).to_have_value('map_name')
     expect(opened.locator('.param-row:visible')).to_have_count(1)
     expect(nodes.get_by_role('button', name='/planner', exact=True)).to_have_attribute('aria-expanded', 'true')
+    # Each control has its own label, also where two panels show the same node.
+    assert page.page.evaluate(DOUBLE_IDS) == []
+    assert page.page.evaluate("[...document.querySelectorAll('.param-box')].every(each => each.labels.length)")
     opened.get_by_label('map_name', exact=True).fill('yard')
     opened.get_by_label('map_name', exact=True).press('Enter')
     expect(page.box('map_name')).to_have_value('yard')
     nodes.get_by_role('button', name='/planner', exact=True).click()
     expect(opened).to_have_count(0)
+    nodes.get_by_role('searchbox').fill('no such thing')
+    expect(nodes.locator('.node-line')).to_have_count(0)
+    nodes.get_by_role('searchbox').press('Escape')
+    expect(nodes.locator('.node-line')).to_have_count(1)

@@ -1,5 +1,6 @@
 """Checking parameter files: every seeded error is found where it stands, and correct files are left alone."""
 
+import codecs
 import json
 import re
 from pathlib import Path
@@ -14,7 +15,7 @@ from param_tutorial.parameters.checking import KINDS, check_files
 from param_tutorial.parameters.client import Descriptor
 from param_tutorial.parameters.descriptions import DescribedParameter, Descriptions, NodeDescription
 from param_tutorial.parameters.parsing import Parser, effective, matches
-from tests.parameters.test_files import DOCUMENTS
+from tests.parameters.test_files import DOCUMENTS, rcl_rejection_of
 
 FILES = Path(__file__).parent / 'parameter_files'
 CONFIG = Path(__file__).parents[2] / 'config'
@@ -76,6 +77,43 @@ def test_files_in_layers_are_left_alone(tmp_path):
     special = tmp_path / 'special.yaml'
     special.write_text('/hall_3/lift:\n  ros__parameters:\n    speed: 0.75\n')
     assert check_files([FILES / 'lift.yaml', special], LIFT) == ()
+
+
+LIKE_USERS = sorted((FILES / 'as_users_write').glob('*.yaml'))
+FOR_LAUNCH = FILES / 'as_users_write' / 'of_a_launch_file.yaml'
+# A node for each block that names no single one.
+ROBOT = {'two_cells.yaml': ('/cell_1/controller_manager', '/cell_1/forward_controller', '/cell_2/forward_controller',
+                            '/cell_1/trajectory_controller', '/cell_3/trajectory_controller'),
+         'planning.yaml': ('/move_group', '/demo')}
+
+
+def as_written_on(path, begins, ends):
+    """Return the content of a file as another editor would write it."""
+    return begins + path.read_bytes().replace(b'\n', ends)
+
+
+@pytest.mark.parametrize('begins', [b'', codecs.BOM_UTF8], ids=['', 'BOM'])
+@pytest.mark.parametrize('ends', [b'\n', b'\r\n'], ids=['LF', 'CRLF'])
+@pytest.mark.parametrize('path', [each for each in LIKE_USERS if each != FOR_LAUNCH], ids=lambda path: path.stem)
+def test_what_users_write_is_left_alone(tmp_path, path, begins, ends):
+    nodes = ROBOT.get(path.name) or ['/' + block.strip('/') for block in read_blocks(path)]
+    against = described_by(path, *nodes)
+    written = tmp_path / path.name
+    written.write_bytes(as_written_on(path, begins, ends))
+    assert rcl_rejection_of(written.read_bytes()) == ''
+    assert check_files(written) == ()
+    assert check_files(written, against) == ()
+    for description in against.values():
+        assert check_files(written, Descriptions([description])) == ()
+
+
+def test_what_a_launch_file_fills_in_is_named_and_not_judged(tmp_path):
+    findings = check_files(FOR_LAUNCH, LIFT)
+    assert findings == ()
+    assert findings.left_to_launch == tuple(f'{FOR_LAUNCH}:{line}' for line in (1, 7, 8, 9))
+    spoiled = tmp_path / 'spoiled.yaml'
+    spoiled.write_text(FOR_LAUNCH.read_text().replace('steps: 40', 'steps: 45'))
+    assert [(each.line, each.kind) for each in check_files(spoiled, LIFT)] == [(10, 'off the step')]
 
 
 # -- every seeded error is found ------------------------------------------------------------------------------
@@ -208,6 +246,84 @@ def test_a_seeded_error_is_found_where_it_stands(tmp_path, name, old, new, kind,
         assert found[0].column == column, findings
     # And nothing is said about what is right: at most the same thing again, for the values beside it.
     assert {each.kind for each in findings} <= {kind} or kind in ('never matched', 'unknown node'), findings
+
+
+# What stands below the header of /hall_3/lift, the finding, its line and column, and words in its message.
+LINES = [
+    # what is not YAML
+    ('    speed: 0.25\n\tname: lift\n', 'unreadable', 4, 1, 'Indent with spaces'),
+    ('\tspeed: 0.25\n', 'unreadable', 3, 1, 'Indent with spaces'),
+    ('  \tspeed: 0.25\n', 'unreadable', 3, 3, 'Indent with spaces'),
+    ('    name: lift\n    speed:0.25\n', 'unreadable', 4, 5, 'A name ends with a colon and a space'),
+    ('    speed:0.25\n    name: lift\n', 'unreadable', 4, 9, 'It goes on with the line above'),
+    ('    speed:0.25\n', 'unreadable', 3, 5, 'a space must follow the colon in speed:0.25'),
+    ('    steps: 40\n      name: lift\n', 'unreadable', 4, 11, 'the names of one block begin in the same column'),
+    ('    steps: 40\n   name: lift\n', 'unreadable', 4, 4, 'The names of one block begin in the same column'),
+    ('    name: a: b\n', 'unreadable', 3, 12, "A text with ': ' in it needs quotes"),
+    ('    name: @home\n', 'unreadable', 3, 11, 'A text that begins with @ needs quotes'),
+    ('    name: `x`\n', 'unreadable', 3, 11, 'A text that begins with ` needs quotes'),
+    ('    name: *.txt\n', 'unreadable', 3, 12, 'A text that begins with * needs quotes'),
+    ("    name: 'it's'\n", 'unreadable', 3, 15, 'a quote inside quotes is written twice'),
+    ('    name: "lift\n    steps: 40\n', 'unreadable', 3, 11, 'The quote that begins here is not closed'),
+    ('    name: "a\\q"\n', 'unreadable', 3, 13, 'A text with a backslash needs single quotes'),
+    ('    gains: [1.0, 0.5\n    steps: 40\n', 'unreadable', 4, 10, 'in what begins in line 3'),
+    (b'    name: gr\xfcn\n', 'unreadable', 3, 13, "the byte 0xfc would be 'ü' in Windows-1252"),
+    (b'    unit: "\xc2\xb5"\n    name: \xb5\n', 'unreadable', 4, 11, "'µ' in Windows-1252"),
+    (b'    unit: "\xc2\xb5\xe9"\n', 'unreadable', 3, 13, "'é' in Windows-1252"),
+    (b'    name: \x81\n', 'unreadable', 3, 11, 'this is not UTF-8: the byte 0x81'),
+    ('    name: a\x07\n', 'unreadable', 3, 12, 'control characters are not allowed'),
+    # what is YAML, and not for rcl
+    ('    speed: &s 0.25\n    tool.length: *s\n', 'unreadable', 4, 18, 'write the value itself instead of *s'),
+    ('    tool: &t {kind: fork}\n    <<: *t\n', 'unreadable', 4, 9, 'ROS reads no aliases'),
+    ('    gains: [1.0, 1]\n', 'unreadable', 3, 18, 'must all be of one type'),
+    ("    gains: [1.0, '1']\n", 'unreadable', 3, 18, 'must all be of one type'),
+    ('    gains:\n      - 1.0\n      - true\n', 'unreadable', 5, 9, 'must all be of one type'),
+    ('    name: #lift\n', 'unreadable', 3, 10, 'name has no value'),
+    # numbers and tags
+    ('    speed: 0,25\n', 'wrong type', 3, 12, 'write 0.25'),
+    ('    speed: 0x1\n', 'wrong type', 3, 12, 'write 1.0'),
+    ('    speed: !!float 1\n', 'wrong type', 3, 12, 'write 1.0'),
+    ('    speed: !!str 0.25\n', 'wrong type', 3, 12, 'is a string'),
+    ('    speed: -.inf\n', 'out of range', 3, 12, 'between 0.0 and 1.0'),
+    ('    steps: .inf\n', 'wrong type', 3, 12, 'is a double'),
+    ('    steps: 1e1\n', 'wrong type', 3, 12, 'write 10'),
+    ('    steps: "40"\n', 'wrong type', 3, 12, 'leave the quotes out'),
+    ('    steps: 9223372036854775808\n', 'wrong type', 3, 12, 'is a double'),
+    (f'    steps: {"9" * 5000}\n', 'wrong type', 3, 12, 'type integer'),
+    ('    steps: 0x1FG\n', 'wrong type', 3, 12, 'the string'),
+    ('    steps: !!float 40\n', 'read otherwise', 3, 12, 'rcl ignores !!float'),
+    ('    enabled: tRUE\n', 'wrong type', 3, 14, 'the string'),
+    # a block once more, by another name
+    ('    speed: 0.25\nhall_3/lift:\n  ros__parameters:\n    steps: 40\n', 'duplicate', 4, 1, 'are one node'),
+    ('    speed: 0.25\nhall_3:\n  lift:\n    ros__parameters:\n      steps: 40\n', 'duplicate', 5, 3,
+     'a block for /hall_3/lift in line 1 already'),
+]
+
+
+@pytest.mark.parametrize('begins', [b'', codecs.BOM_UTF8], ids=['', 'BOM'])
+@pytest.mark.parametrize('ends', [b'\n', b'\r\n'], ids=['LF', 'CRLF'])
+@pytest.mark.parametrize(('lines', 'kind', 'line', 'column', 'words'), LINES,
+                         ids=[ascii(each[0])[:40] for each in LINES])
+def test_a_mistake_is_found_whatever_the_editor(tmp_path, lines, kind, line, column, words, begins, ends):
+    content = b'/hall_3/lift:\n  ros__parameters:\n' + (lines if isinstance(lines, bytes) else lines.encode())
+    path = tmp_path / 'lift.yaml'
+    path.write_bytes(begins + content.replace(b'\n', ends))
+    finding, = check_files(path, LIFT)
+    assert (finding.kind, finding.line, finding.column) == (kind, line, column), finding
+    assert words in finding.message
+    assert finding.message.isprintable()
+
+
+@pytest.mark.parametrize(('value', 'is_found'), [
+    ('1e-9', False), ('1E5', False), ('1.5e3', False), ('0x10', False), ('5.', False), ('.5', False), ('.inf', False),
+    ('None', False), ('640x480', False), ('00:1b:44', False), ('1.2.3', False), ('"1e5"', False), ('y', True),
+    ('off', True), ('0123', True), ('12:30', True), ('2024-01-01', True), ('nan', True), ('inf', True), ('~', True),
+    ('1_000', True), ('0o17', True), ('99999999999999999999', True), ('!!float 5', True), ('!!int 5', False),
+    ('!!str 5', False), ('!mine 5', True)])
+def test_without_a_description_only_a_value_that_can_mislead_is_found(tmp_path, value, is_found):
+    path = tmp_path / 'any.yaml'
+    path.write_text(f'/n:\n  ros__parameters:\n    a: {value}\n')
+    assert [(each.kind, each.line) for each in check_files(path)] == [('read otherwise', 3)] * is_found
 
 
 def test_every_kind_of_finding_is_seeded():

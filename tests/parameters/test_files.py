@@ -247,7 +247,7 @@ def rcl_rejection_of(text):
     """Return what rcl's parser says against a file, or nothing."""
     context = Context()
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
-        file.write(text.encode())
+        file.write(text if isinstance(text, bytes) else text.encode())
         file.flush()
         try:
             rclpy.init(args=['--ros-args', '--params-file', file.name], context=context,
@@ -273,6 +273,8 @@ def test_a_block_is_for_the_nodes_that_rcl_gives_it_to(ros, block, node):
     ('/n:\n  ros__parameters:\n    a: [1, x]\n', 'line 3: the elements of a must all be of one type'),
     ('/n:\n  ros__parameters:\n    a: [[1], [2]]\n', 'line 3: a list cannot stand here'),
     ('/n:\n  a: 1\n', 'line 2: there is a value before ros__parameters'),
+    ('/n:\n  ros__parameters:\n    a:1\n    b: 2\n', 'line 3: a space must follow the colon in a:1'),
+    ('/n:\n  ros__parameters:\n    a:1\n', 'line 3: a space must follow the colon in a:1'),
     ('ros__parameters:\n  a: 1\n', 'line 1: there is no node name before ros__parameters'),
     ('/my node:\n  ros__parameters:\n    a: 1\n', "line 2: '/my node' is not a node name"),
     ('/n:\n\tros__parameters:\n', 'line 2: this is not YAML'),

@@ -102,7 +102,6 @@ def test_what_is_no_value_replaces_what_waits(state, x):
 @pytest.mark.parametrize(('error', 'read'), [
     (CallbackError(NODE, 'set_parameters', ValueError('x')), True),  # before or after it was stored
     (RuntimeError('x'), True),
-    (NoAnswerError(NODE, 'set_parameters', 3.0), False),
     (NodeGoneError(NODE, 'set_parameters'), False),
 ])
 def test_an_error_in_place_of_the_answer_is_told_and_the_node_asked_if_it_can_be(state, x, error, read):
@@ -255,6 +254,19 @@ def test_a_node_that_does_not_answer_is_asked_again_later(state):
     assert state.read_again_in(13.0) == live_state.RETRY_PERIOD_SEC
     assert state.begin_reading(13.5) is None
     assert state.begin_reading(14.0).describe
+
+
+def test_a_node_that_does_not_answer_to_a_change_is_silent_until_it_answers_anything(state, x):
+    silent = NoAnswerError(NODE, 'set_parameters', 3.0)
+    assert state.answer_failed(state.ask(x, 2, 10.0).send, silent, 13.0) == Todo(read=True, show=True, ended=True)
+    assert (state.status, x.message, x.value) == (str(silent), str(silent), 1)
+    assert state.begin_reading(13.0).describe
+    state.reading_failed(NoAnswerError(NODE, 'list_parameters', 3.0), 16.0)
+    assert 'did not answer list_parameters' in state.status
+    assert state.begin_reading(17.0).describe
+    state.described(['x'], {'x': descriptor('x')}, {'x': 1})
+    # The person who asked should still see that there was no answer.
+    assert (state.status, x.message) == ('', str(silent))
 
 
 def test_a_node_that_is_not_found_though_the_graph_shows_it_is_asked_again_later(state):

@@ -44,8 +44,23 @@ node                parameter   difference     {"before":9}  after
 /simple_param_node  robot_name  changed value  'Clawbot'  'Berta'
 '''
     assert (stderr, status) == ('', 1)
-    stdout, _, status = run('restore', path, '--dry-run')
-    assert '1 would be set' in stdout
+    stdout, stderr, status = run('restore', path, '--dry-run')
+    assert stdout == f'''\
+2 nodes from {path}: 2 differences, 2 would be set
+
+node                parameter   present  wanted     expected      reason
+/left/camera        rate        15       30         would be set
+/simple_param_node  robot_name  'Berta'  'Clawbot'  would be set
+'''
+    assert (stderr, status) == ('', 0)
+    stdout, _, status = run('restore', path, '/left/camera', '--dry-run')
+    assert stdout == f'''\
+/left/camera from {path}: 1 difference, 1 would be set
+
+parameter  present  wanted  expected      reason
+rate       15       30      would be set
+'''
+    assert status == 0
     assert ParameterClient('/left/camera').get_parameter('rate') == 15
     stdout, stderr, status = run('restore', path, '--backup', backup)
     assert stdout == f'''\
@@ -106,6 +121,15 @@ def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp
     assert list(Snapshot.from_file(path)) == ['/left/camera']
     assert run('diff', path, '/**', '--timeout', '0.5')[2] == 2
     path.write_text(path.read_text() + '/silent:\n  ros__parameters:\n    a: 1\n')
+    stdout, stderr, status = run('restore', path, '--timeout', '0.5', '--dry-run')
+    assert stdout == f'''\
+2 nodes from {path}: 0 differences, 0 would be set, 1 without an answer
+
+node     parameter  present  wanted  expected   reason
+/silent                              no answer
+'''
+    assert '/silent did not answer' in stderr
+    assert status == 1
     stdout, stderr, status = run('restore', path, '--timeout', '0.5')
     assert stdout == f'''\
 2 nodes from {path}: NOT COMPLETE, 1 without an answer

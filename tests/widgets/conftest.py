@@ -1,5 +1,10 @@
 """Fixtures of the tests of widgets."""
 
+import signal
+import subprocess
+import sys
+import textwrap
+
 import pytest
 from ipywidgets.widgets.widget import _instances as widget_registry
 
@@ -26,3 +31,47 @@ def arm(ros):
     panel = ParameterPanel('/arm')
     assert panel.status == ''
     return panel
+
+
+REMOTE = '''
+    import signal, sys, threading, rclpy
+    from rclpy.node import Node
+    rclpy.init()
+    node = Node(sys.argv[1])
+    node.declare_parameter('x', 1)
+    print('ready', flush=True)
+    if 'asleep' in sys.argv:
+        sys.stdin.readline()
+    reader = threading.Thread(target=sys.stdin.read)
+    reader.start()
+    while reader.is_alive():
+        rclpy.spin_once(node, timeout_sec=0.05)
+    node.destroy_node()
+    # A process that ends while the news of its node is under way can leave a ghost in the graph.
+    signal.pause()
+'''
+
+
+@pytest.fixture
+def remote(ros):
+    """Return a function that starts a node in its own process; with 'asleep' it answers only after a line of input."""
+    started = []
+
+    def start(*arguments):
+        process = subprocess.Popen([sys.executable, '-c', textwrap.dedent(REMOTE), *arguments],
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        started.append(process)
+        assert process.stdout.readline() == 'ready\n'
+        return process
+
+    yield start
+    for process in started:
+        process.send_signal(signal.SIGCONT)
+        process.stdin.close()  # which ends the node
+    # The next test may expect an empty stage.
+    ros.remove_all()
+    wait_until(lambda: not ros.services.node_names(), 'the nodes to leave the graph', 20)
+    for process in started:
+        process.kill()
+        process.wait()
+        process.stdout.close()

@@ -92,6 +92,17 @@ def test_a_panel_is_opened_and_shut(shown):
     assert repr(shown) == '<ParameterBrowser: closed>'
 
 
+def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
+    press(shown, 'toggle', node='/fan')
+    press(shown, 'toggle', node='/arm')
+    ros.remove('/fan')
+    wait_until(lambda: says(shown) == {'/arm': '22 parameters', '/fan': 'not in the graph'}, 'the list to say so')
+    assert lines(shown)['/fan']['is_open']
+    assert shown._front.state['status'] == '1 node'
+    press(shown, 'toggle', node='/fan')
+    wait_until(lambda: says(shown) == {'/arm': '22 parameters'}, 'its line to go')
+
+
 def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     gate = ros.add(Gate)
     ros.add(Fan)
@@ -108,6 +119,18 @@ def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     wait_until(lambda: lines(browser)['/silent']['is_bad'], 'the silent one to be given up')
     assert 'offers no' in says(browser)['/silent']
     gate.open.release()
+
+
+@pytest.mark.slow
+def test_a_node_that_did_not_answer_is_asked_again(ros, remote):
+    process = remote('drowsy', 'asleep')
+    browser = ParameterBrowser(timeout_sec=0.5)
+    wait_until(lambda: 'did not answer' in says(browser).get('/drowsy', ''), 'the word that it does not answer', 20)
+    process.stdin.write('\n')
+    process.stdin.flush()
+    wait_until(lambda: says(browser) == {'/drowsy': '3 parameters'}, 'it to be read after all', 20)
+    assert not lines(browser)['/drowsy']['is_bad']
+    browser.close()
 
 
 def test_it_outlives_the_executor(ros, shown):

@@ -6,9 +6,6 @@ What a person does in the browser arrives as a message; ``enter`` and ``slide`` 
 import html
 import re
 import signal
-import subprocess
-import sys
-import textwrap
 import threading
 
 import pytest
@@ -245,50 +242,6 @@ def test_a_callback_cannot_wait_for_a_panel(arm):
 # -- nodes in processes of their own ------------------------------------------------------------------
 
 
-REMOTE = '''
-    import signal, sys, threading, rclpy
-    from rclpy.node import Node
-    rclpy.init()
-    node = Node(sys.argv[1])
-    node.declare_parameter('x', 1)
-    print('ready', flush=True)
-    if 'asleep' in sys.argv:
-        sys.stdin.readline()
-    reader = threading.Thread(target=sys.stdin.read)
-    reader.start()
-    while reader.is_alive():
-        rclpy.spin_once(node, timeout_sec=0.05)
-    node.destroy_node()
-    # A process that ends while the news of its node is under way can leave a ghost in the graph.
-    signal.pause()
-'''
-
-
-@pytest.fixture
-def remote(ros):
-    """Return a function that starts a node in a process of its own."""
-    started = []
-
-    def start(*arguments):
-        process = subprocess.Popen([sys.executable, '-c', textwrap.dedent(REMOTE), *arguments],
-                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        started.append(process)
-        assert process.stdout.readline() == 'ready\n'
-        return process
-
-    yield start
-    for process in started:
-        process.send_signal(signal.SIGCONT)
-        process.stdin.close()  # which ends the node
-    # The next test may expect an empty stage.
-    ros.remove_all()
-    wait_until(lambda: not ros.services.node_names(), 'the nodes to leave the graph', 20)
-    for process in started:
-        process.kill()
-        process.wait()
-        process.stdout.close()
-
-
 @pytest.mark.slow
 def test_a_node_elsewhere_that_goes_and_comes_back(ros, remote):
     process = remote('comes_and_goes')
@@ -334,9 +287,13 @@ def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote):
     wait_until(lambda: says(panel, 'x') == waiting, 'the panel to say that it waits')
     wait_until(lambda: panel['x'].message, 'the panel to give up', 20)
     assert '/stopped did not answer set_parameters within 1 s' in panel['x'].message
+    wait_until(lambda: says(panel, 'x') == ('failed', panel['x'].message), 'the panel not to speak of a rejection')
     wait_until(lambda: shows(panel, 'x') == ('1',), 'the control to spring back')
+    assert '/stopped did not answer' in panel.status
+    wait_until(lambda: is_locked(panel, 'x'), 'the control to be locked')
     process.send_signal(signal.SIGCONT)  # it does what it was asked to, late
     wait_until(lambda: shows(panel, 'x') == ('5',), 'the panel to hear of it', 20)
+    wait_until(lambda: not panel.status and not is_locked(panel, 'x'), 'the panel to be of use again', 20)
     panel.close()
 
 

@@ -1,5 +1,6 @@
 """Parameter files saved from a panel and loaded into one, with a look at what that would do; without a browser."""
 
+import html
 from pathlib import Path
 
 import pytest
@@ -228,11 +229,19 @@ def test_the_form_says_what_saving_would_replace(arm):
     for wrong, words in (('config', 'config is a folder'), ('no/a.yaml', 'there is no folder no')):
         answer = ask_form(arm, 'look', is_save=True, path=wrong)
         assert words in answer['markup'] and not answer['can']
-    # A null byte, or character: the word is that of Python's version.
-    assert 'embedded null' in ask_form(arm, 'act', is_save=True, path='a\0.yaml')['said']
     enter(arm, 'tool', 'saw')
     arm.settle()
     assert ask_form(arm, 'look', is_save=True, path='config/new.yaml', changed_only=True)['button'] == 'Save'
     assert 'Saved to config/new.yaml.' in ask_form(
         arm, 'act', is_save=True, path='config/new.yaml', changed_only=True)['said']
     assert files.read('config/new.yaml', NODE) == {'tool': 'saw'}
+
+
+@pytest.mark.parametrize('is_save', [True, False])
+@pytest.mark.parametrize(('path', 'words'), [
+    ('a\0.yaml', r"'a\x00.yaml' is not a path: it has a null character"),
+    ('~nobody_of_that_name/a.yaml', 'begins with a user that this machine does not have')])
+def test_the_form_says_what_is_wrong_with_a_path(arm, is_save, path, words):
+    answer = ask_form(arm, 'look', is_save=is_save, path=path)
+    assert words in html.unescape(answer['markup']) and not answer['can']
+    assert words in html.unescape(ask_form(arm, 'act', is_save=is_save, path=path)['said'])

@@ -12,7 +12,7 @@ from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
 
-from param_tutorial.errors import ParameterToolError, describe_error
+from param_tutorial.errors import NoAnswerError, ParameterToolError, describe_error
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor, ParameterClient
 from param_tutorial.parameters.text import format_value
@@ -21,6 +21,8 @@ from param_tutorial.runtime.services import TIMEOUT_SEC
 
 # So many nodes are asked at once; each waits for its answers most of the time.
 _THREADS = 8
+# How soon a node that has not answered is asked again.
+_RETRY_PERIOD_SEC = 2.0
 
 
 @dataclass
@@ -52,6 +54,7 @@ class Catalog:
         self._nodes: dict[str, CatalogNode] = {}
         self._pool = concurrent.futures.ThreadPoolExecutor(_THREADS, 'catalog')
         self._closed = False
+        self._retries: dict[str, threading.Timer] = {}
         self._stop_listening = [executor.on_graph_change(self._look), executor.on_parameter_event(self._on_event)]
         self._look()
 
@@ -78,7 +81,10 @@ class Catalog:
 
     def close(self) -> None:
         """Stop following. Safe to call more than once."""
-        self._closed = True
+        with self._lock:
+            self._closed = True
+            for timer in self._retries.values():
+                timer.cancel()
         for stop in self._stop_listening:
             stop()
         self._stop_listening = []
@@ -101,8 +107,17 @@ class Catalog:
         self._on_change()
 
     def _ask(self, node: CatalogNode) -> None:
-        if not self._closed:
-            self._pool.submit(self._read, node)
+        with self._lock:
+            if not self._closed:
+                self._pool.submit(self._read, node)
+
+    def _ask_again_later(self, node: CatalogNode) -> None:
+        with self._lock:
+            if self._closed or self._nodes.get(node.name) is not node:
+                return
+            timer = self._retries[node.name] = threading.Timer(_RETRY_PERIOD_SEC, self._ask, [node])
+            timer.daemon = True
+            timer.start()
 
     def _read(self, node: CatalogNode) -> None:
         client = ParameterClient(node.name, executor=self._executor, timeout_sec=self._timeout_sec)
@@ -110,6 +125,8 @@ class Catalog:
             descriptors, present = client.describe_and_get()
         except ParameterToolError as error:
             node.problem = describe_error(error)
+            if isinstance(error, NoAnswerError):
+                self._ask_again_later(node)
         else:
             with self._lock:
                 node.descriptors, node.values, node.problem = dict(descriptors), dict(present), ''

@@ -27,6 +27,7 @@ from rcl_interfaces.msg import ParameterEvent
 from param_tutorial.errors import ExecutorError, InvalidValueError, NodeError, NodeGoneError, ParameterFileError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
+from param_tutorial.parameters.files import as_path, read_bytes
 from param_tutorial.parameters.parsing import matches
 from param_tutorial.parameters.sets import WordTable
 from param_tutorial.parameters.snapshot import Snapshot, ask_all
@@ -130,7 +131,7 @@ class ChangeLogWriter:
         :raises OSError: it cannot be written.
         """
         # Without a buffer: what found no room on a full disk would be written, and fail, once more in the end.
-        self._file = Path(path).open('ab+', buffering=0)  # noqa: SIM115 - closed by __exit__
+        self._file = as_path(path).open('ab+', buffering=0)
         self._is_torn = False
         if self._file.seekable() and self._file.seek(0, os.SEEK_END):
             self._file.seek(-1, os.SEEK_END)
@@ -180,10 +181,7 @@ class ChangeLog(WordTable):
 
         :raises ParameterFileError: it cannot be opened, or no line of it is one of a log.
         """
-        try:
-            lines = Path(path).read_bytes().split(b'\n')
-        except OSError as error:
-            raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
+        lines = read_bytes(path).split(b'\n')
         changes, damaged = [], []
         for number, line in enumerate(lines, 1):
             if not line.strip():

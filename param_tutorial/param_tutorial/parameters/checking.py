@@ -13,11 +13,11 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from param_tutorial.errors import ParameterFileError, nearest
+from param_tutorial.errors import nearest
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import is_housekeeping
 from param_tutorial.parameters.descriptions import DescribedParameter, Descriptions, NodeDescription
-from param_tutorial.parameters.files import format_scalar
+from param_tutorial.parameters.files import format_scalar, read_bytes
 from param_tutorial.parameters.parsing import (
     KEY,
     Assignment,
@@ -72,6 +72,9 @@ class Findings(tuple[Finding, ...]):
 
     passed_over: tuple[str, ...] = ()
     """The blocks that were not checked, because nothing is known of their nodes."""
+    left_to_launch: tuple[str, ...] = ()
+    """Where names of blocks and values stand that a launch file fills in, each as ``file:line``: these were not
+    checked."""
 
     def text(self) -> str:
         """Return one line for each, as compilers write them."""
@@ -131,20 +134,21 @@ class _Check:
         self._files: list[str] = []
         self._reported: set[str] = set()
         self._found: dict[tuple[str, int, int, str, str], Finding] = {}
+        self._left_to_launch: set[tuple[str, int]] = set()
 
     def read(self, path: str | Path) -> None:
         """Read a file, and note what rcl rejects in it."""
-        try:
-            content = Path(path).read_bytes()
-        except OSError as error:
-            raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
-        file = str(path)
+        content, file = read_bytes(path), str(path)
         self._files.append(file)
         before = len(self._parser.rejected)
         self._parser.parse(content, file)
         headless: set[str] = set()
+        for_launch = self._places_for_launch(file, content.decode('utf-8-sig', 'replace'))
         for rejected in self._parser.rejected[before:]:
-            if not rejected.keys:
+            left = [place for place, first, last in for_launch if first <= rejected.place.start <= last]
+            if left and rejected.place.start:
+                self._leave_to_launch(file, left[0])
+            elif not rejected.keys:
                 self._add(file, rejected.place, 'unreadable', f'rcl rejects the file here: {rejected}')
             elif rejected.keys[0][0] not in headless:
                 headless.add(rejected.keys[0][0])
@@ -165,6 +169,8 @@ class _Check:
                 self._check_words(assignment, None, '')
         order = {file: number for number, file in enumerate(self._files)}
         found = Findings(sorted(self._found.values(), key=lambda each: (order[each.file], each.line, each.column)))
+        found.left_to_launch = tuple(f'{file}:{line}' for file, line in sorted(
+            self._left_to_launch, key=lambda each: (order[each[0]], each[1])))
         if self._against:
             found.passed_over = tuple(name for name in self._parser.blocks if name not in self._reported
                                       and not any(matches(name, node) for node in self._against))
@@ -174,20 +180,34 @@ class _Check:
         key = (file, place.line, place.column, kind, parameter)
         self._found.setdefault(key, Finding(file, place.line, place.column, kind, message, node, parameter))
 
+    def _places_for_launch(self, file: str, text: str) -> list[tuple[Place, int, int]]:
+        """Return what launch fills in and rcl rejects as it stands, and from where to where rcl may say so."""
+        blocks = [(start.place, start.end.start, start.end.end) for start in self._parser.starts
+                  if start.file == file and _is_for_launch(start.name)]
+        return blocks + [(each.place, each.place.start, each.place.end) for each in self._parser.assignments
+                         if each.file == file and _is_for_launch(text[each.place.start:each.place.end])]
+
+    def _leave_to_launch(self, file: str, place: Place) -> None:
+        self._left_to_launch.add((file, place.line))
+
     # -- blocks -----------------------------------------------------------------------------------------
 
     def _check_duplicates(self) -> None:
         starts: dict[tuple[str, str], BlockStart] = {}
         for start in self._parser.starts:
-            first = starts.setdefault((start.file, start.name), start)
+            first = starts.setdefault((start.file, start.name.strip('/')), start)
             if first is not start:
+                also = (' and `ros2 param load` only the last' if first.name == start.name else
+                        f' because {first.name} and {start.name} are one node')
                 self._add(start.file, start.place, 'duplicate',
-                          f'there is a block for {start.name} in line {first.place.line} already: rcl reads both, and '
-                          f'`ros2 param load` only the last', start.name)
+                          f'there is a block for {first.name} in line {first.place.line} already: rcl reads '
+                          f'both,{also}',
+                          start.name)
         assignments: dict[tuple[str, str, str], Assignment] = {}
         for each in self._parser.assignments:
-            before = assignments.get((each.file, each.block, each.name))
-            assignments[each.file, each.block, each.name] = each
+            key = each.file, each.block.strip('/'), each.name
+            before = assignments.get(key)
+            assignments[key] = each
             if before is not None:
                 self._add(each.file, each.name_place, 'duplicate',
                           f'{each.name} has a value in line {before.name_place.line} already', each.block, each.name)
@@ -261,6 +281,9 @@ class _Check:
 
     def _check_value(self, assignment: Assignment, described: DescribedParameter, node: str) -> None:
         value, name = assignment.value, assignment.name
+        if any(_is_for_launch(scalar.text) for scalar in assignment.scalars):
+            self._leave_to_launch(assignment.file, assignment.place)
+            return
         if assignment.is_damaged:
             return
         if value == [] and not self._loading:
@@ -288,6 +311,12 @@ class _Check:
     def _check_words(self, assignment: Assignment, described: DescribedParameter | None, node: str) -> None:
         """Check that people and other programs read a value as rcl does."""
         for scalar in assignment.scalars:
+            if scalar.tag and not read_1_1(scalar.text, scalar.tag).is_same(scalar.value):
+                tag = scalar.tag.replace('tag:yaml.org,2002:', '!!')
+                self._add(assignment.file, scalar.place, 'read otherwise',
+                          f'{assignment.name}: rcl ignores {tag} and reads {scalar.text} as {_named(scalar.value)}',
+                          node or assignment.block, assignment.name)
+                return
             if scalar.is_plain and (other := self._other_reading(scalar, described)):
                 self._add(assignment.file, scalar.place, 'read otherwise',
                           f'{assignment.name}: rcl reads {scalar.text} as {_named(scalar.value)}, {other}: write '
@@ -300,8 +329,13 @@ class _Check:
             found = read(scalar.text)
             if found.is_same(scalar.value):
                 continue
-            matters = (described is None or found.value is None or (self._loading and version == 'YAML 1.1')
-                       or _could_hold(described, found.value))
+            if version == 'YAML 1.1' and self._loading:
+                matters = True
+            elif described is not None:
+                matters = found.value is None or _could_hold(described, found.value)
+            else:
+                # PyYAML takes numbers like 1e-9 for texts. That alone misleads nobody but `ros2 param load`.
+                matters = not (type(scalar.value) is float and type(found.value) is str and version == 'YAML 1.1')
             if matters:
                 return f'and {version} as {found.words}'
         return ''
@@ -337,6 +371,11 @@ def _headless(rejected: Rejected) -> tuple[Place, str, str]:
     name, place = rejected.keys[0]
     return place, 'no header', (f'there is no {KEY!r} between {name!r} and the values below it: rcl rejects the file. '
                                 f'It has to be node name, {KEY}, then parameters')
+
+
+def _is_for_launch(text: str) -> bool:
+    """True if launch replaces a part of it: $(var robot), in a file that is given with ``allow_substs=True``."""
+    return re.search(r'\$\([a-z]', text) is not None
 
 
 def _winner(entry: Entry | None) -> Assignment | None:
@@ -413,6 +452,8 @@ def _hint(assignment: Assignment, described: DescribedParameter) -> str:
             return f'; write {int(value)}'
         if wanted in (values.STRING, values.STRING_ARRAY):
             return f"; rcl reads {scalar.text} without quotes as {_named(value)}: write '{scalar.text}'"
+        if comma := re.fullmatch(r'([+-]?[0-9]+),([0-9]+)', scalar.text):
+            return f'; write {comma[1]}.{comma[2]}, with a point'
         if isinstance(value, str) and not scalar.is_plain and _could_hold(described, read_1_1(scalar.text).value):
             return '; leave the quotes out'
         return f'; rcl reads {scalar.text} as {_named(value)}' if scalar.is_plain else ''

@@ -41,7 +41,8 @@ from rclpy.node import Node
 from param_tutorial.errors import NodeError, ParameterFileError
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor, ParameterClient, Range, is_housekeeping
-from param_tutorial.parameters.files import Dump
+from param_tutorial.parameters.files import Dump, read_bytes
+from param_tutorial.parameters.parsing import not_yaml
 from param_tutorial.parameters.reference import Entry, Reference, reference_of
 from param_tutorial.parameters.snapshot import ask_all
 from param_tutorial.parameters.values import ParameterType
@@ -390,14 +391,12 @@ def load_yaml(path: str | Path) -> Any:
 
     :raises ParameterFileError: the file cannot be read, or is not YAML.
     """
+    content = read_bytes(path)
     try:
-        return yaml.safe_load(Path(path).read_bytes())
-    except OSError as error:
-        raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
+        return yaml.safe_load(content)
     except yaml.YAMLError as error:
-        mark = getattr(error, 'problem_mark', None)
-        what = getattr(error, 'problem', None) or str(error).splitlines()[0]
-        raise ParameterFileError(f'{path}, line {mark.line + 1 if mark else 1}: this is not YAML: {what}') from None
+        rejected = not_yaml(error, content)
+        raise ParameterFileError(f'{path}, line {rejected.place.line}: {rejected}') from None
     except RecursionError:
         raise ParameterFileError(f'{path}: it is nested too deeply') from None
     # A date that is none, an integer of thousands of digits, a key that is a list.

@@ -10,7 +10,7 @@ from typing import Any
 
 from param_tutorial.errors import ParameterFileError
 from param_tutorial.parameters import values
-from param_tutorial.parameters.files import Dump, format_scalar, why_not_expressible
+from param_tutorial.parameters.files import Dump, format_scalar, read_bytes, why_not_expressible
 from param_tutorial.parameters.parsing import KEY, Assignment, Parser, Place, Rejected, Scalar, effective, matches
 
 _BOM = '\ufeff'
@@ -28,9 +28,7 @@ def update_file(path: str | Path, node: str, new: Mapping[str, Any]) -> list[str
     :raises OSError: it cannot be written; it is then as it was.
     """
     try:
-        text = Path(path).read_bytes().decode()
-    except OSError as error:
-        raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
+        text = read_bytes(path).decode()
     except UnicodeDecodeError as error:
         raise ParameterFileError(f'{path} is not UTF-8: {error.reason} at byte {error.start}') from None
     try:

@@ -116,7 +116,7 @@ def preview_file(path: str | Path, node: str, descriptors: Mapping[str, Descript
     :raises ParameterFileError: the file cannot be read, or rcl would reject it.
     """
     # A pipe or a device could keep the reader forever.
-    if not Path(path).is_file():
+    if not files.as_path(path).is_file():
         raise ParameterFileError(f'there is no file {path}')
     parser = files.parse(path)
     entries = effective(parser, node)

@@ -65,16 +65,38 @@ def parse(path: str | Path) -> Parser:
 
     :raises ParameterFileError: the file cannot be read, or rcl would reject it.
     """
-    try:
-        content = Path(path).read_bytes()
-    except OSError as error:
-        raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
+    content = read_bytes(path)
     parser = Parser()
     try:
         parser.parse(content)
     except Rejected as rejected:
         raise ParameterFileError(f'{path}, line {rejected.place.line}: {rejected}') from None
     return parser
+
+
+def read_bytes(path: str | Path) -> bytes:
+    """Return what a file holds.
+
+    :raises ParameterFileError: it cannot be read.
+    """
+    try:
+        return as_path(path).read_bytes()
+    except OSError as error:
+        raise ParameterFileError(f'cannot read {path}: {error.strerror or error}') from None
+
+
+def as_path(path: str | Path, *, is_typed: bool = False) -> Path:
+    """Return a path that a file could have.
+
+    :param is_typed: A person has typed it, where no shell replaces a ``~``.
+    :raises ParameterFileError: there is no such path.
+    """
+    if '\0' in str(path):
+        raise ParameterFileError(f'{str(path)!r} is not a path: it has a null character')
+    try:
+        return Path(path).expanduser() if is_typed else Path(path)
+    except RuntimeError:
+        raise ParameterFileError(f'{path} begins with a user that this machine does not have') from None
 
 
 def values_of(path: str | Path, entries: Mapping[str, Entry]) -> dict[str, Any]:
@@ -104,9 +126,10 @@ class Dump:
     def save(self, path: str | Path) -> None:
         """Write the file. What stood there is replaced as a whole, or not at all.
 
+        :raises ParameterFileError: there is no such path.
         :raises OSError: it cannot be written; then nothing has changed.
         """
-        target = Path(os.path.realpath(path))
+        target = Path(os.path.realpath(as_path(path)))
         draft = target.with_name(f'.{target.name[:100]}.{os.getpid()}.tmp')
         try:
             if target.exists() and not target.is_file():

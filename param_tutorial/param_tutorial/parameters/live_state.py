@@ -51,6 +51,8 @@ class ParameterState:
         """What the node confirmed last; None if it is declared without a value."""
         self.message = ''
         """Why the last value that was asked for did not become the parameter's; empty if it did."""
+        self.is_unanswered = False
+        """True if the message is that the node was not asked, or did not answer: it has rejected nothing."""
         self.asked_at = 0.0
         self.answered_at = 0.0
         """When the node's last answer came, on the clock of ``runtime.waiting.machine_time``."""
@@ -140,6 +142,8 @@ class LiveState(Generic[ParameterT]):
         self.status = ''
         """Why the parameters cannot be changed now; empty if they can."""
         self.closed = False
+        self._is_silent = False
+        """True if the status is that the node does not answer."""
         self._node = node
         self._create = create
         self._timeout_sec = timeout_sec
@@ -196,7 +200,7 @@ class LiveState(Generic[ParameterT]):
         """A hand entered something that is no value, so the node is not asked."""
         parameter.waiting = None
         if not parameter.busy:
-            parameter.message = reason
+            parameter.message, parameter.is_unanswered = reason, False
         self._must_show = True
         return Todo(show=True)
 
@@ -221,7 +225,12 @@ class LiveState(Generic[ParameterT]):
         """An error arrived in place of the answer."""
         # After an exception in a callback the node may have stored the value or not; it can be asked.
         gone = isinstance(error, (NoAnswerError, NodeGoneError))
-        return self._end(request, describe_error(error), now, doubtful=not gone)
+        is_new = request.parameter.request is request  # and was not given up before
+        todo = self._end(request, describe_error(error), now, doubtful=not gone)
+        if is_new and isinstance(error, NoAnswerError) and not self.status:
+            self._fall_silent(error, now)
+            return todo._replace(read=True, show=True)
+        return todo
 
     def send_failed(self, request: Request, error: Exception, now: float) -> Todo:
         """The request could not be sent."""
@@ -333,7 +342,8 @@ class LiveState(Generic[ParameterT]):
         self._must_read &= parameters.keys()
         if self.status:
             self.status = ''
-            self._clear_messages()
+            if not self._is_silent:  # then it is still the same node, and what it did not answer should be known
+                self._clear_messages()
         if self._incarnations != reading.incarnations:  # restarted while it was being asked
             self._must_describe = bool(self._incarnations)
         return self._have_news()
@@ -363,8 +373,7 @@ class LiveState(Generic[ParameterT]):
         elif isinstance(error, ExecutorError):
             return self._lose(describe_error(error))
         else:
-            self.status = describe_error(error)
-            self._retry_at = now + RETRY_PERIOD_SEC
+            self._fall_silent(error, now + RETRY_PERIOD_SEC)
         return self._have_news()
 
     # -- events: showing, and the passing of time -------------------------------------------------------
@@ -421,7 +430,7 @@ class LiveState(Generic[ParameterT]):
         following, parameter.request, parameter.waiting = parameter.waiting, None, None
         if following is not None:
             return self._begin(following, now)._replace(read=self._must_describe)
-        parameter.message = reason
+        parameter.message, parameter.is_unanswered = reason, bool(reason) and not doubtful
         if doubtful and self.parameters.get(parameter.name) is parameter:  # and not deleted meanwhile
             self._must_read.add(parameter.name)
         self._must_show = True
@@ -435,11 +444,18 @@ class LiveState(Generic[ParameterT]):
 
     def _give_up(self, parameter: ParameterState, reason: str) -> None:
         parameter.request = parameter.waiting = None
-        parameter.message = reason
+        parameter.message, parameter.is_unanswered = reason, True
+
+    def _fall_silent(self, error: Exception, ask_again_at: float) -> None:
+        """Take note that the node is there and does not answer; everything is read when it does."""
+        self.status = describe_error(error)
+        self._is_silent = True
+        self._retry_at = ask_again_at
 
     def _lose(self, status: str) -> Todo:
         """Take note that the node cannot be reached; everything is read again when it can."""
         self.status = status
+        self._is_silent = False
         self._retry_at = None
         self._must_read.clear()
         self._end_all(status)

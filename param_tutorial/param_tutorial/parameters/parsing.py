@@ -7,6 +7,7 @@ string. A tolerant parser notes what rcl would reject and reads on, where that i
 finds all that is wrong with it.
 """
 
+import codecs
 import math
 import re
 import sys
@@ -123,6 +124,8 @@ class Scalar:
     value: bool | int | float | str
     """What rcl makes of it."""
     place: Place
+    tag: str = ''
+    """The tag before it, such as ``!!float``, written out; rcl ignores all but ``!!str``."""
 
 
 @dataclass(eq=False)
@@ -269,14 +272,17 @@ class Parser:
         return self.blocks
 
     def _parse(self, content: bytes) -> None:
+        held: yaml.Event | None = None
         try:
             for event in yaml.parse(content, Loader=LOADER):
-                self._handle(event, _place(event))
+                if held is not None:
+                    self._handle(held, _place(held))
+                # A scalar before the place where the file ceases to be YAML has often swallowed the next line.
+                held = event if self._tolerant and isinstance(event, yaml.ScalarEvent) else None
+                if held is None:
+                    self._handle(event, _place(event))
         except yaml.YAMLError as error:
-            mark = getattr(error, 'problem_mark', None)
-            what = getattr(error, 'problem', None) or str(error).splitlines()[0]
-            place = Place(mark.line + 1, mark.column + 1) if mark else Place()
-            raise Rejected(place, f'this is not YAML: {what}') from None
+            raise not_yaml(error, content) from None
         except RecursionError:
             raise Rejected(Place(), 'this is nested too deeply') from None
 
@@ -407,8 +413,10 @@ class Parser:
 
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:
-            self._object(place, f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters',
-                         self.node_keys)
+            glued = re.match(r'[\w.]+:\S+', event.value)
+            reason = (f'a space must follow the colon in {glued[0]}' if glued else
+                      f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters')
+            self._object(place, reason, self.node_keys)
             if not self.in_sequence:
                 self._leave_node_key()
             return
@@ -421,7 +429,8 @@ class Parser:
             return
         is_text = quoted or event.tag == 'tag:yaml.org,2002:str'
         text = _c_string(event.value)
-        scalar = Scalar(text, not is_text and event.style not in ('|', '>'), typed(text, is_text), place)
+        scalar = Scalar(text, not is_text and event.style not in ('|', '>'), typed(text, is_text), place,
+                        event.tag or '')
         kind = type(scalar.value)
         if not self.in_sequence:
             entry.scalars[kind] = scalar.value
@@ -463,6 +472,67 @@ def _place(event: yaml.Event) -> Place:
     if start is None or end is None:
         return Place()
     return Place(start.line + 1, start.column + 1, start.index, end.index)
+
+
+def not_yaml(error: yaml.YAMLError, content: bytes) -> Rejected:
+    """Return where a file is not YAML, and why, with the usual cause where there is one."""
+    if isinstance(error, yaml.reader.ReaderError):
+        return _not_text(error, content)
+    mark, begun = getattr(error, 'problem_mark', None), getattr(error, 'context_mark', None)
+    if mark is None:
+        return Rejected(Place(), f'this is not YAML: {str(error).splitlines()[0]}')
+    what, context = getattr(error, 'problem', ''), getattr(error, 'context', '')
+    if begun is not None and context in ('while scanning a simple key', 'while scanning a quoted scalar'):
+        mark = begun  # libyaml notices only later that something is missing
+    elif begun is not None and begun.line != mark.line:
+        what += f', in what begins in line {begun.line + 1}'
+    lines = content.decode('utf-8-sig', 'replace').splitlines()
+    line = lines[mark.line] if mark.line < len(lines) else ''
+    cause = _likely_cause(what, line[:mark.column], line[mark.column:])
+    return Rejected(Place(mark.line + 1, mark.column + 1), f'this is not YAML: {what}{cause and ". "}{cause}')
+
+
+def _not_text(error: yaml.reader.ReaderError, content: bytes) -> Rejected:
+    """Return which bytes of a file are no text, or none that YAML allows."""
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return Rejected(Place(), f'this is not UTF-16, as its first bytes say: {error.reason}')
+    try:
+        before, reason = content.decode().partition(chr(error.character))[0], f'this is not YAML: {error.reason}'
+    except UnicodeDecodeError as wrong:
+        byte = content[wrong.start:wrong.start + 1]
+        before = content[:wrong.start].decode()
+        reason = f'this is not UTF-8: the byte 0x{byte.hex()}'
+        if meant := byte.decode('cp1252', 'ignore'):
+            reason += f' would be {meant!r} in Windows-1252'
+    before = before.removeprefix('\ufeff')
+    return Rejected(Place(before.count('\n') + 1, len(before) - before.rfind('\n')), reason)
+
+
+def _likely_cause(what: str, before: str, after: str) -> str:
+    """Return what is probably wrong where libyaml stopped; nothing if that cannot be told.
+
+    :param before: What stands before the place in its line.
+    """
+    if before.strip(' ').startswith('\t') or (not before.strip(' ') and after.startswith('\t')):
+        return 'Indent with spaces: YAML allows no tab there'
+    if what.startswith('found character that cannot start') and after:
+        return f'A text that begins with {after[0]} needs quotes'
+    if what.startswith('did not find expected alphabetic') and before:
+        return f'A text that begins with {before[-1]} needs quotes'
+    if what.startswith("could not find expected ':'"):
+        return 'A name ends with a colon and a space'
+    if what.startswith('mapping values'):
+        return ("A text with ': ' in it needs quotes" if ': ' in before else
+                'It goes on with the line above: a name ends with a colon and a space, and the names of one block '
+                'begin in the same column')
+    if what.startswith('did not find expected key'):
+        return ('The text before it has ended: a quote inside quotes is written twice' if before.strip() else
+                'The names of one block begin in the same column')
+    if what.startswith('found unexpected end of stream'):
+        return 'The quote that begins here is not closed'
+    if what.startswith('found unknown escape character'):
+        return 'A text with a backslash needs single quotes'
+    return ''
 
 
 def _c_string(text: str) -> str:

@@ -337,9 +337,10 @@ class Preview(WordTable):
         :param expectations: One for each parameter that differs.
         """
         self.expectations = tuple(expectations)
-        will = sum(each.word == 'would be set' for each in self.expectations)
+        self.settable = sum(each.word == 'would be set' for each in self.expectations)
+        """How many would be set."""
         self.heading = (f'{node} from {wanted.label}: {format_count(len(self.expectations), "difference")}, '
-                        f'{will} would be set')
+                        f'{self.settable} would be set')
 
     def __iter__(self) -> Iterator[Expectation]:
         return iter(self.expectations)

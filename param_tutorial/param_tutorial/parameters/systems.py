@@ -12,7 +12,16 @@ from typing import Any
 
 from param_tutorial.errors import NodeError, NodeGoneError, NodeNotFoundError
 from param_tutorial.parameters.descriptions import Descriptions
-from param_tutorial.parameters.sets import Change, Difference, ParameterSet, Restored, WordTable, compare, how_it_ended
+from param_tutorial.parameters.sets import (
+    Change,
+    Difference,
+    ParameterSet,
+    Preview,
+    Restored,
+    WordTable,
+    compare,
+    how_it_ended,
+)
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import Row, grouped_table
 from param_tutorial.pictures.wording import format_count
@@ -109,9 +118,36 @@ class SystemRestored(WordTable):
 
     def rows(self) -> list[tuple[str, ...]]:
         changed = [(node, *row) for node, each in self.nodes.items() for row in each.rows()]
-        return changed + [(node, '', '', 'not there' if isinstance(error, NodeNotFoundError)
-                           else 'gone' if isinstance(error, NodeGoneError) else 'no answer', '')
-                          for node, error in self.unanswered.items()]
+        return changed + [(node, '', '', _why_unanswered(error), '') for node, error in self.unanswered.items()]
+
+
+class SystemPreview(WordTable):
+    """What restoring many nodes would do, before it is done. Shown as one table."""
+
+    columns = ('node', *Preview.columns)
+
+    def __init__(self, label: str, nodes: Mapping[str, Preview], unanswered: Mapping[str, NodeError]):
+        """
+        :param label: Where the values come from.
+        :param nodes: What would become of each node that has answered.
+        :param unanswered: The other nodes, and why.
+        """
+        self.nodes, self.unanswered = dict(nodes), dict(unanswered)
+        count = sum(map(len, self.nodes.values()))
+        will = sum(each.settable for each in self.nodes.values())
+        missing = f', {len(unanswered)} without an answer' if unanswered else ''
+        self.heading = (f'{format_count(len(nodes) + len(unanswered), "node")} from {label}: '
+                        f'{format_count(count, "difference")}, {will} would be set{missing}')
+
+    def rows(self) -> list[tuple[str, ...]]:
+        rows = [(node, *row) for node, each in self.nodes.items() for row in each.rows()]
+        return rows + [(node, '', '', '', _why_unanswered(error), '') for node, error in self.unanswered.items()]
+
+
+def _why_unanswered(error: NodeError) -> str:
+    """Return why a node gave no answer, in two words."""
+    return ('not there' if isinstance(error, NodeNotFoundError) else
+            'gone' if isinstance(error, NodeGoneError) else 'no answer')
 
 
 def _plain(value: Any) -> Any:

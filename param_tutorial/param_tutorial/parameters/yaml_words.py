@@ -28,11 +28,11 @@ class Reading:
         return self.value is not None and values.same(self.value, value)
 
 
-def read_1_1(text: str) -> Reading:
-    """Return what PyYAML makes of a word."""
+def read_1_1(text: str, tag: str | None = None) -> Reading:
+    """Return what PyYAML makes of a word, or of a text with a tag such as ``!!float``, written out."""
     loader = yaml.SafeLoader('')
     try:
-        tag = loader.resolve(yaml.ScalarNode, text, (True, False))
+        tag = tag or loader.resolve(yaml.ScalarNode, text, (True, False))
         value = loader.construct_object(yaml.ScalarNode(tag, text))
     # ValueError: it looks like a date and is none, or is an integer of thousands of digits.
     except (yaml.YAMLError, ValueError, OverflowError):

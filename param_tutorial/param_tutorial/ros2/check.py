@@ -60,6 +60,8 @@ def check(session: Session, args: argparse.Namespace) -> int:
         session.print(text)
     if passed_over := dict.fromkeys(name for result in results for name in result.passed_over):
         session.complain(f'Not checked, because nothing is known of these nodes: {", ".join(passed_over)}')
+    if left := [place for result in results for place in result.left_to_launch]:
+        session.complain(f'Not checked, because launch fills them in: {", ".join(left)}')
     return 1 if findings else 0
 
 

@@ -5,7 +5,7 @@ could not be found out.
 """
 
 import argparse
-from collections.abc import Mapping
+from collections.abc import Mapping, Sized
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,10 +13,17 @@ from typing import Any
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.parameters import descriptions, files, values
 from param_tutorial.parameters.editing import update_file
-from param_tutorial.parameters.sets import Difference, ParameterSet, compare, preview
+from param_tutorial.parameters.sets import Difference, ParameterSet, WordTable, compare, preview
 from param_tutorial.parameters.sets import restore as restore_node
 from param_tutorial.parameters.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all
-from param_tutorial.parameters.systems import SystemDifference, SystemRestored, compare_systems, defaults_of, of_robot
+from param_tutorial.parameters.systems import (
+    SystemDifference,
+    SystemPreview,
+    SystemRestored,
+    compare_systems,
+    defaults_of,
+    of_robot,
+)
 from param_tutorial.pictures.wording import format_count
 from param_tutorial.ros2 import sources
 from param_tutorial.ros2.changes import past
@@ -217,8 +224,7 @@ def bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], label:
     if args.dry_run:
         previews, unanswered = ask_all(wanted, lambda client: preview(client, ParameterSet(wanted[client.node], label)),
                                        timeout_sec=args.timeout, executor=session.executor)
-        for each in previews.values():
-            session.print(each)
+        _print(session, wanted, previews, SystemPreview(label, previews, unanswered))
         sources.report_unanswered(session, unanswered)
         return 1 if unanswered else 0
     if args.backup:
@@ -229,8 +235,12 @@ def bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], label:
                                             one_by_one=args.one_by_one, skip_read_only=args.skip_read_only),
         timeout_sec=args.timeout, executor=session.executor)
     result = SystemRestored(label, outcomes, unanswered)
-    # What there is to say of one node alone does not need its name in each row.
-    for table in outcomes.values() if len(wanted) == 1 else [result]:
-        session.print(table)
+    _print(session, wanted, outcomes, result)
     sources.report_unanswered(session, unanswered)
     return 0 if result.complete else 1
+
+
+def _print(session: Session, wanted: Sized, each: Mapping[str, WordTable], together: WordTable) -> None:
+    """Print one table of all nodes; what there is to say of one node alone does not need its name in each row."""
+    for table in each.values() if len(wanted) == 1 else [together]:
+        session.print(table)

@@ -23,13 +23,16 @@ function render({model, el}) {
   const lines = new Map();
 
   let timer;
-  search.addEventListener('keydown', event => {
-    event.stopPropagation();
-    if (event.key === 'Escape') search.value = '';
-  });
-  search.addEventListener('input', () => {
+  function find() {
     clearTimeout(timer);
     timer = setTimeout(() => model.send({do: 'find', text: search.value}), 150);
+  }
+  search.addEventListener('input', find);
+  search.addEventListener('keydown', event => {
+    event.stopPropagation();
+    if (event.key !== 'Escape') return;
+    search.value = '';
+    find();
   });
 
   function line(name) {

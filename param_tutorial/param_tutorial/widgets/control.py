@@ -119,7 +119,7 @@ class Control:
         if parameter.late:
             message = 'waiting', _WAITING
         elif parameter.message:
-            message = 'rejected', parameter.message
+            message = 'failed' if parameter.is_unanswered else 'rejected', parameter.message
         elif parameter.adjusted is not ...:
             asked = format_value(descriptor, parameter.adjusted)
             message = 'adjusted', f'You asked for {asked}, and the node has stored {text}.'

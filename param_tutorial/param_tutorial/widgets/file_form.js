@@ -2,14 +2,11 @@
 
    The kernel reads and writes the files, and says what to show: `file_form.py`. */
 
-let formsOnPage = 0;
-
 class FileForm {
-  /** `ask` takes what the kernel is to do: {do: 'look' or 'act', is_save, path, changed_only, number}. */
-  constructor(ask) {
+  /** `id` is one that nothing else on the page has.
+      `ask` takes what the kernel is to do: {do: 'look' or 'act', is_save, path, changed_only, number}. */
+  constructor(id, ask) {
     Object.assign(this, {ask, number: 0, isActing: false, isSave: false, can: false, hasLook: false, buttons: {}});
-    formsOnPage += 1;
-    const id = `param-file-${formsOnPage}`;
     this.element = document.createElement('form');
     this.element.className = 'param-file';
     this.element.hidden = true;

@@ -78,7 +78,8 @@ def act(panel: FilePanel, *, is_save: bool, path: str, changed_only: bool) -> st
 def _look_before_saving(panel: FilePanel, path: str, changed_only: bool) -> dict[str, Any]:
     dump = panel.dump(changed_only=changed_only)
     count = len(panel.changed if changed_only else panel.names) - len(dump.left_out)
-    target, notes, word = Path(path).expanduser(), _reasons('Left out', dump.left_out), 'Save'
+    target = files.as_path(path, is_typed=True)
+    notes, word = _reasons('Left out', dump.left_out), 'Save'
     if target.is_dir():
         raise ParameterFileError(f'{path} is a folder; add the name of a file')
     if not target.parent.is_dir():

@@ -3,8 +3,6 @@
    The same in JupyterLab, where a kernel answers (see `render` at the end), and on a page of the website, where a
    recording answers (see `lesson.js`). The markup is Python's: `pictures/panel.py`. */
 
-let panelsOnPage = 0;
-
 /** The elements of an array, one box for each, below a row's text box. */
 class Elements {
   constructor(row, button) {
@@ -202,7 +200,7 @@ class PanelRow {
     const told = document.createElement('span');
     told.className = `param-message param-${kind}`;
     // An alert is read out when it comes onto the page.
-    told.setAttribute('role', kind === 'rejected' ? 'alert' : 'status');
+    told.setAttribute('role', kind === 'rejected' || kind === 'failed' ? 'alert' : 'status');
     const word = {rejected: 'Rejected:', accepted: 'Accepted.', unknown: 'Not recorded:'}[kind];
     if (word) {
       const strong = document.createElement('b');
@@ -321,6 +319,7 @@ class ParameterPanel {
 
 /** In JupyterLab: the kernel holds the state, and takes what is entered. */
 function render({model, el}) {
+  // Every panel has this script for itself, so that counting would give all the same number.
   const client = Math.random().toString(36).slice(2);
   const wire = {
     patience: 'Waiting for the kernel, which is still running a cell\u2026',
@@ -333,7 +332,7 @@ function render({model, el}) {
   };
   const root = document.createElement('div');
   el.append(root);
-  const form = new FileForm(wish => model.send({client, ...wish}));
+  const form = new FileForm(`param-file-${client}`, wish => model.send({client, ...wish}));
   let panel, search = model.get('search');
 
   function build() {
@@ -342,11 +341,10 @@ function render({model, el}) {
     const focused = root.contains(root.getRootNode().activeElement) ? root.getRootNode().activeElement : null;
     const old = panel;
     const shown = document.createElement('div');
-    panelsOnPage += 1;
-    shown.innerHTML = model.get('markup').replaceAll('id="panel-', `id="panel-${panelsOnPage}-`)
-      .replaceAll('for="panel-', `for="panel-${panelsOnPage}-`)
+    shown.innerHTML = model.get('markup').replaceAll('id="panel-', `id="panel-${client}-`)
+      .replaceAll('for="panel-', `for="panel-${client}-`)
       .replace(/aria-describedby="panel-(\d+)-help panel-(\d+)-said"/g,
-        `aria-describedby="panel-${panelsOnPage}-$1-help panel-${panelsOnPage}-$2-said"`);
+        `aria-describedby="panel-${client}-$1-help panel-${client}-$2-said"`);
     panel = new ParameterPanel(shown, wire);
     if (old) panel.takeOver(old);
     // At first there may be too few parameters for a search.

@@ -33,7 +33,7 @@ from param_tutorial.parameters import values
 from param_tutorial.parameters.catalog import Catalog, CatalogNode
 from param_tutorial.parameters.client import ParameterClient, node_name
 from param_tutorial.parameters.file_preview import FilePreview, Loaded, preview_file
-from param_tutorial.parameters.files import Dump, render
+from param_tutorial.parameters.files import Dump, as_path, render
 from param_tutorial.parameters.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
 from param_tutorial.parameters.text import format_value
 from param_tutorial.pictures.panel import PanelRow, arrange, panel_markup
@@ -214,13 +214,13 @@ class ParameterPanel(View):
         :param path: An existing file is replaced as a whole, or not at all.
         :param changed_only: Only what differs from what the panel first saw.
         :return: The text, and which parameters no file can hold (``left_out``), with the reason.
-        :raises ParameterFileError: there is nothing to write.
+        :raises ParameterFileError: there is nothing to write, or no such path.
         :raises OSError: the file cannot be written.
         :raises WaitTimeoutError: the node does not answer in time.
         """
         self.settle()
         dump = self.dump(changed_only=changed_only)
-        dump.save(Path(path).expanduser())
+        dump.save(as_path(path, is_typed=True))
         return dump
 
     def preview(self, path: str | Path) -> FilePreview:
@@ -228,7 +228,7 @@ class ParameterPanel(View):
 
         :raises ParameterFileError: the file cannot be read, or rcl would reject it.
         """
-        return preview_file(Path(path).expanduser(), self._node,
+        return preview_file(as_path(path, is_typed=True), self._node,
                             {name: control.descriptor for name, control in self._controls.items()},
                             {name: control.value for name, control in self._controls.items()},
                             is_partial=self._in_order)
@@ -562,14 +562,22 @@ class ParameterBrowser(FollowingView):
     def _show(self) -> None:
         nodes = self._catalog.nodes if self._catalog else {}
         found = self.find(self._search) if self._search.strip() else dict.fromkeys(nodes, ())
-        shown = [node for node in nodes.values() if node.name in found or node.name in self._panels]
+        lines = {}
+        for name, node in nodes.items():
+            if name in found or name in self._panels:
+                hits = [[hit, format_value(node.descriptors[hit], node.values[hit])]
+                        for hit in list(found.get(name, ()))[:_HITS]]
+                lines[name] = {'name': name, 'is_open': name in self._panels, 'is_bad': bool(node.problem),
+                               'says': _says(node), 'hits': hits}
+        # A panel outlives its node, and should still be closed where it was opened. The node may also be there: one
+        # that was stopped for longer than DDS waits answers again, but ROS lists it no more.
+        lines |= {name: {'name': name, 'is_open': True, 'is_bad': True, 'says': 'not in the graph', 'hits': []}
+                  for name in self._panels if name not in nodes}
         status = 'no executor is running' if self._catalog is None else format_count(len(nodes), 'node')
         if self._search.strip():
-            status += f', {sum(map(len, found.values()))} parameters found in {len(found)}'
-        self._front.state = {'status': status, 'nodes': [
-            {'name': node.name, 'is_open': node.name in self._panels, 'is_bad': bool(node.problem),
-             'says': _says(node), 'hits': [[name, format_value(node.descriptors[name], node.values[name])]
-                                           for name in list(found.get(node.name, ()))[:_HITS]]} for node in shown]}
+            count = sum(map(len, found.values()))
+            status += f', {format_count(count, "parameter")} found in {len(found)}'
+        self._front.state = {'status': status, 'nodes': [lines[name] for name in sorted(lines)]}
 
     def _end(self) -> None:
         super()._end()

@@ -88,7 +88,7 @@ def _stops(control: ControlFacts, source: str, at_most: int) -> list[str]:
 
 def _row(name: str, control: ControlFacts, source: str) -> Row:
     descriptor, state = control.descriptor, control.state
-    message = state.message[1] if state.message and state.message[0] == 'rejected' else ''
+    message = state.message[1] if state.message and state.message[0] in ('rejected', 'failed') else ''
     own = [format_value(descriptor, fit(descriptor, each)) for each in questions.set_to(name, source)]
     return {'name': name, 'text': state.text, 'message': message, 'locked': state.is_locked,
             'quiet': control.row.is_quiet, 'editor': control.row.editor, 'own': own,
