@@ -60,7 +60,7 @@ def test_all_values_of_all_nodes(ros):
     assert snapshot.unanswered == {}
 
 
-def test_a_single_node_will_do_and_nonsense_is_told(ros):
+def test_a_single_node_will_do_and_nonsense_raises_an_error(ros):
     node = ros.add(Node, 'plain')
     assert list(all_parameters('plain')) == list(all_parameters(node)) == ['/plain']
     with pytest.raises(TypeError, match='3 is not a node'):
@@ -99,7 +99,7 @@ def test_all_are_asked_at_the_same_time(ros, monkeypatch):
     assert len(all_parameters(nodes)) == 3
 
 
-def test_in_a_callback_it_rejects_to_wait(ros):
+def test_it_raises_instead_of_waiting_in_a_callback(ros):
     with pytest.raises(ExecutorError, match='a callback cannot wait'):
         ros.run(all_parameters, 'ask in a callback')
 
