@@ -112,7 +112,7 @@ def test_the_page_shows_and_changes_a_node_and_ends_with_its_kernel(browser, arm
     page.close()
 
 
-def test_nobody_gets_in_without_the_token(page_process):
+def test_the_page_rejects_requests_without_the_token(page_process):
     process, address = page_process()
     root = address.partition('?')[0]
     assert '/login' in urllib.request.urlopen(root, timeout=20).url

@@ -312,7 +312,7 @@ def test_nodes_that_a_node_adds_are_removed_too(ros):
 
 
 @pytest.mark.parametrize('touch', [param_tutorial.start, param_tutorial.stop])
-def test_work_that_starts_or_stops_the_stage_is_told_to_leave_that_out(ros, touch):
+def test_work_that_starts_or_stops_the_stage_gets_a_hint_to_leave_that_out(ros, touch):
     def report(robot):
         touch()
         return robot.get_parameter('max_speed_rpm').value, 12.0

@@ -158,7 +158,7 @@ def udp_addresses(python: Python) -> set[str]:
     return set(found)
 
 
-def test_by_default_nobody_on_the_network_sees_or_sets_a_node(network):
+def test_by_default_no_other_machine_sees_or_sets_a_node(network):
     robot = network.robot.python()
     robot.run(NODE)
     domain = robot.run('import os\nos.environ["ROS_DOMAIN_ID"]')

@@ -76,7 +76,7 @@ def test_the_warning_comes_once_for_each_old_name(ros):
 @pytest.mark.parametrize(('name', 'value', 'words'), [
     ('speed', 301, 'Parameter max_speed out of range'), ('v', 'fast', 'Wrong parameter type'),
     ('sn', 'S2', 'Trying to set a read-only parameter: serial'), ('v', None, 'Static parameter cannot be undeclared')])
-def test_a_rejection_is_told_of_the_new_name_and_changes_none(client, name, value, words):
+def test_a_rejection_mentions_the_new_name_and_changes_no_value(client, name, value, words):
     before = client.get_parameters()
     assert words in client.set_parameter(name, value).reason
     assert client.get_parameters() == before
@@ -172,7 +172,7 @@ def test_nonsense_is_rejected_at_once(ros, names, words):
 
 
 @pytest.mark.parametrize(('names', 'options'), [(None, {}), (['a', 'b'], {}), ({'a': 'b'}, {'pre_set': 3})])
-def test_arguments_that_are_none_are_told(ros, names, options):
+def test_invalid_arguments_raise_an_error(ros, names, options):
     node = ros.add(Node, 'robot')
     with pytest.raises(AliasError, match='Aliases takes a node, usually self, a dictionary'):
         Aliases(node, names, **options)

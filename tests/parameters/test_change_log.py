@@ -160,7 +160,7 @@ def find(changes, **wanted):
     return [each for each in changes if all(getattr(each, key) == value for key, value in wanted.items())]
 
 
-def test_each_change_is_told_with_its_old_and_new_value(ros, told):
+def test_each_change_is_reported_with_its_old_and_new_value(ros, told):
     assert [each.new for each in find(told, kind='seen', node='/arm', name='offset')] == [0.5]
     client = ParameterClient('/arm')
     client.set_parameters({'offset': 0.75, 'tool': 'hook'})
@@ -204,7 +204,7 @@ def test_the_state_at_the_end_is_what_the_nodes_have(ros, told):
     wait_until(lambda: not compare_systems(ChangeLog(told).at(), all_parameters()), 'all changes to be told')
 
 
-def test_a_node_that_hangs_is_named_and_keeps_nobody(ros):
+def test_a_node_that_hangs_is_named_and_delays_no_other(ros):
     ros.add(Arm)
     silent = Node('silent')
     changes, trouble = [], []

@@ -481,7 +481,7 @@ def test_without_an_executor_the_word_is_start():
 
 
 @pytest.mark.parametrize('nonsense', [3, None, b'x', Node])
-def test_what_is_no_node_is_told(nonsense):
+def test_what_is_not_a_node_raises_an_error(nonsense):
     with pytest.raises(TypeError, match='is not a node: give its name'):
         ParameterClient(nonsense)
 
@@ -495,7 +495,7 @@ def test_one_name_is_no_list_of_names(client, verb, names):
         getattr(client, verb)(names)
 
 
-def test_a_huge_value_is_told_in_short(ros):
+def test_an_error_about_a_huge_value_is_short(ros):
     node = ros.add(Node, 'atlas')
     ros.run(lambda: node.declare_parameter('map', [0] * 10_000), 'declare')
     client = ParameterClient(node)

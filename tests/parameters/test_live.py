@@ -108,7 +108,7 @@ def test_the_lock_is_free_while_the_node_is_asked_and_while_it_is_shown(ros, mon
     assert all(all(each) for each in free.values()), free
 
 
-def test_a_value_that_cannot_be_sent_is_told_and_nothing_is_stuck(ros, follow):
+def test_a_value_that_cannot_be_sent_is_reported_and_nothing_is_stuck(ros, follow):
     ros.add(Counter)
     live = follow('counter')
     x = live.parameters['x']

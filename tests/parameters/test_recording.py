@@ -61,7 +61,7 @@ def test_a_change_is_recorded_rung_by_rung(ladder):
         ('answer', 'successful', '300')]
 
 
-def test_a_recorded_change_is_told_to_everybody(ros, ladder):
+def test_a_recorded_change_is_published_to_every_node(ros, ladder):
     heard = []
     stop_listening = ros.on_parameter_event(lambda event: heard.append(changes(event)))
     record_change(ladder, 'speed', 250)
@@ -102,7 +102,7 @@ def test_a_pre_set_callback_that_answers_nonsense_is_drawn_and_fails_as_without_
     assert str(ros.errors[-1]) == str(bare.value.__cause__)
 
 
-def test_a_node_that_leaves_while_it_is_recorded_is_told(ros, ladder):
+def test_a_node_that_leaves_while_it_is_recorded_is_reported(ros, ladder):
     ladder.add_post_set_parameters_callback(lambda _: ros.remove(ladder))
     with pytest.raises(NodeGoneError, match='/ladder went away before it answered set_parameters'):
         record_change(ladder, 'speed', 150)
@@ -183,7 +183,7 @@ def test_only_a_node_on_the_stage_can_be_recorded(ros, ladder):
         record_change(ladder, 'speed', 1)
 
 
-def test_a_value_that_no_parameter_can_hold_is_told_and_nothing_stays_wrapped(ladder):
+def test_a_value_that_no_parameter_can_hold_raises_and_nothing_stays_wrapped(ladder):
     with pytest.raises(InvalidValueError):
         record_change(ladder, 'speed', {1: 2})
     assert ladder._pre_set_parameters_callbacks == [ladder.trim]

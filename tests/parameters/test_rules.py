@@ -175,7 +175,7 @@ def test_a_node_starts_with_overrides_that_agree(ros):
     (lambda rules: rules.check('level', print, 'nothing'), 'it returned None; a rule has to return True or False'),
     (lambda rules: rules.check('level', lambda low, high: True, 'two'), 'missing 1 required positional argument'),
 ])
-def test_a_rule_that_makes_no_sense_is_told_when_it_is_stated(robot, client, state, words):
+def test_a_rule_that_makes_no_sense_raises_when_it_is_stated(robot, client, state, words):
     with pytest.raises(RuleError) as raised:
         state(Rules(robot))
     assert words in str(raised.value)
@@ -192,7 +192,7 @@ def test_rules_are_for_a_node(node):
 @pytest.mark.parametrize('state', [
     lambda rules: rules.matches('seriol', '.'), lambda rules: rules.one_of('seriol', [1]),
     lambda rules: rules.check(['low_c', 'seriol'], all, 'x'), lambda rules: rules.length('seriol', 1)])
-def test_a_rule_for_a_parameter_that_is_not_declared_is_told(robot, state):
+def test_a_rule_for_an_undeclared_parameter_raises_an_error(robot, state):
     with pytest.raises(ParameterNotDeclaredError, match=r"/robot has no parameter 'seriol'\. Did you mean serial"):
         state(Rules(robot))
 

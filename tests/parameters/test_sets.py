@@ -92,7 +92,7 @@ def test_a_table_of_huge_arrays_stays_small():
 
 
 @pytest.mark.parametrize('nonsense', [3, None, Node])
-def test_what_is_neither_set_nor_node_is_told(nonsense):
+def test_what_is_neither_set_nor_node_raises_an_error(nonsense):
     with pytest.raises(TypeError, match='is not a node: give its name'):
         compare(nonsense, {})
 
@@ -176,7 +176,7 @@ any        'free'  set'''
     assert repr(restore(client, then)) == '/robot from then: nothing to do, all values are there'
 
 
-def test_what_no_request_can_change_is_told_and_the_rest_is_set(client):
+def test_what_no_request_can_change_is_reported_and_the_rest_is_set(client):
     client.set_parameter('unset', 1.5)
     restored = restore(client, {'serial': 'S2', 'speed': 1.0, 'unset': None, 'nowhere': 1, 'low_c': 19, 'numbers': []})
     assert not restored.complete

@@ -1,5 +1,7 @@
 """All parameters of all nodes: what is in it, and who is not."""
 
+import copy
+import pickle
 import threading
 from xml.etree import ElementTree
 
@@ -10,7 +12,14 @@ from rclpy.parameter import Parameter
 
 import param_tutorial
 from param_tutorial import all_parameters
-from param_tutorial.errors import ExecutorError, NoAnswerError, NodeError, NodeNotFoundError
+from param_tutorial.errors import (
+    ExecutorError,
+    InvalidValueError,
+    NoAnswerError,
+    NodeError,
+    NodeNotFoundError,
+    ParameterNotDeclaredError,
+)
 from param_tutorial.parameters.client import ParameterValues
 from param_tutorial.parameters.snapshot import Snapshot
 
@@ -51,7 +60,7 @@ def test_all_values_of_all_nodes(ros):
     assert snapshot.unanswered == {}
 
 
-def test_a_single_node_will_do_and_nonsense_is_told(ros):
+def test_a_single_node_will_do_and_nonsense_raises_an_error(ros):
     node = ros.add(Node, 'plain')
     assert list(all_parameters('plain')) == list(all_parameters(node)) == ['/plain']
     with pytest.raises(TypeError, match='3 is not a node'):
@@ -90,7 +99,7 @@ def test_all_are_asked_at_the_same_time(ros, monkeypatch):
     assert len(all_parameters(nodes)) == 3
 
 
-def test_in_a_callback_it_rejects_to_wait(ros):
+def test_it_raises_instead_of_waiting_in_a_callback(ros):
     with pytest.raises(ExecutorError, match='a callback cannot wait'):
         ros.run(all_parameters, 'ask in a callback')
 
@@ -125,3 +134,18 @@ def test_it_is_shown_as_a_table():
     assert rows == [['node', 'parameter', 'value'], ['/arm', 'tool', "'<b>'"], ['count', '0'],
                     ['/bare', 'no parameters', None], ['/dozing', 'no answer', 'it sleeps']]
     assert 'no nodes' in Snapshot({}, {})._repr_html_()
+
+
+@pytest.mark.parametrize('copied', [copy.copy, copy.deepcopy, lambda each: pickle.loads(pickle.dumps(each))],
+                         ids=['copy', 'deepcopy', 'pickle'])
+@pytest.mark.parametrize('error', [
+    NoAnswerError('/arm', 'list_parameters', 2.0),
+    NodeNotFoundError('/arm', ['/leg']),
+    ParameterNotDeclaredError('/arm', 'speed', ['speeds']),
+    InvalidValueError('no value'),
+], ids=lambda error: type(error).__name__)
+def test_a_copy_of_an_error_says_the_same(error, copied):
+    other = copied(error)
+    assert type(other) is type(error)
+    assert str(other) == str(error)
+    assert vars(other) == vars(error)

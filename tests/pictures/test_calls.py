@@ -71,7 +71,7 @@ def test_of_a_node_that_is_silent_nothing_comes_back():
     assert 'no answer' in picture.itertext() and 'motion-cross' in classes(picture)
 
 
-def test_a_rejection_is_told_by_shape_and_word():
+def test_a_rejection_has_its_own_shape_and_word():
     mixed, rejected = drawn(MIXED), drawn(REJECTED)
     assert {'motion-check', 'motion-cross'} <= set(classes(mixed)) and 'motion-token-bad' not in classes(mixed)
     assert 'motion-token-bad' in classes(rejected) and 'motion-check' not in classes(rejected)

@@ -61,7 +61,7 @@ def test_a_rejected_value_falls_from_the_rung_that_rejects_it(steps, rung, words
     assert climb(steps, steps[-1].objection).text.endswith(f'{rung}: {words}; stored is 100.')
 
 
-def test_where_nobody_answers_the_picture_says_so():
+def test_the_picture_says_when_no_node_answers():
     early, late = climb(RAISED, 'TypeError: no'), climb(RAISED_LATE, 'ValueError: no')
     assert early.sentence == 'speed = 900: an exception at pre-set callbacks, and the caller gets no answer.'
     assert bounces(drawn(RAISED, 'TypeError: no'))

@@ -44,7 +44,7 @@ def test_a_lift_goes_by_its_points_evenly():
     assert (places[2] - places[3]) / (places[1] - places[2]) == pytest.approx(2.5, rel=.02)
 
 
-def test_its_speed_is_told_while_it_goes():
+def test_its_speed_is_shown_while_it_moves():
     assert {'0.2 m/s', '0.5 m/s'} <= set(drawn(Lifts({'a': BEFORE})).itertext())
 
 

@@ -48,7 +48,7 @@ def test_a_rejected_request_springs_back(plane):
     assert marker[-1].get('style').endswith(f'translate({start.get("cx")}px,{start.get("cy")}px)')
 
 
-def test_the_second_way_is_told_apart_without_color(plane):
+def test_the_second_way_is_recognizable_without_color(plane):
     for name in ('first', 'second'):
         plane.add_way(name, (0, 10), [('high = 20', (0, 20), (0, 20))])
     used = [part.get('class') for part in drawn(plane).iter('path')]

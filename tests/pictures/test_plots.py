@@ -120,7 +120,7 @@ def test_a_plot_of_no_responses_is_rejected(nonsense):
         plot_responses(nonsense)
 
 
-def test_a_band_and_a_line_of_before_are_drawn_and_told():
+def test_a_band_and_the_previous_line_are_drawn_and_described():
     plain = LinePlot({'speed': [(0, 0.0), (1, 10.0)]}, x='s', y='rad/s')
     plot = LinePlot({'speed': [(0, 0.0), (1, 10.0)]}, x='s', y='rad/s', ghost=[(0, 0.0), (1, 5.0)],
                     band=Band(0.4, 9.7, 10.3))

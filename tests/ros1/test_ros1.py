@@ -62,7 +62,7 @@ def test_another_answer_is_a_difference(needs_ros1, scene_file):
 
 @pytest.mark.slow
 @pytest.mark.thorough
-def test_what_cannot_be_done_is_told_and_leaves_no_process(needs_ros1, scene_file):
+def test_what_cannot_be_done_is_reported_and_leaves_no_process(needs_ros1, scene_file):
     done = asked(scene_file('/robot>>> 1\n1\n! the robot sings'))
     assert done.returncode == 2
     assert done.stderr == "in the scene \"a scene\": 'the robot sings' is no event that this recorder knows\n"
@@ -97,7 +97,7 @@ def test_a_step_has_lines_and_its_answer_too():
         record.Step('/r>>>', 'if 1:\n    2\n\n3', '3\n\n4'), record.Step('!', 'it ends'), record.Step('$', 'ls')))
 
 
-def test_an_unknown_scene_is_told_with_the_likeliest():
+def test_an_unknown_scene_raises_an_error_with_the_likeliest_one():
     with pytest.raises(KeyError, match=r"there is no scene 'type'. Did you mean types"):
         ros1.scene('type')
     with pytest.raises(KeyError, match='there is no scene 3'):

@@ -65,7 +65,7 @@ def test_a_program_is_started_described_and_stopped(ros, file):
 
 
 @pytest.mark.slow
-def test_a_program_that_has_no_node_is_told(ros, tmp_path, monkeypatch):
+def test_a_program_without_a_node_is_reported(ros, tmp_path, monkeypatch):
     folder = tmp_path / 'lib/broken'
     folder.mkdir(parents=True)
     marker = tmp_path / 'share/ament_index/resource_index/packages/broken'

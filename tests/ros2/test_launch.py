@@ -543,7 +543,7 @@ def test_several_nodes_are_ended_together_also_by_sigterm(ros, launch_file):
 
 
 @pytest.mark.slow
-def test_a_program_that_dies_is_told_of_and_ends_the_launch(launch_file):
+def test_a_program_that_dies_is_reported_and_ends_the_launch(launch_file):
     path = launch_file("""        Node(package='param_tutorial', executable='simple_param_node', output='screen',
              parameters=[{'max_speed_rpm': 'fast'}])""")
     done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'launch', str(path)], capture_output=True, text=True,

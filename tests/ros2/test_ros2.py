@@ -253,7 +253,7 @@ def test_a_busy_node_is_given_up_after_a_while(ros, monkeypatch, start_process):
     assert "Exception while calling service of node '/sleeper'" in stderr
 
 
-def test_a_callback_that_raises_is_told(ros):
+def test_a_callback_that_raises_is_reported(ros):
     node = ros.add(SimpleParamNode)
     node.add_on_set_parameters_callback(lambda parameters: 1 / 0)
     stdout, stderr, status = run('param', 'set', '/simple_param_node', 'max_speed_rpm', '7')

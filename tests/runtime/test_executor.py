@@ -430,7 +430,7 @@ WAITS = {
 
 
 @pytest.mark.parametrize('wait', WAITS.values(), ids=WAITS)
-def test_a_callback_that_waits_for_its_own_executor_is_told_at_once(ros, wait):
+def test_a_callback_that_waits_for_its_own_executor_gets_an_error_at_once(ros, wait):
     node = ros.add(Asking, wait)
     param_tutorial.wait_until(lambda: node.outcome is not None, 'the callback')
     assert isinstance(node.outcome, ExecutorError)

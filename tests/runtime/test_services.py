@@ -44,7 +44,7 @@ def test_a_node_that_is_not_there_is_named_with_its_likeliest_neighbor(ros):
         assert str(caught.value) == f'there is no node {name}. Did you mean {ROBOT}?'
 
 
-def test_a_node_without_parameter_services_is_told_from_one_that_is_not_there(ros):
+def test_a_node_without_parameter_services_is_distinguished_from_a_missing_one(ros):
     ros.add(Node, 'mute', start_parameter_services=False)
     with pytest.raises(NodeError, match='/mute is running but offers no list_parameters service') as caught:
         ros.services.call('/mute', 'list_parameters', ListParameters.Request(), discovery_timeout_sec=0.0)

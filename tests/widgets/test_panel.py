@@ -205,7 +205,7 @@ def test_settle_says_what_it_waited_for(ros):
     assert panel['x'].value == 1
 
 
-def test_a_callback_that_raises_is_told_beside_the_control(ros):
+def test_a_callback_that_raises_is_reported_beside_the_control(ros):
     class Faulty(Node):
         def __init__(self):
             super().__init__('faulty')

@@ -183,7 +183,7 @@ class Careless(Node):
 
 @pytest.mark.parametrize('others', [
     {'update_rate': 0}, {'update_rate': 'often'}, {KP: math.nan}, {KP: 'much'}, {'simulation.inertia_kgm2': 0.0}])
-def test_values_that_cannot_be_simulated_are_told(ros, controller, others):
+def test_values_that_cannot_be_simulated_are_reported(ros, controller, others):
     ros.add(Careless, controller, **others)
     view = StepResponseView('careless')
     assert view.text.startswith('/careless holds values with which nothing can be simulated: ')

@@ -97,13 +97,15 @@ class Exercise:
         return add
 
     def require_prediction(self, question: str, *, see: str,
-                           because: Mapping[Any, str], words: Sequence[str] = ()) -> Callable[[FindOut], FindOut]:
+                           because: Mapping[Any, str], words: Sequence[str] = (),
+                           word: str = '') -> Callable[[FindOut], FindOut]:
         """Add a requirement for a dictionary: that it holds, for a question, what the decorated function finds out.
 
         It is found out once: what a node of ours says does not depend on the learner's work.
 
         :param because: For wrong answers that one may well give, what to think of; a tuple stands for a list.
         :param words: Those that the answer is one of, if it is a word; capitals and hyphens do not count.
+        :param word: The one that may stand in place of a value; capitals and spaces around it do not count.
         """
         def add(find_out: FindOut) -> FindOut:
             truth: list[Any] = []
@@ -118,6 +120,8 @@ class Exercise:
                     given = str(given).strip(' .').casefold().translate(_SPACES)
                     expect(given in words, ', '.join(f'`{each!r}`' for each in words[:-1]) + f' or `{words[-1]!r}`',
                            f'`{trial.work[question]!r}` is none of these words')
+                elif word and isinstance(given, str) and given.strip(' .').casefold() == word:
+                    given = word
                 # The node's answer is not given away: to look at it is the next step, and the learner's.
                 remark = next((f'. {text}' for wrong, text in because.items()
                                if values.same(list(wrong) if isinstance(wrong, tuple) else wrong, given)), '')

@@ -142,6 +142,10 @@ WRONG = {
 }
 
 RIGHT = {
+    '7.2b': [
+        [("'dead'", "'Dead.'")],
+        [("'dead'", "' dead '")],
+    ],
     '7.2c': [
         [("[{'max_speed_rpm': 150, 'robot_name': 'Berta'}]",
           "[{'max_speed_rpm': 150}, {'robot_name': 'Berta'}]")],

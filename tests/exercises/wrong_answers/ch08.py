@@ -15,6 +15,7 @@ WRONG = {
         ([("'fan.speed', 0.5", '..., 0.5')], 0, 'a `...` is still there'),
         ([('from_value=0.0, to_value=1.0', 'from_value=..., to_value=...')], 0, 'a `...` is still there'),
         ([("'Speed, as a part of the full speed.'", '5')], 0, 'the description is `5`'),
+        ([("'Speed, as a part of the full speed.'", "'TODO: description'")], 2, 'only `TODO: description`'),
         ([("'Speed, as a part of the full speed.'", "'The speed of the fan.'")], 2, 'which the name says already'),
         ([('            description=', '            dynamic_typing=True, description=')], 2, 'it was accepted'),
         ([('        self.motor =', "        self.declare_parameter('fan.on', True)\n        self.motor =")],
@@ -108,6 +109,7 @@ RIGHT = {
     '8c': [
         [('0.0, to_value=1.0', '-0.0, to_value=float(1)')],
         [("'Speed, as a part of the full speed.'", "'0: off, 1: full'")],
+        [("'Speed, as a part of the full speed.'", "'Duty cycle'")],
         [("'fan.speed', 0.5", "'.'.join(['fan', 'speed']), 1 / 2")],
     ],
 }

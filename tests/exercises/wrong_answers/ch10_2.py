@@ -164,5 +164,7 @@ RIGHT = {
         [('    return ' + HAS, '    mine = dict(snapshot)\n    for node in snapshot:\n'
           '        if name not in mine[node]:\n            del mine[node]\n'
           '    return {node: mine[node][name] for node in mine}')],
+        [('    return ' + HAS, '    from copy import deepcopy\n    mine = deepcopy(snapshot)\n    return {node: '
+          'parameters.pop(name) for node, parameters in mine.items() if name in parameters}')],
     ],
 }

@@ -36,6 +36,7 @@ WRONG = {
         ([(".i': 0.3", ".i': 0.0")], 2, 'Without an integral, some error always remains'),
         ([(".d': 0.03", ".d': 0.0")], 1, 'overshoot 2'),
         ([(".p': 0.62", ".p': 0.2"), (".d': 0.03", ".d': 0.01")], 2, 'settling time 0.'),
+        ([(".p': 0.62", ".p': ...")], 0, 'a `...` is still there, for `gains.wheel_joint.p`'),
         ([(".p': 0.62", ".p': 1")], 0, 'Wrong parameter type'),
         ([(".p': 0.62", ".p': '0.62'")], 0, 'Wrong parameter type'),
         ([(".p': 0.62", ".p': None")], 0, 'Static parameter cannot be undeclared'),

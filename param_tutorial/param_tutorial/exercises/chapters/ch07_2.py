@@ -242,7 +242,7 @@ foresee = Exercise('7.2b', 'Predict the start', CHAPTER, DICTIONARY, hints=(
 
 def require_foresight(words: str, because: Mapping[object, str], see: str) -> None:
     """Add the requirement to know the speed of a robot that is started with these words in its ``Node``."""
-    @foresee.require_prediction(words, see=see, because=because)
+    @foresee.require_prediction(words, see=see, because=because, word='dead')
     def speed(trial: Trial) -> Any:
         try:
             robot = launch(trial, HEAD.replace('{words}', words)).start(trial)

@@ -314,6 +314,7 @@ def fan_described(trial: Trial) -> None:
     wanted = 'a sentence that says what the number means'
     expect(told.strip().strip('.…'), wanted, 'there is none')
     words = set(re.findall(r'\w+', told.casefold())) - {'a', 'the', 'of'}
+    expect(words - {'todo', 'tbd', 'fixme', 'xxx', 'description'}, wanted, f'there is only `{told}`')
     expect(words - set(FAN_SPEED.split('.')), wanted, f'there is `{told}`, which the name says already')
 
 

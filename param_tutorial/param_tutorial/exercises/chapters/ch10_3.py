@@ -13,7 +13,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.errors import InvalidValueError, ParameterFileError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.expectations import ClientInCorner, run_lines
+from param_tutorial.exercises.expectations import ClientInCorner, expect_no_gap, run_lines
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 from param_tutorial.parameters import files, values
@@ -45,6 +45,7 @@ def tuned(trial: Trial) -> Figures:
     others = sorted(set(map(str, trial.work)) - set(TUNED))
     if others:
         raise NoUse('the three gains, and nothing else', f'there is also `{"`, `".join(others)}`')
+    expect_no_gap(names=[f'`{name}`' for name in TUNED if trial.work[name] is ...])
     controller = trial.start(PidControllerNode)
     try:
         results = trial.client(controller).set_parameters_atomically(trial.work)
