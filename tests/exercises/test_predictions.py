@@ -170,6 +170,18 @@ def test_the_verdict_waits_for_the_next_cell(bare_ipython):
     assert 'Right.' in view.said.value
 
 
+def test_one_committed_while_a_cell_runs_is_decided_when_that_cell_ends(bare_ipython):
+    bare_ipython.user_ns['view'] = view = PredictionView(CHOICE, remember_nothing)
+    run(bare_ipython, "view.answer.value = 'a number'; view.commit(); said = view.said.value")
+    assert 'Wait for the cell that is running' in bare_ipython.user_ns['said']
+    assert 'Right.' in view.said.value
+    # The cell that has ended does not count for the next prediction.
+    later = PredictionView(TYPED, remember_nothing)
+    assert 'Now run the next cell' in answered(later, '150')
+    run(bare_ipython)
+    assert 'Yes.' in later.said.value
+
+
 def test_after_run_all_the_verdict_comes_at_once(bare_ipython):
     view = PredictionView(CHOICE, remember_nothing)
     run(bare_ipython)

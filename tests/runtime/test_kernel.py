@@ -338,6 +338,24 @@ def test_a_robot_drives_while_a_cell_waits_for_it(kernel, tmp_path):
     hand.join()
 
 
+def test_a_prediction_is_committed_while_the_cell_that_decides_it_runs(kernel, tmp_path):
+    model_id = kernel.run("""
+import param_tutorial
+from pathlib import Path
+from param_tutorial import exercises
+view = exercises.predict('3-1')
+view.answer.value = view.answer.options[0]
+print(view.button.model_id)
+""").strip()
+    page = Page(kernel)
+    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'event': 'click'}))
+    text = kernel.run(f"Path('{tmp_path}/waits').touch()\n"
+                      "param_tutorial.wait_until(lambda: view.said.value, 'the hand', 30)\nview.said.value")
+    hand.join()
+    assert 'Wait for the cell that is running' in text
+    assert 'Not so.' in kernel.run('view.said.value')
+
+
 def test_a_shell_cell_says_what_is_wrong_with_its_name(kernel):
     kernel.run(SHELL)
     assert 'takes the name of a Shell' in kernel.run('%%shell second\nls')

@@ -98,6 +98,7 @@ _WHERE = """number => {
     const hit = document.elementFromPoint(x, y);
     return hit && (each === hit || each.contains(hit) || hit.contains(each)) ? [x, y] : null;
 }"""
+_HAS_FOCUS = """number => document.activeElement === document.querySelector(`[data-stranger="${number}"]`)"""
 _PANELS = """index => [...window.jupyterapp.shell.currentWidget.content.widgets[index].node
     .querySelectorAll('.jp-OutputArea-output .param-panel')].map((panel, number) => {
         panel.setAttribute('data-stranger-panel', `${index}-${number}`);
@@ -299,12 +300,15 @@ class Stranger:
                 if place is None:
                     self.report.missed += 1
                     continue
-                self._handle(index, control, *place)
-                self.report.actions += 1
+                if self._handle(index, control, *place):
+                    self.report.actions += 1
+                else:
+                    self.report.missed += 1
             except BrowserError:  # the control has gone meanwhile
                 self.report.missed += 1
 
-    def _handle(self, index: int, control: dict[str, Any], x: float, y: float) -> None:
+    def _handle(self, index: int, control: dict[str, Any], x: float, y: float) -> bool:
+        """Drag, type into or press a control; False if it has moved away under the hand."""
         mouse, keyboard, chance = self._page.mouse, self._page.keyboard, self._chance
         what = f'cell {index}: {control["tag"].lower()} {control["type"]} {control["name"]!r}'
         is_slider = control['type'] in ('slider', 'range')
@@ -325,12 +329,18 @@ class Stranger:
             text, end = chance.choice(_TEXTS), chance.choice(('Enter', 'Tab', ''))
             self._say(f'{what}, {text!r} {end}')
             mouse.click(x, y, click_count=3)
+            # Outside of a control, JupyterLab takes letters for shortcuts: "r" makes a cell raw, which can't be run,
+            # and "a" adds one.
+            if not self._page.evaluate(_HAS_FOCUS, control['number']):
+                self._say('... which has moved away')
+                return False
             keyboard.type(text)
             if end:
                 keyboard.press(end)
         else:
             self._say(f'{what}, clicked')
             mouse.click(x, y)
+        return True
 
     def _start(self, index: int, *, wait_for_start: bool = True) -> None:
         """Run a cell as a hand does, and wait until JupyterLab has taken the keys."""
@@ -431,9 +441,11 @@ class Stranger:
 
     def _wait(self, condition: Callable[[], object], what: str, timeout_sec: float = _HANG_SEC) -> None:
         if not self._is_soon(condition, timeout_sec):
-            running = [index for index, (_, state) in enumerate(self._page.evaluate(_CELLS)) if state == 'running']
-            raise Hang(f'HANGS: waited {timeout_sec:g} s for {what}; running cells: {running}; kernels: '
-                       f'{self._lab.kernels()}\n{"".join(self._stacks())}')
+            states = dict(enumerate(state for _, state in self._page.evaluate(_CELLS)))
+            running = [index for index, state in states.items() if state == 'running']
+            no_code = [index for index in self._cells if not states.get(index)]
+            raise Hang(f'HANGS: waited {timeout_sec:g} s for {what}; running cells: {running}; no longer code: '
+                       f'{no_code}; kernels: {self._lab.kernels()}\n{"".join(self._stacks())}')
 
     def _stacks(self) -> Iterator[str]:
         """Yield where the threads of the kernels are, if py-spy is on the PATH."""

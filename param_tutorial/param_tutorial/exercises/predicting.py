@@ -4,6 +4,7 @@ It never holds up a cell. What is right it says only after another cell has run,
 learner who has run that cell already is told at once, and so is one who recalls an earlier chapter.
 """
 
+import threading
 import weakref
 from collections.abc import Callable
 from typing import Any
@@ -13,6 +14,7 @@ import ipywidgets as widgets
 from param_tutorial.exercises.prediction import MIME_TYPE, Prediction
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import with_code
+from param_tutorial.widgets.beside_cells import answer_beside_cells
 from param_tutorial.widgets.cells import close_looks, close_with_cell
 
 STYLE = style('exercises/prediction.css')
@@ -31,6 +33,8 @@ class PredictionView(widgets.VBox):
         """
         self.prediction = prediction
         self._remember = remember
+        # A cell that decides may end in one thread while the learner commits in another.
+        self._deciding = threading.RLock()
         self._committed = False
         self._next_cell_has_run = not prediction.is_decided_by_a_cell
         self._note = ''
@@ -43,6 +47,8 @@ class PredictionView(widgets.VBox):
         self.said = widgets.HTML()
         super().__init__([question, self.answer, self.button, self.said])
         self.add_class('param-predict')
+        for widget in (self.answer, self.button):
+            answer_beside_cells(widget)
         self.answer.observe(self._on_answer, 'value')
         self.button.on_click(lambda _: self.commit())
         if prediction.is_decided_by_a_cell:
@@ -70,17 +76,19 @@ class PredictionView(widgets.VBox):
 
     def commit(self) -> None:
         """Lock the answer in, and say what became of it as soon as it can be known."""
-        if self._committed or not self._given:
-            return
-        choice = self.prediction.choice(self._given)
-        self._note = self._remember(self.prediction.number, choice.text, choice.is_right)
-        self._lock()
+        with self._deciding:
+            if self._committed or not self._given:
+                return
+            choice = self.prediction.choice(self._given)
+            self._note = self._remember(self.prediction.number, choice.text, choice.is_right)
+            self._lock()
 
     def next_cell_has_run(self) -> None:
         """Take notice that the cell that decides has run."""
-        if not self._next_cell_has_run:
-            self._next_cell_has_run = True
-            self._say()
+        with self._deciding:
+            if not self._next_cell_has_run:
+                self._next_cell_has_run = True
+                self._say()
 
     def _lock(self) -> None:
         self._committed = self.answer.disabled = True
@@ -110,7 +118,8 @@ class PredictionView(widgets.VBox):
         if not self._committed:
             return
         if not self._next_cell_has_run:
-            self.said.value = '<p role="status">Now run the next cell.</p>'
+            said = 'Wait for the cell that is running.' if _watch.is_running_for(self) else 'Now run the next cell.'
+            self.said.value = f'<p role="status">{said}</p>'
             return
         self.said.value = f'<p role="status">{verdict(self.prediction, self._given)} {with_code(self._note)}</p>'
 
@@ -145,6 +154,10 @@ class _Watch:
             shell.events.register('post_run_cell', self._on_end)
         self._before = None
         self._waiting.add(view)
+
+    def is_running_for(self, view: PredictionView) -> bool:
+        """True if a cell is running that was started when the view was on the page."""
+        return view in (self._before or ())
 
     def _on_begin(self, _: Any) -> None:
         self._before = list(self._waiting)

@@ -25,7 +25,7 @@ def write_whole(path: Path, content: bytes) -> None:
 
 @contextlib.contextmanager
 def only_one(folder: Path) -> Iterator[None]:
-    """Let one process at a time work in a folder; another one waits.
+    """Let one thread of one process at a time work in a folder; the others wait.
 
     :raises OSError: there is no such folder.
     """

@@ -3,6 +3,10 @@
 ipykernel handles one message after the other in its main thread, so a slider waits there until the cell has ended.
 JupyterLab from 4.4 on avoids that: it asks the kernel for a subshell, which is a thread that handles messages too, and
 addresses what a person does with a widget to it.
+
+Only the course's own views are handled there. A learner's callbacks stay in the main thread, after the cell: they
+share variables with it, print into its output, and may capture it in an ``Output``, none of which is safe in two
+threads.
 """
 
 from typing import Any
