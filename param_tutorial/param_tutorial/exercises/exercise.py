@@ -2,6 +2,7 @@
 
 import contextlib
 import inspect
+import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -23,7 +24,6 @@ from param_tutorial.exercises.trial import (
 )
 from param_tutorial.parameters import values
 from param_tutorial.runtime.streams import guarded
-from param_tutorial.runtime.waiting import machine_time
 
 Examine = Callable[[Trial], None]
 FindOut = Callable[[Trial], Any]
@@ -149,7 +149,7 @@ class Exercise:
         findings: list[Finding] = []
         names: set[str] = set()
         waited, picture = False, ''
-        began_sec = machine_time()
+        began_sec = time.monotonic()
         try:
             with guarded(error_if_asked), borrowed_stage() as ros:
                 for requirement in self.requirements:

@@ -8,6 +8,7 @@ import re
 import signal
 import tempfile
 import threading
+import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -114,14 +115,14 @@ class Trial:
                  began_sec: float | None = None):
         """
         :param has_waited_in_vain: In an earlier trial with this work.
-        :param began_sec: When the first trial with this work began, in machine time. By default now.
+        :param began_sec: When the first trial with this work began, by the monotonic clock. By default now.
         """
         self.ros = ros
         self.work = work
         self.names: list[str] = []
         """The names of the nodes that were made of the work."""
         self.has_waited_in_vain = has_waited_in_vain
-        self._began_sec = machine_time() if began_sec is None else began_sec
+        self._began_sec = time.monotonic() if began_sec is None else began_sec
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
     @overload
@@ -186,7 +187,7 @@ class Trial:
 
     def _limit_sec(self) -> float:
         """Return how long a constructor, function or answer may take now."""
-        left_sec = self._began_sec + _WHOLE_CHECK_SEC - machine_time()
+        left_sec = self._began_sec + _WHOLE_CHECK_SEC - time.monotonic()
         return min(TIME_LIMIT_SEC, max(_SHORT_TIME_LIMIT_SEC, round(left_sec, 1)))
 
     def ros2(self, *words: str) -> str:
