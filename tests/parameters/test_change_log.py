@@ -10,6 +10,7 @@ from time import tzset
 import hypothesis.strategies as st
 import pytest
 from hypothesis import HealthCheck, given, settings
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
 from param_tutorial import ParameterClient, all_parameters, wait_until
@@ -215,6 +216,23 @@ def test_a_node_that_hangs_is_named_and_delays_no_other(ros):
     finally:
         silent.destroy_node()
     assert trouble[0].node == '/silent'
+
+
+def test_a_node_that_does_not_answer_at_first_is_asked_again(ros):
+    silent, executor = Node('silent'), SingleThreadedExecutor()
+    observe_changes(silent, lambda _, callback, parameters: callback(parameters), lambda _publish, _event: None)
+    silent.declare_parameter('untold', 1)
+    changes, trouble = [], []
+    try:
+        with ChangeFollower(changes.extend, trouble=trouble.append, timeout_sec=0.3):
+            wait_until(lambda: trouble, 'the node to be named')
+            executor.add_node(silent)
+            wait_until(lambda: executor.spin_once(timeout_sec=0.02) or find(changes, name='untold'), 'its parameters')
+    finally:
+        executor.shutdown()
+        silent.destroy_node()
+    assert [each.kind for each in find(changes, name='untold')] == ['seen']
+    assert len(trouble) == 1
 
 
 @pytest.mark.slow

@@ -42,6 +42,9 @@ _CLOSE_TIMEOUT_SEC = 10.0
 # When a node that is new is read again, each after so long. On a busy machine its publisher may know of this reader
 # only after a heartbeat of Fast DDS, which comes every three seconds.
 _READ_AGAIN_SEC = (0.5, 1.0, 2.0, 4.0)
+# When a node that has not answered is asked again, each after so long, and then as often as the last one says: what
+# happens has to wait while one is asked.
+_ASK_AGAIN_SEC = (1.0, 2.0, 5.0, 10.0, 30.0)
 # Where machine time is slow, what is left of it would be halved again and again.
 _LEAST_WAIT_SEC = 0.01
 
@@ -285,7 +288,8 @@ class ChangeFollower:
         :param listener: Called with changes that have happened together, in their order; in a thread of its own, and
             never twice at once.
         :param nodes: Names of nodes, or patterns such as ``/robot1/**``; by default all but hidden ones.
-        :param trouble: Called likewise when a node did not answer; what it had is then not known.
+        :param trouble: Called likewise when a node did not answer; what it had is then not known. It is asked again now
+            and then.
         :param timeout_sec: How long a node may take for each answer.
         """
         self._listener = listener
@@ -297,6 +301,9 @@ class ChangeFollower:
         self._incarnations: dict[str, frozenset[bytes]] = {}
         self._new: dict[str, list[float]] = {}
         """When a node is to be read again, in machine time."""
+        self._silent: dict[str, list[float]] = {}
+        """The nodes that have not answered, and how long to wait before each is asked again."""
+        self._look_again_at: float | None = None
         self._happened: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
         self._stop_listening = [self._executor.on_parameter_event(self._on_event),
                                 self._executor.on_graph_change(self._on_graph_change)]
@@ -344,8 +351,11 @@ class ChangeFollower:
                     self._listener(changes)
 
     def _next(self) -> Callable[[], list[LoggedChange]] | None:
-        """Wait for what happens next, and no longer than until a node is to be read again."""
-        due = min((times[0] for times in self._new.values()), default=None)
+        """Wait for what happens next, and no longer than until a node is to be read again, or asked again."""
+        dues = [times[0] for times in self._new.values()]
+        due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=None)
+        if due is not None and due <= machine_time():  # however much happens
+            return self._read_again
         try:
             return self._happened.get(timeout=None if due is None else max(_LEAST_WAIT_SEC, due - machine_time()))
         except queue.Empty:
@@ -354,6 +364,8 @@ class ChangeFollower:
     def _read_again(self) -> list[LoggedChange]:
         """Read the nodes that are new: the first events of one may come before its publisher knows of this reader."""
         now = machine_time()
+        if self._look_again_at is not None and self._look_again_at <= now:
+            return self._look()
         due = [node for node, times in self._new.items() if times[0] <= now]
         for node in due:
             times = self._new.pop(node)
@@ -396,11 +408,18 @@ class ChangeFollower:
         again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=machine_time()))[1:]
         self._new |= dict.fromkeys(answers, again)
         self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
-        for error in unanswered.values():
-            # One that has left meanwhile is told as gone.
-            if self._trouble is not None and not isinstance(error, NodeGoneError):
-                self._trouble(error)
+        self._note_silence(unanswered)
         return changes
+
+    def _note_silence(self, unanswered: Mapping[str, NodeError]) -> None:
+        """Tell of the nodes that have just not answered, each once, and see to it that they are asked again."""
+        for node, error in unanswered.items():
+            # One that has left meanwhile is told as gone.
+            if self._trouble is not None and node not in self._silent and not isinstance(error, NodeGoneError):
+                self._trouble(error)
+        waits = {node: self._silent.get(node, list(_ASK_AGAIN_SEC)) for node in unanswered}
+        self._look_again_at = machine_time() + min(each[0] for each in waits.values()) if waits else None
+        self._silent = {node: each[1:] or each for node, each in waits.items()}
 
     def _seen(self, node: str, parameters: Mapping[str, Any]) -> list[LoggedChange]:
         known, time = self._known.setdefault(node, {}), _now()
