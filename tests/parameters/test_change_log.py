@@ -218,7 +218,9 @@ def test_a_node_that_hangs_is_named_and_delays_no_other(ros):
     assert trouble[0].node == '/silent'
 
 
-def test_a_node_that_does_not_answer_at_first_is_asked_again(ros):
+def test_a_node_that_does_not_answer_at_first_is_asked_again(ros, monkeypatch):
+    """Also if nothing in the graph changes meanwhile."""
+    monkeypatch.setattr(ros, 'on_graph_change', lambda _: lambda: None)
     silent, executor = Node('silent'), SingleThreadedExecutor()
     observe_changes(silent, lambda _, callback, parameters: callback(parameters), lambda _publish, _event: None)
     silent.declare_parameter('untold', 1)
