@@ -517,6 +517,28 @@ def test_a_drive_that_was_not_recorded_is_said_not_to_be(page):
 
 
 @robot
+def test_a_change_whose_drives_were_not_recorded_ends_the_drive(page):
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+    type_into(page, 'max_speed_rpm', '77')
+    type_into(page, 'robot_name', 'Rex')
+    expect(page.locator('.rec-robot')).to_have_class(re.compile('rec-stale'))
+    expect(page.locator('.robot-word')).to_have_text('STOPPED')
+
+
+@robot
+def test_a_drive_is_the_one_with_the_settings_at_its_beginning(page):
+    page.emulate_media(reduced_motion='reduce')
+    box(page, 'enable_safety_mode').uncheck()
+    page.evaluate("""() => {
+        document.querySelector('.rec-drive').click();
+        // While the page is still looking for the drive without the safety mode.
+        document.querySelector('.param-row[data-name=enable_safety_mode] .param-box').click();
+    }""")
+    expect(page.locator('.rec-says')).to_contain_text('has stopped')
+
+
+@robot
 def test_the_slider_stands_where_drives_are_recorded_with_and_without_the_safety_mode(page):
     page.emulate_media(reduced_motion='reduce')
     slider = row(page, 'max_speed_rpm').get_by_role('slider')

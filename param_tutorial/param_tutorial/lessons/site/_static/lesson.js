@@ -279,7 +279,7 @@
 
   class Robot {
     constructor(section, facts, number) {
-      Object.assign(this, {section, number, node: section.dataset.node, drives: 0, timers: [], panel: null});
+      Object.assign(this, {section, number, node: section.dataset.node, drives: 0, timers: [], panel: null, film: null});
       [this.first] = facts.films;
       this.picture = section.querySelector('.rec-picture');
       this.status = section.querySelector('.rec-says');
@@ -312,19 +312,32 @@
       }
     }
 
+    /** End a drive before its time: the picture stands as it would have in the end. */
     stop() {
+      if (!this.timers.length) return;
       this.timers.forEach(clearTimeout);
       this.timers = [];
+      this.picture.innerHTML = this.film.end;
+    }
+
+    /** Return the drive with the parameters as they are, also if they change while it is being unpacked. */
+    async findFilm() {
+      for (;;) {
+        const wanted = this.panel ? key(this.panel.changed) : '';
+        const film = wanted ? await this.panel.find(this.panel.films) : this.first;
+        if (!this.panel || wanted === key(this.panel.changed)) return film;
+      }
     }
 
     async drive() {
-      const film = this.panel && Object.keys(this.panel.changed).length ? await this.panel.find(this.panel.films) : this.first;
+      const film = await this.findFilm();
       this.stop();
       this.section.classList.toggle('rec-stale', !film);
       if (!film) {
         this.status.textContent = unknown('drive', this.panel.changed);
         return;
       }
+      this.film = film;
       this.drives += 1;
       const last = film.scenes.length - 1;
       const end = () => {
