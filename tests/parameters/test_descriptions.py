@@ -6,7 +6,7 @@ from pathlib import Path
 import hypothesis.strategies as st
 import pytest
 import yaml
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 
@@ -204,6 +204,7 @@ JSON = st.recursive(
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=300)
 @given(st.one_of(JSON.map(yaml.safe_dump), JSON.map(lambda tree: yaml.safe_dump(
     {'parameter_descriptions': 1, 'nodes': {'/n': {'parameters': tree}}})), st.text(), st.binary(max_size=50)))
+@example('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: {type: []}}}}')
 def test_any_file_is_read_or_rejected_with_a_sentence(tmp_path, content):
     path = tmp_path / 'any.yaml'
     path.write_bytes(content if isinstance(content, bytes) else content.encode(errors='replace'))

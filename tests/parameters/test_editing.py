@@ -83,6 +83,14 @@ def test_a_node_gets_what_was_asked_for_and_all_else_or_nothing_happens(text, ne
     assert all(why_not_expressible(name, value) is None for name, value in new.items())
 
 
+@pytest.mark.parametrize('value', [False, 'x', ['a']])
+def test_an_array_in_the_column_of_its_name_can_become_any_value(value):
+    text = (FILES / 'navigation.yaml').read_text()
+    assert 'plugin_lib_names:\n    - ' in text
+    edited, _ = edit(text, '/navigator', {'plugin_lib_names': value})
+    assert same(we_read(edited, '/navigator'), {**we_read(text, '/navigator'), 'plugin_lib_names': value})
+
+
 @pytest.mark.slow
 @given(st.sampled_from(['navigation.yaml', 'controllers.yaml', 'lift.yaml']), st.data())
 def test_any_value_of_a_file_by_hand_can_be_changed(name, data):

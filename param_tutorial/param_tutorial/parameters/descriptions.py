@@ -467,7 +467,7 @@ def _described(name: str, leaf: Mapping[Any, Any]) -> DescribedParameter:
     if fixed := _FIXED.fullmatch(str(word)):
         word = fixed[1]
         validation['at_most'] = (int(fixed[2]),)
-    if word not in _TYPES:
+    if not isinstance(word, str) or word not in _TYPES:
         raise _Unfit(f'{name} has the type {word!r}; the types are {", ".join(_TYPES)}')
     parameter_type = _TYPES[word]
     for key, arguments in _map(leaf.get('validation') or {}, f'the validation of {name}').items():

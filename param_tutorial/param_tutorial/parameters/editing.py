@@ -142,6 +142,8 @@ def _replaced(text: str, assignment: Assignment, value: Any) -> Iterator[str]:
     if not assignment.is_array and not isinstance(value, list):
         yield _spliced(text, assignment.place, _like(text, old[0], value))
     yield _spliced(text, assignment.place, _inline(value))
+    # Items of an array may begin in the column of its name, where no other value may.
+    yield _spliced(text, assignment.place, '  ' + _inline(value))
 
 
 def _is_in_brackets(text: str, place: Place) -> bool:
