@@ -593,13 +593,19 @@ def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
 
 @pytest.mark.slow
 def test_ctrl_c_ends_a_command_that_waits(ros, start_process):
-    def count():
-        return ros.tool_node.get_node_names().count(executor.TOOL_NODE_NAME)
+    node = ros.add(Node, 'silent_node', start_parameter_services=False)
+    is_asked, may_answer = threading.Event(), threading.Event()
 
-    wait_until(lambda: count() == 1, 'the commands of earlier tests to be gone', 30)
-    process = start_process(*EMBEDDED, 'param', 'get', '--timeout', '600', '/nobody', 'x',
+    def answer(_, response):
+        is_asked.set()
+        may_answer.wait(60)
+        return response
+
+    node.create_service(GetParameters, 'silent_node/get_parameters', answer)
+    process = start_process(*EMBEDDED, 'param', 'get', '--timeout', '600', '/silent_node', 'x',
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    wait_until(lambda: count() == 2, 'the command to join', 30)
+    assert is_asked.wait(60)
     os.killpg(process.pid, signal.SIGINT)
     assert process.communicate(timeout=60) == ('', '')
     assert process.returncode == 2
+    may_answer.set()
