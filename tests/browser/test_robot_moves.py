@@ -26,7 +26,8 @@ FRONT_M = """() => { const scene = document.querySelector('.robot-scene'), svg =
     const front = mover.getCTM().e / svg.getCTM().a * svg.getBoundingClientRect().width / 1000
         + svg.getBoundingClientRect().left;
     return (front - box.x) / box.width * (0.8 + 4.0 + 0.35) - 0.8; }"""
-RUNNING = '() => document.getAnimations().filter(each => /^robot-/.test(each.animationName)).length'
+RUNNING = """() => document.getAnimations().filter(
+    each => /^robot-/.test(each.animationName) && each.playState === 'running').length"""
 
 
 @pytest.fixture(scope='module')

@@ -484,16 +484,24 @@ def test_a_page_lives_with_whatever_the_browser_has_kept(made, browser, kept):
         expect(form.get_by_role('button', name='Answer again')).to_be_visible()
 
 
+def drive_to_the_end(page):
+    """Press the robot's button, and let an hour of the page's time pass; its clock must be installed."""
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.robot-film')).to_have_count(1)
+    page.clock.fast_forward(3_600_000)
+    expect(page.locator('.robot-film')).to_have_count(0)
+
+
 @robot
 def test_the_robot_drives_as_recorded(page):
-    status = page.locator('.rec-says')
+    status = page.locator('.robot-says')
     page.get_by_role('button', name='Drive').click()
     expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
     assert page.evaluate('document.getAnimations().filter(each => /^robot-/.test(each.animationName)).length') > 0
     type_into(page, 'max_speed_rpm', '300')
     box(page, 'enable_safety_mode').uncheck()
-    page.emulate_media(reduced_motion='reduce')
-    page.get_by_role('button', name='Drive').click()
+    page.clock.install()
+    drive_to_the_end(page)
     expect(page.locator('.robot-word')).to_have_text('CRASHED')
     expect(page.get_by_role('img', name=re.compile('has run into the wall'))).to_be_visible()
     expect(status).to_contain_text('has run into the wall at')
@@ -503,15 +511,15 @@ def test_the_robot_drives_as_recorded(page):
 
 @robot
 def test_a_drive_that_was_not_recorded_is_said_not_to_be(page):
-    shown = page.locator('.rec-picture').inner_html()
+    shown = page.locator('.robot-scene').inner_html()
     type_into(page, 'max_speed_rpm', '77')
     type_into(page, 'robot_name', 'Rex')
     expect(box(page, 'max_speed_rpm')).to_have_value('77')
     expect(page.locator('.rec-robot')).to_have_class(re.compile('rec-stale'))
     page.get_by_role('button', name='Drive').click()
-    expect(page.locator('.rec-says')).to_contain_text(
+    expect(page.locator('.robot-says')).to_contain_text(
         'Not recorded: no drive with max_speed_rpm = 77, robot_name = Rex.')
-    assert page.locator('.rec-picture').inner_html() == shown
+    assert page.locator('.robot-scene').inner_html() == shown
     page.get_by_role('button', name='Back to the start').click()
     expect(page.locator('.rec-robot')).not_to_have_class(re.compile('rec-stale'))
 
@@ -528,28 +536,50 @@ def test_a_change_whose_drives_were_not_recorded_ends_the_drive(page):
 
 @robot
 def test_a_drive_is_the_one_with_the_settings_at_its_beginning(page):
-    page.emulate_media(reduced_motion='reduce')
+    page.clock.install()
     box(page, 'enable_safety_mode').uncheck()
     page.evaluate("""() => {
-        document.querySelector('.rec-drive').click();
+        document.querySelector('.robot-drive').click();
         // While the page is still looking for the drive without the safety mode.
         document.querySelector('.param-row[data-name=enable_safety_mode] .param-box').click();
     }""")
-    expect(page.locator('.rec-says')).to_contain_text('has stopped')
+    expect(page.locator('.robot-film')).to_have_count(1)
+    page.clock.fast_forward(60_000)
+    expect(page.locator('.robot-says')).to_contain_text('has stopped')
+
+
+@robot
+def test_a_reader_who_wants_no_motion_sees_each_phase_where_it_begins(page):
+    """As in JupyterLab: the picture jumps, and the words come in their time."""
+    page.emulate_media(reduced_motion='reduce')
+    page.clock.install()
+    page.get_by_role('button', name='Drive').click()
+    x = 'each => new DOMMatrix(getComputedStyle(each).transform).e'
+    places = []
+    for word, milliseconds in (('SPEEDING UP', 2_200), ('CRUISING', 1_700), ('BRAKING', 60_000), ('STOPPED', 0)):
+        expect(page.locator('.robot-word')).to_have_text(word)
+        expect(page.get_by_role('img', name=re.compile(f'^{word}'))).to_be_visible()
+        places.append(page.locator('.robot-mover').evaluate(x))
+        assert page.evaluate("document.getAnimations().filter(each => each.playState === 'running').length") == 0
+        page.clock.fast_forward(milliseconds)
+    assert places == sorted(set(places))
 
 
 @robot
 def test_the_slider_stands_where_drives_are_recorded_with_and_without_the_safety_mode(page):
-    page.emulate_media(reduced_motion='reduce')
+    page.clock.install()
     slider = row(page, 'max_speed_rpm').get_by_role('slider')
-    for key, end in (('ArrowRight', 'stopped'), ('Home', 'max_speed_rpm is 0'), ('End', 'stopped')):
-        slider.press(key)
-        page.get_by_role('button', name='Drive').click()
-        expect(page.locator('.rec-says')).to_contain_text(end)
-    box(page, 'enable_safety_mode').uncheck()
+    slider.press('Home')
     page.get_by_role('button', name='Drive').click()
-    expect(page.locator('.rec-says')).to_contain_text('has run into the wall')
-    expect(page.locator('.rec-picture')).not_to_contain_text('stop')
+    expect(page.locator('.robot-says')).to_contain_text('max_speed_rpm is 0')
+    for key in ('ArrowRight', 'End'):
+        slider.press(key)
+        drive_to_the_end(page)
+        expect(page.locator('.robot-says')).to_contain_text('has stopped')
+    box(page, 'enable_safety_mode').uncheck()
+    drive_to_the_end(page)
+    expect(page.locator('.robot-says')).to_contain_text('has run into the wall')
+    expect(page.locator('.robot-picture')).not_to_contain_text('stop')
 
 
 @limits
@@ -862,9 +892,9 @@ def test_firefox_gets_the_nodes_answers(made, firefox_page):
 def test_the_robot_drives_in_firefox(made, firefox_page):
     show_in_firefox(firefox_page, made.target / '2_robot.html')
     firefox_page.click('.param-row[data-name=enable_safety_mode] input')
-    firefox_page.click('.rec-drive')
+    firefox_page.click('.robot-drive')
     firefox_page.wait_for("document.getAnimations().some(each => each.animationName?.startsWith('robot-'))")
-    firefox_page.wait_for("document.querySelector('.rec-says').textContent.includes('has run into the wall')")
+    firefox_page.wait_for("document.querySelector('.robot-says').textContent.includes('has run into the wall')")
 
 
 def test_the_search_in_firefox_from_the_disk(made, firefox_page):

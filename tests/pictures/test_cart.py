@@ -34,12 +34,13 @@ def test_the_time_goes_on_after_a_change_on_the_way():
 
 
 def test_boxes_lean_back_while_it_speeds_up_and_forward_while_it_brakes():
-    picture = track.film(cart(2.0, 1.0), 'one').picture
-    steps = re.search(r'@keyframes one-cargo \{(.*?)\}\}', picture)[1]
+    steps = re.search(r'@keyframes robot-\w+-cargo \{(.*?)\}\}', track.replay(cart(2.0, 1.0)))[1]
     angles = [float(each) for each in re.findall(r'rotate\((-?[\d.]+)rad\)', steps)]
     lean = math.atan(1.0 / 9.81)
     assert angles == pytest.approx([-lean, 0.0, lean, 0.0], abs=1e-4)
     assert steps.count('step-end') == 3
+    # Of a film, the scenes tell it.
+    assert [scene.lean_rad for scene in track.film(cart(2.0, 1.0)).scenes] == pytest.approx(angles, abs=1e-4)
 
 
 def test_each_state_has_its_sentence():

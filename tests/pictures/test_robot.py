@@ -48,23 +48,21 @@ def test_the_browser_moves_it_along_the_closed_form(acceleration, speed_rpm, vel
 
 def test_an_animation_is_one_step_for_each_phase_and_the_end():
     motion = plan(0.0, 0.0, FAST)
-    picture = track.moving(robot(motion), 0.0, 'one')
+    picture = track.moving(robot(motion))
     for kind in ('robot', 'wheel', 'brake'):
-        steps = re.search(rf'@keyframes one-{kind} \{{(.*?)\}}\}}', picture)[1]
+        steps = re.search(rf'@keyframes robot-NAME-{kind} \{{(.*?)\}}\}}', picture)[1]
         assert steps.count('cubic-bezier') == len(motion.phases) == 3
     assert [float(turn) for turn in re.findall(r'rotate\(([\d.]+)rad\)', re.search(
-        r'@keyframes one-wheel .*?\}\}', picture)[0])] == pytest.approx(
+        r'@keyframes robot-NAME-wheel .*?\}\}', picture)[0])] == pytest.approx(
             [*(phase.position_m / 0.1 for phase in motion.phases), 38.0], abs=1e-3)
 
 
-def test_it_goes_on_from_where_the_robot_is():
+def test_few_parts_move_by_themselves():
     motion = plan(0.0, 0.0, FAST)
-    picture = track.moving(robot(motion), 2.0, 'one')
-    # Robot, two wheels, way to stop, ray, numbers; the antenna leans anew with the next picture.
-    assert picture.count(f'{motion.duration_sec:.4f}s linear -2.0000s both') == 6
-    # Where nothing may move, it stands where it is at this moment.
-    assert drawn(picture).find('.//g[@class="robot-mover"]').get('style').startswith(
-        f'transform:translateX({1000 * 1.8 / 5.15:.3f}px);')
+    picture = track.moving(robot(motion))
+    # Robot, two wheels, way to stop, ray, numbers; how the antenna leans is told with each scene.
+    assert picture.count(f'{motion.duration_sec:.4f}s linear both') == picture.count('animation:') == 6
+    assert drawn(picture).find('.//g[@class="robot-antenna"]').get('style') == 'transform:rotate(var(--lean));'
 
 
 @given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 0.9), st.floats(2.0, 20.0))
@@ -72,7 +70,7 @@ def test_its_ray_has_no_gap_up_to_the_wall(acceleration, speed_rpm, velocity, tr
     """At each moment its own part reaches to where the rest begins, and does not leave it behind."""
     settings = Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, track_m=track_m)
     facts = robot(plan(0.5, velocity, settings), settings)
-    steps = re.search(r'@keyframes one-ray \{(.*?)\}\}', track.moving(facts, 0.0, 'one'))[1] + '}'
+    steps = re.search(r'@keyframes robot-NAME-ray \{(.*?)\}\}', track.moving(facts))[1] + '}'
     jumps = [(float(percent) / 100 * facts.motion.duration_sec, float(x))
              for percent, x in re.findall(r'([\d.]+)% \{transform:translateX\(([\d.]+)px\)', steps)]
     assert steps.count('step-end') == len(jumps) - 1
@@ -86,7 +84,7 @@ def test_its_ray_has_no_gap_up_to_the_wall(acceleration, speed_rpm, velocity, tr
 
 
 def test_the_numbers_are_those_of_the_motion_from_begin_to_end():
-    numbers = drawn(track.moving(robot(plan(0.0, 0.0, FAST)), 0.0, 'one')).find('.//*[@class="robot-strip"]').text
+    numbers = drawn(track.moving(robot(plan(0.0, 0.0, FAST)))).find('.//*[@class="robot-strip"]').text
     lines = numbers.splitlines()
     assert lines[0] == 'speed 0.00 m/s, 4.00 m to the wall'
     assert lines[-1] == 'speed 0.00 m/s, 0.20 m to the wall'
@@ -95,7 +93,7 @@ def test_the_numbers_are_those_of_the_motion_from_begin_to_end():
 
 def test_what_stands_still_is_not_animated():
     assert 'animation' not in track.still(robot(Motion((), State('READY', 0.0))).at(0.0))
-    assert 'animation' not in track.moving(robot(Motion((), State('WAITING', 0.0))), 0.0, 'one')
+    assert 'animation' not in track.moving(robot(Motion((), State('WAITING', 0.0))))
 
 
 @pytest.mark.parametrize(('state', 'settings', 'sentence'), [
@@ -197,19 +195,21 @@ def test_a_long_track_has_its_ruler_and_the_robot_its_place():
 def test_a_film_tells_each_phase_when_it_begins():
     motion = plan(0.0, 0.0, FAST)
     facts = robot(motion)
-    film = track.film(facts, 'one')
-    times, states, full_texts, sentences = zip(*film.scenes)
+    film = track.film(facts)
+    times, states, full_texts, sentences, leans = zip(*film.scenes)
     assert states == ('SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED')
     assert times == pytest.approx((0.0, 2.0, 3.8, 5.8))
-    # Nobody draws it anew for each phase, so its antenna has to lean by itself.
-    assert '@keyframes one-cargo' in film.picture
-    assert '@keyframes one-cargo' not in track.moving(facts, 0.0, 'one')
+    assert leans == pytest.approx((-math.atan(.5 / 9.81), 0.0, math.atan(.5 / 9.81), 0.0), abs=1e-4)
+    assert film.picture == track.moving(facts)
     assert film.end == track.still(facts.at(math.inf))
     assert all(sentence in text for sentence, text in zip(sentences, full_texts))
 
 
 def test_a_replay_tells_its_words_by_itself_and_how_it_ends():
-    picture = track.replay(robot(plan(0.0, 0.0, FAST)))
+    facts = robot(plan(0.0, 0.0, FAST))
+    picture = track.replay(facts)
+    # Where nothing may move, it stands where it has stopped.
+    assert f'class="robot-mover" style="transform:translateX({facts.x(3.8):.3f}px);animation:' in picture
     assert re.findall(r'step-end">([A-Z ]+)</span>', picture) == ['SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED']
     assert 'aria-label="STOPPED. Clawbot has stopped 0.20 m from the wall.' in picture
     assert picture == track.replay(robot(plan(0.0, 0.0, FAST)))
@@ -220,7 +220,7 @@ def test_a_poster_is_a_file_of_its_own_and_comes_to_rest():
     poster = track.poster(robot(plan(0.0, 0.0, FAST)), times=3, pause_sec=2.0)
     svg = ElementTree.fromstring(poster)
     assert svg.tag == '{http://www.w3.org/2000/svg}svg'
-    assert '7.8000s linear -0.0000s 3 both' in poster
+    assert '7.8000s linear 3 both' in poster
     assert 'infinite' not in poster
     assert 'prefers-reduced-motion' in poster
 

@@ -330,8 +330,8 @@ def test_a_cell_begins_when_all_is_done_that_was_done_on_the_page_before_it(kern
 
 def test_a_robot_drives_while_a_cell_waits_for_it(kernel, tmp_path):
     kernel.run(PANEL)
-    page, model_id = Page(kernel), kernel.run('print(view._button.model_id)').strip()
-    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'event': 'click'}))
+    page, model_id = Page(kernel), kernel.run('print(view._front.model_id)').strip()
+    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'do': 'drive'}))
     wait = "ros.node_log.read(since='speeds', until='speeds', node='/clawbot_node', timeout_sec=30)"
     text = kernel.run(f"Path('{tmp_path}/waits').touch()\n{wait}")
     assert text == "'[INFO] [clawbot_node]: Clawbot speeds up with 0.5 m/s^2'"

@@ -204,7 +204,7 @@ def try_out(page: Page, panel: int, steps: list[str]) -> str:
     page.wait_for_timeout(300)
     node = section.get_attribute('data-node')
     dimmed = page.locator(f'.rec-stale[data-node="{node}"]')
-    return f'dimmed: {dimmed.first.locator(".rec-says").inner_text()}' if dimmed.count() else ''
+    return f'dimmed: {dimmed.first.locator(".rec-says, .robot-says").inner_text()}' if dimmed.count() else ''
 
 
 def main(site: Path) -> int:

@@ -61,7 +61,7 @@ def test_a_page_records_both_and_draws_them_in_their_places(views):
     assert [part['kind'] for part in recording['parts']] == ['robot', 'panel']
     looks = unpack(recording['parts'][1]['looks'])
     # Nothing was driven before the last picture of the robot at the start was taken.
-    assert {look['text'].split('.')[0] for look in looks.values()} == {'READY'}
-    assert recording['parts'][0]['films'][0]['look']['text'].startswith('READY')
+    assert {look['scene'][1] for look in looks.values()} == {'READY'}
+    assert recording['parts'][0]['films'][0]['look']['scene'][1] == 'READY'
     html = drawing.Drawer('page').draw(recording)
     assert html.index('side-by-side-parts') < html.index('rec-robot') < html.index('rec-panel')

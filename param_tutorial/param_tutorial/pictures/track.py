@@ -4,7 +4,8 @@ No frames are drawn here. A motion is a few phases of constant acceleration, and
 quadratic function of time, which a CSS ``cubic-bezier(1/3, p/3, 2/3, (1 + p)/3)`` is exactly. So each phase becomes
 one step of a CSS animation, and the browser moves the vehicle at its own frame rate.
 
-What the vehicles look like and what they say is in ``robot`` and ``cart``.
+What the vehicles look like and what they say is in ``robot`` and ``cart``. What a picture tells in words changes with
+each phase: those are its scenes, and ``widgets/driving.js`` tells them, in JupyterLab as on a page of the website.
 """
 
 import html
@@ -13,7 +14,7 @@ import zlib
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from param_tutorial.pictures.styles import sheet, style
 
@@ -33,6 +34,10 @@ GROUND = HEIGHT - 34
 # Of the bar that is stretched to the way in which the vehicle would come to rest.
 _BAR = 100
 _PAINTS = 8
+
+# In the names of a moving picture's keyframes, which belong to the whole page: each place where it is shown puts a name
+# of its own there.
+_NAME = 'robot-NAME'
 
 STYLE = style('pictures/track.css')
 
@@ -168,17 +173,50 @@ class Moment:
         facts = ', '.join(each for each in (self.numbers.capitalize(), self.vehicle.mode) if each)
         return f'{self.state.word}. {self.sentence} {facts}.'
 
+    @property
+    def lean_rad(self) -> float:
+        """How far what stands on the vehicle leans; clockwise, which is forward, is positive."""
+        # What hangs free would lean as much.
+        return -math.atan(self.state.acceleration_mps2 / 9.81)
+
+    @property
+    def scene(self) -> 'Scene':
+        """What a picture tells from this moment on."""
+        return Scene(self.elapsed_sec, self.state.word, self.text, self.sentence, round(self.lean_rad, 4))
+
+
+class Scene(NamedTuple):
+    """What a picture tells from a moment of its motion on. As JSON it is an array in this order."""
+
+    at_sec: float
+    word: str
+    text: str
+    """The whole picture in words."""
+    sentence: str
+    lean_rad: float
+
 
 @dataclass(frozen=True)
 class Film:
     """A drive, for a page that has no kernel to ask."""
 
     picture: str
-    """HTML that moves by itself, from now on."""
-    scenes: tuple[tuple[float, str, str, str], ...]
-    """What changes in words, and after how many seconds: word, text alternative, sentence."""
+    """HTML as from ``moving``."""
+    scenes: tuple[Scene, ...]
+    """What it tells when each phase begins, and at the end."""
     end: str
     """HTML of the vehicle at rest."""
+
+
+def view_markup(picture: str = '', sentence: str = '') -> str:
+    """Return the place where ``widgets/driving.js`` shows a vehicle: its picture, its words and the button.
+
+    :param picture: HTML of what is there before the script is.
+    :param sentence: What is said before.
+    """
+    return (f'<div class="robot-picture">{picture}</div><div class="robot-foot">'
+            '<button type="button" class="robot-drive" title="Put it back to the start, and let it go" disabled>Drive'
+            f'</button><div class="robot-says" role="status">{html.escape(sentence)}</div></div>')
 
 
 def still(moment: Moment) -> str:
@@ -186,36 +224,22 @@ def still(moment: Moment) -> str:
     return _picture(moment, None)
 
 
-def moving(vehicle: Vehicle, elapsed_sec: float, name: str) -> str:
-    """Return the picture of a vehicle that goes on by itself from this moment to the end of its motion.
-
-    It says what the vehicle does now, and shows how its cargo leans now, so each phase needs a new one.
-
-    :param name: Of the animation; must differ from those of all other pictures on the page.
-    """
-    moment = vehicle.at(elapsed_sec)
-    return _picture(moment, _Animation(name, moment, elapsed_sec, leans=False) if vehicle.motion.phases else None)
+def moving(vehicle: Vehicle) -> str:
+    """Return the picture of a vehicle that goes through its motion by itself; its scenes have to be told."""
+    return _picture(vehicle.at(0.0), _Animation(_NAME, vehicle, is_told=True) if vehicle.motion.phases else None)
 
 
-def film(vehicle: Vehicle, name: str) -> Film:
-    """Return a motion from its beginning to its end.
-
-    :param name: As for ``moving``.
-    """
-    starts_sec = _starts_sec(vehicle.motion)
-    moments = [vehicle.at(start_sec) for start_sec in starts_sec]
-    return Film(_picture(moments[0], _Animation(name, moments[0], 0.0) if vehicle.motion.phases else None),
-                tuple((start_sec, moment.state.word, moment.text, moment.sentence)
-                      for start_sec, moment in zip(starts_sec, moments)),
-                still(moments[-1]))
+def film(vehicle: Vehicle) -> Film:
+    """Return a motion from its beginning to its end."""
+    moments = [vehicle.at(start_sec) for start_sec in _starts_sec(vehicle.motion)]
+    return Film(moving(vehicle), tuple(moment.scene for moment in moments), still(moments[-1]))
 
 
 def replay(vehicle: Vehicle) -> str:
     """Return a motion that a page without a kernel and without a script shows once, with its words, when it opens."""
-    moment = vehicle.at(0.0)
     # The same motion has the same name, so a picture is the same whenever it is drawn.
     name = f'robot-{zlib.crc32(repr(vehicle).encode()):08x}'
-    picture = _picture(moment, _Animation(name, moment, 0.0), told=vehicle.at(math.inf))
+    picture = _picture(vehicle.at(math.inf), _Animation(name, vehicle))
     return f'{STYLE}<div class="robot-view">{picture}</div>'
 
 
@@ -225,7 +249,7 @@ def poster(vehicle: Vehicle, *, times: int, pause_sec: float) -> str:
     :param times: How often; then it stands at its goal.
     :param pause_sec: How long it stands there each time.
     """
-    animation = _Animation('robot', vehicle.at(0.0), 0.0, times=times, pause_sec=pause_sec)
+    animation = _Animation('robot', vehicle, times=times, pause_sec=pause_sec)
     end = vehicle.at(math.inf)
     return (f'<svg xmlns="http://www.w3.org/2000/svg" class="robot-stage" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
             f'aria-label="{html.escape(end.text)}">\n<style>\n{sheet("pictures/track.css")}</style>\n'
@@ -245,17 +269,20 @@ def _starts_sec(motion: 'Motion') -> list[float]:
 class _Animation:
     """A motion as CSS: one step of the animation for each phase, and the numbers as a strip of film."""
 
-    def __init__(self, name: str, moment: Moment, elapsed_sec: float, *, times: int = 1, pause_sec: float = 0.0,
-                 leans: bool = True):
+    def __init__(self, name: str, vehicle: Vehicle, *, times: int = 1, pause_sec: float = 0.0, is_told: bool = False):
+        """
+        :param name: Of the animation; must differ from those of all other pictures on the page.
+        :param is_told: Whether a script tells the scenes, and with them how the cargo leans: each part that moves by
+            itself costs the browser a layer.
+        """
         self._name = name
-        # Each part that moves by itself costs the browser a layer.
-        self._kinds = [kind for kind in _LOOKS if leans or kind != 'cargo']
-        self._vehicle, self._motion = moment.vehicle, moment.vehicle.motion
+        self.is_told = is_told
+        self._kinds = [kind for kind in _LOOKS if kind != 'cargo' or not is_told]
+        self._vehicle, self._motion = vehicle, vehicle.motion
         self._total_sec = self._motion.duration_sec + pause_sec
-        self._timing = f'{self._total_sec:.4f}s linear {-elapsed_sec:.4f}s {f"{times} " if times > 1 else ""}both'
+        self._timing = f'{self._total_sec:.4f}s linear {f"{times} " if times > 1 else ""}both'
         # Digits that change with each frame could not be read.
         self._ticks = min(_MAX_TICKS, math.ceil(self._motion.duration_sec / _TICK_SEC))
-        self._tick = int(elapsed_sec / self._motion.duration_sec * self._ticks)
 
     def css(self, kind: str) -> str:
         """Return the CSS that animates an element; the kinds are those of _LOOKS, and strip."""
@@ -276,8 +303,10 @@ class _Animation:
         ticks_sec = (index / self._ticks * self._motion.duration_sec for index in range(self._ticks))
         moments = [*map(self._vehicle.at, ticks_sec), self._vehicle.at(math.inf)]
         lines = '\n'.join(moment.numbers for moment in moments)
-        return (f'<span class="robot-strip" style="transform:translateY({-self._tick * _LINE_PX}px);'
-                f'{self.css("strip")}">{lines}</span>')
+        # Told, the script shows the line; otherwise the last one stands where nothing may move.
+        shown_px = 0 if self.is_told else -self._ticks * _LINE_PX
+        return (f'<span class="robot-strip" style="transform:translateY({shown_px}px);{self.css("strip")}">'
+                f'{lines}</span>')
 
     def words(self) -> str:
         """Return the words of all phases in one place, each to be seen in its time."""
@@ -342,9 +371,8 @@ def _brake_css(vehicle: Vehicle, state: 'State') -> str:
     return f'transform:scaleX({vehicle.stopping_m(state) * vehicle.units_per_m / _BAR:.5f});'
 
 
-def _cargo_css(_: Vehicle, state: 'State') -> str:
-    # What hangs free would lean as much; clockwise is forward.
-    return f'transform:rotate({-math.atan(state.acceleration_mps2 / 9.81):.4f}rad);'
+def _cargo_css(vehicle: Vehicle, state: 'State') -> str:
+    return f'transform:rotate({Moment(vehicle, state).lean_rad:.4f}rad);'
 
 
 def _ray_css(vehicle: Vehicle, state: 'State') -> str:
@@ -354,18 +382,16 @@ def _ray_css(vehicle: Vehicle, state: 'State') -> str:
 _LOOKS = {'robot': _place_css, 'wheel': _wheel_css, 'brake': _brake_css, 'cargo': _cargo_css, 'ray': _ray_css}
 
 
-def _picture(moment: Moment, animation: _Animation | None, *, told: Moment | None = None) -> str:
-    """Return a picture with its head.
-
-    :param told: The moment that the text alternative tells, if the picture changes its words by itself.
-    """
+def _picture(moment: Moment, animation: _Animation | None) -> str:
+    """Return a picture with its head, of a moment; with an animation, that is what stands where nothing may move."""
     strip = animation.strip() if animation else f'<span class="robot-strip">{moment.numbers}</span>'
-    word = animation.words() if animation and told else f'<span class="robot-word">{moment.state.word}</span>'
+    word = animation.words() if animation and not animation.is_told else f'<span class="robot-word">{moment.state.word}</span>'
     return (
-        f'{animation.keyframes() if animation else ""}<div class="robot-stage">'
+        f'{animation.keyframes() if animation else ""}'
+        f'<div class="robot-stage{" robot-film" if animation and animation.is_told else ""}">'
         f'<div class="robot-head" aria-hidden="true">{word}<span class="robot-window">{strip}</span>'
         f'<span>{moment.vehicle.mode}</span><span class="robot-node">{html.escape(moment.vehicle.label)}</span></div>'
-        f'<div class="robot-scene" role="img" aria-label="{html.escape((told or moment).text)}">'
+        f'<div class="robot-scene" role="img" aria-label="{html.escape(moment.text)}">'
         f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" aria-hidden="true"'
         f'{" class=" + chr(34) + "robot-crashed" + chr(34) if moment.state.word == "CRASHED" else ""}>'
         f'{_layers(moment, animation)}</svg></div></div>')
@@ -376,6 +402,8 @@ def _layers(moment: Moment, animation: _Animation | None) -> str:
     vehicle, state = moment.vehicle, moment.state
 
     def look(kind: str) -> str:
+        if kind == 'cargo' and animation and animation.is_told:
+            return 'transform:rotate(var(--lean));'
         # Without an animation, or where the reader wants none, the state of this moment.
         return _LOOKS[kind](vehicle, state) + (animation.css(kind) if animation else '')
 

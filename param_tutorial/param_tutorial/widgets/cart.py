@@ -60,7 +60,7 @@ class CartView(DrivingView):
         self._node = node_name(node)
         self._settings: Settings | None = None
         self._motion, self._begin_sec, self._before_sec = _READY, 0.0, 0.0
-        super().__init__('Put the cart back to the start, and let it go')
+        super().__init__()
         # It comes back when the cart begins to do something else.
         self._clock = Worker(self._show, 'cart view', _SHOW_PERIOD_SEC)
         self._live = LiveParameters(self._node, self._follow, executor=executor, timeout_sec=timeout_sec)
@@ -154,7 +154,7 @@ class CartView(DrivingView):
             self._motion, self._before_sec = _READY, 0.0
         self.settle()
 
-    def _vehicle(self, *, driving: bool) -> Cart | None:
+    def _vehicle_to_show(self, *, driving: bool) -> Cart | None:
         self.rest()
         with self._drawing:
             if self._settings is None or self._live.status:

@@ -1,34 +1,47 @@
 """A vehicle on its track, as a widget with a button: what the views of the robot and the cart have in common.
 
-``pictures.track`` draws it so that the browser moves it by itself. Something is sent only when the vehicle begins to do
-something else, or when a parameter changes; while it stands still, nothing is.
+``pictures.track`` draws it so that the browser moves it by itself, and ``driving.js`` shows it. A picture is sent only
+when the vehicle begins a motion or ends it; on the way, a few words for each thing that it begins to do. While it
+stands still, nothing is sent.
 """
 
+import contextlib
 import html
 from typing import Any
 
-import ipywidgets as widgets
+import anywidget
+import traitlets
 
+from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.pictures import track
-from param_tutorial.pictures.styles import style
+from param_tutorial.pictures.styles import sheet
 from param_tutorial.widgets.view import View
 
-_STYLE = track.STYLE + style('widgets/driving.css')
+
+class _Front(anywidget.AnyWidget):
+    """The vehicle in the browser."""
+
+    _esm = sheet('widgets/driving.js')
+    _css = sheet('pictures/track.css')
+    markup = traitlets.Unicode(track.view_markup()).tag(sync=True)
+    picture = traitlets.Unicode().tag(sync=True)
+    take = traitlets.Int().tag(sync=True)
+    """The number of the picture: the same one may be shown again, from its beginning."""
+    scene: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    """What the picture tells; empty if there is no vehicle."""
 
 
 class DrivingView(View):
     """A vehicle that drives when its button is pressed. Its picture is drawn anew only when it has to be."""
 
-    def __init__(self, tooltip: str) -> None:
-        self._count = 0
+    def __init__(self) -> None:
         self._text = ''
-        self._shown: tuple[track.Vehicle, str] | None = None
-        self._picture, self._status = widgets.HTML(), widgets.HTML()
-        self._button = widgets.Button(description='Drive', tooltip=tooltip)
-        self._button.on_click(lambda _: self.drive())
-        foot = widgets.HBox([self._button, self._status])
-        foot.add_class('robot-foot')
-        super().__init__([widgets.HTML(_STYLE), self._picture, foot], 'robot-view')
+        # What is shown, and the word for what it does.
+        self._vehicle: track.Vehicle | None = None
+        self._word = ''
+        self._front = _Front()
+        self._front.on_msg(self._on_message)
+        super().__init__([self._front], 'robot-view')
 
     def drive(self) -> None:
         """Put the vehicle back to the start and let it go, as the button does."""
@@ -39,56 +52,66 @@ class DrivingView(View):
         """What the picture shows, in words, as a screen reader tells it."""
         return self._text
 
+    def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
+        # One that has just gone is about to be said to be gone.
+        if content == {'do': 'drive'}:
+            with contextlib.suppress(NodeNotFoundError):
+                self.drive()
+
     def _draw(self, vehicle: track.Vehicle, elapsed_sec: float) -> None:
         """Show a vehicle so many seconds after its motion began, unless the browser is at it already."""
         moment = vehicle.at(elapsed_sec)
-        shown = vehicle, moment.state.word
-        if shown == self._shown:
+        # The same drive may begin anew.
+        goes_on = vehicle == self._vehicle and vehicle.motion is self._vehicle.motion
+        if goes_on and moment.state.word == self._word:
             return
-        self._shown = shown
-        self._text = moment.text
-        if elapsed_sec < vehicle.motion.duration_sec:
-            self._count += 1
-            self._picture.value = track.moving(vehicle, elapsed_sec, f'robot-{self.model_id[:8]}-{self._count}')
-        else:
-            self._picture.value = track.still(moment)
-        self._status.value = f'<div role="status">{html.escape(moment.sentence)}</div>'
-        self._button.disabled = False
+        self._vehicle, self._word, self._text = vehicle, moment.state.word, moment.text
+        is_moving = elapsed_sec < vehicle.motion.duration_sec
+        with self._front.hold_sync():
+            if not is_moving or not goes_on:
+                self._show_picture(track.moving(vehicle) if is_moving else track.still(moment))
+            self._front.scene = list(moment.scene)
 
     def _draw_nothing(self, words: str) -> None:
         """Say why there is nothing to see."""
-        self._shown = None
+        self._vehicle = None
         self._text = words
-        self._picture.value = f'<div class="robot-head">{html.escape(words)}</div>'
-        self._status.value = ''
-        self._button.disabled = True
+        with self._front.hold_sync():
+            self._show_picture(f'<div class="robot-head">{html.escape(words)}</div>')
+            self._front.scene = []
+
+    def _show_picture(self, picture: str) -> None:
+        self._front.picture = picture
+        self._front.take += 1
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
 
     in_motion = True
 
-    def _vehicle(self, *, driving: bool) -> track.Vehicle | None:
+    def _vehicle_to_show(self, *, driving: bool) -> track.Vehicle | None:
         """Return the vehicle as it stands, or as it begins to drive and then arrives at once; None without one."""
         raise NotImplementedError
 
     def snapshot(self) -> dict[str, Any]:
         """Return what a page without a kernel needs to draw it as it stands."""
         shown = self.look()
-        return super().snapshot() if shown is None else {'kind': 'robot', 'node': self.node, 'look': shown}
+        if shown is None:
+            return {'kind': 'still', 'html': f'{track.STYLE}<div class="robot-view">{self._front.picture}</div>',
+                    'text': repr(self)}
+        return {'kind': 'robot', 'node': self.node, 'look': shown}
 
-    def look(self) -> dict[str, str] | None:
+    def look(self) -> dict[str, Any] | None:
         """Return the vehicle as it stands; None if it is not there."""
-        vehicle = self._vehicle(driving=False)
+        vehicle = self._vehicle_to_show(driving=False)
         if vehicle is None:
             return None
         moment = vehicle.at(vehicle.motion.duration_sec)
-        return {'picture': track.still(moment), 'text': moment.text, 'sentence': moment.sentence}
+        return {'picture': track.still(moment), 'scene': list(moment.scene)}
 
     def film(self) -> dict[str, Any] | None:
         """Let the vehicle drive, and return what there is to see; it is at its goal then."""
-        vehicle = self._vehicle(driving=True)
+        vehicle = self._vehicle_to_show(driving=True)
         if vehicle is None:
             return None
-        # Several pictures of one page have animations of their own names.
-        film = track.film(vehicle, 'robot-NAME')
+        film = track.film(vehicle)
         return {'picture': film.picture, 'end': film.end, 'scenes': [list(each) for each in film.scenes]}

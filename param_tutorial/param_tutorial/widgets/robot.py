@@ -34,7 +34,7 @@ class RobotView(DrivingView, FollowingView):
         self._robot: ClawbotNode | None = None
         self._stop_motion: Callable[[], None] = nothing
         self._looks_left = _LOOKS_FOR_ROBOT
-        super().__init__('Put the robot back to the start, and let it go')
+        super().__init__()
         self._begin(executor)
 
     def __repr__(self) -> str:
@@ -109,7 +109,7 @@ class RobotView(DrivingView, FollowingView):
         if robot := self._robot_here():
             robot.step(math.inf)
 
-    def _vehicle(self, *, driving: bool) -> Robot | None:
+    def _vehicle_to_show(self, *, driving: bool) -> Robot | None:
         if (robot := self._robot_here()) is None:
             return None
         if driving:

@@ -23,6 +23,7 @@ from param_tutorial.exercises.predicting import STYLE as PREDICTION_STYLE
 from param_tutorial.exercises.predicting import verdict
 from param_tutorial.exercises.prediction import Prediction, plain_answer
 from param_tutorial.lessons.recording.recorded import Recording, Row
+from param_tutorial.pictures import track
 from param_tutorial.pictures.panel import LINES, TEXT, PanelRow, RowState, panel_markup
 from param_tutorial.pictures.tables import with_code
 
@@ -104,13 +105,11 @@ class Drawer:
 
     def _robot(self, recording: Recording, name: str) -> str:
         look, node = recording['look'], html.escape(recording['node'])
+        sentence = track.Scene(*look['scene']).sentence
         return (
             f'<div role="group" class="rec rec-robot robot-view" id="{name}" data-node="{node}" '
             f'aria-label="{node} on its track">'
-            f'<div class="rec-picture">{look["picture"]}</div>'
-            f'<div class="rec-foot robot-foot"><button type="button" class="rec-drive" disabled>Drive</button>'
-            f'<div class="rec-says" role="status">{html.escape(look["sentence"])}</div></div>'
-            f'{_packed({"films": recording["films"]})}</div>')
+            f'{track.view_markup(look["picture"], sentence)}{_packed({"films": recording["films"]})}</div>')
 
     def _log(self, recording: Recording, name: str) -> str:
         title = html.escape(f'Log of {recording["node"]}')

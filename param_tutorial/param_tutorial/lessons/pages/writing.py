@@ -19,11 +19,12 @@ class BuildError(Exception):
 
 
 def write_static(source: Path) -> None:
-    """Write, beside Sphinx's sources, the styles that the notebook's own views bring along, and the panel's script."""
+    """Write, beside Sphinx's sources, the styles and scripts that the notebook's own views bring along."""
     (source / 'static').mkdir(exist_ok=True)
     # A page on a disk can't load a module; what a module exports is JupyterLab's affair.
-    script = sheet('widgets/panel.js').partition('\n/** In JupyterLab')[0]
-    (source / 'static' / 'panel.js').write_text(script, encoding='utf-8')
+    for name in ('panel.js', 'driving.js'):
+        script = sheet(f'widgets/{name}').partition('\n/** In JupyterLab')[0]
+        (source / 'static' / name).write_text(script, encoding='utf-8')
     for path in ('pictures/track.css', 'pictures/panel.css', 'widgets/side_by_side.css'):
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 

@@ -277,15 +277,13 @@
     }
   }
 
-  class Robot {
-    constructor(section, facts, number) {
-      Object.assign(this, {section, number, node: section.dataset.node, drives: 0, timers: [], panel: null, film: null});
+  /** A robot whose drives were recorded. */
+  class RecordedRobot {
+    constructor(section, facts) {
+      Object.assign(this, {section, node: section.dataset.node, timers: [], panel: null, film: null});
       [this.first] = facts.films;
-      this.picture = section.querySelector('.rec-picture');
-      this.status = section.querySelector('.rec-says');
-      this.button = section.querySelector('.rec-drive');
-      this.button.disabled = false;
-      this.button.addEventListener('click', () => this.drive());
+      this.shown = new DrivingPicture(section, () => this.drive());
+      this.shown.button.disabled = false;
     }
 
     /** Is it the robot of a panel's node, and, if it has a panel beside it, of that one? */
@@ -303,21 +301,22 @@
       this.section.classList.toggle('rec-stale', !look);
       if (!look) {
         this.stop();
-        this.status.textContent = unknown('drive', panel.changed);
+        this.shown.say(unknown('drive', panel.changed));
       } else if (this.timers.length) {
-        this.status.textContent = 'The next drive will show the change.';
+        this.shown.say('The next drive will show the change.');
       } else {
-        this.picture.innerHTML = look.picture;
-        this.status.textContent = look.sentence;
+        this.shown.draw(look.picture);
+        this.shown.tell(look.scene);
       }
     }
 
-    /** End a drive before its time: the picture stands as it would have in the end. */
+    /** End a drive, also before its time: the picture stands as it does in the end. */
     stop() {
       if (!this.timers.length) return;
       this.timers.forEach(clearTimeout);
       this.timers = [];
-      this.picture.innerHTML = this.film.end;
+      this.shown.draw(this.film.end);
+      this.shown.tell(this.film.scenes.at(-1));
     }
 
     /** Return the drive with the parameters as they are, also if they change while it is being unpacked. */
@@ -334,31 +333,16 @@
       this.stop();
       this.section.classList.toggle('rec-stale', !film);
       if (!film) {
-        this.status.textContent = unknown('drive', this.panel.changed);
+        this.shown.say(unknown('drive', this.panel.changed));
         return;
       }
       this.film = film;
-      this.drives += 1;
-      const last = film.scenes.length - 1;
-      const end = () => {
-        this.timers = [];
-        this.picture.innerHTML = film.end;
-        this.status.textContent = film.scenes[last][3];
-      };
-      if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
-        end();
-        this.status.textContent = film.scenes.map(scene => scene[3]).join(' ');
-        return;
-      }
-      this.picture.innerHTML = film.picture.replaceAll('robot-NAME', `robot-${this.number}-${this.drives}`);
-      film.scenes.forEach(([at, word, text, sentence], index) => {
-        this.timers.push(setTimeout(() => {
-          if (index === last) { end(); return; }
-          this.picture.querySelector('.robot-word').textContent = word;
-          this.picture.querySelector('.robot-scene').setAttribute('aria-label', text);
-          this.status.textContent = sentence;
-        }, 1000 * at));
-      });
+      this.shown.draw(film.picture);
+      const [now, ...later] = film.scenes;
+      this.shown.tell(now);
+      const last = later.pop();
+      this.timers = later.map(scene => setTimeout(() => this.shown.tell(scene), 1000 * scene[0]));
+      if (last) this.timers.push(setTimeout(() => this.stop(), 1000 * last[0]));
     }
   }
 
@@ -527,8 +511,8 @@
     offerCopies();
     LessonProgress.begin();
     for (const form of document.querySelectorAll('.rec-prediction')) await enliven(form, facts => ask(form, facts));
-    for (const [number, section] of [...document.querySelectorAll('.rec-robot')].entries()) {
-      await enliven(section, facts => robots.push(new Robot(section, facts, number)));
+    for (const section of document.querySelectorAll('.rec-robot')) {
+      await enliven(section, facts => robots.push(new RecordedRobot(section, facts)));
     }
     for (const section of document.querySelectorAll('.rec-panel')) {
       await enliven(section, facts => panels.push(new RecordedPanel(section, facts)));
