@@ -385,7 +385,9 @@ _LOOKS = {'robot': _place_css, 'wheel': _wheel_css, 'brake': _brake_css, 'cargo'
 def _picture(moment: Moment, animation: _Animation | None) -> str:
     """Return a picture with its head, of a moment; with an animation, that is what stands where nothing may move."""
     strip = animation.strip() if animation else f'<span class="robot-strip">{moment.numbers}</span>'
-    word = animation.words() if animation and not animation.is_told else f'<span class="robot-word">{moment.state.word}</span>'
+    word = f'<span class="robot-word">{moment.state.word}</span>'
+    if animation and not animation.is_told:
+        word = animation.words()
     return (
         f'{animation.keyframes() if animation else ""}'
         f'<div class="robot-stage{" robot-film" if animation and animation.is_told else ""}">'
