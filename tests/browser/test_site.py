@@ -496,6 +496,9 @@ def drive_to_the_end(page):
 def test_the_robot_drives_as_recorded(page):
     status = page.locator('.robot-says')
     page.get_by_role('button', name='Drive').click()
+    # Under the pointer, too, its word can be read.
+    assert page.get_by_role('button', name='Drive').evaluate(
+        'each => getComputedStyle(each).color !== getComputedStyle(each).backgroundColor')
     expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
     assert page.evaluate('document.getAnimations().filter(each => /^robot-/.test(each.animationName)).length') > 0
     type_into(page, 'max_speed_rpm', '300')
