@@ -22,7 +22,7 @@ class _Front(anywidget.AnyWidget):
     """The vehicle in the browser."""
 
     _esm = sheet('widgets/driving.js')
-    _css = sheet('pictures/track.css')
+    _css = sheet('pictures/track.css') + sheet('widgets/driving.css')
     markup = traitlets.Unicode(track.view_markup()).tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)
     take = traitlets.Int().tag(sync=True)

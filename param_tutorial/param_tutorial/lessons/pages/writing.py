@@ -25,7 +25,7 @@ def write_static(source: Path) -> None:
     for name in ('panel.js', 'driving.js'):
         script = sheet(f'widgets/{name}').partition('\n/** In JupyterLab')[0]
         (source / 'static' / name).write_text(script, encoding='utf-8')
-    for path in ('pictures/track.css', 'pictures/panel.css', 'widgets/side_by_side.css'):
+    for path in ('pictures/track.css', 'pictures/panel.css', 'widgets/driving.css', 'widgets/side_by_side.css'):
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 
 
