@@ -569,6 +569,49 @@ def test_a_reader_who_wants_no_motion_sees_each_phase_where_it_begins(page):
 
 
 @robot
+def test_a_change_on_the_way_takes_effect_on_the_way(page):
+    page.clock.install()
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+    box(page, 'enable_safety_mode').uncheck()
+    # It goes on from where it is then; nothing stops it any more.
+    expect(page.locator('.robot-head')).to_contain_text('safety off')
+    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+    type_into(page, 'max_speed_rpm', '300')
+    page.clock.fast_forward(1_000)
+    expect(page.locator('.robot-says')).to_have_text('The next drive will show the change.')
+    page.clock.fast_forward(60_000)
+    # As fast as before the second change.
+    expect(page.locator('.robot-says')).to_have_text('Clawbot has run into the wall at 1.05 m/s.')
+
+
+@robot
+def test_a_change_that_is_taken_back_on_the_way_changes_nothing(page):
+    page.clock.install()
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+    page.evaluate("""() => {
+        const safety = document.querySelector('.param-row[data-name=enable_safety_mode] .param-box');
+        safety.click();
+        safety.click();
+    }""")
+    page.clock.fast_forward(1_000)
+    expect(page.locator('.robot-head')).to_contain_text('safety on')
+    page.clock.fast_forward(60_000)
+    expect(page.locator('.robot-says')).to_have_text('Clawbot has stopped 0.20 m from the wall.')
+
+
+@robot
+def test_a_robot_that_waits_pulls_away_as_soon_as_it_may(page):
+    slider = row(page, 'max_speed_rpm').get_by_role('slider')
+    slider.press('Home')
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.robot-word')).to_have_text('WAITING')
+    slider.press('End')
+    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+
+
+@robot
 def test_the_slider_stands_where_drives_are_recorded_with_and_without_the_safety_mode(page):
     page.clock.install()
     slider = row(page, 'max_speed_rpm').get_by_role('slider')

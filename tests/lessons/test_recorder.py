@@ -3,6 +3,7 @@
 import ast
 import gc
 import json
+import math
 
 import ipywidgets as widgets
 import pytest
@@ -12,10 +13,12 @@ from rclpy.node import Node
 from param_tutorial import EventView, LogView, ParameterPanel, RobotView
 from param_tutorial.lessons import archive
 from param_tutorial.lessons.pages import drawing
-from param_tutorial.lessons.recording import recorder
+from param_tutorial.lessons.recording import album, recorder
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.pictures import track
 from param_tutorial.widgets import recordable
+from param_tutorial.widgets.robot import vehicle_of
 from param_tutorial.widgets.view import View
 from tests.support.albums import unpack
 from tests.support.paths import PACKAGE
@@ -49,7 +52,10 @@ class Thermometer(View):
     def look(self):
         return str(ParameterClient(self._name).get_parameter('heat'))
 
-    def film(self):
+    def moments(self, step_sec):
+        return ()
+
+    def film(self, *, start=None):
         return None
 
     def _end(self):
@@ -121,6 +127,30 @@ def test_a_robot_is_recorded_at_rest_and_with_its_drive(ros):
     assert [scene[1] for scene in film['scenes']][-1] == 'STOPPED'
 
 
+def test_a_change_on_the_way_is_filmed_as_the_node_goes_on(ros):
+    robot = ros.add(ClawbotNode, real_time=False)
+    view = RobotView(robot)
+    panel = ParameterPanel(robot, names=['max_acceleration_mps2', 'enable_safety_mode'])
+    recording = recorder.record(panel.model_id, {**NO_PAGE, 'views': recorder.describe([view.model_id])})
+    turns = unpack(recording['albums'][recording['turns']])
+    # Up to 1.05 m/s with 0.5 m/s², 1.5 m, and down again: at each half second before 5.71 s, 11 of them.
+    assert {name.rpartition('\n')[2] for name in turns} == {str(number) for number in range(1, 12)}
+    client = ParameterClient(robot)
+    for name, value, text in (('enable_safety_mode', False, 'false'), ('max_acceleration_mps2', 2.0, '2.0')):
+        for number in (1, 5, 9):
+            robot.drive()
+            robot.step(number * album.TURN_SEC)
+            before = client.get_parameter(name)
+            client.set_parameter(name, value).raise_for_reason()
+            scenes = track.film(vehicle_of(robot, robot.motion[0])).scenes
+            assert turns[f'{name}={text}\n{number}']['scenes'] == [
+                [pytest.approx(at_sec, abs=1e-3), *words, lean_rad] for at_sec, *words, lean_rad in scenes]
+            robot.step(math.inf)
+            client.set_parameter(name, before).raise_for_reason()
+    view.close()
+    panel.close()
+
+
 @pytest.mark.slow
 @pytest.mark.thorough
 def test_every_combination_of_what_the_sliders_offer_is_filmed_once_for_a_page(ros):
@@ -129,7 +159,7 @@ def test_every_combination_of_what_the_sliders_offer_is_filmed_once_for_a_page(r
     panel = ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode'])
     page = {**NO_PAGE, 'source': "panel['max_speed_rpm'].value = 77", 'views': recorder.describe([view.model_id])}
     recording = recorder.record(panel.model_id, page)
-    films, speed = unpack(recording['films']), recording['rows'][0]
+    films, speed = unpack(recording['albums'][recording['films']]), recording['rows'][0]
     assert {'0', '50', '77', '100', '300'} <= set(speed['positions'])
     for text in speed['positions']:
         for safety in ('true', 'false'):
@@ -138,8 +168,8 @@ def test_every_combination_of_what_the_sliders_offer_is_filmed_once_for_a_page(r
                   for safety in ('true', 'false')}
     assert last_words == {'true': 'Clawbot has stopped 0.20 m from the wall.',
                           'false': 'Clawbot has run into the wall at 1.05 m/s.'}
-    again = recorder.record(panel.model_id, {**page, 'albums': [recording['album']]})
-    assert 'films' not in again and again['album'] == recording['album']
+    again = recorder.record(panel.model_id, {**page, 'albums': list(recording['albums'])})
+    assert again['albums'] == {} and again['films'] == recording['films'] and again['turns'] == recording['turns']
     for each in (panel, view):
         each.close()
     assert robot.get_parameter('max_speed_rpm').value == 100

@@ -13,6 +13,8 @@ def unpack(album):
         if isinstance(each, list):
             return [whole(part) for part in each]
         if isinstance(each, dict):
-            return content['texts'][each['$']] if '$' in each else {name: whole(part) for name, part in each.items()}
+            if '$' in each:
+                return ''.join(content['parts'][number] for number in each['$'])
+            return {name: whole(part) for name, part in each.items()}
         return each
     return {name: whole(each) for name, each in content['pictures'].items()}

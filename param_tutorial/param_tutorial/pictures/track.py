@@ -182,7 +182,8 @@ class Moment:
     @property
     def scene(self) -> 'Scene':
         """What a picture tells from this moment on."""
-        return Scene(self.elapsed_sec, self.state.word, self.text, self.sentence, round(self.lean_rad, 4))
+        # More digits would only make a film longer.
+        return Scene(round(self.elapsed_sec, 4), self.state.word, self.text, self.sentence, round(self.lean_rad, 4))
 
 
 class Scene(NamedTuple):

@@ -18,7 +18,7 @@ from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets.cells import close_with_cell
-from param_tutorial.widgets.driving import DrivingView
+from param_tutorial.widgets.driving import DrivingView, Start
 
 _SHOW_PERIOD_SEC = 0.05
 _READY = Motion((), State('READY', 0.0))
@@ -154,11 +154,13 @@ class CartView(DrivingView):
             self._motion, self._before_sec = _READY, 0.0
         self.settle()
 
-    def _vehicle_to_show(self, *, driving: bool) -> Cart | None:
+    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> Cart | None:
         self.rest()
         with self._drawing:
             if self._settings is None or self._live.status:
                 return None
             if not driving:
                 return self._cart()
-            return cart_on_trip(self._node, self._settings.max_speed_mps, self._settings.max_acceleration_mps2)
+            driven_sec, state = start or Start(0.0, _READY.end)
+            motion = plan(state.position_m, state.velocity_mps, self._settings)
+            return _cart(self._node, self._settings, motion, driven_sec)

@@ -7,15 +7,24 @@ stands still, nothing is sent.
 
 import contextlib
 import html
-from typing import Any
+import math
+from typing import Any, NamedTuple
 
 import anywidget
 import traitlets
 
 from param_tutorial.errors import NodeNotFoundError
+from param_tutorial.nodes.clawbot_node import State
 from param_tutorial.pictures import track
 from param_tutorial.pictures.styles import sheet
 from param_tutorial.widgets.view import View
+
+
+class Start(NamedTuple):
+    """Where a vehicle is on its way when a parameter is changed."""
+
+    driven_sec: float
+    state: State
 
 
 class _Front(anywidget.AnyWidget):
@@ -88,8 +97,11 @@ class DrivingView(View):
 
     in_motion = True
 
-    def _vehicle_to_show(self, *, driving: bool) -> track.Vehicle | None:
-        """Return the vehicle as it stands, or as it begins to drive and then arrives at once; None without one."""
+    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> track.Vehicle | None:
+        """Return the vehicle as it stands, or as it begins to drive and then arrives at once; None without one.
+
+        :param start: Where it is to begin on the way.
+        """
         raise NotImplementedError
 
     def snapshot(self) -> dict[str, Any]:
@@ -108,9 +120,20 @@ class DrivingView(View):
         moment = vehicle.at(vehicle.motion.duration_sec)
         return {'picture': track.still(moment), 'scene': list(moment.scene)}
 
-    def film(self) -> dict[str, Any] | None:
-        """Let the vehicle drive, and return what there is to see; it is at its goal then."""
+    def moments(self, step_sec: float) -> list[Start]:
+        """Return where a drive is after each so many seconds, until it ends."""
         vehicle = self._vehicle_to_show(driving=True)
+        if vehicle is None:
+            return []
+        count = math.ceil(vehicle.motion.duration_sec / step_sec)
+        return [Start(number * step_sec, vehicle.motion.at(number * step_sec)) for number in range(1, count)]
+
+    def film(self, *, start: Start | None = None) -> dict[str, Any] | None:
+        """Let the vehicle drive, and return what there is to see; it is at its goal then.
+
+        :param start: Where it is to begin, on the way of another drive.
+        """
+        vehicle = self._vehicle_to_show(driving=True, start=start)
         if vehicle is None:
             return None
         film = track.film(vehicle)

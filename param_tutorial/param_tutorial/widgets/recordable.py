@@ -91,8 +91,14 @@ class Portrait(Protocol):
     def look(self) -> Any:
         """Return the picture of the node at rest, as JSON; None if there is nothing to see."""
 
-    def film(self) -> dict[str, Any] | None:
-        """Let the node move, and return what there is to see, as JSON; None if nothing moves. It is at rest then."""
+    def film(self, *, start: Any = None) -> dict[str, Any] | None:
+        """Let the node move, and return what there is to see, as JSON; None if nothing moves. It is at rest then.
+
+        :param start: One of the ``moments``: the node goes on from there, with the parameters that it has now.
+        """
+
+    def moments(self, step_sec: float) -> Sequence[Any]:
+        """Return where the node is after each so many seconds of its ``film``, until that ends."""
 
     def close(self) -> None:
         """Remove it."""

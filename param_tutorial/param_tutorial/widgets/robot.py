@@ -8,11 +8,11 @@ from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
 
 from param_tutorial.errors import NodeNotFoundError
-from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, SENSOR_MOUNT_M, ClawbotNode, Motion
+from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, SENSOR_MOUNT_M, ClawbotNode, Motion, plan
 from param_tutorial.pictures.robot import Robot
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import full_name
-from param_tutorial.widgets.driving import DrivingView
+from param_tutorial.widgets.driving import DrivingView, Start
 from param_tutorial.widgets.view import FollowingView, nothing
 
 # How long to look for a robot that is known to be coming.
@@ -109,9 +109,12 @@ class RobotView(DrivingView, FollowingView):
         if robot := self._robot_here():
             robot.step(math.inf)
 
-    def _vehicle_to_show(self, *, driving: bool) -> Robot | None:
+    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> Robot | None:
         if (robot := self._robot_here()) is None:
             return None
+        if start:
+            # The node would plan with the same function; but on its way no time may pass while one asks.
+            return vehicle_of(robot, plan(start.state.position_m, start.state.velocity_mps, robot.settings))
         if driving:
             robot.drive()
         vehicle = vehicle_of(robot, robot.motion[0])

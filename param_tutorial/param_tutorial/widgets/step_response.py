@@ -185,7 +185,11 @@ class StepResponseView(View):
         # What stood there before says nothing of the node.
         return html_of(self).replace(self._picture.value, self._plain)
 
-    def film(self) -> None:
+    def moments(self, _step_sec: float) -> tuple[()]:
+        """Return nothing: a step response does not move."""
+        return ()
+
+    def film(self, *, start: Any = None) -> None:
         """Return nothing: the picture stands still."""
 
 

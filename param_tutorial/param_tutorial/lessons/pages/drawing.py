@@ -22,6 +22,7 @@ from pygments.lexers import get_lexer_by_name
 from param_tutorial.exercises.predicting import STYLE as PREDICTION_STYLE
 from param_tutorial.exercises.predicting import verdict
 from param_tutorial.exercises.prediction import Prediction, plain_answer
+from param_tutorial.lessons.recording.album import TURN_SEC
 from param_tutorial.lessons.recording.recorded import Recording, Row
 from param_tutorial.pictures import track
 from param_tutorial.pictures.panel import LINES, TEXT, PanelRow, RowState, panel_markup
@@ -43,8 +44,8 @@ class Drawer:
         """
         self._page = re.sub(r'\W+', '-', page)
         self._numbers = itertools.count(1)
-        self._films = {part['album']: part['films'] for each in recordings for part in each.get('parts', [each])
-                       if 'album' in part and 'films' in part}
+        self._albums = {name: packed for each in recordings for part in each.get('parts', [each])
+                        for name, packed in part.get('albums', {}).items()}
 
     def draw(self, recording: Recording) -> str:
         """Return the HTML of one recorded view."""
@@ -88,11 +89,13 @@ class Drawer:
                                                 'contexts', 'log_depends') if key in row}
                      for row in recording['rows'] if not row['locked']],
             'names': recording.get('names', []),
-            'album': recording.get('album', ''),
+            'films': recording.get('films', ''),
+            'turns': recording.get('turns', ''),
+            'turn_sec': TURN_SEC,
         }
         looks = _script('rec-looks', recording['looks']) if 'looks' in recording else ''
-        films = self._films.pop(facts['album'], '')
-        album = _script(f'rec-album" data-album="{facts["album"]}', films) if films else ''
+        albums = ''.join(_script(f'rec-album" data-album="{album}', self._albums.pop(album))
+                         for album in (facts['films'], facts['turns']) if album in self._albums)
         node = html.escape(recording['node'])
         return (
             f'<div role="group" class="rec rec-panel" id="{name}" data-node="{node}" aria-label="Parameters of {node}">'
@@ -101,7 +104,7 @@ class Drawer:
             f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
             f'<button type="button" class="rec-link" disabled>Copy a link to these settings</button>'
             f'<p class="rec-note">{_explanation(recording)}</p>'
-            f'<p class="rec-note rec-from-link" role="status"></p></div>{_packed(facts)}{looks}{album}</div>')
+            f'<p class="rec-note rec-from-link" role="status"></p></div>{_packed(facts)}{looks}{albums}</div>')
 
     def _robot(self, recording: Recording, name: str) -> str:
         look, node = recording['look'], html.escape(recording['node'])

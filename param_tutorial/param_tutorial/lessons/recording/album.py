@@ -1,6 +1,6 @@
 """Pictures of a node, one for each set of parameters that hands choose, and films where it moves.
 
-They are packed here, since there are thousands: deflated JSON, in which texts that repeat are written once.
+They are packed here, since there are thousands: deflated JSON, in which parts that repeat are written once.
 """
 
 import base64
@@ -8,6 +8,7 @@ import hashlib
 import itertools
 import json
 import math
+import re
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
@@ -21,8 +22,14 @@ from param_tutorial.widgets.recordable import Portrait
 
 # How many combinations a node is pictured with, where all its parameters are combined.
 TOGETHER = 2600
+# At which moments of a drive a change is recorded: a hand waits that long, at most, until it shows.
+TURN_SEC = 0.5
 # Where they are too many for that each two are combined: all that sliders offer, and so many words.
 _WORDS = 6
+# Up to so many letters a text is written as it is.
+_SHORT = 20
+# Where pictures of one node may begin to differ.
+_SEAM = re.compile(r'(?=<)|(?=@keyframes)')
 
 
 class Album:
@@ -32,10 +39,12 @@ class Album:
         self._portrait, self._asker = portrait, asker
 
     def fill(self, rows: list[Row], known: Iterable[str]) -> dict[str, Any]:
-        """Take all pictures, and return them: 'looks', 'names', and where the node moves 'films' and its 'album'.
+        """Take all pictures, and return them.
 
         :param rows: Those that have answers.
         :param known: The names of albums that need not be filled again, since the page has them.
+        :return: 'looks' and 'names'; where the node moves, also the names of two albums, 'films' and 'turns', which
+            holds what the node does if one parameter is changed on its way, and 'albums', those that are filled here.
         """
         moving = [row for row in rows if not row['quiet']]
         names = [row['name'] for row in moving]
@@ -44,9 +53,13 @@ class Album:
         looks = self._take(sets, self._portrait.look)
         recording: dict[str, Any] = {'names': names, 'looks': _pack(looks)}
         if self._portrait.in_motion:
-            recording['album'] = self._name(moving)
-            if recording['album'] not in known:
-                recording['films'] = _pack(self._take(sets, self._film))
+            recording['films'] = self._name(moving)
+            recording['turns'] = self._name(moving, key({row['name']: row['text'] for row in moving}))
+            recording['albums'] = albums = {}
+            if recording['films'] not in known:
+                albums[recording['films']] = _pack(self._take(sets, self._film))
+            if recording['turns'] not in known:
+                albums[recording['turns']] = _pack(self._turns(moving))
         return recording
 
     def _take(self, sets: list[dict[str, str]], take: Any) -> dict[str, Any]:
@@ -54,35 +67,63 @@ class Album:
         self._asker.end_show()
         return {name: each for name, each in taken.items() if each}
 
-    def _film(self) -> Any:
-        film = self._portrait.film()
+    def _turns(self, rows: list[Row]) -> dict[str, Any]:
+        """Return films of what follows on a change of one parameter, by the change and the number of the moment."""
+        starts = self._portrait.moments(TURN_SEC)
+        turns: dict[str, Any] = {}
+        for row in rows:
+            for text in (each for each in choices(row) if each != row['text']):
+                if self._asker.show({row['name']: text}):
+                    changed = key({row['name']: text})
+                    turns |= {f'{changed}\n{number}': self._film(start) for number, start in enumerate(starts, 1)}
+                self._asker.end_show()
+        return {name: each for name, each in turns.items() if each}
+
+    def _film(self, start: Any = None) -> Any:
+        film = self._portrait.film(start=start)
         # What had to wait goes on by itself now; the next film must not find it on its way.
         self._portrait.rest()
         return film
 
-    def _name(self, rows: list[Row]) -> str:
-        """Return the same name wherever the same combinations would be filmed."""
+    def _name(self, rows: list[Row], begin: str = '') -> str:
+        """Return the same name wherever the same combinations would be filmed.
+
+        :param begin: What they begin with, if that matters.
+        """
         combined = {row['name']: choices(row) for row in rows}
         fixed = sorted((name, values.format_value(value)) for name, value in self._asker.shown.items()
                        if name not in combined)
-        facts = json.dumps([self._asker.node, fixed, combined])
+        facts = json.dumps([self._asker.node, fixed, combined, begin])
         return hashlib.sha256(facts.encode()).hexdigest()[:12]
 
 
 def _pack(pictures: dict[str, Any]) -> str:
-    """Return pictures as text: a number in the place of each text that is worth it."""
-    texts: dict[str, int] = {}
+    """Return pictures as text: in the place of each text that is worth it, the numbers of its parts."""
+    def texts(each: Any) -> Iterator[str]:
+        if isinstance(each, dict | list):
+            for part in each.values() if isinstance(each, dict) else each:
+                yield from texts(part)
+        elif _is_long(each):
+            yield each
+
+    cut = {text: _SEAM.split(text) for text in set(texts(pictures))}
+    # Sorted, those that are alike stand side by side, where deflation finds them.
+    parts = sorted(set(itertools.chain.from_iterable(cut.values())))
+    numbers = {part: number for number, part in enumerate(parts)}
 
     def plain(each: Any) -> Any:
         if isinstance(each, dict):
             return {name: plain(part) for name, part in each.items()}
         if isinstance(each, list):
             return [plain(part) for part in each]
-        return {'$': texts.setdefault(each, len(texts))} if isinstance(each, str) and len(each) > 20 else each
+        return {'$': [numbers[part] for part in cut[each]]} if _is_long(each) else each
 
-    packed = {name: plain(each) for name, each in pictures.items()}
-    content = json.dumps({'texts': list(texts), 'pictures': packed}, ensure_ascii=False, separators=(',', ':'))
+    content = json.dumps({'parts': parts, 'pictures': plain(pictures)}, ensure_ascii=False, separators=(',', ':'))
     return base64.b64encode(zlib.compress(content.encode(), 9)).decode()
+
+
+def _is_long(each: Any) -> bool:
+    return isinstance(each, str) and len(each) > _SHORT
 
 
 def _sets_to_see(rows: list[Row], descriptors: Mapping[str, Descriptor]) -> Iterator[dict[str, str]]:

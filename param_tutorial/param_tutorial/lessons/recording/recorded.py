@@ -74,5 +74,5 @@ class Page(TypedDict):
     source: str
     """The code of the chapter and of its solutions."""
     albums: list[str]
-    """The names of the films that the page has already."""
+    """The names of the albums that the page has already."""
     views: list[ViewFacts]

@@ -70,8 +70,8 @@ def record_chapter(path: Path) -> Recordings:
     for index, cell in cells_with_widgets(read_notebook(path)):
         if cell.id not in recordings:
             recordings[cell.id] = record_cell(path, index, page)
-            page['albums'] += [part['album'] for each in recordings[cell.id]
-                               for part in each.get('parts', [each]) if 'films' in part and 'album' in part]
+            page['albums'] += [name for each in recordings[cell.id] for part in each.get('parts', [each])
+                               for name in part.get('albums', ())]
     return {cell.id: recordings[cell.id] for _, cell in cells_with_widgets(read_notebook(path))}
 
 

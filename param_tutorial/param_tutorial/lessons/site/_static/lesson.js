@@ -9,6 +9,8 @@
   const robots = [];
   // A link to settings: this, the id of a panel, a question mark, and what was typed by the names of the parameters.
   const LINK = '#set-';
+  // Who drags a slider wants to see what comes of the last value.
+  const HAND_RESTS_MS = 200;
 
   /** Give what stands packed in a script of the page. */
   async function unpack(script) {
@@ -23,10 +25,10 @@
 
     async find(key) {
       this.content ||= unpack(this.script);
-      const {texts, pictures} = await this.content;
+      const {parts, pictures} = await this.content;
       const whole = each => Array.isArray(each) ? each.map(whole)
         : !each || typeof each !== 'object' ? each
-        : '$' in each ? texts[each.$] : Object.fromEntries(Object.entries(each).map(([name, part]) => [name, whole(part)]));
+        : '$' in each ? each.$.map(number => parts[number]).join('') : Object.fromEntries(Object.entries(each).map(([name, part]) => [name, whole(part)]));
       return Object.hasOwn(pictures, key) ? whole(pictures[key]) : null;
     }
   }
@@ -50,7 +52,8 @@
       this.names = facts.names;
       const album = (selector, root) => { const found = root.querySelector(selector); return found && new Album(found); };
       this.looks = album('.rec-looks', section);
-      this.films = album(`.rec-album[data-album="${facts.album}"]`, document);
+      [this.films, this.turns] = [facts.films, facts.turns].map(name => album(`.rec-album[data-album="${name}"]`, document));
+      this.turnMs = 1000 * facts.turn_sec;
       this.rows = new Map(facts.rows.map(row => [row.name, new RecordedRow(this, row)]));
       // What was typed to come to this state, in order.
       this.entered = new Map();
@@ -81,6 +84,16 @@
 
     async find(album) {
       return album && this.pictured !== null ? album.find(this.pictured) : null;
+    }
+
+    /** Give the drive with which the panel begins. */
+    async findFirst() {
+      return this.films && this.films.find(key(Object.fromEntries(this.names.map(name => [name, this.rows.get(name).shown]))));
+    }
+
+    /** Give what follows if what has changed is changed at a moment of that drive. */
+    async findTurn(moment) {
+      return this.turns && Object.keys(this.changed).length === 1 ? this.turns.find(`${key(this.changed)}\n${moment}`) : null;
     }
 
     enter(name, entry) {
@@ -303,7 +316,9 @@
         this.stop();
         this.shown.say(unknown('drive', panel.changed));
       } else if (this.timers.length) {
-        this.shown.say('The next drive will show the change.');
+        this.turn();
+      } else if (this.waits) {
+        this.drive();
       } else {
         this.shown.draw(look.picture);
         this.shown.tell(look.scene);
@@ -328,15 +343,39 @@
       }
     }
 
+    /** Let a change take effect on the way: at the next moment at which one was recorded, as soon as the hand rests. */
+    async turn() {
+      const {film, begun, panel} = this;
+      this.changedAt = performance.now();
+      if (this.turning === begun) return;
+      this.turning = begun;
+      let moment;
+      do {
+        moment = Math.floor((performance.now() - begun) / panel.turnMs) + 1;
+        await new Promise(done => setTimeout(done, begun + moment * panel.turnMs - performance.now()));
+      } while (performance.now() - this.changedAt < HAND_RESTS_MS);
+      const first = await panel.findFirst();
+      const isFirst = first && JSON.stringify(first.scenes) === JSON.stringify(film.scenes);
+      const next = isFirst ? await panel.findTurn(moment) : null;
+      if (this.begun !== begun || !this.timers.length) return;
+      this.turning = null;
+      if (isFirst && !Object.keys(panel.changed).length) return;
+      if (next) this.play(next); else this.shown.say('The next drive will show the change.');
+    }
+
     async drive() {
       const film = await this.findFilm();
       this.stop();
       this.section.classList.toggle('rec-stale', !film);
-      if (!film) {
-        this.shown.say(unknown('drive', this.panel.changed));
-        return;
-      }
+      if (film) this.play(film); else this.shown.say(unknown('drive', this.panel.changed));
+    }
+
+    play(film) {
+      this.timers.forEach(clearTimeout);
       this.film = film;
+      this.begun = performance.now();
+      // A robot that has not left the start pulls away as soon as it may.
+      this.waits = film.scenes.length === 1 && film.scenes[0][1] === 'WAITING';
       this.shown.draw(film.picture);
       const [now, ...later] = film.scenes;
       this.shown.tell(now);
