@@ -15,7 +15,7 @@ CHAPTERS = sorted(NOTEBOOKS.glob('[0-9]*.ipynb'))
 ONLY_IN_A_NOTEBOOK = re.compile('|'.join((
     r'\*\*Shift \+ Enter\*\*', r'\b[Rr]un (?:it|this cell|the cell|that cell|both cells|these cells|the next cell)\b',
     r'\bcell above again\b', r'\bFile → New\b', r'\*\*Alt \+ [↑↓]\*\*', r'\b[Rr]estart the kernel\b',
-    r'\b[Ss]croll (?:up|back)\b', r'\bwhile (?:it|the robot) drives\b', r'\b[Oo]pen a terminal\b',
+    r'\b[Ss]croll (?:up|back)\b', r'\b[Oo]pen a terminal\b',
     r'\binterrupt the (?:cell|kernel)\b', r'\bpanel (?:above|further up|near the top|at the top) (?:has|finds|shows)\b',
     r'\bpanel near the top: it shows\b', r'\bpanel in sight\b', r'\bexercises\.hint\(', r'\b[Tt]ry other values\b',
     r'\b[Pp]ress \*(?:Gather|Discard|Undo|Redo)\*', r'\bon your machine\b')))
