@@ -76,8 +76,8 @@ def _update(session: Session, found: Snapshot, path: str) -> None:
         except OSError as error:
             raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
         for name in changed:
-            session.print(f'{node} {name}: {values.format_value(held[node][name])} → '
-                          f'{values.format_value(parameters[name])}')
+            before, after = values.format_change(held[node][name], parameters[name])
+            session.print(f'{node} {name}: {before} → {after}')
 
 
 def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapshot:
