@@ -99,7 +99,8 @@ def test_what_a_snapshot_cannot_hold_is_no_difference_from_it(ros, tmp_path):
     # As soon as it has a value that the file could hold, it is new.
     ParameterClient('/sparse').set_parameter('unset', 0.5)
     stdout, stderr, status = run('diff', path, '/sparse', '--format', 'json')
-    assert [(each['parameter'], each['kind'], each['after']) for each in json.loads(stdout)] == [('unset', 'added', 0.5)]
+    added, = json.loads(stdout)
+    assert (added['parameter'], added['kind'], added['after']) == ('unset', 'added', 0.5)
     assert (stderr, status) == ('not compared: /sparse: raw: a parameter file has no byte arrays\n', 1)
 
 
