@@ -91,6 +91,13 @@ def test_a_table_of_huge_arrays_stays_small():
     assert len(repr(difference)) < 2000 and len(difference._repr_html_()) < 3000
 
 
+def test_one_element_of_a_long_array_that_differs_is_seen():
+    weights = [0.5] * 1000
+    difference = repr(compare({'weights': weights}, {'weights': [*weights[:700], 0.75, *weights[701:]]}))
+    assert '[…, 0.5, …] (from index 700' in difference
+    assert '[…, 0.75, …] (from index 700' in difference
+
+
 @pytest.mark.parametrize('nonsense', [3, None, Node])
 def test_what_is_neither_set_nor_node_raises_an_error(nonsense):
     with pytest.raises(TypeError, match='is not a node: give its name'):

@@ -4,6 +4,7 @@ import json
 
 import pytest
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -73,6 +74,34 @@ node                parameter   wanted     outcome  reason
     assert (stderr, status) == ('', 0)
     assert run('diff', path, '/**')[2] == 0
     assert Snapshot.from_file(backup)['/left/camera']['rate'] == 15
+
+
+class Sparse(Node):
+    """Has what a parameter file cannot hold."""
+
+    def __init__(self):
+        super().__init__('sparse')
+        self.declare_parameter('gain', 1.0)
+        self.declare_parameter('raw', [b'\x01'])
+        self.declare_parameter('unset', Parameter.Type.DOUBLE)
+
+
+def test_what_a_snapshot_cannot_hold_is_no_difference_from_it(ros, tmp_path):
+    ros.add(Sparse)
+    path = tmp_path / 'monday.yaml'
+    run('snapshot', '--save', path)
+    reasons = ('not compared: /sparse: raw: a parameter file has no byte arrays\n'
+               'not compared: /sparse: unset: it has no value\n')
+    for words in ((path, '/sparse'), ('/sparse', path)):
+        stdout, stderr, status = run('diff', *words)
+        assert ': 0 differences, ' in stdout
+        assert (sorted(stderr.splitlines(keepends=True)), status) == (sorted(reasons.splitlines(keepends=True)), 0)
+    # As soon as it has a value that the file could hold, it is new.
+    ParameterClient('/sparse').set_parameter('unset', 0.5)
+    stdout, stderr, status = run('diff', path, '/sparse', '--format', 'json')
+    added, = json.loads(stdout)
+    assert (added['parameter'], added['kind'], added['after']) == ('unset', 'added', 0.5)
+    assert (stderr, status) == ('not compared: /sparse: raw: a parameter file has no byte arrays\n', 1)
 
 
 def test_two_robots(ros):

@@ -93,13 +93,17 @@ class LoggedChange:
             return f'{time} began to watch'
         if self.kind == 'gone':
             return f'{time} {self.node} is gone'
-        what = {'changed': f'{_word(self.old)} → {_word(self.new)}', 'deleted': f'{_word(self.old)} → deleted'}.get(
-            self.kind, f'{_word(self.new)} ({self.kind})')
+        old, new = self.words('not set')
+        what = {'changed': f'{old} → {new}', 'deleted': f'{old} → deleted'}.get(self.kind, f'{new} ({self.kind})')
         return f'{time} {self.node} {self.name}: {what}'
 
+    def words(self, nothing: str) -> tuple[str, str]:
+        """Return the old and the new value as text.
 
-def _word(value: Any) -> str:
-    return 'not set' if value is None else values.format_value(value, 60)
+        :param nothing: What to return for none.
+        """
+        old, new = values.format_change(self.old, self.new, 60)
+        return nothing if self.old is None else old, nothing if self.new is None else new
 
 
 def _encode(value: Any) -> Any:
@@ -266,8 +270,7 @@ class ChangeLog(WordTable):
 
     def rows(self) -> list[tuple[str, ...]]:
         return [(f'{each.time.astimezone():%Y-%m-%d %H:%M:%S.%f}'[:-3], each.node, each.name, each.kind,
-                 '' if each.old is None else values.format_value(each.old, 60),
-                 '' if each.new is None else values.format_value(each.new, 60)) for each in self.changes]
+                 *each.words('')) for each in self.changes]
 
 
 # -- following ------------------------------------------------------------------------------------------------

@@ -88,8 +88,12 @@ class FilePreview(WordTable):
                 if row.verdict not in (CHANGES, SAME, OTHER_NODE)}
 
     def rows(self) -> list[tuple[str, ...]]:
-        return [(row.name, _format(row.now), _format(row.wanted), row.verdict, row.reason)
-                for row in self.rows_by_parameter]
+        rows: list[tuple[str, ...]] = []
+        for row in self.rows_by_parameter:
+            now, wanted = values.format_change(row.now, row.wanted)
+            rows.append((row.name, '-' if row.now is None else now, '-' if row.wanted is None else wanted,
+                         row.verdict, row.reason))
+        return rows
 
 
 class Loaded(dict[str, str]):
@@ -143,7 +147,3 @@ def _row(name: str, value: Any, descriptors: Mapping[str, Descriptor], present: 
     if objection := DescribedParameter(descriptor).objection(value):
         return PreviewRow(name, now, value, objection.kind, objection.reason)
     return PreviewRow(name, now, value, CHANGES)
-
-
-def _format(value: Any) -> str:
-    return '-' if value is None else values.format_value(value)

@@ -179,9 +179,12 @@ class Difference(WordTable):
         raise KeyError(name)
 
     def rows(self) -> list[tuple[str, ...]]:
-        return [(change.name, change.kind,
-                 '-' if change.kind == 'added' else _format(change.before, change.kind),
-                 '-' if change.kind == 'removed' else _format(change.after, change.kind)) for change in self.changes]
+        rows: list[tuple[str, ...]] = []
+        for change in self.changes:
+            before, after = _format_pair(change.before, change.after, change.kind)
+            rows.append((change.name, change.kind, '-' if change.kind == 'added' else before,
+                         '-' if change.kind == 'removed' else after))
+        return rows
 
 
 def compare(before: Comparable, after: Comparable, *, names: Iterable[str] | None = None) -> Difference:
@@ -349,7 +352,7 @@ class Preview(WordTable):
         return len(self.expectations)
 
     def rows(self) -> list[tuple[str, ...]]:
-        return [(each.name, _format(each.present), _format(each.wanted), each.word, each.reason)
+        return [(each.name, *_format_pair(each.present, each.wanted), each.word, each.reason)
                 for each in self.expectations]
 
 
@@ -426,10 +429,15 @@ def _as_set(what: Comparable, label: str) -> ParameterSet:
     return ParameterSet(what, label) if isinstance(what, Mapping) else ParameterSet.of(what)
 
 
-def _format(value: Any, kind: str = '') -> str:
-    """Return a value as text, with its type where that matters."""
-    if value is None:
-        return 'not set'
+def _format(value: Any) -> str:
+    return 'not set' if value is None else values.format_value(value)
+
+
+def _format_pair(before: Any, after: Any, kind: str = '') -> tuple[str, str]:
+    """Return two values as text, with their types where that matters."""
     if kind == 'changed type':
-        return f'{values.format_value(value)} ({values.type_of(value).label})' if value != [] else '[] (array)'
-    return values.format_value(value)
+        first, second = ('[] (array)' if value == [] else f'{_format(value)} ({values.type_of(value).label})'
+                         for value in (before, after))
+        return first, second
+    first, second = values.format_change(before, after)
+    return 'not set' if before is None else first, 'not set' if after is None else second

@@ -57,10 +57,12 @@ class SystemDifference(WordTable):
         """The nodes that differ."""
         self.same = tuple(node for node, each in differences.items() if not each)
         """The nodes that do not."""
-        count = sum(map(len, self.differences.values())) + len(self.only_before) + len(self.only_after)
-        self._count = count
+        count = sum(map(len, self.differences.values()))
+        self._count = count + len(self.only_before) + len(self.only_after)
+        alone = ''.join(f', {format_count(len(nodes), "node")} only in {side}'
+                        for nodes, side in ((self.only_before, before), (self.only_after, after)) if nodes)
         self.heading = (f'{before} → {after}: {format_count(count, "difference")} in '
-                        f'{format_count(len(self.differences), "node")}, {len(self.same)} the same')
+                        f'{format_count(len(self.differences), "node")}, {len(self.same)} the same{alone}')
 
     def __len__(self) -> int:
         return self._count

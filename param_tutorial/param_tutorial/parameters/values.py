@@ -175,6 +175,23 @@ def format_value(value: Any, letters: int = 200) -> str:
     return f'{text[:letters]}…' + (f' ({len(value)} {unit})' if unit else '')
 
 
+def format_change(before: Any, after: Any, letters: int = 200) -> tuple[str, str]:
+    """Return two values as text for people: of long ones that begin alike, the place where they begin to differ."""
+    texts = format_value(before, letters), format_value(after, letters)
+    if texts[0] != texts[1] or not (isinstance(before, list | str) and type(before) is type(after)):
+        return texts
+    # Both are cut off, and equally long: format_value says how long they are.
+    index = next((index for index, pair in enumerate(zip(before, after)) if not same(*pair)), None)
+    if index is None:
+        return texts
+    where = f'(from index {index}, {len(before)} '
+    if isinstance(before, list):
+        first, second = format_change(before[index], after[index], letters)
+        return f'[…, {first}, …] {where}elements)', f'[…, {second}, …] {where}elements)'
+    first, second = (f'…{value[index:index + letters]!r}… {where}characters)' for value in (before, after))
+    return first, second
+
+
 def parse(text: str) -> Any:
     """Return the value that ``ros2 param set`` makes of a word on the command line: YAML 1.1, like ros2cli.
 

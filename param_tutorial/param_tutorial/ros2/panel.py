@@ -26,13 +26,23 @@ _PORT = 8866
 # The page asks for its own, whatever a template of Voilà's would load from elsewhere, and stands in nobody's frame.
 _POLICY = ("default-src 'self' 'unsafe-inline' 'unsafe-eval' data: blob:; connect-src 'self' data: blob: "
            f"ws://{_HOST}:*; frame-ancestors 'none'")
-# Voilà's own page, without the icons that it fetches from another server.
+# Voilà's own page, without the icons that it fetches from another server. A panel of hundreds of parameters is many
+# windows long, so its head stays in sight, with the node's name, Undo and the search.
 _TEMPLATE = '''{%- extends 'voila/templates/lab/index.html.j2' -%}
 {% import 'spinner.macro.html.j2' as spinner %}
 {%- block notebook_css -%}
 {{ resources.include_js('static/voila-style.js') }}
 {{ spinner.css() }}
 {{ super.super() }}
+<style>
+/* Between the head of a panel and what scrolls, nothing may cut it off. */
+.jp-Cell-outputWrapper :is(.lm-Widget, .jp-OutputArea, .jp-OutputArea-child) { overflow: visible; }
+.jp-Cell-outputWrapper .lm-Widget.param-panel { overflow: clip; }
+@media (min-height: 500px) {
+  .param-head { position: sticky; top: calc(-1 * var(--jp-notebook-padding, 10px)); z-index: 1; }
+  :is(.param-row, .param-file) :is(input, textarea, select, button), .param-group > summary { scroll-margin-top: 11em; }
+}
+</style>
 {%- endblock notebook_css -%}
 '''
 _CODE = '''import os

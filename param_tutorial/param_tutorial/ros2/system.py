@@ -76,8 +76,8 @@ def _update(session: Session, found: Snapshot, path: str) -> None:
         except OSError as error:
             raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
         for name in changed:
-            session.print(f'{node} {name}: {values.format_value(held[node][name])} → '
-                          f'{values.format_value(parameters[name])}')
+            before, after = values.format_change(held[node][name], parameters[name])
+            session.print(f'{node} {name}: {before} → {after}')
 
 
 def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapshot:
@@ -112,6 +112,8 @@ class _Side:
     nodes: Mapping[str, Mapping[str, Any]]
     partial: bool = False
     """It does not hold all that there is."""
+    is_snapshot: bool = False
+    """It is a file, and held all that a file can hold."""
     lacking: bool = False
     """A node did not answer."""
 
@@ -120,6 +122,9 @@ def diff(session: Session, args: argparse.Namespace) -> int:
     """Print how one system differs from another."""
     try:
         before, after = _sides(session, args)
+        for snapshot_side, other in ((before, after), (after, before)):
+            if snapshot_side.is_snapshot:
+                _leave_out(session, snapshot_side, other)
         labels = (before.word, after.word)
         partial = before.partial or after.partial
         found: SystemDifference | Difference
@@ -143,6 +148,21 @@ def diff(session: Session, args: argparse.Namespace) -> int:
     else:
         session.print(found)
     return 2 if before.lacking or after.lacking else 1 if found else 0
+
+
+def _leave_out(session: Session, saved: _Side, other: _Side) -> None:
+    """Take out of the other side what no snapshot could have saved, and say so: it is not there, and no difference."""
+    one_each = len(saved.nodes) == len(other.nodes) == 1
+    kept: dict[str, dict[str, Any]] = {}
+    for node, parameters in other.nodes.items():
+        kept[node] = dict(parameters)
+        held = next(iter(saved.nodes.values())) if one_each else saved.nodes.get(node, {})
+        for name, value in parameters.items():
+            reason = files.why_not_expressible(name, value)
+            if reason and name not in held:
+                session.complain(f'not compared: {node}: {name}: {reason}')
+                del kept[node][name]
+    other.nodes = kept
 
 
 def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
@@ -179,7 +199,7 @@ def _in_file(path: str, names: list[str]) -> _Side:
     if descriptions.is_description(descriptions.load_yaml(path)):
         return _Side(path, defaults_of(descriptions.read(path)), partial=True)
     is_snapshot = Path(path).read_text(encoding='utf-8', errors='replace').startswith(FIRST_WORDS)
-    return _Side(path, files.read_all(path, names), partial=not is_snapshot)
+    return _Side(path, files.read_all(path, names), partial=not is_snapshot, is_snapshot=is_snapshot)
 
 
 # -- restore ------------------------------------------------------------------------------------------------
