@@ -8,13 +8,22 @@ from collections.abc import Callable, Mapping, Sequence
 from types import CodeType
 from typing import Any
 
-from rcl_interfaces.msg import SetParametersResult
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial.errors import NodeNotFoundError
-from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import (
+    CORNER,
+    NodeT,
+    NoStart,
+    NotYet,
+    NoUse,
+    Trial,
+    describe_wrong_field,
+    expect,
+)
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import ParameterType
@@ -270,12 +279,19 @@ def expect_range(client: ParameterClient, name: str, lowest: float, highest: flo
     limits = client.describe_parameter(name).range
     if limits is None:
         raise NotYet(wanted, 'it has none for its type: a callback may reject, but no panel can know')
-    # An integer in a range for doubles comes out as another number on each Python, so it is not shown.
     fields = sorted(((limits.from_value, 'from_value'), (limits.to_value, 'to_value')))
     for (found, field), end in zip(fields, (lowest, highest), strict=True):
-        expect(found == end, wanted, f'its `{field}` is not {end!r}' + (
-            '. Does it have a dot?' if isinstance(end, float) else ''))
+        expect(found == end, wanted, f'its `{field}` is {found!r}')
     expect(step is None or limits.step == step, wanted, f'its `step` is {limits.step!r}')
+
+
+def expect_range_fields(node: Node, name: str) -> None:
+    """Expect the fields of a parameter's range to be of their types, whatever this version of Python makes of them."""
+    descriptor = node.describe_parameter(name)
+    wrong = describe_wrong_field(ParameterDescriptor(integer_range=descriptor.integer_range,
+                                                     floating_point_range=descriptor.floating_point_range))
+    expect(not wrong, f'the range of `{name}` has fields of the right types', f'with `check_fields=True`, Python says: '
+           f'{wrong}' + ('. A float has a dot, as in `0.0`' if "type 'float'" in wrong else ''))
 
 
 def expect_override(trial: Trial, name: str, word: str, value: object) -> None:

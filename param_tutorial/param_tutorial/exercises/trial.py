@@ -12,11 +12,13 @@ import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from textwrap import shorten
 from types import FrameType
 from typing import Any, TypeVar, overload
 
 import yaml
 from rclpy.node import Node
+from rclpy.serialization import serialize_message
 
 from param_tutorial.errors import (
     CallbackError,
@@ -97,6 +99,39 @@ def expect(met: Any, expected: str, happened: str) -> None:
         raise NotYet(expected, happened)
 
 
+def describe_wrong_field(message: Any) -> str:
+    """Return which field of a message, or of a message in it, has a value of the wrong type; nothing if none has.
+
+    rclpy looks at no field, unless a message is made with ``check_fields=True``. It sends an integer in place of a
+    double as another number, which depends on the version of Python, and most other values not at all.
+    """
+    for name in message.get_fields_and_field_types():
+        value = getattr(message, name)
+        for each in value if isinstance(value, (list, tuple)) else ():
+            if hasattr(each, 'get_fields_and_field_types') and (found := describe_wrong_field(each)):
+                return found
+        try:
+            type(message)(**{name: value}, check_fields=True)
+        except AssertionError as error:
+            return f'{error}, and it is `{shorten(repr(value), 100)}`'
+    return ''
+
+
+def _expect_sendable(node: Node) -> None:
+    """Expect a node to be able to send its descriptors: a client that asks for another one would wait forever.
+
+    :raises NoUse: it is not.
+    """
+    for name in node.get_parameters_by_prefix(''):
+        descriptor = node.describe_parameter(name)
+        try:
+            serialize_message(descriptor)
+        except Exception as error:
+            wrong = describe_wrong_field(descriptor) or describe_error(error)
+            raise NoUse('descriptors that the node can send',
+                        f'the descriptor of `{name}` cannot be sent: {wrong}') from None
+
+
 class TooLong(BaseException):
     """The time limit is over. No Exception, lest the learner's own ``except Exception`` catches it."""
 
@@ -144,6 +179,7 @@ class Trial:
             leaves that service behind when a node is destroyed (ros2/rclpy#1711 tells why), and each one makes the next
             node slower to start.
         :raises NoStart: it does not start.
+        :raises NoUse: it cannot send its descriptors.
         """
         node_class = node_class or self.work
         # A service of /rover is, for this node, that of the /rover in the corner.
@@ -159,6 +195,7 @@ class Trial:
                           f'its constructor did not finish. {describe_error(error)}') from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.append(node.get_name())
+            _expect_sendable(node)
         return node
 
     def start_with_files(self, node_class: type[NodeT], files: Mapping[str, str], *words: str,

@@ -29,6 +29,7 @@ from param_tutorial.exercises.expectations import (
     expect_declared,
     expect_left_alone,
     expect_override,
+    expect_range_fields,
     expect_rejected,
     expect_result,
 )
@@ -96,7 +97,9 @@ def cart_id(trial: Trial) -> None:
 def expect_limits(trial: Trial, name: str, start: float) -> None:
     """Expect a double from 0.1 to 2.0."""
     expect_declared(trial, name, DOUBLE, start)
-    client = client_for(trial, name)
+    node = trial.start()
+    expect_range_fields(node, name)
+    client = trial.client(node)
     for within in (0.1, 2.0, 1.234):
         expect_result(client, name, within, 'accepted')
     for beyond in (0.099, 2.001, -1.0, 3.0):
