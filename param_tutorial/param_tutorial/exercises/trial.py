@@ -45,6 +45,8 @@ CORNER = '/_check'
 TIME_LIMIT_SEC = 5.0
 # How long a reaction may take after another one did not come: a check should not take minutes to say so.
 _SHORT_TIME_LIMIT_SEC = 1.0
+# How long a reaction may take when nothing is on its way any more that could bring it.
+_SETTLED_SEC = 0.5
 # When a check as a whole should have come to its end. What comes close to it gets less and less time, though never
 # less than the short limit: a callback that sleeps is asked a dozen times.
 _WHOLE_CHECK_SEC = 6.0
@@ -158,6 +160,7 @@ class Trial:
         """The names of the nodes that were made of the work."""
         self.has_waited_in_vain = has_waited_in_vain
         self._began_sec = time.monotonic() if began_sec is None else began_sec
+        self._threads_before = threading.enumerate()
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
     @overload
@@ -272,19 +275,31 @@ class Trial:
             raise NoUse(f'{what} does not wait', 'it was still running after some seconds, and kept the executor '
                         'busy that would have to bring what it waits for') from None
 
-    def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str]) -> None:
-        """Wait until a condition is true, or a callback raises an exception.
+    def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str],
+             is_settled: Callable[[], bool] = lambda: False) -> None:
+        """Wait until a condition is true, a callback raises an exception, or waiting is of no use any more.
 
         :param happened: Returns what is the case instead.
+        :param is_settled: Returns whether nothing is on its way that could make the condition true.
         :raises NotYet: the condition is not true.
         """
         limit_sec = min(TIME_LIMIT_SEC, _SHORT_TIME_LIMIT_SEC) if self.has_waited_in_vain else TIME_LIMIT_SEC
+        settled_at: float | None = None
+
+        def has_settled() -> bool:
+            nonlocal settled_at
+            if not is_settled() or any(each not in self._threads_before for each in threading.enumerate()):
+                settled_at = None
+                return False
+            settled_at = machine_time() if settled_at is None else settled_at
+            return machine_time() - settled_at > _SETTLED_SEC
+
         try:
-            met = wait_until(lambda: condition() or self._failure(), expected, limit_sec)
+            wait_until(lambda: condition() or self._failure() or has_settled(), expected, limit_sec)
         except WaitTimeoutError:
             self.has_waited_in_vain = True
             raise NotYet(expected, f'{happened()}, after {limit_sec:g} s') from None
-        if isinstance(met, Failure) and not condition():  # looked at again: it may have come true before the failure
+        if not condition():  # looked at again: it may have come true before the failure
             raise NotYet(expected, happened())
 
     def raised(self) -> str:

@@ -192,7 +192,8 @@ def expect_trip(trial: Trial, cart: Node, speed_mps: float, acceleration_mps2: f
     """Expect `self.trip_sec` to be right, soon: it may come by an event."""
     trial.wait(lambda: has_trip(cart, speed_mps, acceleration_mps2),
                f'`self.trip_sec` is {trip_sec(speed_mps, acceleration_mps2):g} {when}',
-               lambda: f'it is `{getattr(cart, "trip_sec", None)!r}`')
+               lambda: f'it is `{getattr(cart, "trip_sec", None)!r}`',
+               lambda: not any((*cart.subscriptions, *cart.timers, *cart.clients)))
 
 
 def trip_sec(speed_mps: float, acceleration_mps2: float) -> float:
