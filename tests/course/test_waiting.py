@@ -93,7 +93,7 @@ def spinning(executor_class, *node_makers, **options):
 
 
 def is_answered(executor_class, tick, *, expected, options=(), more=(), **arguments):
-    """Return whether the node gets its answer within the limit."""
+    """True if the node gets its answer within the limit."""
     with spinning(executor_class, lambda context: Asking(context, tick, is_expected=expected, **arguments), *more,
                   **dict(options)) as (asking, *_):
         assert asking.is_asked.wait(60)

@@ -1,4 +1,4 @@
-"""The exercises: no blank is done, each solution is, and anything else that is handed in gets a sentence."""
+"""The exercises: no blank is done, each solution is, and a check answers anything else in a sentence."""
 
 import ast
 import functools
@@ -55,7 +55,7 @@ def own_names(ros):
             if name.startswith(f'{trial.CORNER}/') or name in ('/rover', '/gripper', '/heater')]
 
 
-# What is no work at all, and what the answer says about it.
+# Things that are not work at all, and what the answer says about them.
 class NeedsArguments(Node):
     def __init__(self, name, speed):
         super().__init__(name)
@@ -212,7 +212,7 @@ def test_code_that_python_does_not_let_be_interrupted_at_first_is_interrupted_la
 
 
 def test_a_wrong_name_in_the_learners_lines_is_not_searched_for(ros, monkeypatch):
-    """All nodes that they can mean are in this process. Discovery may take longer than a check gives the lines."""
+    """The lines can only mean nodes of this process. Waiting for discovery could take longer than the check allows."""
     def search(*_):
         raise AssertionError('there was a search')
 
@@ -337,7 +337,7 @@ def test_work_that_starts_or_stops_the_stage_gets_a_hint_to_leave_that_out(ros, 
     happened = not_yet(exercises.check('4c', report)).values()
     assert 'would take the check’s own nodes off the stage: leave this line out' in ' '.join(happened)
     assert ros.nodes == (own,)
-    assert param_tutorial.start() is ros  # after the check, it is as ever
+    assert param_tutorial.start() is ros  # after the check, everything is as before
     assert not ros.nodes
 
 

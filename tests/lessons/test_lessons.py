@@ -156,7 +156,7 @@ def test_who_depends_on_whom_is_found_out_and_recorded(recorded):
 
 
 class OneWay(Node):
-    """Takes a change and does not take it back."""
+    """Accepts a change and does not revert it."""
 
     def __init__(self):
         super().__init__('one_way')

@@ -30,7 +30,7 @@ def shell():
 
 @pytest.fixture
 def cell(shell, monkeypatch):
-    """Run a cell; give what it printed on standard output and standard error, and the exit status."""
+    """Run a cell; return what it printed on standard output and standard error, and the exit status."""
     monkeypatch.setenv('PARAM_TUTORIAL_ROS2', 'embedded')
 
     def run(text):
