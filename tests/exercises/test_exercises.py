@@ -21,7 +21,7 @@ from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
 from param_tutorial.runtime import graph, stage
 from param_tutorial.runtime.executor import BackgroundExecutor
-from tests.support.answers import blank, not_yet, notebook, solution
+from tests.support.answers import answer, blank, cell, not_yet, notebook, solution
 from tests.support.paths import NOTEBOOKS
 
 
@@ -113,6 +113,32 @@ def test_a_node_in_place_of_its_class_is_named_and_stays_on_the_stage(ros):
     result = exercises.check('3a', node)
     assert 'by its name alone and without parentheses' in repr(result)
     assert ros.nodes == (node,)
+
+
+@pytest.mark.parametrize('number', ['1b', '5.3a', '10.1a', '11a'])
+def test_a_class_that_forgets_the_constructor_of_node_is_asked_about_it(ros, number):
+    source = re.sub(r"super\(\).__init__\('\w+'\)", 'pass', cell(number, 'solution').source)
+    happened, = filter(None, not_yet(exercises.check(number, answer(number, source, 'solution'))).values())
+    assert happened.endswith('. Does `__init__` begin with `super().__init__(…)`?')
+
+
+class ForgetsItsOwn(Node):
+    def __init__(self):
+        super().__init__('pump')
+        self.declare_parameter('liters_per_min', self._rate)
+
+
+def test_a_class_that_forgets_something_else_is_not_asked_about_the_constructor_of_node(ros):
+    happened, = filter(None, not_yet(exercises.check('1b', ForgetsItsOwn)).values())
+    assert happened.endswith("'ForgetsItsOwn' object has no attribute '_rate'")
+
+
+@pytest.mark.parametrize('number', ['1b', '5.2a', '8a', '10.4a'])
+def test_a_node_without_parameter_services_is_not_waited_for(ros, number):
+    source = re.sub(r"(super\(\).__init__\('\w+')", r'\1, start_parameter_services=False',
+                    cell(number, 'solution').source)
+    happened, = filter(None, not_yet(exercises.check(number, answer(number, source, 'solution'))).values())
+    assert happened == 'it has no services for them: was it created with `start_parameter_services=False`?'
 
 
 class Heater(Node):

@@ -194,8 +194,11 @@ class Trial:
             with _time_limit(self._limit_sec()):
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args, *fewer])
         except (Exception, TooLong, SystemExit) as error:
-            raise NoStart('a node that starts',
-                          f'its constructor did not finish. {describe_error(error)}') from None
+            # Node.__init__ would have made the handle.
+            is_bare = (isinstance(error, AttributeError) and isinstance(error.obj, Node)
+                       and getattr(error.obj, 'handle', None) is None)
+            raise NoStart('a node that starts', f'its constructor did not finish. {describe_error(error)}' + (
+                '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else '')) from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.append(node.get_name())
             _expect_sendable(node)
@@ -222,7 +225,13 @@ class Trial:
                 raise
 
     def client(self, node: Node) -> ParameterClient:
-        """Return a client for a node's parameters, with the time limit."""
+        """Return a client for a node's parameters, with the time limit.
+
+        :raises NoUse: the node has no services for them; each request would wait until its time is over.
+        """
+        if not any(service.srv_name.endswith('/set_parameters') for service in node.services):
+            raise NoUse('a node that answers requests for its parameters',
+                        'it has no services for them: was it created with `start_parameter_services=False`?')
         return ParameterClient(node, timeout_sec=self._limit_sec(), executor=self.ros)
 
     def _limit_sec(self) -> float:
