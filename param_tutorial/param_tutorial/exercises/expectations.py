@@ -272,11 +272,15 @@ def expect_rejected(trial: Trial, node: Node, new: Mapping[str, object]) -> None
 
 
 def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because: str = '') -> None:
-    """Expect a request, as a whole, to be accepted."""
+    """Expect a request, as a whole, to be accepted.
+
+    :raises NoUse: an on-set callback returns something else than a result, as it would in the other requirements.
+    """
     result = trial.client(node).set_parameters_atomically(new)[0]
-    if result.reason == _INVALID_TYPE:
-        because = '. An on-set callback has to return a `SetParametersResult`, whatever happens in it'
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
+    if result.reason == _INVALID_TYPE:
+        raise NoUse(f'{asked} is accepted', f'it was rejected: {_INVALID_TYPE}. An on-set callback has to return a '
+                    '`SetParametersResult`, whatever happens in it')
     expect(result.successful, f'{asked} is accepted',
            (f'it was rejected: {result.reason}' if result.reason else 'it was rejected without a reason') + because)
 
