@@ -155,7 +155,7 @@ def test_a_deadline_that_cancels_the_future_ends_an_await_with_none():
 
 
 class Slow(Node):
-    """A service and a subscription, the callbacks of which await a moment."""
+    """A service and a subscription whose callbacks await something for a moment."""
 
     def __init__(self, context=None):
         super().__init__('slow', context=context)

@@ -86,7 +86,7 @@ def test_what_a_chapter_speaks_of():
 
 
 class Fan(Node):
-    """Has a range, a rule over two parameters, one that is trimmed, and a log."""
+    """A node with a range, a rule for two parameters, a parameter that is trimmed, and a log."""
 
     def __init__(self):
         super().__init__('fan')

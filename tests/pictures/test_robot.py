@@ -60,7 +60,7 @@ def test_an_animation_is_one_step_for_each_phase_and_the_end():
 def test_it_goes_on_from_where_the_robot_is():
     motion = plan(0.0, 0.0, FAST)
     picture = track.moving(robot(motion), 2.0, 'one')
-    # Robot, two wheels, way to stop, ray, numbers; the antenna leans anew with the next picture.
+    # Robot, two wheels, way to stop, ray, numbers; the antenna leans again with the next picture.
     assert picture.count(f'{motion.duration_sec:.4f}s linear -2.0000s both') == 6
     # Where nothing may move, it stands where it is at this moment.
     assert drawn(picture).find('.//g[@class="robot-mover"]').get('style').startswith(
@@ -69,7 +69,7 @@ def test_it_goes_on_from_where_the_robot_is():
 
 @given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 0.9), st.floats(2.0, 20.0))
 def test_its_ray_has_no_gap_up_to_the_wall(acceleration, speed_rpm, velocity, track_m):
-    """At each moment its own part reaches to where the rest begins, and does not leave it behind."""
+    """At each moment, its own part reaches the point where the rest begins, and no gap opens."""
     settings = Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, track_m=track_m)
     facts = robot(plan(0.5, velocity, settings), settings)
     steps = re.search(r'@keyframes one-ray \{(.*?)\}\}', track.moving(facts, 0.0, 'one'))[1] + '}'
@@ -201,7 +201,7 @@ def test_a_film_tells_each_phase_when_it_begins():
     times, states, full_texts, sentences = zip(*film.scenes)
     assert states == ('SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED')
     assert times == pytest.approx((0.0, 2.0, 3.8, 5.8))
-    # Nobody draws it anew for each phase, so its antenna has to lean by itself.
+    # It is not redrawn for each phase, so its antenna has to lean by itself.
     assert '@keyframes one-cargo' in film.picture
     assert '@keyframes one-cargo' not in track.moving(facts, 0.0, 'one')
     assert film.end == track.still(facts.at(math.inf))
