@@ -70,7 +70,7 @@ def open_chapter(open_notebook, tmp_path):
 
 
 def terminal(lab, *words):
-    """Run a command as in a second terminal, in the kernel's ROS domain, and give what it printed."""
+    """Run a command as in a second terminal, in the kernel's ROS domain, and return what it printed."""
     done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words], env=lab.ros_environment(), cwd=ROOT,
                           capture_output=True, text=True, timeout=TIMEOUT_SEC)
     assert done.returncode == 0, f'{words}: {done.stdout}{done.stderr}'
@@ -78,13 +78,13 @@ def terminal(lab, *words):
 
 
 def value(lab, name):
-    """Return a parameter's value as the node in the kernel has it, faster than a process of its own could."""
+    """Return a parameter's value from the node in the kernel, faster than a new process could."""
     client = f"__import__('param_tutorial').ParameterClient({NODE!r})"
     return ast.literal_eval(lab.ask_kernel(f'{client}.get_parameter({name!r})'))
 
 
 def position(page):
-    """Return the value of max_acceleration_mps2 at which its slider stands: it counts hundredths from 0.01."""
+    """Return the value of max_acceleration_mps2 that its slider shows; it counts hundredths from 0.01."""
     return round(0.01 + 0.01 * float(page.slider('max_acceleration_mps2').input_value()), 2)
 
 
@@ -171,7 +171,7 @@ def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     panels = page.page.locator('.param-panel')
     expect(panels).to_have_count(2)
     expect(panels.nth(1).get_by_role('slider').first).to_be_visible()
-    # Messages keep their order, so this one comes after whatever the second view had to say.
+    # Messages keep their order, so this one comes after all those of the second view.
     second = panels.nth(1).get_by_label('robot_name', exact=True)
     second.fill('Second')
     second.press('Enter')

@@ -155,7 +155,7 @@ def test_a_file_is_saved_and_loaded_from_the_panel(planner):
     expect(cells).to_have_text(['parameter', 'now', 'in the file', 'verdict', 'reason',
                                 'map_name', "'hall'", "'<b>yard</b>'", 'changes', '',
                                 'rate_hz', '10', '7', 'off the step', re.compile('7 is not on a step')])
-    # Whatever changes meanwhile, the table says what the node has now.
+    # Even if something changes meanwhile, the table shows what the node has now.
     lab.ask_kernel("client.set_parameter('map_name', 'attic')")
     expect(cells.nth(6)).to_have_text("'attic'")
     lab.ask_kernel("client.set_parameter('map_name', 'hall')")
@@ -233,7 +233,7 @@ def test_what_is_being_typed_outlives_whatever_else_happens(planner):
     page.page.keyboard.type('big')
     lab.ask_kernel("client.set_parameter('rate_hz', 50)")
     expect(page.box('rate_hz')).to_have_value('50')
-    # A new parameter makes the whole panel anew.
+    # After a new parameter, the whole panel is rebuilt.
     lab.ask_kernel("node.declare_parameter('late', 1)")
     expect(page.row('late')).to_be_visible()
     expect(page.box('map_name')).to_be_focused()

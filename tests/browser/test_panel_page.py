@@ -45,7 +45,7 @@ def environment(tmp_path):
 
 @pytest.fixture
 def arm(environment):
-    """Run a node in a process of its own."""
+    """Run a node in its own process."""
     with subprocess.Popen([sys.executable, '-c', textwrap.dedent(NODE)], env=environment, stdout=subprocess.PIPE,
                           text=True) as process:
         assert process.stdout.readline() == 'ready\n'
@@ -56,7 +56,7 @@ def arm(environment):
 
 @pytest.fixture
 def page_process(environment, tmp_path):
-    """Return a function that starts the command in a folder, and gives the process and the address of the page."""
+    """Return a function that starts the command in a folder, and returns the process and the address of the page."""
     started = []
 
     def start(*arguments):

@@ -55,7 +55,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         expect(first).to_contain_text('Now run the next cell.')
         expect(first.get_by_role('radio').first).to_be_disabled()
         see(page, 'committed')
-        # From there Shift+Enter runs the same cell once more, and then the one that decides.
+        # From there Shift+Enter runs the same cell again, and then the one that gives the answer.
         page.keyboard.press('Shift+Enter')
         expect(first).to_contain_text('Now run the next cell.')
         page.keyboard.press('Shift+Enter')

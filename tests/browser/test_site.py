@@ -1,4 +1,4 @@
-"""The HTML lessons in Chromium, with the network off: what a reader sees, can do, and is told.
+"""The HTML lessons in Chromium, with the network off: what readers see, what they can do, and what the page says.
 
 A site of two small chapters, made once for all tests; the kernels, the nodes and their answers are real. `make html`
 holds the chapters of the course to the same rules when CI builds them, see test_built_site.py.
@@ -129,7 +129,7 @@ FIREFOX_ENTER, FIREFOX_DOWN = '\ue007', '\ue015'
 
 @pytest.fixture(scope='module')
 def made(tmp_path_factory):
-    """Make a site, and give it."""
+    """Build a site, and yield it."""
     folder = tmp_path_factory.mktemp('site')
     notebooks = folder / 'notebooks'
     notebooks.mkdir()
@@ -151,7 +151,7 @@ def page(made, browser, request):
 
 @contextlib.contextmanager
 def served(folder):
-    """Serve a folder as any web server does, and give its address."""
+    """Serve a folder like any web server, and yield its address."""
     class Quiet(http.server.SimpleHTTPRequestHandler):
         def log_message(self, *_):
             pass
@@ -263,7 +263,7 @@ def test_an_answer_that_depends_on_another_parameter_is_not_given_for_another_st
     expect(message(page, 'low_c')).to_have_text(f'Rejected: 21 is not below {known}')
     page.get_by_role('button', name='Back to the start').click()
     expect(box(page, 'high_c')).to_have_value('22')
-    # High first: below 18 there is no room for it, unless low goes first.
+    # high_c has no room below 18 until low_c has gone down.
     type_into(page, 'low_c', '3')
     type_into(page, 'high_c', '4')
     type_into(page, 'low_c', '5')
@@ -910,7 +910,7 @@ MESSAGE = "document.querySelector('.param-row[data-name=%s] .param-message')?.te
 
 
 def test_all_controls_begin_anew_after_a_reload_in_firefox(made, firefox_page):
-    """Firefox keeps what a form held, unless it is told not to; then a control and its picture differ."""
+    """Firefox restores the values of a form unless the page forbids it; then a control and its picture differ."""
     show_in_firefox(firefox_page, made.target / '1_limits.html')
     before = firefox_page.evaluate(CONTROLS)
     firefox_page.click('.rec-prediction input[type=radio]')

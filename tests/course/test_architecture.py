@@ -33,7 +33,7 @@ def rooms_of_the_readme() -> list[str]:
 
 
 def imports_of(module: str) -> Iterator[str]:
-    """Yield the modules of the package that a file imports, wherever in the file it does so."""
+    """Yield the modules of the package that a file imports, anywhere in the file."""
     for statement in ast.walk(ast.parse(FILES[module].read_text())):
         if isinstance(statement, ast.Import):
             yield from (alias.name for alias in statement.names if alias.name in FILES)

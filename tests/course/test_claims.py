@@ -374,7 +374,7 @@ def test_who_joins_late_has_missed_the_events_before(ros, robot, client):
 
 # A148
 def test_a_queue_of_ten_keeps_ten_of_a_burst(ros, robot, client):
-    # Nobody spins this node, as if it were busy while the burst comes in.
+    # This node is not spun, as if it were busy while the burst comes in.
     busy = Node('busy')
     try:
         subscription = busy.create_subscription(ParameterEvent, '/parameter_events', lambda event: None, 10)

@@ -93,7 +93,7 @@ def spinning(executor_class, *node_makers, **options):
 
 
 def is_answered(executor_class, tick, *, expected, options=(), more=(), **arguments):
-    """Return whether the node gets its answer within the limit."""
+    """True if the node gets its answer within the limit."""
     with spinning(executor_class, lambda context: Asking(context, tick, is_expected=expected, **arguments), *more,
                   **dict(options)) as (asking, *_):
         assert asking.is_asked.wait(60)
@@ -155,7 +155,7 @@ def test_a_deadline_that_cancels_the_future_ends_an_await_with_none():
 
 
 class Slow(Node):
-    """A service and a subscription, the callbacks of which await a moment."""
+    """A service and a subscription whose callbacks await something for a moment."""
 
     def __init__(self, context=None):
         super().__init__('slow', context=context)

@@ -33,7 +33,7 @@ class Workspace:
         self.programs = self.prefix / 'lib' / NAME
 
     def where_is(self, module: str) -> Path:
-        """Tell which file the programs that are started here import."""
+        """Return the file that programs started here import."""
         return Path(self.shell.run(f'realpath $(python -c "import {module}; print({module}.__file__)")'
                                    ).replace('~', str(self.shell.home)))
 

@@ -89,7 +89,7 @@ def hub(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 
 class Learner:
-    """Somebody who signs in with a browser, and runs a notebook."""
+    """A user who signs in with a browser and runs a notebook."""
 
     def __init__(self, hub: str, name: str):
         self.hub, self.name, self.server = hub, name, f'{hub}/user/{name}'

@@ -38,7 +38,7 @@ def full_disk(_folder: Path) -> Iterator[str]:
 
 @contextlib.contextmanager
 def read_only(folder: Path) -> Iterator[str]:
-    """Let nobody write into a folder, nor root, who may do so whatever the folder says."""
+    """Keep everyone from writing into a folder, even root, for whom its permissions don't count."""
     modes = {path: path.stat().st_mode for path in [*folder.rglob('*'), folder]}
     for path, mode in modes.items():
         path.chmod(mode & ~0o222 | 0o444)
@@ -123,7 +123,7 @@ def test_what_cannot_be_written_is_said_and_changes_nothing(ros, folder, writer,
     assert 'Traceback' not in said and said.rstrip('\n').count('\n') == 0
     after = files(folder)
     if writer == 'watch' and hindered is full_disk:
-        # What was in a log stays, and what follows, torn off, keeps nobody from reading or continuing it.
+        # What was in the log stays, and a torn last line does not prevent reading or continuing it.
         assert after.pop(path.name).startswith(before.pop(path.name, ''))
     assert after == before
     assert ParameterClient(NODE).get_parameter('max_speed_rpm') == 100

@@ -64,7 +64,7 @@ def python(released: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def elsewhere(tmp_path: Path) -> Iterator[dict[str, str]]:
-    """Return the environment of somebody without a checkout."""
+    """Return the environment of a user without a checkout."""
     yield {'PATH': os.defpath, 'HOME': str(tmp_path), 'LANG': 'C.UTF-8'}
 
 
@@ -117,7 +117,7 @@ def test_each_locked_package_is_in_the_sbom_and_states_its_license(released):
     sbom = json.loads((released / 'sbom.json').read_text())
     assert (sbom['bomFormat'], sbom['metadata']['component']['version']) == ('CycloneDX', VERSION)
     listed = {each['name']: each for each in sbom['components']}
-    # The lock is for five Pythons; each gets a few packages less.
+    # The lock is for five Pythons, and each gets a few packages fewer.
     assert len(set(LOCKED) - listed.keys()) < 10
     assert listed.keys() <= set(LOCKED)
     assert all(each['purl'] == f'pkg:pypi/{name}@{each["version"]}' for name, each in listed.items())

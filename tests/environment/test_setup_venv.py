@@ -18,7 +18,7 @@ import pytest
 from tests.support.paths import ROOT
 
 SCRIPT = ROOT / 'environment' / 'setup_venv.py'
-# Passes only where something hangs: a machine that does much else beside needs half a minute for a new environment.
+# Exceeded only if something hangs: a busy machine needs half a minute for a new environment.
 DEADLINE_SEC = 60
 
 
@@ -83,7 +83,7 @@ def locked(name: str) -> str:
 
 
 def load(script: Path) -> ModuleType:
-    """Return the script as a module of its own, so that a test may replace its parts."""
+    """Return the script as a new module, so that a test can replace its parts."""
     spec = importlib.util.spec_from_file_location('setup_venv_under_test', script)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -94,7 +94,7 @@ def load(script: Path) -> ModuleType:
 def checkout(tmp_path: Path) -> Iterator[Checkout]:
     checkout = Checkout(tmp_path / 'ein Käse')
     yield checkout
-    # A test that failed may have left one waiting.
+    # A failed test may have left one waiting.
     for process in checkout.started:
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGKILL)
@@ -220,7 +220,7 @@ def test_a_learner_gets_what_lessons_need_and_the_rest_is_added_when_asked_for(c
     mark = checkout.mark()
     checkout.run('--everything')
     assert checkout.has('six') and mark.exists()
-    # And it stays, though a lesson needs less.
+    # It stays even though a lesson needs less.
     checkout.project.write_text(checkout.project.read_text() + '# changed\n')
     assert 'is done' in checkout.run().out
     assert checkout.has('six') and mark.exists()

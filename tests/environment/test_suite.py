@@ -1,4 +1,4 @@
-"""The suite itself: a test that hangs is ended and the others are run, wherever `make test` is started."""
+"""The suite itself: a test that hangs is ended and the others run, however `make test` was started."""
 
 import re
 import subprocess

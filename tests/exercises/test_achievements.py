@@ -1,4 +1,4 @@
-"""What a learner sees of the own progress: ticks, a picture, a certificate; and nothing in the stored outputs."""
+"""What learners see of their own progress: ticks, a picture, and a certificate, none of it in the stored outputs."""
 
 import json
 

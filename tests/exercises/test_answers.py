@@ -69,6 +69,7 @@ class TestChapters10And11(Answers):
     first, last = 10, 11
 
 
+@pytest.mark.filterwarnings('ignore:Callback returned an invalid type')
 @pytest.mark.parametrize(('number', 'replacements'), [
     ('7.2a', [("'enable_safety_mode': True", "'enable_safety_mode': False"),
               ("LaunchConfiguration('max_speed_rpm')", '180'),
@@ -83,6 +84,9 @@ class TestChapters10And11(Answers):
     ('9.2a', [('parameter.value, 20), 300', 'parameter.value, 300), 20')]),
     ('9.2a', [("parameter.name == 'speed_rpm'", 'parameter.name == self.speed_rpm')]),
     ('9.2c', [("'speed', 0.5", "'speed', 0.0")]),
+    ('9.2c', [('add_post_set', 'add_on_set')]),
+    ('8a', [('return SetParametersResult(successful=True)', 'return True')]),
+    ('11b', [('return SetParametersResult', 'SetParametersResult')]),
 ])
 def test_one_cause_is_reported_once(ros, number, replacements):
     result = exercises.check(number, solution(number, *replacements))

@@ -1,4 +1,4 @@
-"""The exercises: no blank is done, each solution is, and anything else that is handed in gets a sentence."""
+"""The exercises: no blank is done, each solution is, and a check answers anything else in a sentence."""
 
 import ast
 import functools
@@ -21,7 +21,7 @@ from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
 from param_tutorial.runtime import graph, stage
 from param_tutorial.runtime.executor import BackgroundExecutor
-from tests.support.answers import blank, not_yet, notebook, solution
+from tests.support.answers import answer, blank, cell, not_yet, notebook, solution
 from tests.support.paths import NOTEBOOKS
 
 
@@ -55,7 +55,7 @@ def own_names(ros):
             if name.startswith(f'{trial.CORNER}/') or name in ('/rover', '/gripper', '/heater')]
 
 
-# What is no work at all, and what the answer says about it.
+# Things that are not work at all, and what the answer says about them.
 class NeedsArguments(Node):
     def __init__(self, name, speed):
         super().__init__(name)
@@ -113,6 +113,32 @@ def test_a_node_in_place_of_its_class_is_named_and_stays_on_the_stage(ros):
     result = exercises.check('3a', node)
     assert 'by its name alone and without parentheses' in repr(result)
     assert ros.nodes == (node,)
+
+
+@pytest.mark.parametrize('number', ['1b', '5.3a', '10.1a', '11a'])
+def test_a_class_that_forgets_the_constructor_of_node_is_asked_about_it(ros, number):
+    source = re.sub(r"super\(\).__init__\('\w+'\)", 'pass', cell(number, 'solution').source)
+    happened, = filter(None, not_yet(exercises.check(number, answer(number, source, 'solution'))).values())
+    assert happened.endswith('. Does `__init__` begin with `super().__init__(…)`?')
+
+
+class ForgetsItsOwn(Node):
+    def __init__(self):
+        super().__init__('pump')
+        self.declare_parameter('liters_per_min', self._rate)
+
+
+def test_a_class_that_forgets_something_else_is_not_asked_about_the_constructor_of_node(ros):
+    happened, = filter(None, not_yet(exercises.check('1b', ForgetsItsOwn)).values())
+    assert happened.endswith("'ForgetsItsOwn' object has no attribute '_rate'")
+
+
+@pytest.mark.parametrize('number', ['1b', '5.2a', '8a', '10.4a'])
+def test_a_node_without_parameter_services_is_not_waited_for(ros, number):
+    source = re.sub(r"(super\(\).__init__\('\w+')", r'\1, start_parameter_services=False',
+                    cell(number, 'solution').source)
+    happened, = filter(None, not_yet(exercises.check(number, answer(number, source, 'solution'))).values())
+    assert happened == 'it has no services for them: was it created with `start_parameter_services=False`?'
 
 
 class Heater(Node):
@@ -212,7 +238,7 @@ def test_code_that_python_does_not_let_be_interrupted_at_first_is_interrupted_la
 
 
 def test_a_wrong_name_in_the_learners_lines_is_not_searched_for(ros, monkeypatch):
-    """All nodes that they can mean are in this process. Discovery may take longer than a check gives the lines."""
+    """The lines can only mean nodes of this process. Waiting for discovery could take longer than the check allows."""
     def search(*_):
         raise AssertionError('there was a search')
 
@@ -244,6 +270,22 @@ def test_a_button_callback_that_never_returns_is_reported(ros):
     result = exercises.check('5.3a', Loops)
     assert 'kept the executor busy' in repr(result)
     assert exercises.check('5.3a', solution('5.3a')).done
+
+
+@pytest.mark.parametrize(('number', 'replacements', 'word'), [
+    ('5.3a', [('self.on_answer)', 'lambda future: None)')], "it is `''`"),
+    ('5.3c', [('future.add_done_callback(', '(')], '`results` is empty'),
+    ('10.2a', [('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 'it is `{'),
+    # The client has lost answers.
+    ('10.2a', [('values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values',
+                'future = self.get_client.call_async(GetParameters.Request(names=[name]))'),
+               ('            if values:\n                self.found[name] = parameter_value_to_python(values[0])',
+                '        values = (await future).values')], '26 of 37 questions have no answer'),
+    ('11c', [('self.add_post_set_parameters_callback(self.react)', 'pass')], 'it is `14.0`')])
+def test_a_check_does_not_use_up_its_time_for_what_can_no_longer_come(ros, number, replacements, word):
+    happened = ' '.join(not_yet(exercises.check(number, solution(number, *replacements))).values())
+    assert word in happened
+    assert 'after' not in happened  # as in "it is 14.0, after 5 s"
 
 
 class Sleeps(Loops):
@@ -321,7 +363,7 @@ def test_work_that_starts_or_stops_the_stage_gets_a_hint_to_leave_that_out(ros, 
     happened = not_yet(exercises.check('4c', report)).values()
     assert 'would take the check’s own nodes off the stage: leave this line out' in ' '.join(happened)
     assert ros.nodes == (own,)
-    assert param_tutorial.start() is ros  # after the check, it is as ever
+    assert param_tutorial.start() is ros  # after the check, everything is as before
     assert not ros.nodes
 
 

@@ -6,7 +6,7 @@ from tests.support.hostile import IN_THE_CELL, LINES, PLACES, attempt, started
 
 pytestmark = pytest.mark.slow
 
-# The commonest line everywhere; every other line in a callback, and thoroughly in one more place by turns. `python -m
+# The most common line in every place; every other line in a callback and, thoroughly, in one more place. `python -m
 # tests.tools.hostile` tries all of them everywhere.
 TRIED = [('spin', place) for place in PLACES] + [
     pytest.param(name, place, marks=() if place == 'timer' else pytest.mark.thorough)

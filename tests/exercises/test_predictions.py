@@ -175,7 +175,7 @@ def test_one_committed_while_a_cell_runs_is_decided_when_that_cell_ends(bare_ipy
     run(bare_ipython, "view.answer.value = 'a number'; view.commit(); said = view.said.value")
     assert 'Wait for the cell that is running' in bare_ipython.user_ns['said']
     assert 'Right.' in view.said.value
-    # The cell that has ended does not count for the next prediction.
+    # A cell that ended earlier does not count for the next prediction.
     later = PredictionView(TYPED, remember_nothing)
     assert 'Now run the next cell' in answered(later, '150')
     run(bare_ipython)
@@ -213,7 +213,7 @@ def test_a_cell_that_runs_again_goes_on_with_what_was_committed(bare_ipython):
     run(bare_ipython)
     assert 'Right.' in again.said.value and 'A note.' in again.said.value
     assert len(given) == 1
-    # What is decided may be tried again.
+    # A prediction that has been answered can be tried again.
     run(bare_ipython, 'view = show()')
     assert bare_ipython.user_ns['view'].answer.value is None
 

@@ -1,4 +1,4 @@
-"""The folder of the learner's copies: what is delivered, what stays, and what is kept, whatever happens on the way."""
+"""The folder of the learner's copies: what is delivered, what stays, and what is kept if something goes wrong."""
 
 import errno
 import fcntl
@@ -251,7 +251,7 @@ def test_a_copy_that_does_not_say_its_version_stays_as_it_is(copies, metadata):
 
 
 def test_a_chapter_that_is_not_a_notebook_is_named_and_the_others_are_delivered(copies):
-    """As a merge in git may leave it."""
+    """Conflict markers as git leaves them after a merge."""
     before = files(copies.folder)[FIRST]
     (copies.chapters / FIRST).write_text('<<<<<<< HEAD\n')
     write_chapter(copies.chapters / SECOND, 'turn = 2')

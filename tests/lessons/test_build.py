@@ -1,4 +1,4 @@
-"""However a build ends, there is one whole site, and no process is left."""
+"""However a build ends, it leaves one complete site and no process."""
 
 import os
 import shutil

@@ -86,7 +86,7 @@ def test_what_a_chapter_speaks_of():
 
 
 class Fan(Node):
-    """Has a range, a rule over two parameters, one that is trimmed, and a log."""
+    """A node with a range, a rule for two parameters, a parameter that is trimmed, and a log."""
 
     def __init__(self):
         super().__init__('fan')
@@ -156,7 +156,7 @@ def test_who_depends_on_whom_is_found_out_and_recorded(recorded):
 
 
 class OneWay(Node):
-    """Takes a change and does not take it back."""
+    """Accepts a change and does not revert it."""
 
     def __init__(self):
         super().__init__('one_way')

@@ -1,4 +1,4 @@
-"""The recorder knows no view: whatever implements the protocol is recorded, and the page is told what it needs."""
+"""The recorder knows no view: it records anything that implements the protocol, and says what the page needs."""
 
 import ast
 import gc

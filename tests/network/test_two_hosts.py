@@ -38,7 +38,7 @@ CHOSEN = {'ROS_DOMAIN_ID': '42'}
 @pytest.fixture
 def network(tmp_path: Path) -> Iterator[Network]:
     if why := missing():
-        # In CI there is no excuse.
+        # In CI, a missing namespace is a failure.
         (pytest.fail if os.environ.get('CI') else pytest.skip)(f'two hosts can be made by root only: {why}')
     with Network(tmp_path) as network:
         yield network
@@ -242,7 +242,7 @@ def ask(url, token='', method='GET', data=None):
 
 
 def test_a_chapter_needs_no_network(network):
-    """On a host that has never reached another one, nor any name server."""
+    """On a host that has reached neither another host nor a name server."""
     network.unplug()
     chapter = NOTEBOOKS / '05_2_with_a_callback.ipynb'
     done = subprocess.run(

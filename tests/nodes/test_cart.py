@@ -1,4 +1,4 @@
-"""The cart of chapter 11 moves as its formula says, and keeps its rule whatever it is asked."""
+"""The cart of chapter 11 moves as its formula says, and keeps its rule at every request."""
 
 import itertools
 

@@ -56,7 +56,7 @@ def test_a_terminals_command_ends_with_ctrl_c():
 def test_what_is_typed_into_a_shell_ends_with_ctrl_c_and_the_shell_stays(press_ctrl_c_when):
     shell = Shell()
     press_ctrl_c_when(shell.home / 'ready')
-    # In one process: a bash that waits for a program goes on after Ctrl+C if that program has ended well.
+    # In one process: a bash that waits for a program continues after Ctrl+C if that program ends with status 0.
     assert shell.run("bash -c ': > ready; exec sleep 60'", timeout_sec=50) == ''
     assert shell.status == 128 + signal.SIGINT
     assert shell.run('echo and on') == 'and on'

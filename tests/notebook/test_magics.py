@@ -30,7 +30,7 @@ def shell():
 
 @pytest.fixture
 def cell(shell, monkeypatch):
-    """Run a cell; give what it printed on standard output and standard error, and the exit status."""
+    """Run a cell; return what it printed on standard output and standard error, and the exit status."""
     monkeypatch.setenv('PARAM_TUTORIAL_ROS2', 'embedded')
 
     def run(text):
@@ -239,7 +239,7 @@ def test_the_genuine_command_runs_what_ends_by_itself(cell_with_genuine, line):
 
 
 def test_the_courses_own_nodes_are_started_by_its_own_command(cell_with_genuine, tmp_path):
-    """Nobody has built the package, so the genuine command would not find it."""
+    """The package has not been built, so the genuine command would not find it."""
     stdout, _, status = cell_with_genuine('%ros2 launch param_tutorial argument_param_launch.py --show-args')
     assert ("'robot_name':" in stdout, status) == (True, 0)
     theirs, ours = tmp_path / 'theirs_launch.py', tmp_path / 'ours_launch.py'

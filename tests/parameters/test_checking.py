@@ -244,7 +244,7 @@ def test_a_seeded_error_is_found_where_it_stands(tmp_path, name, old, new, kind,
     assert words in found[0].message
     if kind != 'unreadable':
         assert found[0].column == column, findings
-    # And nothing is said about what is right: at most the same thing again, for the values beside it.
+    # No finding is about a correct value, apart from the same one again for the values beside it.
     assert {each.kind for each in findings} <= {kind} or kind in ('never matched', 'unknown node'), findings
 
 
@@ -353,7 +353,7 @@ def test_all_errors_of_a_file_are_found_at_once(tmp_path):
 
 
 @pytest.mark.parametrize(('first', 'second', 'loser'), [
-    # A block keeps the place at which its name first appeared.
+    # A block keeps the place where its name first appeared.
     (['/**: speed: 0.1', '/hall_3/lift: speed: 0.2'], ['/**: speed: 0.3'], 'second.yaml'),
     (['/hall_3/lift: speed: 0.1'], ['/**: speed: 0.3'], 'first.yaml'),
     # Of values of two types, the first of boolean, integer, double, string stays.

@@ -73,14 +73,14 @@ def client(ros):
 
 
 def process(source, *arguments):
-    """Start a script in a process of its own, in this process's ROS domain."""
+    """Start a script in its own process, in this process's ROS domain."""
     return subprocess.Popen([sys.executable, '-c', textwrap.dedent(source), *arguments],
                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
 @pytest.fixture
 def remote_node():
-    """Return a process with a SimpleParamNode called /remote, which tells when it spins."""
+    """Return a process with a SimpleParamNode called /remote, which prints a line once it spins."""
     child = process('''
         import rclpy
         from rclpy.executors import ExternalShutdownException
@@ -424,7 +424,7 @@ def test_a_node_that_does_not_answer(ros, remote_node):
 
 @pytest.mark.slow
 def test_a_node_that_is_killed_in_mid_call(ros):
-    """It takes no leave: DDS counts it as present for some seconds, in which it does not answer."""
+    """A killed process says no goodbye: DDS counts it as present for some seconds, and it does not answer."""
     child = process("""
         import os, rclpy
         from rclpy.node import Node

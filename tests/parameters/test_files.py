@@ -1,4 +1,4 @@
-"""Parameter files against the parser of rcl itself: whatever we write or read, it must read the same."""
+"""Parameter files against rcl's own parser: it must read whatever we write or read in the same way."""
 
 import os
 import re
@@ -37,7 +37,7 @@ class Reader(Node):
 
 
 def rcl_reads(ros, text, node='/lab/reader'):
-    """Return what a real node makes of a parameter file; None if it does not start."""
+    """Return the values that a real node gets from a parameter file; None if it does not start."""
     namespace, _, name = node.rpartition('/')
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
         file.write(text if isinstance(text, bytes) else text.encode())
@@ -53,7 +53,7 @@ def rcl_reads(ros, text, node='/lab/reader'):
 
 
 def we_read(text, node='/lab/reader'):
-    """Return what ``read`` makes of a text; None if it rejects."""
+    """Return what ``read`` finds in a text; None if it rejects the text."""
     with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
         file.write(text if isinstance(text, bytes) else text.encode())
         file.flush()

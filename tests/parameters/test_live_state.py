@@ -31,7 +31,7 @@ def descriptor(name, parameter_type=values.INTEGER):
 
 
 def describe(state, **present):
-    """Let a state read everything, and return what is to be done then."""
+    """Let a state read everything, and return what it asks for next."""
     assert state.begin_reading(0.0).describe
     return state.described(list(present), {name: descriptor(name) for name in present}, present)
 

@@ -1,4 +1,4 @@
-"""A change is recorded as rclpy does it, and the recorder leaves no trace; the graph is the real one."""
+"""A change is recorded as rclpy makes it, the recorder leaves no trace, and the graph is the real one."""
 
 import pytest
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, ParameterEvent, SetParametersResult

@@ -231,7 +231,7 @@ def test_a_node_that_stores_something_else_is_told_of(ros, client):
 
 
 class Open(Node):
-    """Takes anything."""
+    """A node that accepts anything."""
 
     def __init__(self):
         super().__init__('open')

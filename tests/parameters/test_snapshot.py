@@ -1,4 +1,4 @@
-"""All parameters of all nodes: what is in it, and who is not."""
+"""All parameters of all nodes: what a snapshot holds, and which nodes are missing."""
 
 import copy
 import pickle
@@ -45,7 +45,7 @@ OWN = {'use_sim_time': False, 'start_type_description_service': True}
 
 @pytest.fixture
 def dozing(ros):
-    """Return a node that is there and that nobody spins."""
+    """Return a node that exists and is not spun."""
     node = Node('dozing')
     yield node
     node.destroy_node()

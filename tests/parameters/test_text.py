@@ -1,4 +1,4 @@
-"""Values as people type them: whatever is formatted is parsed back the same."""
+"""Values as people type them: a formatted value is parsed back as the same value."""
 
 import pytest
 from hypothesis import given

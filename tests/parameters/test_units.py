@@ -1,4 +1,4 @@
-"""The unit of a parameter: known where its texts or its name say one, and none where that is unsure."""
+"""The unit of a parameter: known if its texts or its name give one, and none if they leave doubt."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The cart's picture: the drive is the one that the node works out, and the boxes lean as physics says. No node."""
+"""The cart's picture, without a node: it drives as the node calculates, and the boxes lean as physics says."""
 
 import math
 import re

@@ -35,7 +35,7 @@ def texts(picture):
 
 
 def bounces(picture):
-    """Return whether the value lies on the ground, rejected, at the end."""
+    """True if the value lies on the ground, rejected, at the end."""
     return [tag.get('class') for tag in picture.iter('rect')].count('motion-token-bad') == 1
 
 

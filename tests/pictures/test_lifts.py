@@ -39,7 +39,7 @@ def test_a_lift_goes_by_its_points_evenly():
     times, places = zip(*((float(at), float(y)) for at, y in re.findall(r'([\d.]+)% \{\S+px,([\d.]+)px', cabin)),
                         strict=True)
     assert 'linear' in cabin
-    # As long as the second way takes, it is two and a half times as far.
+    # The second way takes as long, and is two and a half times as far.
     assert (times[3] - times[2]) == pytest.approx(times[2] - times[1], abs=.02)
     assert (places[2] - places[3]) / (places[1] - places[2]) == pytest.approx(2.5, rel=.02)
 

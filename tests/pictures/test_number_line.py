@@ -1,4 +1,4 @@
-"""The number line: where values stand, which of them have a ring, and what a request leaves behind."""
+"""The number line: where values stand, which of them have a ring, and which traces a request leaves on it."""
 
 import math
 from itertools import pairwise

@@ -67,7 +67,7 @@ def test_few_parts_move_by_themselves():
 
 @given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 0.9), st.floats(2.0, 20.0))
 def test_its_ray_has_no_gap_up_to_the_wall(acceleration, speed_rpm, velocity, track_m):
-    """At each moment its own part reaches to where the rest begins, and does not leave it behind."""
+    """At each moment, its own part reaches the point where the rest begins, and no gap opens."""
     settings = Settings(speed_rpm / 60 * 2 * math.pi * 0.1, acceleration, track_m=track_m)
     facts = robot(plan(0.5, velocity, settings), settings)
     steps = re.search(r'@keyframes robot-NAME-ray \{(.*?)\}\}', track.moving(facts))[1] + '}'

@@ -11,7 +11,7 @@ EXERCISES = {chapter.name: [each.number for each in chapter.exercises] for chapt
 
 
 def marks(text: str) -> dict[str, str]:
-    """Return what stands behind the number of each chapter."""
+    """Return the mark after the number of each chapter."""
     return {number: mark for number, mark in re.findall(r'^\| ([\d.]+) ?(.*?) \| \[', text, re.MULTILINE)}
 
 

@@ -55,7 +55,7 @@ def test_what_a_running_node_declares_is_saved_and_checked_against(ros, file, tm
 
 @pytest.mark.slow
 def test_a_program_is_started_described_and_stopped(ros, file):
-    """In a domain of its own: nobody here hears of it."""
+    """The program runs in its own domain, where no node of this process hears it."""
     found = describe_program('param_tutorial', 'simple_param_node')['/simple_param_node']
     assert found.defaults_from == 'as declared'
     assert found.parameters['max_speed_rpm'].default == 100

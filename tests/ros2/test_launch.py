@@ -117,7 +117,7 @@ def generate_launch_description():
     node, = load_description(path).entities
     assert Path(node.package, 'share/param_tutorial/config/clawbot_config.yaml').is_file()
     assert os.environ['AMENT_PREFIX_PATH'] == '/nowhere'
-    # One that has been built and sourced comes first.
+    # A package that has been built and sourced comes first.
     marker = tmp_path / 'share/ament_index/resource_index/packages/param_tutorial'
     marker.parent.mkdir(parents=True)
     marker.touch()
@@ -240,7 +240,7 @@ def test_what_cannot_be_a_parameter(context, value):
 
 
 def values_of(parameters, context):
-    """Give what a node is told to start with."""
+    """Return the overrides that a node is started with."""
     _, files = arguments(Node(package='p', executable='e', parameters=[parameters]), context)
     return files[0]['/**']['ros__parameters']
 

@@ -49,7 +49,7 @@ def start_process(ros):
 
     yield start
     for process in started:
-        # Asked politely, a process takes leave of the others; killed, it would count as present for a while.
+        # A process that is asked to end says goodbye to the others. A killed one would count as present for a while.
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGINT)
             os.killpg(process.pid, signal.SIGCONT)
@@ -64,7 +64,7 @@ def start_process(ros):
 
 
 def program_of(name):
-    """Return the command line of a program with one node, which says when it is ready and ends when it is told to."""
+    """Return the command line of a program with one node. It prints a line when it is ready, and ends when asked."""
     return sys.executable, '-c', f'''
 import signal, rclpy
 from rclpy.node import Node
@@ -291,7 +291,7 @@ def test_an_unknown_node_is_waited_for_as_long_as_asked(ros):
 
 
 def test_a_node_that_may_have_services_is_left_out_with_a_word(ros, monkeypatch):
-    """Without the service that rclpy creates last, nothing tells that no further one is coming."""
+    """If the service that rclpy creates last is missing, nobody can know that no further one is coming."""
     monkeypatch.setattr(graph, 'PATIENCE_SEC', 0.2)
     ros.add(SimpleParamNode)
     ros.add(Odd, 'vague', start_parameter_services=False,

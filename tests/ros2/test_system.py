@@ -22,7 +22,7 @@ class Camera(Node):
 
 @pytest.fixture
 def silent(ros):
-    """Return a node that is there and that nobody spins."""
+    """Return a node that exists and is not spun."""
     node = Node('silent')
     yield node
     node.destroy_node()

@@ -23,7 +23,7 @@ def test_a_message_that_is_lost_is_waited_for_once():
     backlog.add()
     assert not backlog.wait(0)
     assert backlog.wait(0)
-    # It comes after all, and does not count as the next one.
+    # The late one arrives after all, and does not count as the next one.
     backlog.take()
     backlog.add()
     assert not backlog.wait(0)

@@ -18,12 +18,12 @@ CHOOSE = 'import os; from param_tutorial.runtime import domain; print(domain.cho
 
 
 def nothing_chosen():
-    """Return the environment of somebody who has chosen neither a domain nor a network."""
+    """Return the environment of a user who has chosen neither a domain nor a network."""
     return {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
 
 
 def choose(variable='ROS_AUTOMATIC_DISCOVERY_RANGE', **environment):
-    """Let a process of its own choose; give what it prints, or raise."""
+    """Let a new process choose, and return what it prints; raise if it fails."""
     return subprocess.run([sys.executable, '-c', CHOOSE.format(variable)], env={**nothing_chosen(), **environment},
                           capture_output=True, text=True, timeout=60, check=False)
 
@@ -103,12 +103,12 @@ def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant
 
 
 def test_a_port_that_a_look_at_the_table_passes_over_is_found_by_the_next(monkeypatch):
-    """Linux passes over one while others are closed."""
+    """Linux can skip an entry of a listing while others are closed."""
     port, other = 7400 + 250 * 5 + 10, 80
     for looks in ([{other}, {port}, {port}], [{port, other}, {other}, {port}, {port}]):
         monkeypatch.setattr(domain, '_listed_ports', functools.partial(next, iter(looks)))
         assert domain.participant_ports(5) == {port}
-    # Where others never cease to come and go, all that was seen counts.
+    # If others keep coming and going, everything that was seen counts.
     looks = itertools.cycle([{other}, {port}, {443}])
     monkeypatch.setattr(domain, '_listed_ports', functools.partial(next, looks))
     assert domain.participant_ports(5) == {port}
@@ -120,14 +120,14 @@ def test_what_the_user_has_set_for_a_robots_network_does_not_part_processes_here
               'from rclpy.node import Node\n'
               'param_tutorial.start().add(Node, "here")\n'
               'print(subprocess.check_output([sys.executable, "-m", "param_tutorial", "node", "list"], text=True))')
-    # Each of them alone keeps the second process from finding the node, or either from starting.
+    # Each of them, alone, keeps the second process from finding the node, or one of the two from starting.
     others = {'ROS_DISCOVERY_SERVER': '192.0.2.1:11811', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF',
               'ROS_SECURITY_ENABLE': 'true', 'ROS_SECURITY_STRATEGY': 'Enforce', 'ROS_LOCALHOST_ONLY': '1',
               'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'}
     done = subprocess.run([sys.executable, '-c', source], env={**nothing_chosen(), **others}, capture_output=True,
                           text=True, timeout=120, check=False)
     assert done.stdout.split() == ['/here'], done.stderr
-    # Said once, and by nobody but this.
+    # One warning, and from this module alone.
     assert done.stderr == ('RMW_IMPLEMENTATION is rmw_cyclonedds_cpp, which this Python does not have: continuing with '
                            'the default.\n')
 

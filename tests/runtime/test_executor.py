@@ -34,7 +34,7 @@ class Speed(Node):
 
 
 def run_python(source, **options):
-    """Run a script in a process of its own, and in a ROS domain of its own: in this one, killed nodes may linger."""
+    """Run a script in its own process and ROS domain: in this domain, killed nodes may linger."""
     environment = domain.environment_without_domain()
     return subprocess.run([sys.executable, '-c', textwrap.dedent(source)], capture_output=True, text=True,
                           timeout=60, check=False, **{'env': environment, **options})
@@ -299,7 +299,7 @@ def test_many_restarts_do_not_pile_up(ros):
 
 
 def test_a_class_whose_node_has_gone_is_not_kept(ros):
-    """A cell that runs again makes its class anew: a lesson that is run often would keep hundreds."""
+    """A cell that runs again creates its class again: a lesson that is run often would keep hundreds."""
     class Passing(Node):
         def __init__(self):
             super().__init__('passing')
@@ -315,7 +315,7 @@ def test_a_class_whose_node_has_gone_is_not_kept(ros):
 
 
 def test_a_node_that_is_destroyed_leaves_no_service_behind(ros):
-    # Under a name of its own: where another test's callback never returns, its node's service stays.
+    # It needs its own name: after a test whose callback never returns, the service of its node stays.
     def services():
         return len(ros.tool_node.get_subscriptions_info_by_topic(
             'rq/leaver/get_type_descriptionRequest', no_mangle=True))
@@ -325,7 +325,7 @@ def test_a_node_that_is_destroyed_leaves_no_service_behind(ros):
     param_tutorial.wait_until(lambda: services() == 1, 'those of the earlier nodes to go')
     node.destroy_node()
     param_tutorial.wait_until(lambda: services() == 0, 'the last one to go')
-    # Nor does a node without the service fail to go.
+    # A node without the service can be removed, too.
     ros.add(Speed, 'leaver', ros_args=['-p', 'start_type_description_service:=false'])
     assert ros.remove('/leaver')
     assert ros.services.node_names() == []
@@ -389,7 +389,7 @@ def test_a_refusing_callback_is_no_error(ros):
 
 
 class Asking(Speed):
-    """Does in a timer callback what it is told, once, and notes what comes of it."""
+    """Calls a function once, in a timer callback, and keeps what it returned or raised."""
 
     def __init__(self, act):
         super().__init__('asking')
@@ -418,7 +418,7 @@ def spin_a_helper(node):
         helper.destroy_node()  # and not when its garbage is collected, in a later test
 
 
-# The commonest ways to wait for an answer in a callback.
+# The most common ways to wait for an answer in a callback.
 WAITS = {
     'spin_until_future_complete': lambda node: rclpy.spin_until_future_complete(node, ask(node)),
     'spin_once': rclpy.spin_once,
@@ -653,7 +653,7 @@ def test_a_callback_is_as_its_author_wrote_it(ros):
 
 
 def test_an_async_subscription_callback_runs_and_may_await(ros, capfd):
-    """Rclpy 7.1.6's EventsExecutor would drop it without a word."""
+    """The EventsExecutor of rclpy 7.1.6 would drop it silently."""
     class Follower(Speed):
         def __init__(self):
             super().__init__('follower')
@@ -673,7 +673,7 @@ def test_an_async_subscription_callback_runs_and_may_await(ros, capfd):
     assert 'The subscription callback hear of /follower raised an exception' in capfd.readouterr().err
 
 
-# What keeps a thread for good: asleep in a lock, or awake and catching everything.
+# What blocks a thread forever: asleep in a lock, or awake and catching everything.
 STUCK = '''
     import sys, threading, time, param_tutorial
     from rclpy.node import Node
@@ -724,7 +724,7 @@ def test_the_stage_goes_on_when_a_callback_never_returns(asleep):
 
 @pytest.mark.slow
 def test_nodes_that_go_after_that_leave_nothing_with_the_executor():
-    """What they served is gone at once, and the memory is another's before the executor has looked."""
+    """What they served is gone at once, and something else may use the memory before the executor has looked."""
     done = run_python(STUCK.format(asleep=True) + '''
     ros.run(lambda: None, 'work', timeout_sec=0.3)
     for _ in range(30):

@@ -19,21 +19,21 @@ from param_tutorial.runtime import graph, waiting
 
 @pytest.fixture
 def haunted(ros, monkeypatch):
-    """Return an executor that has been there for long, and whose rmw lists a ghost, and one with the robot's name."""
+    """Return an executor that has run for a while, and whose rmw lists two ghosts, one with the robot's name."""
     list_also(monkeypatch, ros, 'ghost', 'simple_param_node')
     monkeypatch.setitem(graph._arrivals, ros.tool_node, -graph._UNHEARD_SEC)
     return ros
 
 
 def list_also(monkeypatch, ros, *names):
-    """Let rmw list some names of which nothing else is known."""
+    """Let rmw list some names about which nothing else is known."""
     listed = ros.tool_node.get_node_names_and_namespaces
     monkeypatch.setattr(ros.tool_node, 'get_node_names_and_namespaces',
                         lambda: [*((name, '/') for name in names), *listed()])
 
 
 def shown(ros, *words):
-    """Type a command, and give what it prints."""
+    """Type a command, and return what it prints."""
     printed = io.StringIO()
     command.main(words, stdout=printed, stderr=printed, get_executor=lambda: ros, in_notebook=True)
     return printed.getvalue()
@@ -64,7 +64,7 @@ def test_a_process_that_has_lived_long_does_not_wait_for_a_ghost_even_when_it_lo
 
 
 def test_a_node_whose_name_comes_first_is_waited_for(ros, monkeypatch):
-    """As that of a process which has lived long comes to a new one."""
+    """A new process hears of such a name from one that has run for a while."""
     monkeypatch.setattr(graph, '_LEFT_SEC', 0.0)
     list_also(monkeypatch, ros, 'simple_param_node')
     looks = []
@@ -88,12 +88,12 @@ def test_what_a_new_process_has_not_heard_of_a_node_counts_as_missing(ros, monke
 
 
 def test_a_node_without_parameter_events_is_one_as_long_as_it_has_anything(ros):
-    """As one that was written for rcl, or for rclcpp with that publisher turned off."""
+    """Like a node written for rcl, or for rclcpp with that publisher turned off."""
     node = ros.add(Node, 'plain', start_parameter_services=False, enable_rosout=False,
                    ros_args=['-p', 'start_type_description_service:=false'])
     assert ros.services.node_names() == ['/plain']
     ros.run(lambda: node.destroy_publisher(node._parameter_event_publisher), 'take its publisher away')
-    # The executor may still hold the publisher, which is destroyed when nobody does.
+    # The executor may still hold the publisher, which is destroyed once nothing holds it.
     wait_until(lambda: ros.services.node_names() == [], 'its end')
     ros.run(lambda: node.create_service(ListParameters, 'list', print), 'give it a service')
     assert ros.services.node_names() == ['/plain']

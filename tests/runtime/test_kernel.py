@@ -159,7 +159,7 @@ def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
     assert process.wait(DEADLINE_SEC) == 7
     wait_until(lambda: not any(each.is_running() and each.status() != psutil.STATUS_ZOMBIE for each in started),
                'what the kernel started to end')
-    # Another kernel may have the domain at once, and finds nobody in it.
+    # Another kernel may take the domain at once, and finds no node in it.
     assert domain.participant_ports(number) == set()
     claim = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
     claim.bind(f'\0param_tutorial/ros_domain/{number}')
@@ -265,7 +265,7 @@ def test_interrupt_ends_what_a_shell_cell_waits_for_and_not_the_shell(kernel):
 
 
 class Page:
-    """A page in a browser, as far as a kernel knows of it: it has a subshell for what a person does with widgets."""
+    """What a kernel sees of a page in a browser: a subshell, which handles what a person does with widgets."""
 
     def __init__(self, kernel):
         self._client = kernel.client

@@ -55,7 +55,7 @@ def lamp(ros):
 
 @pytest.fixture
 def other_context():
-    """A context and nodes that have nothing to do with the stage."""
+    """A context and nodes apart from the stage."""
     context = rclpy.Context()
     rclpy.init(context=context)
     yield context
@@ -188,7 +188,7 @@ def test_a_client_returns_none_when_no_answer_comes_in_time(other_context, limit
 
 @pytest.fixture
 def default_context():
-    """Rclpy as a program has it that has called rclpy.init()."""
+    """Rclpy as in a program that has called rclpy.init()."""
     param_tutorial.stop()
     rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     yield utilities.get_default_context()
@@ -230,7 +230,7 @@ def test_init_goes_through_the_context_and_installs_handlers_by_a_name_in_rclpy(
 
 
 def test_a_second_executor_takes_nodes_over_from_one_that_never_runs_again(other_context):
-    """The first sleeps in a callback for good: if it were ever destroyed, it would look for the handles."""
+    """The first one sleeps in a callback forever: if it were destroyed, it would look for the handles."""
     node, stuck = Node('held', context=other_context), Node('stuck', context=other_context)
     observer = Node('observer', context=other_context)
     ticks = []
@@ -316,7 +316,7 @@ def test_the_service_get_type_description_outlives_its_node_until_rcl_ends_it(ro
     node = Node('forgotten')
     end = rclpy_private.keep_type_description_service(node)
     node.destroy_node()
-    # If this fails, rclpy does it by itself now, and the function can go.
+    # If this fails, rclpy now does it by itself, and the function can be removed.
     assert is_there()
     end()
     wait_until(lambda: not is_there(), 'the service to go')
@@ -421,7 +421,7 @@ def test_no_other_file_uses_private_names_of_rclpy(ros, lamp):
         if path.name == 'rclpy_private.py':
             continue
         for step in ast.walk(ast.parse(path.read_text())):
-            # What a class keeps in self is its own.
+            # What a class keeps in self belongs to it.
             if (isinstance(step, ast.Attribute) and step.attr in private
                     and ast.unparse(step.value) not in ('self', 'cls')):
                 found.append(f'{path.name}: {ast.unparse(step)}')

@@ -87,7 +87,7 @@ def test_a_flood_in_the_executors_thread_is_cut_and_told_of(ros, capsys):
 
 
 class Asking(Node):
-    """Asks in a timer callback, once."""
+    """Calls input() once, in a timer callback."""
 
     def __init__(self):
         super().__init__('asking')

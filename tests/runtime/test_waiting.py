@@ -1,4 +1,4 @@
-"""Time limits are counted in the time that the machine has: where many threads share a core, they are longer."""
+"""Time limits are counted in machine time: they are longer if many threads share a core."""
 
 import signal
 import threading
@@ -23,7 +23,7 @@ def slowness(request, monkeypatch, tmp_path):
 
 @pytest.fixture
 def now(monkeypatch):
-    """Let time stand still, for a clock of its own; return it as a list of one number."""
+    """Let time stand still for a new clock; return the time as a list of one number."""
     now = [0.0]
     monkeypatch.setattr(waiting, 'time', SimpleNamespace(monotonic=lambda: now[0]))
     monkeypatch.setattr(waiting, 'machine_time', waiting._MachineClock())

@@ -15,7 +15,7 @@ TIMEOUT_SEC = 30.0
 
 
 class Step:
-    """What a worker calls: counts, returns what it is told to, and can be held in mid-call."""
+    """What a worker calls: it counts its calls, returns what a test chooses, and can be held in mid-call."""
 
     def __init__(self, *answers):
         self.answers = list(answers)
@@ -39,7 +39,7 @@ class Step:
 
 @pytest.fixture
 def make():
-    """Return a function that makes a worker of a step; all are ended afterwards."""
+    """Return a function that makes a worker from a step; all of them are ended afterward."""
     made = []
 
     def make(step, period_sec=0.001):
@@ -54,7 +54,7 @@ def make():
 
 @pytest.fixture
 def never_by_itself(monkeypatch):
-    """Let no worker look by itself, so that what is called was asked for."""
+    """Keep workers from looking by themselves, so that each call is one that the test asked for."""
     monkeypatch.setattr(module, '_LOOK_PERIOD_SEC', 3600.0)
 
 
@@ -70,7 +70,7 @@ def test_it_has_no_thread_until_it_is_needed_and_none_when_nothing_is_left(make,
     worker.wake()
     wait_for_calls(step, 1)
     wait_until(lambda: worker.is_idle, 'the thread to end', TIMEOUT_SEC)
-    # Once because it was woken, and a few times to see what has become late.
+    # Once because it was woken, and a few times to look for what is late.
     assert step.calls == 1 + module._IDLE_LOOKS
     worker.wake()
     wait_for_calls(step, 2 + module._IDLE_LOOKS)

@@ -23,7 +23,7 @@ from websocket import WebSocket, create_connection
 
 FIREFOX = next(filter(None, map(shutil.which, ('firefox-esr', 'firefox'))), None)
 TIMEOUT_SEC = 120.0
-# It asks nobody in the world, and shows no page of its own.
+# It asks no server on the internet, and shows no page of its own.
 _PREFERENCES = {
     'app.normandy.enabled': False, 'app.update.enabled': False, 'browser.aboutwelcome.enabled': False,
     'browser.newtabpage.enabled': False, 'browser.safebrowsing.downloads.remote.enabled': False,
@@ -35,7 +35,7 @@ _PREFERENCES = {
 
 
 class FirefoxError(Exception):
-    """Firefox has said no, or a script in the page has raised."""
+    """Firefox rejected a command, or a script in the page raised an error."""
 
 
 class FirefoxPage:
@@ -45,7 +45,7 @@ class FirefoxPage:
         self._connection = connection
         self._numbers = itertools.count(1)
         self.complaints: list[str] = []
-        """What pages have written into the console as errors, and what their scripts have raised."""
+        """The errors that pages wrote to the console, and those that their scripts raised."""
         self._ask('session.new', capabilities={})
         self._tab = self._ask('browsingContext.getTree')['contexts'][0]['context']
         self._ask('session.subscribe', events=['log.entryAdded'])
@@ -59,7 +59,7 @@ class FirefoxPage:
         self._ask('browsingContext.reload', context=self._tab, wait='complete')
 
     def resize(self, width: int, height: int) -> None:
-        """Give the page another size, in CSS pixels."""
+        """Resize the page, in CSS pixels."""
         self._ask('browsingContext.setViewport', context=self._tab, viewport={'width': width, 'height': height})
 
     def evaluate(self, expression: str) -> Any:
@@ -100,7 +100,7 @@ class FirefoxPage:
             {'type': 'pointerUp', 'button': 0}]}])
 
     def screenshot(self, path: Path) -> None:
-        """Save a picture of what is in sight."""
+        """Save a picture of the visible part."""
         path.write_bytes(base64.b64decode(self._ask('browsingContext.captureScreenshot', context=self._tab)['data']))
 
     def _run(self, expression: str) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Lines that a tutorial teaches, or that one types by mistake, and the places where they can stand in a notebook."""
+"""Lines that tutorials teach or people type by mistake, and the places where they can stand in a notebook."""
 
 import re
 import time
@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from tests.support.kernels import DEADLINE_SEC, Kernel
 
-# Before all of it: the stage with a node of the learner's, a right answer to an exercise, and the names that lines use.
+# Runs first: the stage with a node of the learner's, a right answer to an exercise, and the names that lines use.
 SET_UP = '''
 %load_ext param_tutorial
 import sys, time, rclpy, param_tutorial
@@ -45,7 +45,7 @@ class Line(NamedTuple):
     says: str
     """A pattern for the word that the learner gets."""
     ends: bool = True
-    """False if it goes on until somebody presses Interrupt."""
+    """False if it runs until someone presses Interrupt."""
 
 
 _NO_SPIN = ('leave this line out|runs inside the executor|spun in the background|timed out after|only the executor can '
@@ -163,18 +163,18 @@ exercises.check('5.3b', act)''',
         begins="exercises.check('5.3a', Victim)"),
 }
 
-# Where input() asks as ever, and what is printed is the learner's own affair: code that a cell itself runs.
+# In code that a cell itself runs, input() asks as usual, and the learner may print anything.
 IN_THE_CELL = ('cell, node made by hand', 'cell, node on the stage', 'constructor')
 
 
 class Attempt(NamedTuple):
-    """What came of a line in a place."""
+    """The result of a line in a place."""
 
     text: str
     answered_sec: float
-    """Until its cell had ended."""
+    """What was printed until its cell ended."""
     all_sec: float
-    """Until the next check had ended."""
+    """What was printed until the next check ended."""
     stage: str
     """What ALIVE says afterwards."""
     check: str
@@ -183,12 +183,12 @@ class Attempt(NamedTuple):
     # What the executor's thread prints may come with the next cells.
 
     def says(self, pattern: str) -> bool:
-        """True if the learner was told so; lines may be broken anywhere."""
+        """True if the learner could read this; lines may be broken anywhere."""
         return re.search(pattern, ' '.join(f'{self.text} {self.stage} {self.check}'.split())) is not None
 
     @property
     def goes_on(self) -> tuple[bool, bool]:
-        """Whether the stage lives, and whether the next check works."""
+        """Two truth values: the stage is alive, and the next check works."""
         return self.stage.endswith(ALIVE_SAYS), self.check.endswith('True')
 
 

@@ -8,7 +8,7 @@ from IPython.core.interactiveshell import InteractiveShell
 
 @contextlib.contextmanager
 def ipython_with_extension() -> Iterator[InteractiveShell]:
-    """Give the IPython of this process, with the notebook extension; the next one to ask gets another."""
+    """Yield the IPython of this process with the notebook extension; each use gets a new one."""
     shell = InteractiveShell.instance()
     shell.history_manager.enabled = False  # two test processes would share its database
     shell.run_line_magic('load_ext', 'param_tutorial')

@@ -30,7 +30,7 @@ class KernelManager(KernelManagerOnPorts):
 
 
 class Kernel:
-    """A kernel, and what its cells gave."""
+    """A kernel, and what its cells printed."""
 
     def __init__(self, environment: Mapping[str, str] | None = None) -> None:
         """Start it.
@@ -84,7 +84,7 @@ class Kernel:
         return status
 
     def kill(self) -> None:
-        """End the kernel, whatever it does."""
+        """Kill the kernel, whatever it is doing."""
         if self.manager.has_kernel:
             self.client.stop_channels()
             self.manager.shutdown_kernel(now=True)

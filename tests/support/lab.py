@@ -26,18 +26,18 @@ from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 from tests.support.paths import ROOT
 
-# The shell is the same browser without its window, which takes a fourth of the processor time.
+# The shell is the same browser without its window, and takes a quarter of the processor time.
 CHROMIUM = next(filter(None, map(shutil.which, ('chromium-headless-shell', 'chromium', 'chromium-browser',
                                                 'google-chrome'))), None)
 # A machine with two cores that runs other tests beside is slow, and a deadline that passes costs a whole run.
 TIMEOUT_SEC = 120.0
 expect.set_options(timeout=TIMEOUT_SEC * 1000)
 
-# What JupyterLab itself complains of in a browser without a way to the world; nothing of ours.
+# What JupyterLab itself complains about in a browser without the internet; none of it is ours.
 KNOWN_ERRORS = (
     # The page asks for its own favicon in a busy variant that this server does not have.
     r'favicon',
-    # JupyterLab takes an output off the page that it has replaced already, when cells are run again.
+    # When cells are run again, JupyterLab removes an output from the page that it has replaced already.
     r"Failed to execute 'removeChild' on 'Node'",
     # It asks each kernel for its debugger, which the course leaves out, when a page is loaded again.
     r'Could not restore the debugger state',
@@ -87,7 +87,7 @@ class Lab:
         return self._work
 
     def add(self, notebook: Path) -> None:
-        """Put a copy of a notebook, fresh again, into the server's folder."""
+        """Put a fresh copy of a notebook into the server's folder."""
         shutil.copy(notebook, self._work)
 
     def _command(self) -> list[str]:
@@ -136,7 +136,7 @@ class Lab:
         return (self._folder / 'server.log').read_text()
 
     def kernels(self) -> list[dict]:
-        """Return the server's word on its kernels."""
+        """Return what the server says about its kernels."""
         with urllib.request.urlopen(f'{self.url}api/kernels?token={self.token}', timeout=20) as answer:
             return json.load(answer)
 
@@ -148,7 +148,7 @@ class Lab:
             urllib.request.urlopen(request, timeout=TIMEOUT_SEC).close()
 
     def ask_kernel(self, expression: str) -> str:
-        """Return the repr of an expression in the one kernel, past the browser."""
+        """Return the repr of an expression in the only kernel, without the browser."""
         kernel, = self.kernels()
         client = BlockingKernelClient(
             connection_file=str(self._folder / 'runtime' / f'kernel-{kernel["id"]}.json'))
@@ -164,7 +164,7 @@ class Lab:
         return answer['data']['text/plain']
 
     def ros_environment(self) -> dict[str, str]:
-        """Return the environment of a process that is to meet the kernel's nodes."""
+        """Return the environment for a process that should see the kernel's nodes."""
         environment = ast.literal_eval(self.ask_kernel("dict(__import__('os').environ)"))
         return {**self._environment, **{name: value for name, value in environment.items()
                                         if name.startswith(('ROS_', 'FASTRTPS_'))}}
@@ -232,7 +232,7 @@ class LabPage:
         self._wait_for_kernel()
 
     def reload(self) -> None:
-        """Save the notebook and load the page again, as a learner does who presses F5."""
+        """Save the notebook and reload the page, as a learner does with F5."""
         self.command('docmanager:save')
         self.page.reload()
         self._wait_js('() => window.jupyterapp !== undefined')
@@ -240,7 +240,7 @@ class LabPage:
         self._wait_for_kernel()
 
     def strange_errors(self) -> list[str]:
-        """Return what the browser complained of, less what is known."""
+        """Return what the browser complained about, apart from what is known."""
         return [error for error in self.errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
 
     def _wait_for_kernel(self) -> None:
@@ -287,12 +287,12 @@ class LabPage:
         return self.row(name).get_by_role('slider')
 
     def message(self, name: str) -> Locator:
-        """Find what stands beside a parameter's control."""
+        """Find the message beside a parameter's control."""
         return self.row(name).locator('.param-message')
 
 
 def wait_for(condition, what: str, timeout_sec: float = TIMEOUT_SEC):
-    """Wait until a condition is true and give its value."""
+    """Wait until a condition is true, and return its value."""
     deadline = time.monotonic() + timeout_sec
     while not (value := condition()):
         if time.monotonic() > deadline:

@@ -15,7 +15,7 @@ LESSON = (
     'param_tutorial.LogView()',
 )
 
-# Every type, groups, locked, unset and text that must not be taken for HTML.
+# Every type, groups, read-only, unset, and text that must not be taken for HTML.
 ALL_TYPES = (
     '# All types of parameters',
     '''import param_tutorial
@@ -53,7 +53,7 @@ arm = executor.add(Arm)''',
 )
 
 
-# Names and descriptions that no line can hold, with nothing in them at which it could break.
+# Names and descriptions too long for a line, with no place where it could break.
 LONG_NAMES = (
     '# Long names',
     '''import param_tutorial

@@ -61,7 +61,7 @@ def missing() -> str | None:
 
 
 class Python:
-    """A Python on a host, which does what it is told, one thing after another."""
+    """A Python on a host, which runs statements on request, one after another."""
 
     def __init__(self, words: list[str], environment: dict[str, str], log: Path):
         self._log = log
@@ -111,7 +111,7 @@ class Host:
                 self.name, str(self._shared_memory), *map(str, words)]
 
     def environment(self, **variables: str) -> dict[str, str]:
-        """Return the environment of somebody who has chosen nothing but these variables."""
+        """Return the environment of a user who has set only these variables."""
         kept = {name: value for name, value in os.environ.items()
                 if name == 'ROS_LOG_DIR' or not name.startswith(('ROS_', 'FASTRTPS_', 'RMW_', 'PYTEST'))}
         return {**kept, 'PYTHONPATH': os.pathsep.join([str(ROS_PACKAGE), str(ROOT)]), **variables}
@@ -181,7 +181,7 @@ class Network:
             self._ip('-n', self._cable, 'link', 'set', f'end{number}', 'down')
 
     def slow_down(self, delay_sec: float, loss: float) -> None:
-        """Have each packet arrive so much later, and lose this share of them."""
+        """Delay each packet by so much, and lose this share of them."""
         self._wire.stdin.write(f'{delay_sec} {loss}\n')
         self._wire.stdin.flush()
         self._expect('set')

@@ -1,4 +1,4 @@
-"""Nodes on which tests of panels and clients are tried."""
+"""Nodes for tests of panels and clients."""
 
 import math
 import threading
@@ -73,13 +73,13 @@ class Counter(Node):
         self.add_on_set_parameters_callback(self.check)
 
     def check(self, parameters):
-        """Take everything."""
+        """Accept everything."""
         self.seen += [each.value for each in parameters]
         return SetParametersResult(successful=True)
 
 
 class Describing(Node):
-    """Has one parameter, x, and describes it as the test likes, as no parameter storage would let it."""
+    """Has one parameter, x, and describes it in any way the test wants, which rclpy's storage would not allow."""
 
     def __init__(self):
         super().__init__('describing', start_parameter_services=False)
@@ -91,7 +91,7 @@ class Describing(Node):
         self.create_service(SetParameters, '~/set_parameters', self.set)
 
     def describe_as(self, value: int | float, descriptor: Describe) -> None:
-        """Have this value, and describe it so."""
+        """Hold this value, and describe it like this."""
         descriptor.name = 'x'
         descriptor.type = Parameter('x', value=value).type_.value
         self.value, self.descriptor = value, descriptor
@@ -112,7 +112,7 @@ class Describing(Node):
         return response
 
     def set(self, request, response):
-        """Serve set_parameters: take everything."""
+        """Serve set_parameters: accept everything."""
         for each in request.parameters:
             self.value = Parameter.from_parameter_msg(each).value
         response.results = [SetParametersResult(successful=True) for _ in request.parameters]

@@ -67,7 +67,7 @@ class _Scheduling(LoadScopeScheduling):
         return super().remove_node(node)
 
     def _reschedule(self, node: WorkerController) -> None:
-        """Give a worker two tests at least, as it begins one when it knows the next.
+        """Give a worker at least two tests, since it starts one only when it knows the next.
 
         pytest-xdist gives a new worker one file of the old one, in which one test may be left to do, or none. Then both
         would wait for each other.

@@ -1,4 +1,4 @@
-"""What tests of widgets do and look at: a hand, the page, and the threads behind it."""
+"""What tests of widgets do and look at: input, the page, and the threads that serve it."""
 
 import threading
 
@@ -13,17 +13,17 @@ def worker_threads():
 
 
 def enter(panel, name, text):
-    """Do what the browser does when somebody has typed a text, or clicked a check box."""
+    """Do what the browser does when someone types text or clicks a check box."""
     _send(panel, name, text=text)
 
 
 def slide(panel, name, position, grip=0):
-    """Do what the browser does when somebody has pulled a slider; positions count from 0."""
+    """Do what the browser does when someone drags a slider; positions count from 0."""
     _send(panel, name, position=position, grip=grip)
 
 
 def press(panel, button, **details):
-    """Do what the browser does when somebody has pressed one of the panel's buttons."""
+    """Do what the browser does when someone presses one of the panel's buttons."""
     panel._front._handle_custom_msg({'do': button, **details}, [])
 
 
@@ -48,18 +48,18 @@ def _row(panel, name):
 
 
 def shows(panel, name):
-    """Return what the control of a parameter shows: its text, and where its slider stands, if it has one."""
+    """Return what the control of a parameter shows: its text, and the position of its slider, if it has one."""
     state = _row(panel, name)
     return tuple(state[each] for each in ('text', 'position') if each in state)
 
 
 def says(panel, name):
-    """Return what stands beside the control of a parameter: what kind of message, and its words."""
+    """Return the message beside the control of a parameter: its kind, and its words."""
     return _row(panel, name).get('message')
 
 
 def is_locked(panel, name):
-    """Return whether nobody can use the control of a parameter."""
+    """True if the control of a parameter is disabled."""
     return _row(panel, name).get('is_locked', False)
 
 

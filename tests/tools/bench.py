@@ -294,11 +294,11 @@ class Row:
     figure: str
     bar: str
     met: bool | None
-    """None where there is no bar."""
+    """None if there is no bar."""
 
 
 def in_kernel(code: str) -> dict[str, float]:
-    """Run code in a new kernel, and give what it left in ``result``."""
+    """Run code in a new kernel, and return what it left in ``result``."""
     manager, client = start_new_kernel(kernel_name='python3', stderr=subprocess.DEVNULL)
     try:
         answer = client.execute_interactive(

@@ -35,7 +35,7 @@ def make_executable(path: Path, text: str) -> None:
 
 
 def machine(folder: Path) -> dict[str, str]:
-    """Make what such a machine has, and return its environment."""
+    """Create what such a machine has, and return its environment."""
     ros, workspace = folder / 'opt' / 'ros', folder / 'ros2_ws' / 'install'
     make_executable(ros / 'bin' / 'ros2', ROS2.format(command=shlex.join(genuine.embedded_words())))
     # There, PYTHONPATH has rclpy for it.

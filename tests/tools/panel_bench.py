@@ -62,7 +62,7 @@ LONGEST_FRAME = '''() => {
     requestAnimationFrame(look);
 }'''
 WORDS = 'node_49 weight_9'
-# As fast as somebody types who needs not look at the keys.
+# As fast as a good typist.
 KEY_MSEC = 80
 # Scrolls 10,000 pixels in two seconds, which is as fast as a hand goes through a list, or stands still, and counts the
 # frames.

@@ -25,7 +25,7 @@ _SUM_UP_LAYOUT_SHIFTS = '''
 
 @contextlib.contextmanager
 def open_page(browser, address, *, scheme='light', width=1280):
-    """Open a page of the site, and see to it afterwards that it asked nobody else and complained of nothing."""
+    """Open a page of the site, and check afterward that it asked no other server and reported no error."""
     context = browser.new_context(viewport={'width': width, 'height': 900}, color_scheme=scheme)
     page = context.new_page()
     complaints = []
@@ -46,7 +46,7 @@ def open_page(browser, address, *, scheme='light', width=1280):
 
 
 def check_page(page):
-    """Return what keeps somebody from using a page, in words."""
+    """Return in words what makes a page unusable for some people."""
     shift = page.evaluate('window.layoutShift')
     # What is closed would not be looked at.
     page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
@@ -59,7 +59,7 @@ def check_page(page):
     lost = page.evaluate('''() => [...document.querySelectorAll('a[href^="#"]')].filter(each => each.hash.length > 1
         && !document.getElementById(decodeURIComponent(each.hash.slice(1)))).map(each => each.hash)''')
     found += [f'a link leads to {each}, which is not on the page' for each in lost]
-    # It has a width of its own beside its curve, and no rule for curves is for it.
+    # It has its own width beside its curve, and no rule for curves applies to it.
     found += page.evaluate('''() => [...document.querySelectorAll('.step-wheel')].map(
         each => each.getBoundingClientRect().width).filter(width => width > 100)
         .map(width => `a wheel is ${width} px wide`)''')

@@ -129,7 +129,7 @@ def main() -> int:
     parser.add_argument('--at-once', type=int, default=2, metavar='N',
                         help='processes that ask at the same time (default: %(default)s)')
     chosen = parser.parse_args()
-    # A domain of its own, which nodes, commands and kernel inherit.
+    # A new domain, which nodes, commands and kernel inherit.
     domain.choose()
     with running_nodes(), contextlib.ExitStack() as stack:
         ask = stack.enter_context(in_kernel()) if chosen.in_kernel else in_process

@@ -51,7 +51,7 @@ _PATIENCE_SEC = 1.5
 _TEXTS = ('-5', '0', '1', '7', '42', '120', '150', '0.5', '1.75', '1e3', '1e+5', 'abc', '', 'true', '[1, 2]',
           "Rex <b>'s", '99999999999', 'nan')
 
-# Keep for each message of the kernel's what tells how long a cell or a hand's change took.
+# For each message of the kernel, keep what shows how long a cell or a change by hand took.
 _LISTEN = """() => {
     window.strangerLog = [];
     window.jupyterapp.shell.currentWidget.sessionContext.iopubMessage.connect((_, message) => {
@@ -287,7 +287,7 @@ class Stranger:
     # -- the hand ----------------------------------------------------------------------------------------
 
     def _play(self, count: int) -> None:
-        """Do something with some of the controls on the page, and don't wait for what comes of it."""
+        """Use some of the controls on the page, and don't wait for the results."""
         cells = self._page.evaluate(_LIVE_CELLS)
         for _ in range(count if cells else 0):
             index = self._chance.choice(cells)

@@ -1,4 +1,4 @@
-"""The list of nodes: who is there, what they have, what a search finds, and panels of what is opened."""
+"""The list of nodes: which there are, what they have, what a search finds, and the panels that are opened."""
 
 import pytest
 from rclpy.node import Node
@@ -108,7 +108,7 @@ def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     ros.add(Fan)
 
     class Silent(Node):
-        """Is there, and has nobody to ask."""
+        """A node without parameter services."""
 
         def __init__(self):
             super().__init__('silent', start_parameter_services=False)

@@ -1,4 +1,4 @@
-"""The log view: whose lines it shows, and in how many updates."""
+"""The log view: which nodes' lines it shows, and in how many updates."""
 
 from rclpy.node import Node
 

@@ -84,7 +84,7 @@ def test_a_value_that_the_node_changes_is_shown_as_stored(ros):
     panel = ParameterPanel('/clamp')
     enter(panel, 'x', '99')
     enter(panel, 'deaf', '5')
-    # Nobody asks the panel to settle: it reads back by itself, also where no event tells of a change.
+    # The test does not call settle: the panel reads back by itself, even if no event reports a change.
     wait_until(lambda: (panel['x'].value, shows(panel, 'x')) == (10, ('10',)), 'what was stored')
     wait_until(lambda: (panel['deaf'].value, shows(panel, 'deaf')) == (0, ('0',)), 'what was stored')
     assert says(panel, 'x') == ('adjusted', 'You asked for 99, and the node has stored 10.')
@@ -163,7 +163,7 @@ def test_while_an_answer_is_outstanding_the_newest_value_waits_and_nothing_jumps
     assert node.entered.acquire(timeout=10)
     for value in ('2', '3', '4'):
         enter(panel, 'x', value)
-        # The browser shows what was entered as long as it is told that the node is busy.
+        # The browser shows what was entered for as long as the panel says that the node is busy.
         assert panel._front.state['rows']['x']['is_busy']
     enter(panel, 'y', '7')
     node.open.release()
@@ -278,7 +278,7 @@ def test_a_node_that_does_not_answer(ros, remote):
 @pytest.mark.slow
 def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote):
     process = remote('stopped')
-    # Much less than the 20 s after which DDS takes the process for dead, also where machine time is slow.
+    # Much less than the 20 s after which DDS considers the process dead, even if machine time is slow.
     panel = ParameterPanel('stopped', timeout_sec=1.0)
     wait_until(lambda: 'x' in panel, 'the panel to find the node', 20)
     process.send_signal(signal.SIGSTOP)  # it stands still in mid-work
@@ -421,7 +421,7 @@ def test_the_worker_threads_end(arm):
 
 
 class Band(Node):
-    """Takes a lower end only below its upper one."""
+    """Accepts a lower end only below its upper one."""
 
     def __init__(self):
         super().__init__('band')
@@ -718,7 +718,7 @@ def test_what_is_rejected_stays_gathered_until_it_is_mended_or_discarded(ros):
 
 
 def enter_items(panel, name, *texts):
-    """Do what the browser does when somebody has edited the elements of an array."""
+    """Do what the browser does when someone edits the elements of an array."""
     panel._front._handle_custom_msg({'do': 'enter', 'name': name, 'client': 'test', 'number': 1, 'items': texts}, [])
     panel.settle()
 

@@ -46,7 +46,7 @@ def write(path, text):
 
 
 def ask_form(panel, do, *, is_save, path='', changed_only=False):
-    """Do what the browser does when somebody uses the form, and return what the kernel sends back."""
+    """Do what the browser does when someone uses the form, and return what the kernel sends back."""
     sent = []
     panel._front.send = sent.append
     panel._front._handle_custom_msg(
@@ -100,7 +100,7 @@ def test_a_preview_says_what_becomes_of_each_value_and_changes_nothing(arm):
 
 
 def test_what_a_preview_says_is_what_the_node_says(arm):
-    """Each value that it objects to, the node rejects; each one that it doesn't, the node takes."""
+    """The node rejects each value that the form objects to, and accepts each other one."""
     preview = arm.preview(write('config/mixed.yaml', MIXED))
     client = ParameterClient(NODE)
     for row in preview:

@@ -1,4 +1,4 @@
-"""The robot's view: what is sent to the browser and when, the words, and that it lets go of the robot."""
+"""The robot's view: what it sends to the browser and when, its words, and that it releases the robot."""
 
 import math
 import re
@@ -189,7 +189,7 @@ def test_it_may_be_made_before_its_robot(ros):
 
 
 def test_it_looks_as_often_as_it_says_for_a_robot_that_is_coming_and_then_no_more(ros, monkeypatch):
-    """The graph tells of a node of this name, but this process has no robot to show, or not yet."""
+    """The graph has a node of this name, but this process has no robot to show, or not yet."""
     monkeypatch.setattr(worker, '_LOOK_PERIOD_SEC', 3600.0)  # the worker by itself looks never
     monkeypatch.setattr(robot_module, '_LOOKS_FOR_ROBOT', 7)
     view = RobotView('clawbot_node')
@@ -197,6 +197,6 @@ def test_it_looks_as_often_as_it_says_for_a_robot_that_is_coming_and_then_no_mor
     show = view._worker._step
     monkeypatch.setattr(view._worker, '_step', lambda: looks.append(show()) or looks[-1])
     ros.add(Node, 'clawbot_node')
-    # Each change of the graph begins the count anew, and there may be more than one.
+    # Each change of the graph restarts the count, and there may be more than one.
     wait_until(lambda: looks[-7:] == [robot_module._LOOK_PERIOD_SEC] * 6 + [None], 'the view to give up', 60.0)
     view.close()

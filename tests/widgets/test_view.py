@@ -1,4 +1,4 @@
-"""What all live views have in common: they follow, they say what is wrong, and they let go."""
+"""What all live views have in common: they follow their node, say what is wrong, and release it."""
 
 import gc
 import sys
@@ -88,7 +88,7 @@ def test_after_closing_nothing_listens_any_more(ros):
 
 @pytest.mark.parametrize('make', [LogView, EventView, lambda: ParameterPanel('/arm'), lambda: RobotView('/arm')])
 def test_its_thread_is_known_as_one_of_a_view_and_ends_with_it(ros, make):
-    """Each test of widgets waits for these threads to end: that guards nothing unless they are found by their names."""
+    """Each test of widgets waits for these threads to end, which guards nothing if their names are wrong."""
     assert worker_threads() == []
     view = make()
     (view._live._reader if isinstance(view, ParameterPanel) else view._worker).wake()

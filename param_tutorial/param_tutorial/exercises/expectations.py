@@ -6,15 +6,25 @@ import re
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from types import CodeType
-from typing import Any
+from typing import Any, NamedTuple
 
-from rcl_interfaces.msg import SetParametersResult
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.task import Future
 
 from param_tutorial.errors import NodeNotFoundError
-from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import (
+    CORNER,
+    NodeT,
+    NoStart,
+    NotYet,
+    NoUse,
+    Trial,
+    describe_wrong_field,
+    expect,
+)
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import ParameterType
@@ -171,15 +181,64 @@ class WithoutDeadlock(Node):
         return client
 
 
-def start_asking(trial: Trial, mixin: type[Node] | None = None) -> Any:
+class Question(NamedTuple):
+    """A request that a node has sent."""
+
+    client: Client
+    answer: Future
+
+
+class NotesQuestions(Node):
+    """A mixin: keeps the requests that the clients of a node send, so that one can tell when it has done its work."""
+
+    questions_noted: tuple[Question, ...] = ()
+
+    def create_client(self, *args: Any, **options: Any) -> Client:
+        client = super().create_client(*args, **options)
+        call_async = client.call_async  # call() goes through it, too
+
+        def note(request: Any) -> Future:
+            answer = call_async(request)
+            self.questions_noted = (*self.questions_noted, Question(client, answer))
+            return answer
+
+        client.call_async = note  # type: ignore[method-assign]  # for this one client
+        return client
+
+    def count_unanswered(self) -> int:
+        """Return how many questions have no answer, whether or not one will come."""
+        return sum(not each.answer.done() for each in self.questions_noted)
+
+    def expects_answer(self) -> bool:
+        """True if an answer may still come: a client hears its answers in order, so what it has skipped is lost."""
+        last_of_each = {each.client: each.answer for each in self.questions_noted}
+        return not all(answer.done() for answer in last_of_each.values())
+
+
+def asks_no_more(trial: Trial, node: NotesQuestions) -> bool:
+    """True if a node does not go on asking because of what it has heard."""
+    count = len(node.questions_noted)
+    # The executor has set the last future when the first is over, has called what waited for it after the second, and
+    # has gone on with what awaited it after the third.
+    for _ in range(3):
+        trial.ros.run(lambda: None, 'let the executor come round')
+    return len(node.questions_noted) == count
+
+
+def is_settled(trial: Trial, node: NotesQuestions) -> bool:
+    """True if nothing is on its way to a node any more: no answer, no message and no timer."""
+    return (not node.expects_answer() and not any(node.subscriptions)
+            and all(timer.is_canceled() for timer in node.timers) and asks_no_more(trial, node))
+
+
+def start_asking(trial: Trial) -> Any:
     """Start the learner's node, which is to ask a rover, and expect its clients to find their services.
 
-    :param mixin: One more for its class.
+    :return: The node, whose class is now derived from NotesQuestions.
     :raises NoUse: it creates no client, or one for a service that there is not.
     """
-    node_class = derive(WithoutDeadlock, trial.work)
     try:
-        node: Any = trial.start(node_class if mixin is None else derive(mixin, node_class))
+        node: Any = trial.start(derive(NotesQuestions, derive(WithoutDeadlock, trial.work)))
     except NoStart as error:
         if match := re.search(r'request topic name rq/(\S+)Request with incompatible type', error.happened):
             raise NoUse('the client finds its service',
@@ -213,11 +272,15 @@ def expect_rejected(trial: Trial, node: Node, new: Mapping[str, object]) -> None
 
 
 def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because: str = '') -> None:
-    """Expect a request, as a whole, to be accepted."""
+    """Expect a request, as a whole, to be accepted.
+
+    :raises NoUse: an on-set callback returns something else than a result, as it would in the other requirements.
+    """
     result = trial.client(node).set_parameters_atomically(new)[0]
-    if result.reason == _INVALID_TYPE:
-        because = '. An on-set callback has to return a `SetParametersResult`, whatever happens in it'
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
+    if result.reason == _INVALID_TYPE:
+        raise NoUse(f'{asked} is accepted', f'it was rejected: {_INVALID_TYPE}. An on-set callback has to return a '
+                    '`SetParametersResult`, whatever happens in it')
     expect(result.successful, f'{asked} is accepted',
            (f'it was rejected: {result.reason}' if result.reason else 'it was rejected without a reason') + because)
 
@@ -270,12 +333,19 @@ def expect_range(client: ParameterClient, name: str, lowest: float, highest: flo
     limits = client.describe_parameter(name).range
     if limits is None:
         raise NotYet(wanted, 'it has none for its type: a callback may reject, but no panel can know')
-    # An integer in a range for doubles comes out as another number on each Python, so it is not shown.
     fields = sorted(((limits.from_value, 'from_value'), (limits.to_value, 'to_value')))
     for (found, field), end in zip(fields, (lowest, highest), strict=True):
-        expect(found == end, wanted, f'its `{field}` is not {end!r}' + (
-            '. Does it have a dot?' if isinstance(end, float) else ''))
+        expect(found == end, wanted, f'its `{field}` is {found!r}')
     expect(step is None or limits.step == step, wanted, f'its `step` is {limits.step!r}')
+
+
+def expect_range_fields(node: Node, name: str) -> None:
+    """Expect the fields of a parameter's range to be of their types, whatever this version of Python makes of them."""
+    descriptor = node.describe_parameter(name)
+    wrong = describe_wrong_field(ParameterDescriptor(integer_range=descriptor.integer_range,
+                                                     floating_point_range=descriptor.floating_point_range))
+    expect(not wrong, f'the range of `{name}` has fields of the right types', f'with `check_fields=True`, Python says: '
+           f'{wrong}' + ('. A float has a dot, as in `0.0`' if "type 'float'" in wrong else ''))
 
 
 def expect_override(trial: Trial, name: str, word: str, value: object) -> None:

@@ -12,11 +12,13 @@ import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from textwrap import shorten
 from types import FrameType
 from typing import Any, TypeVar, overload
 
 import yaml
 from rclpy.node import Node
+from rclpy.serialization import serialize_message
 
 from param_tutorial.errors import (
     CallbackError,
@@ -43,6 +45,8 @@ CORNER = '/_check'
 TIME_LIMIT_SEC = 5.0
 # How long a reaction may take after another one did not come: a check should not take minutes to say so.
 _SHORT_TIME_LIMIT_SEC = 1.0
+# How long a reaction may take when nothing is on its way any more that could bring it.
+_SETTLED_SEC = 0.5
 # When a check as a whole should have come to its end. What comes close to it gets less and less time, though never
 # less than the short limit: a callback that sleeps is asked a dozen times.
 _WHOLE_CHECK_SEC = 6.0
@@ -97,6 +101,39 @@ def expect(met: Any, expected: str, happened: str) -> None:
         raise NotYet(expected, happened)
 
 
+def describe_wrong_field(message: Any) -> str:
+    """Return which field of a message, or of a message in it, has a value of the wrong type; nothing if none has.
+
+    rclpy looks at no field, unless a message is made with ``check_fields=True``. It sends an integer in place of a
+    double as another number, which depends on the version of Python, and most other values not at all.
+    """
+    for name in message.get_fields_and_field_types():
+        value = getattr(message, name)
+        for each in value if isinstance(value, (list, tuple)) else ():
+            if hasattr(each, 'get_fields_and_field_types') and (found := describe_wrong_field(each)):
+                return found
+        try:
+            type(message)(**{name: value}, check_fields=True)
+        except AssertionError as error:
+            return f'{error}, and it is `{shorten(repr(value), 100)}`'
+    return ''
+
+
+def _expect_sendable(node: Node) -> None:
+    """Expect a node to be able to send its descriptors: a client that asks for another one would wait forever.
+
+    :raises NoUse: it is not.
+    """
+    for name in node.get_parameters_by_prefix(''):
+        descriptor = node.describe_parameter(name)
+        try:
+            serialize_message(descriptor)
+        except Exception as error:
+            wrong = describe_wrong_field(descriptor) or describe_error(error)
+            raise NoUse('descriptors that the node can send',
+                        f'the descriptor of `{name}` cannot be sent: {wrong}') from None
+
+
 class TooLong(BaseException):
     """The time limit is over. No Exception, lest the learner's own ``except Exception`` catches it."""
 
@@ -123,6 +160,7 @@ class Trial:
         """The names of the nodes that were made of the work."""
         self.has_waited_in_vain = has_waited_in_vain
         self._began_sec = time.monotonic() if began_sec is None else began_sec
+        self._threads_before = threading.enumerate()
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
     @overload
@@ -144,6 +182,7 @@ class Trial:
             leaves that service behind when a node is destroyed (ros2/rclpy#1711 tells why), and each one makes the next
             node slower to start.
         :raises NoStart: it does not start.
+        :raises NoUse: it cannot send its descriptors.
         """
         node_class = node_class or self.work
         # A service of /rover is, for this node, that of the /rover in the corner.
@@ -155,10 +194,14 @@ class Trial:
             with _time_limit(self._limit_sec()):
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args, *fewer])
         except (Exception, TooLong, SystemExit) as error:
-            raise NoStart('a node that starts',
-                          f'its constructor did not finish. {describe_error(error)}') from None
+            # Node.__init__ would have made the handle.
+            is_bare = (isinstance(error, AttributeError) and isinstance(error.obj, Node)
+                       and getattr(error.obj, 'handle', None) is None)
+            raise NoStart('a node that starts', f'its constructor did not finish. {describe_error(error)}' + (
+                '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else '')) from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
             self.names.append(node.get_name())
+            _expect_sendable(node)
         return node
 
     def start_with_files(self, node_class: type[NodeT], files: Mapping[str, str], *words: str,
@@ -182,7 +225,13 @@ class Trial:
                 raise
 
     def client(self, node: Node) -> ParameterClient:
-        """Return a client for a node's parameters, with the time limit."""
+        """Return a client for a node's parameters, with the time limit.
+
+        :raises NoUse: the node has no services for them; each request would wait until its time is over.
+        """
+        if not any(service.srv_name.endswith('/set_parameters') for service in node.services):
+            raise NoUse('a node that answers requests for its parameters',
+                        'it has no services for them: was it created with `start_parameter_services=False`?')
         return ParameterClient(node, timeout_sec=self._limit_sec(), executor=self.ros)
 
     def _limit_sec(self) -> float:
@@ -235,19 +284,31 @@ class Trial:
             raise NoUse(f'{what} does not wait', 'it was still running after some seconds, and kept the executor '
                         'busy that would have to bring what it waits for') from None
 
-    def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str]) -> None:
-        """Wait until a condition is true, or a callback raises an exception.
+    def wait(self, condition: Callable[[], Any], expected: str, happened: Callable[[], str],
+             is_settled: Callable[[], bool] = lambda: False) -> None:
+        """Wait until a condition is true, a callback raises an exception, or waiting is of no use any more.
 
         :param happened: Returns what is the case instead.
+        :param is_settled: Returns whether nothing is on its way that could make the condition true.
         :raises NotYet: the condition is not true.
         """
         limit_sec = min(TIME_LIMIT_SEC, _SHORT_TIME_LIMIT_SEC) if self.has_waited_in_vain else TIME_LIMIT_SEC
+        settled_at: float | None = None
+
+        def has_settled() -> bool:
+            nonlocal settled_at
+            if not is_settled() or any(each not in self._threads_before for each in threading.enumerate()):
+                settled_at = None
+                return False
+            settled_at = machine_time() if settled_at is None else settled_at
+            return machine_time() - settled_at > _SETTLED_SEC
+
         try:
-            met = wait_until(lambda: condition() or self._failure(), expected, limit_sec)
+            wait_until(lambda: condition() or self._failure() or has_settled(), expected, limit_sec)
         except WaitTimeoutError:
             self.has_waited_in_vain = True
             raise NotYet(expected, f'{happened()}, after {limit_sec:g} s') from None
-        if isinstance(met, Failure) and not condition():  # looked at again: it may have come true before the failure
+        if not condition():  # looked at again: it may have come true before the failure
             raise NotYet(expected, happened())
 
     def raised(self) -> str:

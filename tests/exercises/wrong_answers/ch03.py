@@ -33,7 +33,14 @@ WRONG = {
          'A description is for people'),
         ([(SPEED, "'max_speed_mps', 1.0)")], 3, 'Nothing limits it'),
         ([('to_value=2.0', 'to_value=3.0')], 3, 'Its range goes from 0.0 to 3.0'),
-        ([('from_value=0.0, to_value=2.0', 'from_value=0, to_value=2')], 3, 'are floats, with a dot: `2.0`'),
+        ([('from_value=0.0, to_value=2.0', 'from_value=0, to_value=2')], 3, 'A float has a dot'),
+        # Python 3.11 sends this 0 as 0.0, and 3.12 as a number that is a little larger.
+        ([('from_value=0.0', 'from_value=0')], 3, 'A float has a dot'),
+        # The node could not send these: a client that asked for them would wait until its time was over.
+        ([(RANGE, 'FloatingPointRange(from_value=0.0, to_value=1.0), FloatingPointRange(to_value=2.0)')], 0,
+         'must be a set or sequence with length <= 1'),
+        ([(f'floating_point_range=[{RANGE}]', "integer_range=[__import__('rcl_interfaces.msg').msg.IntegerRange("
+           'from_value=0.0, to_value=2.0)]')], 0, "The 'from_value' field must be of type 'int', and it is `0.0`"),
         ([('to_value=2.0', 'to_value=2.0, step=0.5')], 3, 'off the step'),
         ([(SPEED, SPEED.replace('ParameterDescriptor(', 'ParameterDescriptor(dynamic_typing=True,'))], 3,
          'it takes values of any type'),
@@ -54,6 +61,7 @@ WRONG = {
          'Its range goes from -1000.0 to 1000.0'),
         ([('from_value=0.0, to_value=100.0', 'from_value=-0.5, to_value=100.0')], 3, 'Its range goes from -0.5'),
         ([('to_value=100.0', 'to_value=100.0, step=1.0')], 3, 'off the step'),
+        ([('to_value=100.0', 'to_value=100.0, step=0')], 3, 'A float has a dot'),
         ([('50.0', '5.0')], 3, 'type double, value `5.0`'),
         ([("'warm_white', True", "'warm_white', 1")], 3, 'type integer, value `1`'),
         ([("'warm_white', True", "'warm_white', False")], 3, 'type boolean, value `False`'),

@@ -93,6 +93,9 @@ WRONG = {
          0, 'this callback already runs inside the executor that it waits for'),
         ([('if not 0', 'if parameter.value == self.get_parameter(parameter.name).value or not 0')], 2,
          '50 is not a percentage'),  # rejects what is stored already
+        ([("'force_percent', 50", "'force_percent', 50, __import__('rcl_interfaces.msg').msg.ParameterDescriptor("
+           'dynamic_typing=True)')], 0, 'a callback raised TypeError'),
+        ([("'force_percent', 50", "'force_percent', 100")], 2, 'type integer, value `100`'),
     ],
     '5.2c': [
         ([('dbeca', 'bdeca')], 3, 'called its pre-set callback, and then rejected'),

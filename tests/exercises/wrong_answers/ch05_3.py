@@ -162,6 +162,15 @@ RIGHT = {
                '        self.timer = self.create_timer(0.05, self.look)'),
          ('    def on_answer', '    def look(self):\n        if self.future.done():\n            self.timer.cancel()\n'
                              '            self.on_answer(self.future)\n\n    def on_answer')],
+        # It asks only when nothing seems to be on its way: a timer is, and so is a thread.
+        [(ASK, 'self.timer = self.create_timer(0.8, lambda: self.ask(request))'),
+         ('    def on_answer', '    def ask(self, request):\n        self.timer.cancel()\n'
+                             '        self.client.call_async(request).add_done_callback(self.on_answer)\n\n'
+                             '    def on_answer')],
+        [(ASK, 'import threading\n        threading.Timer(0.8, self.ask, [request]).start()'),
+         ('    def on_answer', '    def ask(self, request):\n'
+                             '        self.client.call_async(request).add_done_callback(self.on_answer)\n\n'
+                             '    def on_answer')],
         [('self.on_answer)', "lambda future: setattr(self, 'rejection', future.result().result.reason))")],
         [('def on_answer', 'async def on_answer')],
         [("'max_speed_rpm', value", "'max_speed_rpm', Parameter.Type.INTEGER, value")],

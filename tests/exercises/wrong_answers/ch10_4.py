@@ -34,6 +34,8 @@ _DECLARED = """        self.declare_parameter('speed_mmps', 100)
 WRONG = {
     '10.4a': [
         ([("'[A-Z]{3}'", "'[A-Z]{3}.*'")], 3, 'it was accepted'),
+        ([("'mode', 'hover'", "'mode', 'land'")], 3, "it is `'land'`"),
+        ([("'land_percent', 10", "'land_percent', 5")], 3, 'it is `5`'),
         ([("'[A-Z]{3}'", "'[A-Z0-9]{3}'")], 3, 'it was accepted'),
         ([("'[A-Z]{3}'", "'[A-Za-z]{3}'")], 3, 'it was accepted'),
         ([("'[A-Z]{3}'", "'[A-Z]+'")], 3, 'it was accepted'),

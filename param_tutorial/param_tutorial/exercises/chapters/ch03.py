@@ -6,7 +6,7 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_declared, expect_fixed_type, expect_result
+from param_tutorial.exercises.expectations import expect_declared, expect_fixed_type, expect_range_fields, expect_result
 from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.parameters.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
@@ -48,6 +48,7 @@ def note_values(node: Node, name: str) -> list[Any]:
 def expect_limits(trial: Trial, name: str, low: float, high: float, *between: float) -> None:
     """Expect a double to stay within two ends, in whatever way the node sees to it, and its description to agree."""
     node, client = start_with(trial, name, DOUBLE)
+    expect_range_fields(node, name)
     held = note_values(node, name)
     for value in (low, high, *between):
         expect_result(client, name, value, 'accepted')
@@ -60,8 +61,7 @@ def expect_limits(trial: Trial, name: str, low: float, high: float, *between: fl
     if described := client.describe_parameter(name).range:
         expect((described.from_value, described.to_value) == (low, high),
                f'the node describes the range as {low} to {high}',
-               f'it describes it as {described.from_value} to {described.to_value}. The ends of a '
-               f'`FloatingPointRange` are floats, with a dot: `{high}`')
+               f'it describes it as {described.from_value} to {described.to_value}')
     try:
         start = trial.client(trial.start(ros_args=['-p', f'{name}:={high + 1}'])).get_parameter(name)
     except NoStart:

@@ -10,8 +10,15 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.errors import CallbackError
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise, Kind
-from param_tutorial.exercises.expectations import expect_accepted, expect_follows, expect_left_alone, expect_rejected
+from param_tutorial.exercises.expectations import (
+    expect_accepted,
+    expect_declared,
+    expect_follows,
+    expect_left_alone,
+    expect_rejected,
+)
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
+from param_tutorial.parameters.values import INTEGER
 
 CHAPTER = '05_2_with_a_callback'
 JUDGE = 'Build it: a callback that judges'
@@ -138,8 +145,10 @@ def accepts(trial: Trial) -> None:
     for name in ('open_percent', 'force_percent'):
         for value in (50, 0, 100):
             expect_accepted(trial, door, {name: value})
-        for value in (101, -1, 1000):
-            expect_rejected(trial, door, {name: value})
+        for bad in (101, -1, 1000, 'wide', 12.5):
+            expect_rejected(trial, door, {name: bad})
+    for name, value in (('open_percent', 0), ('force_percent', 50)):
+        expect_declared(trial, name, INTEGER, value)
 
 
 @hunt.require('every parameter of a request is judged', see=LIST)

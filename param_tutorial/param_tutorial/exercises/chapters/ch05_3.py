@@ -14,7 +14,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import run_lines, start_asking
+from param_tutorial.exercises.expectations import NotesQuestions, is_settled, run_lines, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters.client import ParameterValues
 from param_tutorial.runtime import stage
@@ -77,23 +77,6 @@ supervise = Exercise('5.3a', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name
     '`future.result().result` is the one result, and it has a `reason`.'))
 
 
-class CountsRequests(Node):
-    """A mixin: counts the requests that the clients of a node send."""
-
-    requests_sent = 0
-
-    def create_client(self, *args: Any, **options: Any) -> Client:
-        client = super().create_client(*args, **options)
-        call_async = client.call_async  # call() goes through it, too
-
-        def call_and_count(request: Any) -> Any:
-            self.requests_sent += 1
-            return call_async(request)
-
-        client.call_async = call_and_count  # type: ignore[method-assign]  # for this one client
-        return client
-
-
 @contextlib.contextmanager
 def awake() -> Iterator[None]:
     """Let ``time.sleep`` raise an exception in the executor's thread: a short sleep blocks it too."""
@@ -117,8 +100,8 @@ def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
     :raises NoUse: it asks before that, or the button cannot be pressed, or does not get to its end.
     """
     rover = trial.start(rover_class)
-    supervisor = start_asking(trial, CountsRequests)
-    if supervisor.requests_sent:
+    supervisor = start_asking(trial)
+    if supervisor.questions_noted:
         raise NoUse('no request before `slow_down()` is called', 'the constructor has sent one')
     button = getattr(supervisor, 'slow_down', None)
     if not callable(button):
@@ -138,7 +121,8 @@ def both(trial: Trial) -> None:
     try:
         trial.wait(lambda: client.get_parameters(NEW) == NEW, 'the rover holds 40 rpm and 0.2 m/s²',
                    lambda: f'it holds {" and ".join(map(str, client.get_parameters(NEW).values()))}' + (
-                       f', and `self.rejection` is `{supervisor.rejection!r}`' if supervisor.rejection else ''))
+                       f', and `self.rejection` is `{supervisor.rejection!r}`' if supervisor.rejection else ''),
+                   lambda: is_settled(trial, supervisor))
     except NotYet as error:  # what rovers reject can tell nothing about other values
         raise NoUse(error.expected, trial.raised() or error.happened) from None
     others = ' and '.join(f'`{name}`' for name in sorted(rover.asked - set(NEW)))
@@ -154,12 +138,12 @@ def reason(trial: Trial) -> None:
 def expect_reason(trial: Trial, rover_class: type[Rover]) -> None:
     """Expect the supervisor to know why a rover rejects, and nothing if it doesn't."""
     rover, supervisor = slow_down(trial, rover_class)
-    trial.wait(lambda: rover.asked, 'the rover is asked', lambda: 'it is not')
+    trial.wait(lambda: rover.asked, 'the rover is asked', lambda: 'it is not', lambda: is_settled(trial, supervisor))
     for _ in range(3):
         trial.ros.run(lambda: None, 'let the answer through')
     if rover.rejected:
         trial.wait(lambda: supervisor.rejection == rover.words, f'`self.rejection` is `{rover.words!r}`',
-                   lambda: f'it is `{supervisor.rejection!r}`')
+                   lambda: f'it is `{supervisor.rejection!r}`', lambda: is_settled(trial, supervisor))
     else:
         expect(not supervisor.rejection, '`self.rejection` stays empty when the rover accepts',
                f'it is `{supervisor.rejection!r}`')
@@ -177,7 +161,8 @@ def expect_kept(trial: Trial, rover_class: type[Rover], name: str) -> None:
     """Expect a parameter to stay as it is in a rover that rejects the other one."""
     rover, supervisor = slow_down(trial, rover_class)
     trial.wait(lambda: rover.asked >= set(NEW), 'the rover is asked for both values',
-               lambda: f'it was asked for {" and ".join(f"`{each}`" for each in sorted(rover.asked)) or "nothing"}')
+               lambda: f'it was asked for {" and ".join(f"`{each}`" for each in sorted(rover.asked)) or "nothing"}',
+               lambda: is_settled(trial, supervisor))
     trial.ros.run(lambda: None, 'let the rover finish')
     expect(not rover.has_stored, f'a rover that rejects the other value keeps `{name} = {OLD[name]}`',
            'it stored the new one. `set_parameters` decides about each parameter separately')
@@ -268,7 +253,7 @@ order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, hints=(
     'that the call returns.'))
 
 
-class Asking(CountsRequests):
+class Asking(NotesQuestions):
     """A node whose clients are created only once their service is found: an earlier request would be lost."""
 
     def __init__(self) -> None:
@@ -282,8 +267,8 @@ class Asking(CountsRequests):
         return client
 
 
-def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
-    """Run the learner's lines beside a rover, and return it with the results that have arrived.
+def ordered(trial: Trial) -> tuple[Rover, Asking, list[Any]]:
+    """Run the learner's lines beside a rover, and return it with the node that asks and the results that have arrived.
 
     :raises NoUse: the lines do not run to their end, find no rover, or ask it more than once.
     """
@@ -293,26 +278,26 @@ def ordered(trial: Trial) -> tuple[Rover, list[Any]]:
     run_lines(trial, node=node, results=results, SetParameters=SetParameters, Parameter=Parameter)
     if node.not_found:
         raise NoUse('the client finds its service', f'there is no service `{node.not_found}` of that type')
-    if node.requests_sent > 1:
-        raise NoUse('the rover is asked once', f'it is asked {node.requests_sent} times. Is a line there twice?')
-    return rover, results
+    if (count := len(node.questions_noted)) > 1:
+        raise NoUse('the rover is asked once', f'it is asked {count} times. Is a line there twice?')
+    return rover, node, results
 
 
 @order.require('the lines run to their end, and the rover gets 50 rpm', see=HOW)
 def arrives(trial: Trial) -> None:
-    rover, _ = ordered(trial)
+    rover, node, _ = ordered(trial)
     client = trial.client(rover)
     try:
         trial.wait(lambda: client.get_parameter('max_speed_rpm') == 50, 'the rover holds 50 rpm',
-                   lambda: f'it holds {client.get_parameter("max_speed_rpm")!r}')
+                   lambda: f'it holds {client.get_parameter("max_speed_rpm")!r}', lambda: is_settled(trial, node))
     except NotYet as error:  # without the right request there is no right answer
         raise NoUse(error.expected, trial.raised() or error.happened) from None
 
 
 @order.require('the answer of the rover is added to `results`', see=HOW)
 def is_answered(trial: Trial) -> None:
-    rover, results = ordered(trial)
-    trial.wait(lambda: results, 'one result', lambda: '`results` is empty')
+    rover, node, results = ordered(trial)
+    trial.wait(lambda: results, 'one result', lambda: '`results` is empty', lambda: is_settled(trial, node))
     expect(rover.has_stored and len(results) == 1 and getattr(results[0], 'successful', False),
            'one result, which is successful', f'`results` is `{results!r}`')
 

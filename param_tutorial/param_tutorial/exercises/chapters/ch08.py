@@ -4,7 +4,6 @@ complaint."""
 import contextlib
 import re
 from collections.abc import Callable
-from typing import Any
 
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
@@ -19,6 +18,7 @@ from param_tutorial.exercises.expectations import (
     expect_follows,
     expect_left_alone,
     expect_range,
+    expect_range_fields,
     expect_rejected,
     format_found,
 )
@@ -76,6 +76,7 @@ def limited(trial: Trial) -> None:
     takes_what_it_should(trial)
     conveyor = trial.start()
     for name, highest in ((SPEED, 2.0), (GAP, 1.0)):
+        expect_range_fields(conveyor, name)
         for bad in (-0.5, highest + 0.5):
             expect_rejected(trial, conveyor, {name: bad})
         expect_range(trial.client(conveyor), name, 0.0, highest)
@@ -270,22 +271,10 @@ fill = Exercise('8c', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='fan', hi
 FAN_SPEED = 'fan.speed'
 
 
-def started_fan(trial: Trial) -> Any:
-    """Start the learner's fan.
-
-    :raises NoUse: it can't describe itself, so a client that asks it would wait forever.
-    """
-    fan = trial.start()
-    for each in fan.describe_parameters([name for name in (FAN_SPEED,) if fan.has_parameter(name)]):
-        if not isinstance(each.description, str):
-            raise NoUse('a description that is a string', f'the description is `{each.description!r}`')
-    return fan
-
-
 @fill.require(f'`{FAN_SPEED}` is a double in a group `fan`, and the fan starts with 0.5', see=GROUP)
 def fan_grouped(trial: Trial) -> None:
     expect_filled(trial)
-    fan = started_fan(trial)
+    fan = trial.start()
     names = trial.client(fan).list_parameters()
     expect(FAN_SPEED in names, f'a parameter `{FAN_SPEED}`', 'the node has none of that name')
     others = [f'`{name}`' for name in names if name.startswith('fan.') and name != FAN_SPEED]
@@ -298,9 +287,10 @@ def fan_grouped(trial: Trial) -> None:
 
 @fill.require('its range goes from 0.0 to 1.0', see=DESCRIBE)
 def fan_limited(trial: Trial) -> None:
-    fan = started_fan(trial)
+    fan = trial.start()
     if trial.client(fan).describe_parameter(FAN_SPEED).type is not DOUBLE:
         raise NotTried
+    expect_range_fields(fan, FAN_SPEED)
     for good in (0.0, 1.0, 0.37):
         expect_accepted(trial, fan, {FAN_SPEED: good})
     for bad in (-0.5, 1.5):
@@ -310,7 +300,7 @@ def fan_limited(trial: Trial) -> None:
 
 @fill.require('it is described', see=DESCRIBE)
 def fan_described(trial: Trial) -> None:
-    told = trial.client(started_fan(trial)).describe_parameter(FAN_SPEED).description
+    told = trial.client(trial.start()).describe_parameter(FAN_SPEED).description
     wanted = 'a sentence that says what the number means'
     expect(told.strip().strip('.…'), wanted, 'there is none')
     words = set(re.findall(r'\w+', told.casefold())) - {'a', 'the', 'of'}

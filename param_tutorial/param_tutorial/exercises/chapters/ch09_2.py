@@ -17,6 +17,7 @@ from param_tutorial.exercises.expectations import (
     expect_follows,
     expect_left_alone,
     expect_range,
+    expect_range_fields,
     expect_rejected,
     format_found,
 )
@@ -149,6 +150,7 @@ def fan_declared(trial: Trial) -> None:
 def fan_described(trial: Trial) -> None:
     fan = trial.start()
     client = trial.client(fan)
+    expect_range_fields(fan, 'speed')
     for good in (0.0, 1.0, 0.125):
         expect_accepted(trial, fan, {'speed': good})
     for bad in (-0.5, 1.5):

@@ -3,17 +3,14 @@ nodes."""
 
 from collections.abc import Mapping
 from textwrap import shorten
-from typing import Any
 
 from rcl_interfaces.srv import GetParameters
-from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
-from rclpy.task import Future
 
 from param_tutorial.errors import NoAnswerError
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_no_gap, start_asking
+from param_tutorial.exercises.expectations import NotesQuestions, asks_no_more, expect_no_gap, is_settled, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterValues
@@ -69,45 +66,16 @@ inspect = Exercise('10.2a', 'Inspect a rover', CHAPTER, NODE_CLASS, node_name='i
     'An answer without values means that one of the parameters is not set: ask again, for each name separately.'))
 
 
-class NotingQuestions(Node):
-    """A mixin: keeps the future of each question, so that one can tell when the node has done its work."""
-
-    questions: tuple[Future, ...] = ()
-
-    def create_client(self, *args: Any, **options: Any) -> Client:
-        client = super().create_client(*args, **options)
-        call_async = client.call_async
-
-        def note(request: Any) -> Future:
-            self.questions = (*self.questions, call_async(request))
-            return self.questions[-1]
-
-        client.call_async = note  # type: ignore[method-assign]  # for this one client
-        return client
-
-
-def is_done(trial: Trial, inspector: NotingQuestions) -> bool:
-    """True if all questions are answered, all answers heard, and nothing more was asked because of them."""
-    questions = inspector.questions
-    if not all(future.done() for future in questions):
-        return False
-    # The executor has set the last future when the first is over, has called what waited for it after the second, and
-    # has gone on with what awaited it after the third.
-    for _ in range(3):
-        trial.ros.run(lambda: None, 'let the executor come round')
-    return len(questions) == len(inspector.questions)
-
-
-def _lost(inspector: NotingQuestions) -> str:
+def _lost(inspector: NotesQuestions) -> str:
     """Say how many questions have no answer, for a sentence; nothing if all have one."""
-    count = sum(not future.done() for future in inspector.questions)
-    return f', and {count} of {len(inspector.questions)} questions have no answer' if count else ''
+    count = inspector.count_unanswered()
+    return f', and {count} of {len(inspector.questions_noted)} questions have no answer' if count else ''
 
 
 def found_in(trial: Trial, rover_class: type[Node]) -> None:
     """Put a rover and the learner's inspector on the stage, let it inspect, and expect it to find everything."""
     rover = trial.start(rover_class)
-    inspector = start_asking(trial, NotingQuestions)
+    inspector = start_asking(trial)
     button = getattr(inspector, 'inspect', None)
     if not callable(button):
         raise NoUse('a method `inspect`', 'the class has none')
@@ -126,8 +94,10 @@ def found_in(trial: Trial, rover_class: type[Node]) -> None:
         trial.press('`inspect()`', button)
     except NotYet as error:
         raise NoUse(error.expected, error.happened) from None
-    trial.wait(lambda: is_done(trial, inspector) and has_found_all(), f'`self.found` is `{shorten(repr(wanted), 400)}`',
-               lambda: f'it is `{shorten(repr(inspector.found), 400)}`{_lost(inspector)}')
+    trial.wait(lambda: not inspector.count_unanswered() and asks_no_more(trial, inspector) and has_found_all(),
+               f'`self.found` is `{shorten(repr(wanted), 400)}`',
+               lambda: f'it is `{shorten(repr(inspector.found), 400)}`{_lost(inspector)}',
+               lambda: is_settled(trial, inspector))
     if raised := trial.raised():  # under rclpy.spin it would be the node's end
         raise NoUse('no callback raises an exception', raised)
 

@@ -66,6 +66,7 @@ rules = Exercise('10.4a', 'State the rules', CHAPTER, NODE_CLASS, node_name='dro
 @rules.require('a call sign is three capital letters from A to Z, no more and no less', see=STATE)
 def call_sign(trial: Trial) -> None:
     drone = trial.start()
+    expect_values(trial, drone, {'call_sign': 'ABC'}, 'at first')
     for bad in ('abc', 'AB', 'ABCD', '', 'A1C', '007', 'ABc', 'ÄBC', 'A C', 'ABC\n'):
         expect_rejected(trial, drone, {'call_sign': bad})
     for good in ('XYZ', 'AAA', 'QEB'):
@@ -75,6 +76,7 @@ def call_sign(trial: Trial) -> None:
 @rules.require('there are three modes', see=KINDS)
 def mode(trial: Trial) -> None:
     drone = trial.start()
+    expect_values(trial, drone, {'mode': 'hover'}, 'at first')
     for bad in ('loop', '', 'Hover', 'landing', 'hover, track', 'e'):
         expect_rejected(trial, drone, {'mode': bad})
     # Among others that are fine: each parameter of a request is judged, wherever it stands.
@@ -87,6 +89,7 @@ def mode(trial: Trial) -> None:
 @rules.require('`land_percent` is below `home_percent`, whether a request sets one of them or both', see=ACROSS)
 def order(trial: Trial) -> None:
     drone = trial.start()
+    expect_values(trial, drone, {'land_percent': 10, 'home_percent': 30}, 'at first')
     for bad in ({'land_percent': 30}, {'land_percent': 99}, {'home_percent': 5}, {'home_percent': 10},
                 {'land_percent': 25, 'home_percent': 20}, {'home_percent': 20, 'land_percent': 25},
                 {'land_percent': 50, 'mode': 'hover'}):

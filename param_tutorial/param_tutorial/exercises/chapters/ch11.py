@@ -29,6 +29,7 @@ from param_tutorial.exercises.expectations import (
     expect_declared,
     expect_left_alone,
     expect_override,
+    expect_range_fields,
     expect_rejected,
     expect_result,
 )
@@ -96,7 +97,9 @@ def cart_id(trial: Trial) -> None:
 def expect_limits(trial: Trial, name: str, start: float) -> None:
     """Expect a double from 0.1 to 2.0."""
     expect_declared(trial, name, DOUBLE, start)
-    client = client_for(trial, name)
+    node = trial.start()
+    expect_range_fields(node, name)
+    client = trial.client(node)
     for within in (0.1, 2.0, 1.234):
         expect_result(client, name, within, 'accepted')
     for beyond in (0.099, 2.001, -1.0, 3.0):
@@ -189,7 +192,8 @@ def expect_trip(trial: Trial, cart: Node, speed_mps: float, acceleration_mps2: f
     """Expect `self.trip_sec` to be right, soon: it may come by an event."""
     trial.wait(lambda: has_trip(cart, speed_mps, acceleration_mps2),
                f'`self.trip_sec` is {trip_sec(speed_mps, acceleration_mps2):g} {when}',
-               lambda: f'it is `{getattr(cart, "trip_sec", None)!r}`')
+               lambda: f'it is `{getattr(cart, "trip_sec", None)!r}`',
+               lambda: not any((*cart.subscriptions, *cart.timers, *cart.clients)))
 
 
 def trip_sec(speed_mps: float, acceleration_mps2: float) -> float:
