@@ -570,17 +570,6 @@ def test_a_process_without_a_domain_is_where_everybody_is():
     assert done.stdout.splitlines()[-1] == '0'
 
 
-def test_a_process_loads_numpy_only_for_those_who_want_something_of_it(ros):
-    ros.add(SimpleParamNode)
-    program = ('import sys; sys.argv[1:] = ["param", "get", "/simple_param_node", "max_speed_rpm"]\n'
-               'import param_tutorial.__main__ as m; m.main(); print("numpy.linalg" in sys.modules)\n'
-               'from service_msgs.msg import ServiceEventInfo\n'
-               'print(ServiceEventInfo().client_gid.tolist() == [0] * 16)\n'
-               'import numpy; print(numpy.ones(2).sum(), hasattr(sys.modules["numpy"], "__file__"))')
-    done = subprocess.run([sys.executable, '-c', program], capture_output=True, text=True, timeout=60, check=False)
-    assert done.stdout.splitlines() == ['Integer value is: 100', 'False', 'True', '2.0 True'], done.stderr
-
-
 @pytest.mark.parametrize('unbuffered', ['', '1'])
 def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
     ros.add(SimpleParamNode)
