@@ -3,12 +3,10 @@
 And ``python -m param_tutorial lab``: JupyterLab on the learner's copies of the chapters, where no ``make`` is.
 """
 
-import importlib
 import os
 import signal
 import sys
-import types
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from param_tutorial.runtime.executor import BackgroundExecutor
@@ -28,8 +26,6 @@ def main() -> int:
     # which chooses a domain for itself, passes it on to the processes that it starts.
     if not os.environ.get('ROS_DOMAIN_ID'):
         os.environ['ROS_DOMAIN_ID'] = '0'
-    _leave_out_code_generator()
-    sys.modules.setdefault('numpy', _LoadedWhenUsed('numpy'))
     try:
         from param_tutorial.ros2 import command
 
@@ -41,30 +37,6 @@ def main() -> int:
     except BrokenPipeError:  # e.g. `| head -1`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
-
-
-def _leave_out_code_generator() -> None:
-    """Keep rosidl_generator_py from loading what generates code: two parsers, which cost a third of rclpy itself.
-
-    Every message imports that package for one small function. It does without the rest where that can't be imported.
-    """
-    sys.modules.setdefault('rosidl_generator_py.generate_py_impl', None)  # type: ignore[arg-type]
-
-
-class _LoadedWhenUsed(types.ModuleType):
-    """Stands for a module until somebody wants something of it.
-
-    Messages with an array of fixed length import numpy, which costs nearly as much as rclpy itself. Every service has
-    one such message, which only service introspection fills.
-    """
-
-    def __getattr__(self, name: str) -> Any:
-        # The import system looks at __spec__ in each import of a module that is there already.
-        if name == '__spec__':
-            raise AttributeError(name)
-        if sys.modules.get(self.__name__) is self:
-            del sys.modules[self.__name__]
-        return getattr(importlib.import_module(self.__name__), name)
 
 
 def _start() -> 'BackgroundExecutor':

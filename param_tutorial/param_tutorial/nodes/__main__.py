@@ -52,7 +52,10 @@ def main() -> int:
         if not is_told():
             raise
     finally:
-        signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)  # a second one, while all that is left is to end
+        # A second one, while all that is left is to end. Held back in this thread, it would come to one of the
+        # middleware's, and Python, which ends, no longer has a handler for it.
+        for number in SIGNALS:
+            signal.signal(number, signal.SIG_IGN)
     return 0
 
 

@@ -221,8 +221,7 @@ def _add_parameters(lines: list[str], parameters: dict[str, tuple[str, list[str]
     for none at all; so where ``a`` is a parameter itself, or a part is empty, the dotted name is written flat.
     """
     heads = {name: name.partition('.')[0] for name in parameters}
-    flat = {name for name in parameters if name in (heads[name], f'{heads[name]}.') or heads[name] in parameters
-            or '' in name.split('.')}
+    flat = {name for name, head in heads.items() if name == head or head in parameters or '..' in f'.{name}.'}
     below: dict[str, dict[str, tuple[str, list[str]]]] = {}
     for name, written in parameters.items():
         if name not in flat:

@@ -8,6 +8,7 @@ import array
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import yaml
@@ -32,7 +33,7 @@ class ParameterType:
     item: Callable[[Any], bool] = lambda _: False
     """True if this Python value fits as the value, or as one element of an array."""
 
-    @property
+    @cached_property
     def is_array(self) -> bool:
         """True if it holds a list of values."""
         return self.name.endswith('_ARRAY')
@@ -82,6 +83,8 @@ TYPES = (
 NOT_SET, BOOL, INTEGER, DOUBLE, STRING, BYTE_ARRAY, BOOL_ARRAY, INTEGER_ARRAY, DOUBLE_ARRAY, STRING_ARRAY = TYPES
 # The order in which an untyped value is tried; rclpy's Parameter.Type.from_parameter_value has the same.
 _GUESSES = (BOOL, INTEGER, DOUBLE, STRING, BYTE_ARRAY, BOOL_ARRAY, INTEGER_ARRAY, DOUBLE_ARRAY, STRING_ARRAY)
+# Most values are one of these, and a dump of a large node asks for the type of each: their class tells it at once.
+_SCALARS = {bool: BOOL, int: INTEGER, float: DOUBLE, str: STRING}
 
 
 def is_empty_array(value: Any) -> bool:
@@ -112,10 +115,10 @@ def type_of(value: Any) -> ParameterType:
     """
     if value is None:
         return NOT_SET
-    for parameter_type in _GUESSES:
-        if parameter_type.accepts(value):
-            _check_content(value)
-            return parameter_type
+    parameter_type = _SCALARS.get(type(value)) or next((each for each in _GUESSES if each.accepts(value)), None)
+    if parameter_type is not None:
+        _check_content(value)
+        return parameter_type
     if isinstance(value, list):
         kinds = sorted({type(item).__name__ for item in value})
         raise InvalidValueError(f'the elements of a parameter array must all be of one type, not {" and ".join(kinds)}'
@@ -129,12 +132,12 @@ def type_of(value: Any) -> ParameterType:
 def _check_content(value: Any) -> None:
     """Raise InvalidValueError for what the type allows and the message cannot carry."""
     for item in value if isinstance(value, list) else (value,):
-        if _is_int(item) and not INT64_MIN <= item <= INT64_MAX:
+        if isinstance(item, int) and not INT64_MIN <= item <= INT64_MAX:
             raise InvalidValueError(f'{item} does not fit into the 64 bits of a ROS integer '
                                     f'({INT64_MIN} to {INT64_MAX})')
-        if _is_str(item) and '\0' in item:
+        if isinstance(item, str) and '\0' in item:
             raise InvalidValueError('a ROS string ends at its first NUL character, so it cannot hold one')
-        if _is_str(item):
+        if isinstance(item, str):
             try:
                 item.encode()
             except UnicodeEncodeError:

@@ -3,7 +3,6 @@
 import argparse
 from collections.abc import Sequence
 
-from rclpy.action.graph import get_action_client_names_and_types_by_node, get_action_server_names_and_types_by_node
 from rclpy.node import HIDDEN_NODE_PREFIX, NodeNameNonExistentError
 
 from param_tutorial.ros2.session import CommandFailed, Commands, NodeName, Session, add_discovery_options
@@ -43,6 +42,10 @@ def list_nodes(session: Session, args: argparse.Namespace) -> None:
 def print_info(session: Session, args: argparse.Namespace) -> None:
     """Print what a node publishes, subscribes to, offers and asks."""
     session.wait_for_graph(args)
+    # With actions come many messages, which a list of nodes does without.
+    from rclpy.action.graph import get_action_client_names_and_types_by_node as clients_of
+    from rclpy.action.graph import get_action_server_names_and_types_by_node as servers_of
+
     count = [each.full_name for each in session.node_names(hidden=args.include_hidden)].count(args.node_name)
     if not count:
         raise CommandFailed(f"Unable to find node '{args.node_name}'")
@@ -59,8 +62,8 @@ def print_info(session: Session, args: argparse.Namespace) -> None:
             ('Publishers', tool.get_publisher_names_and_types_by_node(name, namespace)),
             ('Service Servers', tool.get_service_names_and_types_by_node(name, namespace)),
             ('Service Clients', tool.get_client_names_and_types_by_node(name, namespace)),
-            ('Action Servers', get_action_server_names_and_types_by_node(tool, name, namespace)),
-            ('Action Clients', get_action_client_names_and_types_by_node(tool, name, namespace))]
+            ('Action Servers', servers_of(tool, name, namespace)),
+            ('Action Clients', clients_of(tool, name, namespace))]
     except NodeNameNonExistentError:  # it has left meanwhile
         raise CommandFailed(f"Unable to find node '{args.node_name}'") from None
     session.print(args.node_name)

@@ -65,15 +65,18 @@ def _wait_for_end(command: Sequence[str]) -> int:
     """Run a command, and return its exit status, as ``subprocess`` has it.
 
     Ctrl+C reaches this process and the program alike, and the program decides what comes of it. SIGTERM is passed on;
-    the genuine command ends and leaves the program running.
+    the genuine command ends and leaves the program running. SIGINT to this process alone is passed on to a node of
+    ours, which doesn't mind hearing of Ctrl+C twice. Others might, so for them it does nothing, as in the genuine
+    command.
     """
+    passed_on = _SIGNALS if is_our_node(command) else (signal.SIGTERM,)
     came: list[int] = []
     program: subprocess.Popen[bytes] | None = None
 
     def pass_on(number: int, _frame: object) -> None:
         if program is None:
             came.append(number)
-        elif number == signal.SIGTERM:
+        elif number in passed_on:
             program.send_signal(number)
 
     # What a shell has started with & ignores Ctrl+C, and so does the program then.

@@ -26,6 +26,7 @@ from rclpy.signals import SignalHandlerOptions
 from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, rclpy_private
 from param_tutorial.runtime.graph import Incarnations, incarnations, note_arrival
+from param_tutorial.runtime.lean_messages import import_messages
 from param_tutorial.runtime.listeners import Listeners
 from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_init, is_managed, prepare
 from param_tutorial.runtime.node_log import NodeLog
@@ -118,6 +119,7 @@ class BackgroundExecutor:
             raise ExecutorError('other code has initialized rclpy in this process: call rclpy.shutdown() first, then '
                                 'start() again')
         self.domain_id = domain.choose()
+        import_messages()
         # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
         # are off because a thread's output lands in whichever cell is running: node_log reads /rosout instead.
         rclpy.init(args=['--ros-args', '--disable-stdout-logs', '--disable-external-lib-logs'],
