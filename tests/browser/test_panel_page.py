@@ -52,6 +52,10 @@ def arm(environment):
         yield process
         # Asked politely, it takes leave: killed, it would stand in the graph of this worker's next tests for 20 s.
         process.terminate()
+        try:
+            process.wait(20)
+        except subprocess.TimeoutExpired:  # once, of some hundred times, rclpy's own spin has not heard of it
+            process.kill()
 
 
 @pytest.fixture

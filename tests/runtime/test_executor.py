@@ -514,12 +514,13 @@ def test_a_node_that_is_destroyed_leaves_the_stage(ros):
 
 
 def test_a_node_that_destroys_itself_in_its_callback_leaves_the_stage(ros):
-    ros.add(Asking, lambda node: node.destroy_node())
+    # A name of its own: the services of one that was stuck, in another test, stay until the process ends.
+    ros.add(Asking, lambda node: node.destroy_node(), ros_args=['-r', '__node:=leaving'])
     param_tutorial.wait_until(lambda: ros.nodes == (), 'the node to be gone')
     ros.run(lambda: None, 'see its callback through')
     assert ros.services.node_names() == []
     param_tutorial.wait_until(lambda: not ros.tool_node.get_subscriptions_info_by_topic(
-        'rq/asking/get_type_descriptionRequest', no_mangle=True), 'its last service to go')
+        'rq/leaving/get_type_descriptionRequest', no_mangle=True), 'its last service to go')
     assert ParameterClient(ros.add(Speed)).set_parameter('rpm', 2).successful
 
 
