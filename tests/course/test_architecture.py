@@ -96,6 +96,7 @@ def test_pictures_need_neither_ros_nor_widgets():
             assert not outside_imports(path) & {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}, module
 
 
+@pytest.mark.slow
 def test_only_rooms_about_notebooks_need_jupyter():
     for module, path in FILES.items():
         if room_of_or_none(module) in ('runtime', 'parameters', 'ros2', 'ros1', 'nodes'):

@@ -114,6 +114,7 @@ def test_any_name_but_the_empty_one_can_be_declared(ros):
 
 
 # A085
+@pytest.mark.slow
 def test_with_two_ranges_a_node_cannot_describe_itself(ros):
     class TwoRanges(Node):
         def __init__(self):
@@ -261,6 +262,7 @@ def test_the_message_of_the_same_name_takes_no_positional_arguments():
 
 
 # A069, A157
+@pytest.mark.slow
 def test_wait_for_service_waits_until_somebody_offers_it(ros):
     client = ros.tool_node.create_client(GetParameters, '/robot/get_parameters')
     assert not client.wait_for_service(timeout_sec=0.05)

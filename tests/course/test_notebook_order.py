@@ -3,6 +3,7 @@
 import importlib.util
 from types import SimpleNamespace
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -22,6 +23,7 @@ CELLS = [SimpleNamespace(parent=notebook, cell_num=number) for notebook in ('03'
 TESTS = [SimpleNamespace(parent='tests', name=name) for name in 'ab']
 
 
+@pytest.mark.slow
 @given(st.permutations(CELLS + TESTS))
 def test_each_notebook_is_whole_and_in_order(shuffled):
     items = list(shuffled)

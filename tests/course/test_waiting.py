@@ -103,6 +103,7 @@ def is_answered(executor_class, tick, *, expected, options=(), more=(), **argume
 SINGLE, MULTI = (SingleThreadedExecutor, ()), (MultiThreadedExecutor, (('num_threads', 2),))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(('tick', 'has_own_group', 'executor', 'expected'), [
     ('call', False, SINGLE, False), ('call', False, MULTI, False),
     ('call', True, SINGLE, False), ('call', True, MULTI, True),
@@ -115,6 +116,7 @@ def test_a_callback_that_waits_needs_a_group_of_its_own_and_a_free_thread(tick, 
     assert is_answered(executor_class, tick, group=group, expected=expected, options=options) is expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('client_has_own_group', [False, True])
 def test_the_client_alone_is_enough_to_hang_it_whoever_is_asked(client_has_own_group):
     def other(context):
@@ -198,6 +200,7 @@ def test_on_the_stage_subscriptions_may_await(ros):
 
 
 # If a later rclpy awaits them, chapter 5.3 may say so.
+@pytest.mark.slow
 @pytest.mark.filterwarnings('ignore:coroutine .* was never awaited')
 def test_on_the_stage_services_are_not_awaited(ros):
     slow = ros.add(Slow)

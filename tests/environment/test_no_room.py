@@ -129,6 +129,7 @@ def test_what_cannot_be_written_is_said_and_changes_nothing(ros, folder, writer,
     assert ParameterClient(NODE).get_parameter('max_speed_rpm') == 100
 
 
+@pytest.mark.slow
 def test_a_log_that_could_not_be_continued_is_read_and_goes_on_when_there_is_room(ros, folder):
     ros.add(SimpleParamNode)
     path = folder / 'changes.log'

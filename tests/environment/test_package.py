@@ -152,6 +152,7 @@ def test_a_learner_is_spared_what_only_tests_and_website_need():
     assert not names & {'playwright', 'sphinx', 'hypothesis', 'ruff', 'sqlalchemy', 'coverage', 'lark-parser'}
 
 
+@pytest.mark.slow
 def test_no_two_packages_write_the_same_file():
     """Which of the two would win is left to chance, as with lark and lark-parser, which share the folder lark/."""
     site = Path(sysconfig.get_path('purelib'))

@@ -172,6 +172,7 @@ def test_the_script_keeps_to_the_syntax_of_python_3_6():
     ast.parse(SCRIPT.read_text(), feature_version=(3, 6))
 
 
+@pytest.mark.slow
 def test_old_pythons_say_one_sentence(checkout):
     """Run the script with every old Python that this machine happens to have; a machine may have none."""
     for python in Path.home().glob('.pyenv/versions/3.[6-9].*/bin/python3'):
@@ -327,6 +328,7 @@ def test_a_venv_of_somebody_else_is_left_alone(checkout):
 # What goes wrong on the way
 
 
+@pytest.mark.slow
 def test_a_package_with_another_hash_is_not_installed(checkout):
     checkout.lock.write_text(re.sub('sha256:[0-9a-f]{60}', 'sha256:' + 60 * '0', checkout.lock.read_text()))
     said = checkout.run(status=1)

@@ -32,6 +32,7 @@ def test_unsolved_work_is_not_shown(work):
     assert 'robot-stage' not in exercises.check('1a', work)._repr_html_()
 
 
+@pytest.mark.slow
 def test_a_picture_that_cannot_be_drawn_takes_nothing_from_the_result(monkeypatch):
     def fail(_):
         raise ZeroDivisionError

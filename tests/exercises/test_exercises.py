@@ -35,6 +35,7 @@ def test_a_blank_earns_nothing_and_gets_a_hint(ros, number):
     assert not ros.nodes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('number', EXERCISES)
 def test_a_solution_is_done(ros, number):
     result = exercises.check(number, solution(number))
@@ -272,6 +273,7 @@ def test_a_button_callback_that_never_returns_is_reported(ros):
     assert exercises.check('5.3a', solution('5.3a')).done
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(('number', 'replacements', 'word'), [
     ('5.3a', [('self.on_answer)', 'lambda future: None)')], "it is `''`"),
     ('5.3c', [('future.add_done_callback(', '(')], '`results` is empty'),
@@ -367,6 +369,7 @@ def test_work_that_starts_or_stops_the_stage_gets_a_hint_to_leave_that_out(ros, 
     assert not ros.nodes
 
 
+@pytest.mark.slow
 def test_a_function_may_be_any_object_that_can_be_called(ros):
     class Report:
         def __call__(self, robot, volts=12.0):
@@ -429,6 +432,7 @@ class PrintsMuch(Node):
             print('flood', number)
 
 
+@pytest.mark.slow
 def test_a_check_shows_the_first_lines_that_a_work_prints(ros, capsys):
     result = exercises.check('3a', PrintsMuch)
     printed = capsys.readouterr().out
@@ -457,6 +461,7 @@ def test_each_chapter_has_three_exercises_or_more():
             if len(chapter.exercises) < 3} == {}
 
 
+@pytest.mark.slow
 def test_each_chapter_from_4_on_opens_with_two_questions_on_earlier_ones():
     order = list(exercises.CHAPTERS)
     for number, chapter in exercises.CHAPTERS.items():

@@ -102,6 +102,7 @@ def test_the_first_start_delivers_what_a_learner_needs_and_nothing_of_the_tests(
         assert [(cell.outputs, cell.execution_count) for cell in copy.cells[1:]] == [([], None)] * (len(copy.cells) - 1)
 
 
+@pytest.mark.slow
 def test_the_course_itself_is_delivered_whole(tmp_path):
     (tmp_path / 'notebooks').symlink_to(NOTEBOOKS)
     copies = Copies(tmp_path)

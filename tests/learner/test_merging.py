@@ -161,6 +161,7 @@ def histories(draw: st.DrawFn) -> tuple[list[Cell], list[Cell], list[Cell]]:
     return base, copy, numbered(texts(chapter)) if draw(st.booleans()) else chapter
 
 
+@pytest.mark.slow
 @given(histories())
 def test_nothing_of_the_learners_is_lost_and_nothing_new_is_missing(history):
     base, copy, chapter = history
@@ -172,6 +173,7 @@ def test_nothing_of_the_learners_is_lost_and_nothing_new_is_missing(history):
     assert len({each for each, _ in result}) == len(result)
 
 
+@pytest.mark.slow
 @given(histories())
 def test_where_one_side_did_nothing_the_other_one_is_the_result(history):
     base, copy, chapter = history
@@ -179,6 +181,7 @@ def test_where_one_side_did_nothing_the_other_one_is_the_result(history):
     assert Counter(texts(merged(base, copy, base))) == Counter(texts(copy))
 
 
+@pytest.mark.slow
 @given(histories())
 def test_a_chapter_that_is_in_the_copy_already_changes_it_no_more(history):
     base, copy, chapter = history

@@ -84,6 +84,7 @@ def test_a_new_view_is_recorded_as_it_stands(oven):
     assert '<b>heat</b>' in drawing.Drawer('page').draw(recording)
 
 
+@pytest.mark.slow
 def test_a_page_pictures_a_node_with_a_view_of_a_later_cell(oven):
     views = recorder.describe([oven(Thermometer('/oven')).model_id])
     assert views == [{'node': '/oven', 'follows': [], 'portrait': f'{__name__}:Thermometer'}]
@@ -93,12 +94,14 @@ def test_a_page_pictures_a_node_with_a_view_of_a_later_cell(oven):
     assert json.loads(json.dumps(recording)) == recording
 
 
+@pytest.mark.slow
 def test_a_view_of_another_node_takes_no_pictures(oven):
     views = [{'node': '/fridge', 'follows': [], 'portrait': 'nowhere:Nothing'}]
     recording = recorder.record(oven(ParameterPanel('/oven')).model_id, {**NO_PAGE, 'views': views})
     assert 'looks' not in recording and 'films' not in recording
 
 
+@pytest.mark.slow
 def test_events_are_recorded_where_the_page_has_a_view_that_follows_them(oven):
     panel, table, log = oven(ParameterPanel('/oven')), oven(EventView()), oven(LogView())
     assert [each['follows'] for each in recorder.describe([panel.model_id, table.model_id, log.model_id])] == [
@@ -127,6 +130,7 @@ def test_a_robot_is_recorded_at_rest_and_with_its_drive(ros):
     assert [scene[1] for scene in film['scenes']][-1] == 'STOPPED'
 
 
+@pytest.mark.slow
 def test_a_change_on_the_way_is_filmed_as_the_node_goes_on(ros):
     robot = ros.add(ClawbotNode, real_time=False)
     view = RobotView(robot)
@@ -187,6 +191,7 @@ def test_a_widget_that_is_no_view_is_not_recorded(ros):
     assert recorder.describe([widgets.HTML('x').model_id]) == []
 
 
+@pytest.mark.slow
 def test_a_view_that_is_gone_is_not_kept(oven):
     view = Thermometer('/oven')
     model_id = view.model_id
@@ -197,6 +202,7 @@ def test_a_view_that_is_gone_is_not_kept(oven):
     assert recordable.find(model_id) is None
 
 
+@pytest.mark.slow
 def test_a_recording_depends_on_nothing_of_the_pages():
     """So the digest under which recordings are kept may leave the rest of the lessons out."""
     room = PACKAGE / 'lessons'

@@ -20,6 +20,7 @@ speeds = st.integers(0, 300).map(lambda rpm: rpm / 60 * 2 * math.pi * 0.1)
 # -- the motion, without a node -------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @given(st.floats(0.0, 1.0), accelerations)
 def test_it_pulls_away_as_the_closed_form_says(fraction, acceleration):
     motion = plan(0.0, 0.0, replace(ORDINARY, max_acceleration_mps2=acceleration))
@@ -69,6 +70,7 @@ def test_every_motion_is_continuous(position, velocity, speed, acceleration, saf
     assert motion.end.velocity_mps == 0
 
 
+@pytest.mark.slow
 @given(speeds, accelerations, st.lists(st.tuples(st.floats(0.0, 3.0), speeds, accelerations), max_size=8))
 @settings(max_examples=300)
 def test_with_safety_on_and_the_right_offset_it_keeps_its_gap_whatever_changes(speed, acceleration, changes):

@@ -124,6 +124,7 @@ def test_the_monitor_tells_what_became_of_each_parameter_and_its_true_value(ros)
 
 
 # claim A148
+@pytest.mark.slow
 def test_the_monitor_loses_nothing_of_a_burst(ros):
     monitor, robot = ros.add(ParamEventMonitor), ros.add(Odd)
     heard = []

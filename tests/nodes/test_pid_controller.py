@@ -29,6 +29,7 @@ def respond(gains, motor=MOTOR, reference=10.0, *, rate_hz=100, duration_sec=3.0
 # -- the simulation --------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @given(st.floats(0.01, 0.3), st.floats(0.01, 0.1), st.floats(0.01, 0.1), st.floats(0.5, 20.0))
 def test_p_control_of_a_first_order_plant_matches_the_formula(p, inertia, friction, reference):
     motor = replace(PROMPT, inertia=inertia, friction=friction)
@@ -66,6 +67,7 @@ def test_a_lagging_motor_speeds_up_as_the_formula_says(lag_sec):
         assert speed == pytest.approx(10.0 * (1 - missing), abs=1e-6)
 
 
+@pytest.mark.slow
 @given(st.floats(0.01, 0.3))
 def test_p_alone_leaves_the_error_that_overcomes_friction(p):
     figures = respond(Gains(p=p), duration_sec=10.0).figures
@@ -107,6 +109,7 @@ def test_the_tracking_time_constant_is_chosen_as_in_control_toolbox(gains, secon
     assert gains.tracking_sec == pytest.approx(seconds)
 
 
+@pytest.mark.slow
 @given(st.floats(0, 2), st.floats(0, 5), st.floats(0, 0.1), st.sampled_from(STRATEGIES), st.floats(0, 0.5))
 def test_whatever_the_gains_the_speed_stays_within_what_the_motor_can_do(p, i, d, strategy, lag_sec):
     response = respond(Gains(p, i, d, antiwindup_strategy=strategy), replace(MOTOR, lag_sec=lag_sec), duration_sec=1)
@@ -265,6 +268,7 @@ def test_tuned_gains_are_saved_and_come_back(ros, tmp_path):
     assert next(node for node in ros.nodes if node.get_name() == 'wheel_controller').response() == response
 
 
+@pytest.mark.slow
 def test_the_response_is_the_same_in_any_process(ros):
     """A separate process logs what is computed here: nothing depends on when or where."""
     terminal = param_tutorial.Terminal('ros2 run param_tutorial pid_controller_node --ros-args -p '

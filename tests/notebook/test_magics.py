@@ -335,6 +335,7 @@ def test_python_packages_of_the_sourced_ros_are_found_again(fake_ros2, tmp_path,
 # -- a terminal beside the notebook ----------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_line_for_a_terminal_makes_it_see_the_nodes(node, cell):
     line = magics.terminal_line()
     plain = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}

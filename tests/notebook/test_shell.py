@@ -50,6 +50,7 @@ def test_what_differs_each_time_is_left_out(shell):
         'WARNING:x', 'Finished <<< p', 'Failed <<< p [exited with code 1]', '[3]']
 
 
+@pytest.mark.slow
 def test_a_command_that_ends_the_shell_or_takes_too_long(shell):
     second = Shell(beside=shell)
     with pytest.raises(ShellError, match="'echo last; exit' ended the shell; what came:\nlast"):
@@ -61,6 +62,7 @@ def test_a_command_that_ends_the_shell_or_takes_too_long(shell):
     assert not shell.home.exists()
 
 
+@pytest.mark.slow
 def test_nothing_is_left_behind(shell):
     shell.close()
     shell.close()
@@ -167,6 +169,7 @@ def test_a_first_executable_is_built_and_greets(shell):
     assert shell.run('source install/setup.bash; ros2 run hello greeter') == 'Hi from hello.'
 
 
+@pytest.mark.slow
 def test_a_workspace_with_a_package_of_our_name_does_not_hide_the_embedded_ros2(shell):
     shell.run('mkdir param_tutorial; touch param_tutorial/__init__.py; export PYTHONPATH=$PWD')
     # As the programs that it starts see it, and as it sees itself.

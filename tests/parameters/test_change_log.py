@@ -182,6 +182,7 @@ def test_a_node_that_restarts_has_gone_and_come(ros, told):
     wait_until(lambda: ChangeLog(told).at().get('/arm', {}).get('offset') == 0.5, 'the new node to be seen')
 
 
+@pytest.mark.slow
 def test_a_change_whose_event_got_lost_is_found_when_a_new_node_is_read_again(ros, monkeypatch):
     """However slow the machine is: it is read again in the time that the machine has had."""
     now = 0.0
@@ -205,6 +206,7 @@ def test_the_state_at_the_end_is_what_the_nodes_have(ros, told):
     wait_until(lambda: not compare_systems(ChangeLog(told).at(), all_parameters()), 'all changes to be told')
 
 
+@pytest.mark.slow
 def test_a_node_that_hangs_is_named_and_delays_no_other(ros):
     ros.add(Arm)
     silent = Node('silent')
@@ -218,6 +220,7 @@ def test_a_node_that_hangs_is_named_and_delays_no_other(ros):
     assert trouble[0].node == '/silent'
 
 
+@pytest.mark.slow
 def test_a_node_that_does_not_answer_at_first_is_asked_again(ros, monkeypatch):
     """Also if nothing in the graph changes meanwhile."""
     monkeypatch.setattr(ros, 'on_graph_change', lambda _: lambda: None)

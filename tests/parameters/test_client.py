@@ -101,6 +101,7 @@ def remote_node():
     child.communicate(timeout=30)
 
 
+@pytest.mark.slow
 def test_a_client_with_time_waits_for_a_node_that_starts_late(ros):
     starts = threading.Timer(DISCOVERY_TIMEOUT_SEC + 0.5, ros.add, [Everything])
     starts.start()
@@ -274,6 +275,7 @@ def test_descriptors_and_values_are_of_the_same_parameters_though_some_are_delet
     assert list(client.describe_and_get(['p9', 'gone', 'p8'])[1].items()) == [('p9', 9), ('p8', 8)]
 
 
+@pytest.mark.slow
 @hypothesis.settings(suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture], deadline=None)
 @hypothesis.given(VALUES)
 def test_any_value_arrives_and_comes_back_unchanged(ros, value):
@@ -342,6 +344,7 @@ def test_waiting_inside_a_callback_is_rejected(client, ros):
         ros.run(client.list_parameters, 'list inside the executor')
 
 
+@pytest.mark.slow
 def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
     ros.add(Everything)
     child = process('''
@@ -369,6 +372,7 @@ def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
     assert ''.join([*printed, capfd.readouterr().err]).count('RuntimeError: thirteen') == 1
 
 
+@pytest.mark.slow
 def test_a_node_in_another_process(ros, remote_node):
     client = ParameterClient('/remote', timeout_sec=30)
     assert client.set_parameter('max_speed_rpm', 42).successful
@@ -376,6 +380,7 @@ def test_a_node_in_another_process(ros, remote_node):
     assert client.set_parameter('max_speed_rpm', -1).kind == 'rejected by the node'
 
 
+@pytest.mark.slow
 def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatch):
     """A server that does not know yet where to answer drops its answer (see Services.greet)."""
     class Counting(Node):

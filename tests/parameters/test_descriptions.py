@@ -53,6 +53,7 @@ def test_a_running_node_is_described_saved_and_read_back(ros, tmp_path):
     assert not again.complete
 
 
+@pytest.mark.slow
 def test_all_nodes_are_described_and_one_that_hangs_is_named(ros, tmp_path):
     ros.add(Arm)
     silent = Node('silent')
@@ -169,6 +170,7 @@ MAPS = ''.join(f'  {after}: &{after} {{{", ".join(f"k{number}: *{before}" for nu
                for before, after in zip('abcdefgh', 'bcdefghi'))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(('content', 'complaint'), [
     (f'n:\n  a: &a {{x: {{type: int}}}}\n{MAPS}', 'it has more than 100000 maps'),
     ('', 'it is neither a saved description'),

@@ -98,6 +98,7 @@ def test_what_is_written_comes_back_with_the_same_types_and_values(ros, paramete
     yaml.safe_load(dump.text)
 
 
+@pytest.mark.slow
 @given(PARAMETERS)
 def test_only_what_rcl_cannot_express_is_left_out(parameters):
     for name, reason in render('/lab/reader', parameters).left_out.items():
@@ -313,6 +314,7 @@ def test_no_tag_makes_an_object(tmp_path):
     assert [each.name for each in tmp_path.iterdir()] == ['hostile.yaml']
 
 
+@pytest.mark.slow
 def test_a_deep_and_a_long_file_are_read(tmp_path):
     path = tmp_path / 'big.yaml'
     path.write_text('/n: {ros__parameters: ' + '{a: ' * 500 + '1' + '}' * 501)

@@ -102,6 +102,7 @@ def test_a_pre_set_callback_that_answers_nonsense_is_drawn_and_fails_as_without_
     assert str(ros.errors[-1]) == str(bare.value.__cause__)
 
 
+@pytest.mark.slow
 def test_a_node_that_leaves_while_it_is_recorded_is_reported(ros, ladder):
     ladder.add_post_set_parameters_callback(lambda _: ros.remove(ladder))
     with pytest.raises(NodeGoneError, match='/ladder went away before it answered set_parameters'):

@@ -86,6 +86,7 @@ def test_a_rule_across_parameters_sees_the_whole_change(heater):
     assert heater.get_parameters(['low_c', 'high_c']) == {'low_c': 30, 'high_c': 60}
 
 
+@pytest.mark.slow
 @given(st.lists(st.dictionaries(st.sampled_from(['low_c', 'high_c']), st.integers(-3, 3), min_size=1), max_size=5))
 def test_no_sequence_of_changes_breaks_a_rule(changes):
     rule = Rule(('low_c', 'high_c'), 'low_c must be below high_c', lambda low, high: low < high)

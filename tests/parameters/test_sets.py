@@ -23,6 +23,7 @@ def kinds(difference):
     return {change.name: change.kind for change in difference}
 
 
+@pytest.mark.slow
 @hypothesis.given(SETS)
 def test_a_set_does_not_differ_from_itself(parameters):
     copy = {name: list(value) if isinstance(value, list) else value for name, value in parameters.items()}
@@ -31,6 +32,7 @@ def test_a_set_does_not_differ_from_itself(parameters):
     assert ParameterSet(parameters) == copy
 
 
+@pytest.mark.slow
 @hypothesis.given(SETS, SETS)
 def test_a_difference_tells_each_name_once_and_turns_round(first, second):
     difference, back = compare(first, second), compare(second, first)
@@ -43,6 +45,7 @@ def test_a_difference_tells_each_name_once_and_turns_round(first, second):
         assert repr(difference).count(f'\n{change.name} ') == 1
 
 
+@pytest.mark.slow
 @hypothesis.given(SETS, SETS)
 def test_a_difference_leads_from_the_first_to_the_second(first, second):
     built = dict(first)
@@ -239,6 +242,7 @@ class Open(Node):
             self.declare_parameter(name, 0, ParameterDescriptor(dynamic_typing=True))
 
 
+@pytest.mark.slow
 @hypothesis.settings(suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture], deadline=None,
                      max_examples=50)
 @hypothesis.given(FULL_SETS, FULL_SETS)
@@ -255,6 +259,7 @@ def test_restoring_makes_equal_whatever_the_values(ros, first, second):
     assert all(values.same(ParameterSet.of('/open')[name], first[name]) for name in NAMES)
 
 
+@pytest.mark.slow
 def test_undo_and_redo(client):
     history = ParameterHistory(client)
     for speed in (110, 120):

@@ -41,6 +41,7 @@ def test_a_snapshot_comes_back_but_for_what_it_names(tmp_path, system):
         assert all(values.same(again[node][name], value) for name, value in expected.items())
 
 
+@pytest.mark.slow
 @given(SYSTEMS, SYSTEMS)
 def test_a_difference_leads_from_one_system_to_the_other(first, second):
     difference = compare_systems(first, second)

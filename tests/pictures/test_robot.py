@@ -65,6 +65,7 @@ def test_few_parts_move_by_themselves():
     assert drawn(picture).find('.//g[@class="robot-antenna"]').get('style') == 'transform:rotate(var(--lean));'
 
 
+@pytest.mark.slow
 @given(st.floats(0.01, 2.0), st.integers(1, 300), st.floats(0.0, 0.9), st.floats(2.0, 20.0))
 def test_its_ray_has_no_gap_up_to_the_wall(acceleration, speed_rpm, velocity, track_m):
     """At each moment, its own part reaches the point where the rest begins, and no gap opens."""

@@ -114,6 +114,7 @@ def test_what_cannot_be_checked_has_a_status_of_its_own(ros, file, words, compla
     assert 'Traceback' not in stderr
 
 
+@pytest.mark.slow
 def test_a_node_that_hangs_is_named_and_the_others_are_described(ros):
     ros.add(SimpleParamNode)
     silent = Node('silent')

@@ -286,11 +286,13 @@ def test_a_node_that_has_just_been_started_is_found_at_once(ros, start_process):
     assert run('param', 'get', '/late', 'use_sim_time') == ('Boolean value is: False\n', '', 0)
 
 
+@pytest.mark.slow
 def test_an_unknown_node_is_waited_for_as_long_as_asked(ros):
     threading.Timer(0.3, lambda: ros.add(Odd, 'late')).start()
     assert run('param', 'get', '--timeout', '30', '/late', 'anything') == ('Integer value is: 1\n', '', 0)
 
 
+@pytest.mark.slow
 def test_a_node_that_may_have_services_is_left_out_with_a_word(ros, monkeypatch):
     """If the service that rclpy creates last is missing, nobody can know that no further one is coming."""
     monkeypatch.setattr(graph, 'PATIENCE_SEC', 0.2)
@@ -303,6 +305,7 @@ def test_a_node_that_may_have_services_is_left_out_with_a_word(ros, monkeypatch)
                       'the node created with start_parameter_services=False?\n')
 
 
+@pytest.mark.slow
 def test_that_a_node_is_not_there_is_said_only_if_it_is_known(ros, monkeypatch):
     ros.add(SimpleParamNode)
     assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
@@ -530,6 +533,7 @@ def workspace(tmp_path, monkeypatch):
     return add
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(('last', 'said', 'status'), [
     ('exit 0', '', 0), ('exit 3', '[ros2run]: Process exited with failure 3\n', 3),
     ('kill -SEGV $$', '[ros2run]: Segmentation fault\n', 256 - signal.SIGSEGV),
@@ -579,6 +583,7 @@ def test_the_programs_that_colcon_installs_are_the_same(request):
 # -- as a process ---------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_process_without_a_domain_is_where_everybody_is():
     environment = domain.environment_without_domain()
     program = ('import os, sys; sys.argv[1:] = ["-h"]; import param_tutorial.__main__ as m; m.main(); '
@@ -587,6 +592,7 @@ def test_a_process_without_a_domain_is_where_everybody_is():
     assert done.stdout.splitlines()[-1] == '0'
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('unbuffered', ['', '1'])
 def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
     ros.add(SimpleParamNode)

@@ -28,6 +28,7 @@ def silent(ros):
     node.destroy_node()
 
 
+@pytest.mark.slow
 def test_all_nodes_are_saved_changed_compared_and_restored(ros, tmp_path):
     ros.add(SimpleParamNode)
     ros.add(Camera, '/left')
@@ -140,6 +141,7 @@ def test_a_node_and_its_saved_defaults(ros, tmp_path):
     assert status == 1
 
 
+@pytest.mark.slow
 def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp_path):
     ros.add(Camera, '/left')
     path = tmp_path / 'monday.yaml'
@@ -210,6 +212,7 @@ def test_what_is_not_there_gets_a_sentence(ros, words, complaint, expected):
     assert 'Traceback' not in stderr
 
 
+@pytest.mark.slow
 def test_one_parameter_of_all_nodes(ros, silent):
     ros.add(Camera, '/left')
     ros.add(Camera, '/right')

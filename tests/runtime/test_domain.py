@@ -32,6 +32,7 @@ def test_it_stays_the_same_and_stands_in_the_environment():
     assert domain.choose() == domain.choose() == int(os.environ['ROS_DOMAIN_ID'])
 
 
+@pytest.mark.slow
 def test_living_processes_have_different_domains():
     source = 'from param_tutorial.runtime import domain; print(domain.choose(), flush=True); input()'
     environment = domain.environment_without_domain()
@@ -46,6 +47,7 @@ def test_living_processes_have_different_domains():
     assert set(chosen) <= set(domain.DOMAIN_IDS)
 
 
+@pytest.mark.slow
 def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memory():
     source = 'import param_tutorial; param_tutorial.start(); print(flush=True); input()'
     with subprocess.Popen([sys.executable, '-c', source], env=nothing_chosen(), text=True,
@@ -71,6 +73,7 @@ def test_what_is_limited_to_this_host(monkeypatch):
     assert domain.is_limited_to_this_host()
 
 
+@pytest.mark.slow
 def test_what_the_user_chose_is_kept():
     assert choose(ROS_DOMAIN_ID='42').stdout.split() == ['42', 'None']
     assert choose(ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout.split()[1] == 'SUBNET'

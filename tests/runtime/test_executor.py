@@ -193,6 +193,7 @@ def test_an_answer_that_was_due_when_its_node_was_removed_is_no_error(ros, capfd
     assert capfd.readouterr().err == ''
 
 
+@pytest.mark.slow
 def test_a_callback_that_never_returns_is_interrupted(ros, monkeypatch, capfd):
     monkeypatch.setattr(executor, 'STOP_TIMEOUT_SEC', 0.3)
     entered = threading.Event()
@@ -285,6 +286,7 @@ def test_listeners_hear_of_events_and_of_nodes_until_they_stop(ros):
     assert (len(events), len(changes)) == seen
 
 
+@pytest.mark.slow
 def test_many_restarts_do_not_pile_up(ros):
     for round_number in range(30):
         client = ParameterClient(ros.add(Speed))
@@ -298,6 +300,7 @@ def test_many_restarts_do_not_pile_up(ros):
     assert ros.services.node_names() == ['/speed']
 
 
+@pytest.mark.slow
 def test_a_class_whose_node_has_gone_is_not_kept(ros):
     """A cell that runs again creates its class again: a lesson that is run often would keep hundreds."""
     class Passing(Node):
@@ -563,6 +566,7 @@ def spin_by_name(node):
     rclpy.spin(node)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('spin', [
     rclpy.spin,  # as it was before there was a stage
     spin_by_name,
@@ -609,6 +613,7 @@ class Failing(Speed):
         raise ValueError(f'tick {self.count}')
 
 
+@pytest.mark.slow
 def test_an_exception_that_repeats_is_shown_once_with_its_node_and_counted(ros, capfd):
     node = ros.add(Failing)
     param_tutorial.wait_until(lambda: ros.failures and ros.failures[0].times > 20, 'the timer to go on')

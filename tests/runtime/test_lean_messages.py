@@ -18,6 +18,7 @@ def output_of(program: str) -> list[str]:
     return done.stdout.splitlines()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('program', [START, COMMAND])
 def test_neither_numpy_nor_the_code_generator_is_loaded(ros, program):
     ros.add(Node, 'speaking')
@@ -25,6 +26,7 @@ def test_neither_numpy_nor_the_code_generator_is_loaded(ros, program):
                      )[-1] == '[]'
 
 
+@pytest.mark.slow
 def test_who_wants_them_gets_them(ros):
     assert output_of(f'{START}\n'
                      'from service_msgs.msg import ServiceEventInfo\n'
@@ -34,6 +36,7 @@ def test_who_wants_them_gets_them(ros):
                      ) == ['True', '2.0 True', 'True']
 
 
+@pytest.mark.slow
 def test_those_that_are_there_stay(ros):
     assert output_of(f'import numpy, {GENERATOR} as generator\n'
                      f'{START}\n'

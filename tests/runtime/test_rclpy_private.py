@@ -130,6 +130,7 @@ def limited():
     allow()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('executor_class', [SingleThreadedExecutor, MultiThreadedExecutor])
 def test_rclpys_own_executors_take_a_time_limit_in_place_of_none(other_context, limited, executor_class):
     executor = executor_class(context=other_context)
@@ -154,6 +155,7 @@ def test_rclpys_own_executors_take_a_time_limit_in_place_of_none(other_context, 
     node.destroy_node()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('executor_class', [SingleThreadedExecutor, MultiThreadedExecutor])
 def test_rclpys_own_executors_serve_what_comes_while_they_wait_a_little_at_a_time(
         other_context, limited, executor_class):
@@ -161,6 +163,7 @@ def test_rclpys_own_executors_serve_what_comes_while_they_wait_a_little_at_a_tim
     assert_serves_a_timer(executor, other_context, period_sec=0.25, timeout_sec=60.0)
 
 
+@pytest.mark.slow
 def test_a_signal_is_handled_while_an_executor_waits(other_context, limited):
     def ring(number, frame):
         raise KeyboardInterrupt('on purpose')
@@ -177,6 +180,7 @@ def test_a_signal_is_handled_while_an_executor_waits(other_context, limited):
     executor.shutdown()
 
 
+@pytest.mark.slow
 def test_a_client_returns_none_when_no_answer_comes_in_time(other_context, limited):
     node = Node('asking', context=other_context)
     client = node.create_client(GetParameters, '/nobody/get_parameters')
@@ -229,6 +233,7 @@ def test_init_goes_through_the_context_and_installs_handlers_by_a_name_in_rclpy(
         rclpy.init()
 
 
+@pytest.mark.slow
 def test_a_second_executor_takes_nodes_over_from_one_that_never_runs_again(other_context):
     """The first one sleeps in a callback forever: if it were destroyed, it would look for the handles."""
     node, stuck = Node('held', context=other_context), Node('stuck', context=other_context)
@@ -410,6 +415,7 @@ def test_every_set_goes_through_one_method_of_the_node_and_no_declaration_does(r
     assert asked == [[6], [7], [8]]
 
 
+@pytest.mark.slow
 def test_no_other_file_uses_private_names_of_rclpy(ros, lamp):
     client = lamp.create_client(GetParameters, '/nobody/get_parameters')
     private = {name for thing in (lamp, client, lamp._parameter_service, rclpy.task.Future(), *lamp.services)

@@ -52,6 +52,7 @@ def test_a_node_without_parameter_services_is_distinguished_from_a_missing_one(r
     assert not ros.services.is_ready('/mute')
 
 
+@pytest.mark.slow
 def test_a_node_that_does_not_answer_in_time_costs_no_more_than_that(ros):
     node = ros.add(Gate)
     ros.services.greet('/gate')
@@ -115,6 +116,7 @@ def test_clients_of_a_namespace_are_forgotten_and_made_again(ros):
     assert ros.services.call('/trial/talker', 'list_parameters', ListParameters.Request()).result.names
 
 
+@pytest.mark.slow
 def test_clients_of_a_node_that_has_left_are_not_kept(ros):
     before = len(list(ros.tool_node.clients))
     for _ in range(3):

@@ -68,6 +68,7 @@ def test_what_fits_is_printed_and_nothing_added(capsys):
     assert math.isinf(Allowance(1)._period_sec)
 
 
+@pytest.mark.slow
 def test_a_flood_in_the_executors_thread_is_cut_and_told_of(ros, capsys):
     ros.run(lambda: [print('flood', number) for number in range(5000)], 'print')
     print('from the cell')

@@ -49,6 +49,7 @@ def test_a_page_without_a_kernel_gets_the_list_to_read(shown):
     assert '<button' not in recorded['html']
 
 
+@pytest.mark.slow
 def test_nodes_come_and_go_and_come_back_as_others(ros, shown):
     class Bigger(Fan):
         def __init__(self):
@@ -63,6 +64,7 @@ def test_nodes_come_and_go_and_come_back_as_others(ros, shown):
     wait_until(lambda: shown._front.state == {'status': '0 nodes', 'nodes': []}, 'all to be gone')
 
 
+@pytest.mark.slow
 def test_a_search_looks_at_names_descriptions_and_present_values(shown):
     assert shown.find('breeze') == {'/fan': ['maker']}
     assert shown.find('fan BLADES') == {'/fan': ['blades']}
@@ -92,6 +94,7 @@ def test_a_panel_is_opened_and_shut(shown):
     assert repr(shown) == '<ParameterBrowser: closed>'
 
 
+@pytest.mark.slow
 def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
     press(shown, 'toggle', node='/fan')
     press(shown, 'toggle', node='/arm')
@@ -103,6 +106,7 @@ def test_the_panel_of_a_node_that_has_gone_can_still_be_shut(ros, shown):
     wait_until(lambda: says(shown) == {'/arm': '22 parameters'}, 'its line to go')
 
 
+@pytest.mark.slow
 def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     gate = ros.add(Gate)
     ros.add(Fan)
@@ -133,6 +137,7 @@ def test_a_node_that_did_not_answer_is_asked_again(ros, remote):
     browser.close()
 
 
+@pytest.mark.slow
 def test_it_outlives_the_executor(ros, shown):
     import param_tutorial
 

@@ -74,6 +74,7 @@ def test_one_picture_for_the_drive_and_words_for_each_thing_that_it_begins_to_do
     assert ['@keyframes' in each for each in pictures] == [True, False]
 
 
+@pytest.mark.slow
 def test_it_shows_a_cart_that_is_being_built_and_says_what_is_missing(ros):
     class Unfinished(Node):
         def __init__(self):

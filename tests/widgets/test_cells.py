@@ -36,6 +36,7 @@ def test_a_cell_that_runs_again_closes_what_it_made(ros, run):
     assert repr(elsewhere) == '<ParameterPanel: /simple_param_node, 9 parameters>'
 
 
+@pytest.mark.slow
 def test_ipython_forgets_what_a_cell_made_when_it_runs_again(ros, run, bare_ipython):
     ros.add(SimpleParamNode)
     bare_ipython.run_cell('from param_tutorial import ParameterPanel', store_history=True)

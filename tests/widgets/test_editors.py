@@ -131,6 +131,7 @@ def test_a_double_slider_counts_round_numbers_up_to_the_end(arm):
         assert values.same(arm['gains.kp'].value, stored)
 
 
+@pytest.mark.slow
 @given(st.floats(-1e6, 1e6), st.floats(1e-3, 1e6), st.floats(0, 1), st.booleans())
 def test_every_position_of_a_slider_is_valid_to_rclpy(low, width, where, stepped):
     limits = Range(low, low + width, width / 7 if stepped else 0.0)
@@ -222,6 +223,7 @@ def check_that_it_works(describing, value, descriptor):
     assert (type(node.value), node.value) == (type(value), 1)
 
 
+@pytest.mark.slow
 @MANY
 @given(DOUBLES, DOUBLES, DOUBLES, DOUBLES)
 @example(0.0, 0.0, 5e-324, 0.0)  # what a range declared with the integers 0 and 16 may arrive as
@@ -237,6 +239,7 @@ def test_a_double_of_any_range_can_be_shown_and_changed(describing, value, first
         FloatingPointRange(from_value=first, to_value=last, step=step)]))
 
 
+@pytest.mark.slow
 @MANY
 @given(INTEGERS, INTEGERS, INTEGERS, STEPS)
 @example(0, -2**63, 2**63 - 1, 2**64 - 1)

@@ -22,6 +22,7 @@ def view(ros):
     view.close()
 
 
+@pytest.mark.slow
 def test_it_tells_new_changed_and_deleted_apart(ros, view):
     client = ParameterClient(ros.add(Arm))
     client.set_parameters({'speed': 0, 'note': None})

@@ -1,5 +1,6 @@
 """The log view: which nodes' lines it shows, and in how many updates."""
 
+import pytest
 from rclpy.node import Node
 
 import param_tutorial
@@ -24,6 +25,7 @@ def test_the_log_view_follows_all_nodes_or_one(ros):
     assert 'role="log"' in texts(one)
 
 
+@pytest.mark.slow
 def test_a_chatty_node_is_shown_its_last_lines_in_few_updates(ros):
     node = ros.add(Node, 'chatty')
     view = LogView()

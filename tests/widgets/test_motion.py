@@ -121,6 +121,7 @@ def test_while_nothing_happens_nothing_is_sent(robot, client):
     assert texts(view) == before
 
 
+@pytest.mark.slow
 def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, client):
     accepted, rejected = LadderView(robot, 'speed', 900), LadderView(robot, 'speed', -5)
     line, message = NumberLineView(client, 'opening', 45), MessageView(client, 'speed', 7)
@@ -151,6 +152,7 @@ def test_a_rejected_value_sends_no_message(robot):
 
 # -- the number line -----------------------------------------------------------------------------------------
 
+@pytest.mark.slow
 def test_the_number_line_shows_range_value_and_request(robot, client):
     view = NumberLineView(robot, 'opening')
     assert view.text == 'Number line of opening of /robot: 0 to 85 in steps of 10; stored is 40. opening = 40'
@@ -179,6 +181,7 @@ def test_the_number_line_of_no_number_says_so(robot):
     assert 'no parameter wings' in NumberLineView(robot, 'wings').text
 
 
+@pytest.mark.slow
 def test_the_number_line_of_a_node_that_leaves_and_comes_back(ros, robot):
     view = NumberLineView(robot, 'opening')
     ros.remove(robot)
@@ -190,6 +193,7 @@ def test_the_number_line_of_a_node_that_leaves_and_comes_back(ros, robot):
 
 # -- messages ------------------------------------------------------------------------------------------------
 
+@pytest.mark.slow
 def test_a_message_travels_to_all_who_listen(ros, robot, client):
     ros.add(ParamEventMonitor)
     view = MessageView()
@@ -240,6 +244,7 @@ def test_each_has_a_still_for_a_page_without_a_kernel(robot, client, make):
     assert 'prefers-reduced-motion' in recorded['html']
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('make', VIEWS.values(), ids=VIEWS)
 def test_closed_it_hears_no_more_and_outlives_the_stage(ros, robot, client, make):
     view, other = make(robot), make(robot)

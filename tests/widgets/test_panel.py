@@ -264,6 +264,7 @@ def test_a_node_elsewhere_that_goes_and_comes_back(ros, remote):
     assert (panel['x'].value, shows(panel, 'x'), panel['x'].message) == (1, ('1',), '')
 
 
+@pytest.mark.slow
 def test_a_node_that_does_not_answer(ros, remote):
     process = remote('drowsy', 'asleep')
     panel = ParameterPanel('drowsy', timeout_sec=0.5)
@@ -331,6 +332,7 @@ def test_a_node_that_comes_back_with_other_parameters(ros):
     assert shows(panel, 'joints') == ('many',)
 
 
+@pytest.mark.slow
 def test_a_panel_outlives_the_executor(ros):
     ros.add(SimpleParamNode)
     panel = ParameterPanel('/simple_param_node')
@@ -412,6 +414,7 @@ def test_groups_have_headings_and_every_nodes_parameters_come_last(arm):
     assert re.findall(r'<label for="[^"]+">(k.)</label>', arm._front.markup) == ['kp', 'ki']
 
 
+@pytest.mark.slow
 def test_the_worker_threads_end(arm):
     arm['tool'].value = 'saw'
     arm.settle()
@@ -461,6 +464,7 @@ def test_what_cannot_be_brought_back_is_said(ros):
 # -- undo ---------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_undo_and_redo_take_the_node_back_and_forth(arm):
     enter(arm, 'tool', 'saw')
     arm.settle()
@@ -482,6 +486,7 @@ def test_undo_and_redo_take_the_node_back_and_forth(arm):
     assert not arm._front.state['redo'], 'what was undone and then replaced cannot be done again'
 
 
+@pytest.mark.slow
 def test_one_pull_of_a_slider_is_undone_at_once(arm):
     for position in range(50, 100):
         slide(arm, 'reach', position, grip=1)
@@ -547,6 +552,7 @@ def test_undo_of_a_hundred_edits_gives_the_exact_first_state(arm, edits):
     assert [name for name in first if not values.same(first[name], now[name])] == []
 
 
+@pytest.mark.slow
 def test_an_edit_does_not_end_before_the_node_is_asked(arm, monkeypatch):
     control = arm['joints']
     drawing = threading.Thread(target=arm._show)
@@ -618,6 +624,7 @@ class Many(Node):
         self.declare_parameter('rate_hz', 10)
 
 
+@pytest.mark.slow
 def test_hundreds_of_parameters_stand_in_a_tree_that_can_be_searched(ros):
     ros.add(Many)
     panel = ParameterPanel('/many')
@@ -693,6 +700,7 @@ def test_a_cell_does_what_it_says_whatever_button_was_pressed_before(ros):
     assert (node.get_parameter('low').value, panel.gathered) == (4, {})
 
 
+@pytest.mark.slow
 def test_what_is_rejected_stays_gathered_until_it_is_mended_or_discarded(ros):
     ros.add(Band)
     panel = ParameterPanel('/band')

@@ -173,6 +173,7 @@ def test_a_file_that_rcl_would_reject_changes_nothing_and_is_said_with_its_line(
     assert arm.changed == {}
 
 
+@pytest.mark.slow
 def test_a_load_into_a_node_that_is_gone_says_so(ros, arm):
     ros.remove_all()
     wait_until(lambda: arm.status, 'the panel to miss the node')

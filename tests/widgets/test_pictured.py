@@ -118,6 +118,7 @@ def test_a_way_that_cannot_begin_is_rejected(weather):
         view.go('never', {'low_c': 20, 'high_c': 10}, {'high_c': 30})
 
 
+@pytest.mark.slow
 def test_a_plane_has_two_parameters_of_a_node_that_is_there(weather, ros):
     with pytest.raises(ValueError, match='two parameters'):
         PlaneView(weather, {'low_c': DAYS})
@@ -160,6 +161,7 @@ def test_a_request_is_stopped_by_the_first_check_that_it_fails(ros):
     assert repr(view) == '<ChecksView: 1 of 9 get through all checks.>' and view.node == '/strict'
 
 
+@pytest.mark.slow
 def test_no_check_is_shown_for_a_node_that_is_not_there(ros):
     with pytest.raises(NodeNotFoundError):
         ChecksView('/nobody', [('speed', 1)])
@@ -219,6 +221,7 @@ def test_each_value_has_a_result_and_an_atomic_request_has_one(weather):
     assert ParameterClient(weather).get_parameters(['low_c', 'high_c']) == {'low_c': -5, 'high_c': 30}
 
 
+@pytest.mark.slow
 def test_who_is_not_there_and_who_does_not_answer_are_told_apart(weather):
     dozing, view = Node('dozing'), CallsView(timeout_sec=.2)
     view.call('/wether', 'get_parameters', ['low_c'])

@@ -51,6 +51,7 @@ def test_a_drive_is_sent_as_its_phases(view, robot):
     assert f'{robot.motion[0].duration_sec:.4f}s linear both' in picture(view)
 
 
+@pytest.mark.slow
 def test_a_picture_for_each_motion_words_for_each_thing_it_begins_to_do_and_nothing_while_it_stands(view, robot):
     pictures, scenes = [], []
     view._front.observe(lambda change: pictures.append(change.new), 'picture')
@@ -155,6 +156,7 @@ def test_its_repr_says_nothing_of_the_moment(view):
     assert repr(view) == '<RobotView: /clawbot_node, closed>'
 
 
+@pytest.mark.slow
 def test_it_follows_a_robot_that_is_replaced_and_survives_one_that_is_gone(ros, view, robot):
     again = ros.add(ClawbotNode, real_time=False, ros_args=['-p', 'robot_name:=Second'])
     wait_until(lambda: 'Second' in view.text, 'the view to follow')
@@ -188,6 +190,7 @@ def test_it_may_be_made_before_its_robot(ros):
     view.close()
 
 
+@pytest.mark.slow
 def test_it_looks_as_often_as_it_says_for_a_robot_that_is_coming_and_then_no_more(ros, monkeypatch):
     """The graph has a node of this name, but this process has no robot to show, or not yet."""
     monkeypatch.setattr(worker, '_LOOK_PERIOD_SEC', 3600.0)  # the worker by itself looks never

@@ -128,6 +128,7 @@ def test_its_wheel_turns_as_the_response_says(view):
     assert 'prefers-reduced-motion' in view.snapshot()['html']
 
 
+@pytest.mark.slow
 def test_a_hand_that_drags_is_not_answered_more_often_than_anybody_can_see(view, controller):
     panel, drawn = ParameterPanel(controller), []
     view.children[1].observe(lambda change: drawn.append(time.monotonic()), 'value')
@@ -140,6 +141,7 @@ def test_a_hand_that_drags_is_not_answered_more_often_than_anybody_can_see(view,
     panel.close()
 
 
+@pytest.mark.slow
 def test_still_it_has_no_thread(view):
     wait_until(lambda: view._live._shower._thread is None and view._live._reader._thread is None,
                "the view's threads to end", timeout_sec=30)

@@ -32,6 +32,7 @@ def test_a_panel_without_an_executor_says_so_and_comes_alive_with_one(view):
     param_tutorial.start()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('view', [ParameterPanel, LogView, EventView, RobotView, CartView, StepResponseView])
 def test_a_view_of_nonsense_says_so_and_nothing_else(ros, view, monkeypatch):
     others = []
@@ -65,6 +66,7 @@ def test_text_from_a_node_is_not_taken_for_html(ros):
     assert '<img' not in panel._front.markup + texts(view)
 
 
+@pytest.mark.slow
 def test_after_closing_nothing_listens_any_more(ros):
     ros.add(SimpleParamNode)
     def listeners():
@@ -86,6 +88,7 @@ def test_after_closing_nothing_listens_any_more(ros):
     wait_until(all_gone, 'the closed widgets to be collected')
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize('make', [LogView, EventView, lambda: ParameterPanel('/arm'), lambda: RobotView('/arm')])
 def test_its_thread_is_known_as_one_of_a_view_and_ends_with_it(ros, make):
     """Each test of widgets waits for these threads to end, which guards nothing if their names are wrong."""
