@@ -3,6 +3,7 @@
 import atexit
 import collections
 import io
+import itertools
 import os
 import shutil
 import signal
@@ -59,7 +60,7 @@ _known = pytest.StashKey[dict[str, float]]()
 _seconds: collections.Counter[str] = collections.Counter()
 
 
-_tests_with_ros: list[None] = []
+_tests_with_ros = itertools.count(1)
 
 
 @pytest.fixture
@@ -74,8 +75,7 @@ def ros() -> Iterator[BackgroundExecutor]:
     executor.remove_all()
     # A stage that a callback had to be left behind on, or that has seen a thousand nodes, may no longer hear
     # /parameter_events, which is not understood yet. The next test gets a new one.
-    _tests_with_ros.append(None)
-    if executor._thread is not thread or len(_tests_with_ros) % 100 == 0:
+    if next(_tests_with_ros) % 100 == 0 or executor._thread is not thread:
         executor.stop()
 
 

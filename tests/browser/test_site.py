@@ -484,6 +484,11 @@ def test_a_page_lives_with_whatever_the_browser_has_kept(made, browser, kept):
         expect(form.get_by_role('button', name='Answer again')).to_be_visible()
 
 
+def start_to_drive(page):
+    page.get_by_role('button', name='Drive').click()
+    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+
+
 def drive_to_the_end(page):
     """Press the robot's button, and let an hour of the page's time pass; its clock must be installed."""
     page.get_by_role('button', name='Drive').click()
@@ -529,8 +534,7 @@ def test_a_drive_that_was_not_recorded_is_said_not_to_be(page):
 
 @robot
 def test_a_change_whose_drives_were_not_recorded_ends_the_drive(page):
-    page.get_by_role('button', name='Drive').click()
-    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+    start_to_drive(page)
     type_into(page, 'max_speed_rpm', '77')
     type_into(page, 'robot_name', 'Rex')
     expect(page.locator('.rec-robot')).to_have_class(re.compile('rec-stale'))
@@ -571,8 +575,7 @@ def test_a_reader_who_wants_no_motion_sees_each_phase_where_it_begins(page):
 @robot
 def test_a_change_on_the_way_takes_effect_on_the_way(page):
     page.clock.install()
-    page.get_by_role('button', name='Drive').click()
-    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+    start_to_drive(page)
     box(page, 'enable_safety_mode').uncheck()
     # It goes on from where it is then; nothing stops it any more.
     expect(page.locator('.robot-head')).to_contain_text('safety off')
@@ -588,8 +591,7 @@ def test_a_change_on_the_way_takes_effect_on_the_way(page):
 @robot
 def test_a_change_that_is_taken_back_on_the_way_changes_nothing(page):
     page.clock.install()
-    page.get_by_role('button', name='Drive').click()
-    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
+    start_to_drive(page)
     page.evaluate("""() => {
         const safety = document.querySelector('.param-row[data-name=enable_safety_mode] .param-box');
         safety.click();

@@ -195,13 +195,13 @@ DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
 
 
 @pytest.mark.slow
-@pytest.mark.slow
 @settings(property_test, max_examples=400)
 @given(DOCUMENTS)
 @example('/**: {ros__parameters: {a: 1}}\n/lab/reader: {ros__parameters: {a: 2}}\n/**: {ros__parameters: {a: 3}}')
 @example('/**: {ros__parameters: {1: b, 1: {a: 1, b: 1.5, b: {p: 3}, b: true}}}')
 @example('/lab: {reader: {ros__parameters: {a: 1}}}\n---\n/**: {ros__parameters: {a: x}}')
 @example('/**: {ros__parameters: {s: {c: {}, d: 1}, e: 2}}')
+@example('/**: {ros__parameters: [{a: 1}]}\n/lab/reader: {ros__parameters: [{a: 1}]}')
 @example('hello')
 @example('')
 def test_documents_are_read_or_rejected_as_rcl_reads_or_rejects_them(ros, text):
@@ -215,7 +215,6 @@ def test_documents_are_read_or_rejected_as_rcl_reads_or_rejects_them(ros, text):
         assert expected is not None and same(found, expected)
 
 
-@pytest.mark.slow
 @pytest.mark.slow
 @settings(property_test, max_examples=400)
 @given(DOCUMENTS)

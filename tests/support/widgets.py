@@ -23,7 +23,7 @@ def slide(panel, name, position, grip=0):
 
 
 def press(panel, button, **details):
-    """Do what the browser does when someone presses one of the panel's buttons."""
+    """Do what the browser does when someone presses one of the buttons of a panel or another view."""
     panel._front._handle_custom_msg({'do': button, **details}, [])
 
 

@@ -12,6 +12,7 @@ from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.runtime import stage, worker
 from param_tutorial.widgets import robot as robot_module
+from tests.support.widgets import press
 
 FOREVER = math.inf
 
@@ -125,6 +126,7 @@ def test_the_picture_has_a_text_alternative_and_the_words_a_live_region(view, ro
     assert f'role="img" aria-label="{view.text}"' in picture(view)
     assert view._front.scene[2:4] == [view.text, 'Clawbot stands at the start.']
     assert '<div class="robot-says" role="status">' in view._front.markup
+    assert 'prefers-reduced-motion: reduce' in view._front._css
 
 
 @pytest.mark.parametrize(('change', 'text'), [
@@ -144,7 +146,7 @@ def test_each_end_in_words(view, robot, change, text):
 
 
 def test_the_button_drives(view, robot):
-    view._front._handle_custom_msg({'do': 'drive'}, [])
+    press(view, 'drive')
     assert robot.state.word == 'SPEEDING UP'
 
 
@@ -166,7 +168,7 @@ def test_it_follows_a_robot_that_is_replaced_and_survives_one_that_is_gone(ros, 
     shows(view, '/clawbot_node is not running')
     with pytest.raises(NodeNotFoundError):
         view.drive()
-    view._front._handle_custom_msg({'do': 'drive'}, [])  # pressed before the page knows that the robot is gone
+    press(view, 'drive')  # before the page knows that the robot is gone
     assert view._front.scene == []
     ros.add(ClawbotNode, real_time=False)
     shows(view, 'READY')

@@ -38,6 +38,8 @@ from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.runtime.waiting import machine_time
 
 KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
+# How many letters of a value stand in the text of a change.
+_LETTERS = 60
 _CLOSE_TIMEOUT_SEC = 10.0
 # When a node that is new is read again, each after so long. On a busy machine its publisher may know of this reader
 # only after a heartbeat of Fast DDS, which comes every three seconds.
@@ -93,17 +95,9 @@ class LoggedChange:
             return f'{time} began to watch'
         if self.kind == 'gone':
             return f'{time} {self.node} is gone'
-        old, new = self.words('not set')
+        old, new = values.format_change(self.old, self.new, _LETTERS)
         what = {'changed': f'{old} → {new}', 'deleted': f'{old} → deleted'}.get(self.kind, f'{new} ({self.kind})')
         return f'{time} {self.node} {self.name}: {what}'
-
-    def words(self, nothing: str) -> tuple[str, str]:
-        """Return the old and the new value as text.
-
-        :param nothing: What to return for none.
-        """
-        old, new = values.format_change(self.old, self.new, 60)
-        return nothing if self.old is None else old, nothing if self.new is None else new
 
 
 def _encode(value: Any) -> Any:
@@ -270,7 +264,7 @@ class ChangeLog(WordTable):
 
     def rows(self) -> list[tuple[str, ...]]:
         return [(f'{each.time.astimezone():%Y-%m-%d %H:%M:%S.%f}'[:-3], each.node, each.name, each.kind,
-                 *each.words('')) for each in self.changes]
+                 *values.format_change(each.old, each.new, _LETTERS, nothing='')) for each in self.changes]
 
 
 # -- following ------------------------------------------------------------------------------------------------

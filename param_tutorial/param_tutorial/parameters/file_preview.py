@@ -88,12 +88,8 @@ class FilePreview(WordTable):
                 if row.verdict not in (CHANGES, SAME, OTHER_NODE)}
 
     def rows(self) -> list[tuple[str, ...]]:
-        rows: list[tuple[str, ...]] = []
-        for row in self.rows_by_parameter:
-            now, wanted = values.format_change(row.now, row.wanted)
-            rows.append((row.name, '-' if row.now is None else now, '-' if row.wanted is None else wanted,
-                         row.verdict, row.reason))
-        return rows
+        return [(row.name, *values.format_change(row.now, row.wanted, nothing='-'), row.verdict, row.reason)
+                for row in self.rows_by_parameter]
 
 
 class Loaded(dict[str, str]):

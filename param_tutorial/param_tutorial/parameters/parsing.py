@@ -335,9 +335,9 @@ class Parser:
         if not self.in_parameters:
             self._object(place, f'a list cannot stand before {KEY}', self.node_keys)
             return
+        self.item_type = None
         if is_inner and self.assignment is not None:  # which rcl reads as if it began the outer list anew
             self.assignment.scalars.clear()
-            self.item_type = None
         elif self.block:
             self.block[self.entry].is_empty_array = True
             self._assign(place, is_array=True)
@@ -454,7 +454,7 @@ class Parser:
         assignment = Assignment(self.file, self.block_name, entry.name, self.name_place, place, is_array)
         entry.assignments.append(assignment)
         self.assignments.append(assignment)
-        self.assignment, self.item_type = (assignment if is_array else None), None
+        self.assignment = assignment if is_array else None
         return assignment
 
 

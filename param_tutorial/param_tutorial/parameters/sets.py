@@ -439,5 +439,4 @@ def _format_pair(before: Any, after: Any, kind: str = '') -> tuple[str, str]:
         first, second = ('[] (array)' if value == [] else f'{_format(value)} ({values.type_of(value).label})'
                          for value in (before, after))
         return first, second
-    first, second = values.format_change(before, after)
-    return 'not set' if before is None else first, 'not set' if after is None else second
+    return values.format_change(before, after)

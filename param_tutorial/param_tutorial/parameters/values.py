@@ -178,9 +178,13 @@ def format_value(value: Any, letters: int = 200) -> str:
     return f'{text[:letters]}…' + (f' ({len(value)} {unit})' if unit else '')
 
 
-def format_change(before: Any, after: Any, letters: int = 200) -> tuple[str, str]:
-    """Return two values as text for people: of long ones that begin alike, the place where they begin to differ."""
-    texts = format_value(before, letters), format_value(after, letters)
+def format_change(before: Any, after: Any, letters: int = 200, *, nothing: str = 'not set') -> tuple[str, str]:
+    """Return two values as text for people: of long ones that begin alike, the place where they begin to differ.
+
+    :param nothing: What to return for None.
+    """
+    texts = (nothing if before is None else format_value(before, letters),
+             nothing if after is None else format_value(after, letters))
     if texts[0] != texts[1] or not (isinstance(before, list | str) and type(before) is type(after)):
         return texts
     # Both are cut off, and equally long: format_value says how long they are.

@@ -108,8 +108,7 @@ class DrivingView(View):
         """Return what a page without a kernel needs to draw it as it stands."""
         shown = self.look()
         if shown is None:
-            return {'kind': 'still', 'html': f'{track.STYLE}<div class="robot-view">{self._front.picture}</div>',
-                    'text': repr(self)}
+            return {**super().snapshot(), 'html': f'{track.STYLE}<div class="robot-view">{self._front.picture}</div>'}
         return {'kind': 'robot', 'node': self.node, 'look': shown}
 
     def look(self) -> dict[str, Any] | None:

@@ -70,14 +70,10 @@ class Album:
     def _turns(self, rows: list[Row]) -> dict[str, Any]:
         """Return films of what follows on a change of one parameter, by the change and the number of the moment."""
         starts = self._portrait.moments(TURN_SEC)
-        turns: dict[str, Any] = {}
-        for row in rows:
-            for text in (each for each in choices(row) if each != row['text']):
-                if self._asker.show({row['name']: text}):
-                    changed = key({row['name']: text})
-                    turns |= {f'{changed}\n{number}': self._film(start) for number, start in enumerate(starts, 1)}
-                self._asker.end_show()
-        return {name: each for name, each in turns.items() if each}
+        sets = [{row['name']: text} for row in rows for text in choices(row) if text != row['text']]
+        turns = self._take(sets, lambda: [self._film(start) for start in starts])
+        return {f'{changed}\n{number}': film for changed, films in turns.items()
+                for number, film in enumerate(films, 1) if film}
 
     def _film(self, start: Any = None) -> Any:
         film = self._portrait.film(start=start)
