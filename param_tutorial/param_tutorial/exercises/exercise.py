@@ -3,12 +3,13 @@
 import contextlib
 import inspect
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from rclpy.node import Node
 
 from param_tutorial.errors import ExecutorError, NoAnswerError
+from param_tutorial.exercises.forms import Blanks, Form
 from param_tutorial.exercises.results import Answer, Finding, Hint, Result
 from param_tutorial.exercises.trial import (
     CORNER,
@@ -67,13 +68,15 @@ class Exercise:
     """One exercise of a chapter."""
 
     def __init__(self, number: str, title: str, chapter: str, takes: Kind, hints: tuple[str, ...], *,
-                 node_name: str = ''):
+                 node_name: str = '', form: Form | None = None):
         """
         :param number: Of the chapter, and a letter: '5.2b'.
         :param title: As in the chapter's heading.
         :param chapter: The name of its notebook, without the ending.
         :param hints: From a nudge to nearly the answer.
         :param node_name: How the learner's node has to be called.
+        :param form: How a page asks for the answer. One whose requirements are predictions has a form by itself; others
+            without one can be answered in the notebook alone.
         """
         self.number = number
         self.title = title
@@ -83,6 +86,7 @@ class Exercise:
         self.hints = hints
         self.node_name = node_name
         self.requirements: list[Requirement] = []
+        self.form = form
         self._draw: Draw | None = None
 
     def require(self, sentence: str, *, see: str) -> Callable[[Examine], Examine]:
@@ -109,6 +113,7 @@ class Exercise:
         """
         def add(find_out: FindOut) -> FindOut:
             truth: list[Any] = []
+            self.add_blank(question, because, choices=words, word=word)
 
             @self.require(f'`{question}`', see=see)
             def examine(trial: Trial) -> None:
@@ -131,6 +136,11 @@ class Exercise:
                        f'it does not say `{given!r}`{remark or _of_another_type(given, truth[0])}')
             return find_out
         return add
+
+    def add_blank(self, name: str, guesses: Iterable[Any] = (), *, choices: Sequence[Any] = (), word: str = '') -> None:
+        """Let a page ask for one more entry of the dictionary, about which the next requirement is; see Blanks."""
+        before = self.form.guesses if isinstance(self.form, Blanks) else {}
+        self.form = Blanks({**before, name: list(guesses)}, choices=choices, word=word)
 
     def show(self, draw: Draw) -> Draw:
         """Let the decorated function draw, as HTML, what work that meets all requirements makes a node do."""

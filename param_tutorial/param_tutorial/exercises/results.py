@@ -8,7 +8,7 @@ from param_tutorial.pictures.tables import with_code
 
 _WIDTH = 110
 # Its colors follow the page's theme, and none says anything that no word says.
-_STYLE = style('exercises/results.css')
+STYLE = style('exercises/results.css')
 
 
 class Answer:
@@ -21,7 +21,7 @@ class Answer:
         return _wrapped(self.text)
 
     def _repr_html_(self) -> str:
-        return f'{_STYLE}<div class="param-check"><p>{with_code(self.text)}</p></div>'
+        return f'{STYLE}<div class="param-check"><p>{with_code(self.text)}</p></div>'
 
 
 class Hint(Answer):
@@ -73,7 +73,7 @@ class Result(Answer):
         :param picture: What the work makes a node do, as HTML; the findings say in words what is to be seen.
         """
         self.findings = tuple(findings)
-        self._picture = picture
+        self.picture = picture
         self.done = all(finding.done for finding in findings)
         self.count = sum(finding.done is True for finding in findings)
         self.heading = f'Exercise {number}: {"done" if self.done else "not yet"}'
@@ -89,12 +89,13 @@ class Result(Answer):
         return '\n'.join([*lines, '', _wrapped(self.text)])
 
     def _repr_html_(self) -> str:
-        items = ''.join(map(_item, self.findings))
-        return (f'{_STYLE}<div class="param-check"><p><b>{self.heading}</b>, {self.score}</p>'
-                f'{self._picture}<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p></div>')
+        items = ''.join(map(markup, self.findings))
+        return (f'{STYLE}<div class="param-check"><p><b>{self.heading}</b>, {self.score}</p>'
+                f'{self.picture}<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p></div>')
 
 
-def _item(finding: Finding) -> str:
+def markup(finding: Finding) -> str:
+    """Return what became of a requirement, as an item of a list in HTML."""
     details = ''.join(f'<dt>{word}</dt><dd>{with_code(text)}</dd>' for word, text in finding.details.items())
     return (f'<li class="param-{finding.word.replace(" ", "-")}"><b>{finding.word}</b> · {with_code(finding.sentence)}'
             + (f'<dl>{details}</dl>' if details else '') + '</li>')

@@ -81,8 +81,10 @@ class Archive:
         for done, (path, recorded) in enumerate(record_all(paths, self._processes), 1):
             asked = sum(part.get('asked', 0) for found in recorded.values() for each in found
                         for part in each.get('parts', [each]))
-            views = format_count(sum(map(len, recorded.values())), 'view')
-            say(f'[{done}/{len(paths)}] {path.stem}: ran as stored; {views} recorded'
+            kinds = [each['kind'] for found in recorded.values() for each in found]
+            views, forms = len(kinds) - kinds.count('answers'), kinds.count('answers')
+            say(f'[{done}/{len(paths)}] {path.stem}: ran as stored; {format_count(views, "view")} and '
+                f'{format_count(forms, "exercise")} recorded'
                 + (f', {asked:,} answers' if asked else '') + f' ({time.monotonic() - began:.0f} s)')
             yield path, recorded
 

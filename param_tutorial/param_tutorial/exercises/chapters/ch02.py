@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from param_tutorial.errors import ParameterToolError
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
+from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2.run import find_program
@@ -255,7 +256,7 @@ def overlaid(trial: Trial) -> None:
            f'it returns `{answer}`. `ros2 run` finds the package in `first`, and looks no further')
 
 
-order = Exercise('2c', 'Put a terminal in order', CHAPTER, TEXT, hints=(
+order = Exercise('2c', 'Put a terminal in order', CHAPTER, TEXT, form=Order(), hints=(
     'Ask of each line what it needs. `source`, for one, needs a file that only a build writes.',
     '`colcon build` writes into the folder in which you call it, so the line that goes to the workspace comes first. '
     'And `ros2 run` finds only what the terminal has sourced.'))

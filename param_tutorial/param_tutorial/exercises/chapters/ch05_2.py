@@ -17,6 +17,7 @@ from param_tutorial.exercises.expectations import (
     expect_left_alone,
     expect_rejected,
 )
+from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 from param_tutorial.parameters.values import INTEGER
 
@@ -206,7 +207,14 @@ LETTERS = Kind('five letters in a string, as in the cell above',
                lambda work: isinstance(work, (str, list, tuple)) and all(isinstance(each, str) for each in work),
                'my_order')
 
-put_in_order = Exercise('5.2c', 'Put a change in order', CHAPTER, LETTERS, hints=(
+EVENTS = {
+    'a': 'post-set callbacks are called',
+    'b': 'read-only, type and range are checked',
+    'c': 'the value is stored',
+    'd': 'pre-set callbacks are called',
+    'e': 'on-set callbacks are called',
+}
+put_in_order = Exercise('5.2c', 'Put a change in order', CHAPTER, LETTERS, form=Order(EVENTS), hints=(
     'Which callback may still rewrite the request, which may only reject it, and which comes too late for both?',
     'A value of the wrong type never gets to an on-set callback, but it does get to a pre-set callback.',
     'The table in the section “The callback ladder” shows the order.'))

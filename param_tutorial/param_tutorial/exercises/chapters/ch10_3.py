@@ -14,6 +14,7 @@ from rclpy.parameter import Parameter
 from param_tutorial.errors import InvalidValueError, ParameterFileError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, expect_no_gap, run_lines
+from param_tutorial.exercises.forms import Order, Settings
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 from param_tutorial.parameters import files, values
@@ -24,13 +25,15 @@ FILE = 'The file of ros2_control'
 WHERE = 'Which controllers does a block reach?'
 TOGETHER = 'Change it: three gains, one change'
 
-tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
+TUNED = [f'gains.wheel_joint.{name}' for name in 'pid']
+GAINS_TRIED = Settings(dict(zip(TUNED, (
+    (0.1, 0.2, 0.3, 0.4, 0.5, 0.62, 0.8, 1.0, 1.5, 2.0), (0.0, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0),
+    (0.0, 0.01, 0.02, 0.03, 0.05, 0.1)))), start=dict(zip(TUNED, (0.1, 0.0, 0.0))))
+tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, form=GAINS_TRIED, hints=(
     'Begin with P alone, and raise it until the wheel is fast. It will ring; that is what D is for.',
     'With `d` at 0.03 you can raise `p` far beyond 0.4, and the wheel rings less than before.',
     'The integral has little left to do when `p` is large. A small one, below 0.5, removes the error and hardly '
     'overshoots.'))
-
-TUNED = [f'gains.wheel_joint.{name}' for name in 'pid']
 
 
 def tuned(trial: Trial) -> Figures:
@@ -230,7 +233,7 @@ def anywhere(trial: Trial) -> None:
                    'it gets others' if found else 'the file does not reach it')
 
 
-order = Exercise('10.3c', 'Put a change in order', CHAPTER, TEXT, hints=(
+order = Exercise('10.3c', 'Put a change in order', CHAPTER, TEXT, form=Order(), hints=(
     'A name has to exist before a line can use it. Which two lines use no name from another line?',
     'The dictionary needs `group`, and the last line needs the client and the dictionary.'))
 

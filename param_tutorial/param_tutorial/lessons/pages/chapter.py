@@ -9,7 +9,7 @@ import nbformat
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.achievements import HOW
 from param_tutorial.exercises.prediction import MIME_TYPE
-from param_tutorial.lessons.pages import drawing
+from param_tutorial.lessons.pages import drawing, forms
 from param_tutorial.lessons.pages.links import NOTEBOOKS, Links
 from param_tutorial.lessons.pages.terms import terms_script
 from param_tutorial.lessons.recording.recorded import Recordings
@@ -71,6 +71,7 @@ def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer:
         for output in cell.outputs:
             if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
                 output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
+    _draw_forms(notebook, recordings, links)
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if MIME_TYPE in output.get('data', {}):
@@ -78,6 +79,18 @@ def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer:
                 prediction = PREDICTIONS.get(number) or RECALLS[number]
                 output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction, links.in_verdict)})
                 cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
+
+
+def _draw_forms(notebook: nbformat.NotebookNode, recordings: Recordings, links: Links) -> None:
+    """Put a form in the place of each check whose answers were recorded, and of the cell that is to be filled in."""
+    cells = {cell.id: cell for cell in notebook.cells}
+    for name, cell in cells.items():
+        for recording in recordings.get(name, ()) if name.startswith('check-') else ():
+            drawn = forms.draw(recording, EXERCISES[recording['number']].title, links.in_check)
+            cell.outputs = [nbformat.v4.new_output('display_data', {'text/html': drawn})]
+            cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
+            exercise = cells[name.replace('check', 'exercise', 1)]
+            exercise.metadata.tags = [*exercise.metadata.get('tags', ()), 'remove-cell']
 
 
 def title(path: Path) -> str:

@@ -76,7 +76,7 @@ class Drawer:
                 f'{with_code(prediction.question)}</legend>'
                 f'{answers}<button type="submit" class="rec-commit" disabled>Commit</button></fieldset>'
                 f'<p class="rec-says" role="status"></p>'
-                f'<button type="button" class="rec-again" hidden>Answer again</button>{_packed(facts)}</form>')
+                f'<button type="button" class="rec-again" hidden>Answer again</button>{packed(facts)}</form>')
 
     def _panel(self, recording: Recording, name: str) -> str:
         rows = [_panel_row(row) for row in recording['rows']]
@@ -104,7 +104,7 @@ class Drawer:
             f'<div class="rec-foot"><button type="button" class="rec-reset" disabled>Back to the start</button>'
             f'<button type="button" class="rec-link" disabled>Copy a link to these settings</button>'
             f'<p class="rec-note">{_explanation(recording)}</p>'
-            f'<p class="rec-note rec-from-link" role="status"></p></div>{_packed(facts)}{looks}{albums}</div>')
+            f'<p class="rec-note rec-from-link" role="status"></p></div>{packed(facts)}{looks}{albums}</div>')
 
     def _robot(self, recording: Recording, name: str) -> str:
         look, node = recording['look'], html.escape(recording['node'])
@@ -112,7 +112,7 @@ class Drawer:
         return (
             f'<div role="group" class="rec rec-robot robot-view" id="{name}" data-node="{node}" '
             f'aria-label="{node} on its track">'
-            f'{track.view_markup(look["picture"], sentence)}{_packed({"films": recording["films"]})}</div>')
+            f'{track.view_markup(look["picture"], sentence)}{packed({"films": recording["films"]})}</div>')
 
     def _log(self, recording: Recording, name: str) -> str:
         title = html.escape(f'Log of {recording["node"]}')
@@ -203,7 +203,7 @@ def _state(row: Row) -> RowState:
                     message=('rejected', row['message']) if row['message'] else None)
 
 
-def _packed(facts: dict[str, Any]) -> str:
+def packed(facts: dict[str, Any]) -> str:
     data = zlib.compress(json.dumps(facts, ensure_ascii=False, separators=(',', ':')).encode(), 9)
     return _script('rec-data', base64.b64encode(data).decode())
 

@@ -15,5 +15,7 @@ Inside the chapter's kernel, without Sphinx:
     questions     what hands type
     taps          what a node logged, and what it published on /parameter_events
 
+    answers       what an exercise's check says to all that a page's form lets a reader answer
+
 And ``recorded``: what all of that brings home.
 """

@@ -3,7 +3,7 @@
 One kernel runs the chapter to its end. Views that stand still are recorded there as they appear. For each other cell
 that shows widgets, another kernel runs the chapter up to that cell and stops there, and the recorder asks the node
 behind the view all that a reader may ask. So every answer comes from the very state that the page shows, and no
-question can disturb the lesson.
+question can disturb the lesson. One more kernel tries what a reader may answer to the chapter's exercises.
 """
 
 import ast
@@ -23,7 +23,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 from nbformat import NotebookNode
 
-from param_tutorial.exercises import prediction
+from param_tutorial.exercises import EXERCISES, prediction
 from param_tutorial.lessons.recording import comparison
 from param_tutorial.lessons.recording.recorded import Page, Recording, Recordings, ViewFacts
 from param_tutorial.runtime import domain
@@ -72,7 +72,7 @@ def record_chapter(path: Path) -> Recordings:
             recordings[cell.id] = record_cell(path, index, page)
             page['albums'] += [name for each in recordings[cell.id] for part in each.get('parts', [each])
                                for name in part.get('albums', ())]
-    return {cell.id: recordings[cell.id] for _, cell in cells_with_widgets(read_notebook(path))}
+    return {cell.id: recordings[cell.id] for _, cell in cells_with_widgets(read_notebook(path))} | _record_answers(path)
 
 
 def _run_to_the_end(path: Path) -> tuple[Recordings, list[ViewFacts]]:
@@ -82,14 +82,14 @@ def _run_to_the_end(path: Path) -> tuple[Recordings, list[ViewFacts]]:
     def record_still(client: NotebookClient, index: int) -> None:
         cell = client.nb.cells[index]
         page: Page = {'literals': [], 'source': '', 'views': [], 'albums': []}
-        recorded = [_ask_recorder(path, client, index, 'record_still', model_id, page)
+        recorded = [_ask_recorder(path, client, index, 'recorder.record_still', model_id, page)
                     for model_id, _ in _widgets_of(cell)]
         if recorded and {} not in recorded:
             recordings[cell.id] = [each or _text_of(text) for each, (_, text) in zip(recorded, _widgets_of(cell))]
 
     with _executed(path, after=record_still) as client:
         shown = [model_id for _, cell in cells_with_widgets(client.nb) for model_id, _ in _widgets_of(cell)]
-        views = _ask_recorder(path, client, len(client.nb.cells) - 1, 'describe', shown) if shown else []
+        views = _ask_recorder(path, client, len(client.nb.cells) - 1, 'recorder.describe', shown) if shown else []
     return recordings, views
 
 
@@ -101,8 +101,27 @@ def record_cell(path: Path, index: int, page: Page) -> list[Recording]:
     :raises ChapterError: it fails, or an output is not the stored one.
     """
     with _executed(path, index + 1) as client:
-        return [_ask_recorder(path, client, index, 'record', model_id, page) or _text_of(text)
+        return [_ask_recorder(path, client, index, 'recorder.record', model_id, page) or _text_of(text)
                 for model_id, text in _widgets_of(client.nb.cells[index])]
+
+
+def _record_answers(path: Path) -> Recordings:
+    """Record the answers to the exercises that a page has a form for, by the ids of the cells with their checks."""
+    cells = {cell.id: (index, cell.source) for index, cell in enumerate(read_notebook(path).cells)}
+    numbers = {f'check-{number.replace(".", "-")}': number for number, exercise in EXERCISES.items() if exercise.form}
+    recordings: Recordings = {}
+    wanted = {name: number for name, number in numbers.items() if name in cells}
+    solved = path.parent / 'solutions' / path.name
+    if not wanted or not solved.exists():
+        return recordings
+    solutions = {cell.id: cell.source for cell in read_notebook(solved).cells}
+    with started(path) as client:
+        for name, number in wanted.items():
+            part = name.removeprefix('check-')
+            index, source = cells[f'exercise-{part}']
+            recordings[name] = [_ask_recorder(path, client, index, 'answers.record', number, source,
+                                              solutions[f'solution-{part}'])]
+    return recordings
 
 
 def _text_of(text: str) -> Recording:
@@ -226,11 +245,14 @@ def _execute(path: Path, client: NotebookClient, cell: NotebookNode, index: int,
 
 
 def _ask_recorder(path: Path, client: NotebookClient, index: int, function: str, *arguments: Any) -> Any:
-    """Call a function of the recorder in the kernel, and return what it returns."""
+    """Call a function in the kernel, and return what it returns.
+
+    :param function: 'recorder.…' or 'answers.…'.
+    """
     question = nbformat.v4.new_code_cell(
         'import IPython.display\n'
-        'from param_tutorial.lessons.recording import recorder\n'
-        f'returned = recorder.{function}({", ".join(map(repr, arguments))})\n'
+        'from param_tutorial.lessons.recording import answers, recorder\n'
+        f'returned = {function}({", ".join(map(repr, arguments))})\n'
         f'IPython.display.display({{{_ANSWER!r}: {{"returned": returned}}}}, raw=True)')
     source = client.nb.cells[index].source
     # nbclient puts it at its index, so that has to be its own.

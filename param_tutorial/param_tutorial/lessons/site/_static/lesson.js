@@ -472,13 +472,18 @@
       button.disabled = true;
       form.querySelector('input').focus();
     });
-    const kept = LessonProgress.answer(form.dataset.number);
-    if (kept === undefined) return;
-    const boxes = [...form.querySelectorAll('input')];
-    const box = boxes.find(each => each.type === 'text' || each.value === kept);
-    // The question may have other choices today.
-    if (!box || !lock(kept)) return;
-    if (box.type === 'text') box.value = kept; else box.checked = true;
+    const comeBack = () => {
+      const kept = LessonProgress.answer(form.dataset.number);
+      if (kept === undefined || !again.hidden) return;
+      const boxes = [...form.querySelectorAll('input')];
+      const box = boxes.find(each => each.type === 'text' || each.value === kept);
+      // The question may have other choices today.
+      if (!box || !lock(kept)) return;
+      if (box.type === 'text') box.value = kept; else box.checked = true;
+    };
+    comeBack();
+    // It may be answered in another window.
+    addEventListener('storage', comeBack);
   }
 
   /** Bring one view to life; where that fails, it says so, and the others live on. */
@@ -550,6 +555,7 @@
     offerCopies();
     LessonProgress.begin();
     for (const form of document.querySelectorAll('.rec-prediction')) await enliven(form, facts => ask(form, facts));
+    for (const form of document.querySelectorAll('.rec-exercise')) await enliven(form, facts => new RecordedExercise(form, facts));
     for (const section of document.querySelectorAll('.rec-robot')) {
       await enliven(section, facts => robots.push(new RecordedRobot(section, facts)));
     }

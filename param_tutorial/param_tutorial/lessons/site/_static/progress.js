@@ -1,5 +1,5 @@
-/* What a reader has predicted, kept in the browser, and the marks that show it: ✓ beside a lesson all of whose questions
-   are answered, 2/6 beside one with some. A browser that keeps nothing shows the lessons without it. */
+/* What a reader has predicted and solved, kept in the browser, and the marks that show it: ✓ beside a lesson all of whose
+   questions are answered and exercises solved, 2/6 beside one with some. A browser that keeps nothing shows the lessons without it. */
 'use strict';
 
 const LessonProgress = (() => {
@@ -7,12 +7,14 @@ const LessonProgress = (() => {
   const page = path => decodeURIComponent(path.split('/').at(-1)).replace(/\.html$/, '') || 'index';
   const here = page(location.pathname);
 
-  /** Give the answers by the numbers of the questions, for each lesson, and how many questions that has. */
+  /** Give for each lesson how many questions and exercises it has, what was answered by their numbers, and what was
+     filled in for exercises that are not solved. */
   function load() {
     const lessons = {};
     try {
-      for (const [name, {of, answers}] of Object.entries(JSON.parse(localStorage.getItem(NAME)) || {})) {
-        if (Number.isInteger(of) && Object.values(answers).every(each => typeof each === 'string')) lessons[name] = {of, answers};
+      for (const [name, {of, answers, drafts = {}}] of Object.entries(JSON.parse(localStorage.getItem(NAME)) || {})) {
+        const texts = [...Object.values(answers), ...Object.values(drafts)];
+        if (Number.isInteger(of) && texts.every(each => typeof each === 'string')) lessons[name] = {of, answers, drafts};
       }
     } catch { /* nothing is kept, or what is kept is no longer readable */ }
     return lessons;
@@ -28,10 +30,22 @@ const LessonProgress = (() => {
   }
 
   function keep(number, answer) {
+    change(lessons => { lesson(lessons).answers[number] = answer; });
+  }
+
+  /** Keep what was filled in; it counts as soon as it is right, and what was right once stays so. */
+  function keepExercise(number, answer, isDone) {
     change(lessons => {
-      const of = document.querySelectorAll('.rec-prediction').length;
-      lessons[here] = {of, answers: {...lessons[here]?.answers, [number]: answer}};
+      const {answers, drafts} = lesson(lessons);
+      if (isDone || number in answers) delete drafts[number];
+      if (isDone) answers[number] = answer;
+      else if (!(number in answers)) drafts[number] = answer;
     });
+  }
+
+  function lesson(lessons) {
+    const of = document.querySelectorAll('.rec-prediction, .rec-exercise').length;
+    return lessons[here] = {answers: {}, drafts: {}, ...lessons[here], of};
   }
 
   function forget(number) {
@@ -42,6 +56,10 @@ const LessonProgress = (() => {
 
   function answer(number) {
     return load()[here]?.answers[number];
+  }
+
+  function draft(number) {
+    return load()[here]?.drafts[number];
   }
 
   /** Put the marks beside the links to the lessons. */
@@ -66,7 +84,7 @@ const LessonProgress = (() => {
     const line = document.querySelector('.lesson-progress');
     if (!line) return;
     const count = Object.values(lessons).reduce((sum, {answers}) => sum + Object.keys(answers).length, 0);
-    line.hidden = !count;
+    line.hidden = !count && Object.values(lessons).every(({drafts}) => !Object.keys(drafts).length);
     const button = Object.assign(document.createElement('button'), {type: 'button', textContent: 'Forget my answers'});
     button.addEventListener('click', () => change(kept => { for (const name of Object.keys(kept)) delete kept[name]; }));
     line.replaceChildren(`You have answered ${count === 1 ? 'one question' : `${count} questions`}. This browser keeps the answers; nobody else gets them.`,
@@ -79,5 +97,5 @@ const LessonProgress = (() => {
     addEventListener('storage', () => show(load()));
   }
 
-  return {keep, forget, answer, begin};
+  return {keep, keepExercise, forget, answer, draft, begin};
 })();
