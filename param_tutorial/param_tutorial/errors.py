@@ -8,6 +8,7 @@
     ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
     ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
     ├── RuleError                   a rule for parameters makes no sense, or cannot be judged (also ValueError)
+    ├── DeclarationError            a node declares parameters in a way that contradicts itself (also ValueError)
     ├── AliasError                  names of parameters cannot stand for one another (also ValueError)
     ├── CopiesError                 the learner's copies of the chapters cannot be read or written
     └── NodeError                   about one node; carries ``.node``
@@ -64,6 +65,10 @@ class ParameterFileError(ParameterToolError, ValueError):
 
 class RuleError(ParameterToolError, ValueError):
     """A rule makes no sense for its parameters, or raised an exception instead of saying yes or no."""
+
+
+class DeclarationError(ParameterToolError, ValueError):
+    """A node declares parameters with descriptors that rclpy ignores in part; the message says which."""
 
 
 class AliasError(ParameterToolError, ValueError):

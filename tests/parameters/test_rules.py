@@ -109,6 +109,39 @@ def test_both_parameters_tell_of_a_rule_across_them_and_keep_what_they_told(robo
         'low_c = 18, high_c = 2: low_c is below; high_c = 2: must be one of 22, 24')
 
 
+def test_a_parameter_that_changes_only_while_another_one_has_a_value(robot, client):
+    rules = Rules(robot).only_while(['level', 'gains'], 'mode', 'slow')
+    assert client.describe_parameter('level').additional_constraints == "Can change only while mode is 'slow'"
+    assert client.describe_parameter('mode').additional_constraints == ''
+    assert repr(rules) == '\n'.join(
+        f"{name}, mode: can change only while mode is 'slow'" for name in ('level', 'gains'))
+    assert client.set_parameter('level', 2).successful
+    assert client.set_parameter('mode', 'fast').successful
+    assert client.set_parameter('level', 3).reason == (
+        "level = 3, mode = 'fast': can change only while mode is 'slow'")
+    assert client.set_parameter('level', 2).successful  # no change
+    # Together with the other one, in one request.
+    assert client.set_parameters_atomically({'level': 3, 'mode': 'slow'}).successful
+    assert not client.set_parameters_atomically({'level': 4, 'mode': 'fast'}).successful
+    assert client.get_parameters(['level', 'mode']) == {'level': 3, 'mode': 'slow'}
+
+
+@pytest.mark.parametrize(('names', 'other', 'value', 'words'), [
+    ('level', 'mode', 1, 'mode: it is a parameter of type string and can never be 1, of type integer'),
+    ('level', 'mode', object(), 'cannot state a rule about mode'),
+    ('mode', 'mode', 'slow', "names of other parameters, not 'mode'"),
+    ([], 'mode', 'slow', r'names of other parameters, not \[\]')])
+def test_a_lock_that_makes_no_sense(robot, names, other, value, words):
+    with pytest.raises(RuleError, match=words):
+        Rules(robot).only_while(names, other, value)
+
+
+def test_a_lock_on_what_is_not_declared(robot):
+    for names, other in (('nothing', 'mode'), ('level', 'nothing')):
+        with pytest.raises(ParameterNotDeclaredError):
+            Rules(robot).only_while(names, other, 'slow')
+
+
 def test_several_rules_objects_and_callbacks_are_all_asked(robot, client):
     Rules(robot).one_of('level', [1, 2])
     Rules(robot).check('level', lambda level: level < 2, 'below 2')

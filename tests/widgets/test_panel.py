@@ -654,6 +654,30 @@ def test_a_value_that_a_rule_chooses_is_chosen_from_a_list(ros):
     assert panel['color'].value == 'gre;en'
 
 
+def test_what_can_change_only_while_another_parameter_has_a_value_is_locked_until_then(ros):
+    class Arm(Node):
+        def __init__(self):
+            super().__init__('arm')
+            self.declare_parameters('', [('moving', False), ('reach_m', 2)])
+            Rules(self).only_while('reach_m', 'moving', False)
+
+    node = ros.add(Arm)
+    panel = ParameterPanel('/arm')
+    assert not panel._front.state['rows']['reach_m'].get('is_locked')
+    node.set_parameters([Parameter('moving', value=True)])  # whatever does it
+    wait_until(lambda: panel._front.state['rows']['reach_m'].get('is_locked'), 'the panel to lock it')
+    assert says(panel, 'reach_m') == ('locked', 'It can change only while moving is False; now moving = True.')
+    assert not panel._front.state['rows']['moving'].get('is_locked')
+    # Gathered, both go together.
+    panel.gather()
+    panel['moving'].value = False
+    panel.settle()
+    assert not panel._front.state['rows']['reach_m'].get('is_locked')
+    panel['reach_m'].value = 3
+    assert panel.apply() == ''
+    assert (panel['moving'].value, panel['reach_m'].value) == (False, 3)
+
+
 # -- together -------------------------------------------------------------------------------------------
 
 

@@ -37,6 +37,8 @@ _NUMBER = r'[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?'
 _LETTERS = 60
 # By these words ``text.choices_of`` knows the rule again.
 ONE_OF = 'must be one of '
+# By these, ``locks.conditions_of``.
+ONLY_WHILE, IS = 'can change only while ', ' is '
 
 
 @dataclass(frozen=True)
@@ -171,6 +173,31 @@ class Rules:
         return self._state(Rule((name,), f'must have {count} {counted}',
                                 lambda value: at_least <= len(value) <= last))
 
+    def only_while(self, names: str | Iterable[str], other: str, value: Any) -> 'Rules':
+        """State that parameters can change only while another one has a value, and are locked until then.
+
+        The other one is a mode, or a state that the node tells in a parameter of its own. ``locks`` and panels know the
+        rule by its words in the descriptor. A request that changes both at once is judged by what the other one would
+        be then.
+        """
+        wanted, expected = self._type_of(other), values.normalize(value)
+        try:
+            found = values.type_of(expected)
+        except InvalidValueError as error:
+            raise RuleError(f'cannot state a rule about {other}: {error}') from None
+        if wanted not in (None, found):
+            raise RuleError(f'cannot state a rule about {other}: it is a parameter of type {wanted.label} and can '
+                            f'never be {value!r}, of type {found.label}')
+        listed = [names] if isinstance(names, str) else _listed(names)
+        if not listed or other in listed:
+            raise RuleError(f'a rule about {other} takes the names of other parameters, not {names!r}')
+        for name in listed:
+            def holds(new: Any, state: Any, name: str = name) -> bool:
+                return values.same(state, expected) or values.same(new, values.normalize(self._stored(name)))
+
+            self._state(Rule((name, other), f'{ONLY_WHILE}{other}{IS}{expected!r}', holds), told=(name,))
+        return self
+
     def check(self, names: str | Iterable[str], holds: Callable[..., Any], sentence: str) -> 'Rules':
         """State a rule of your own for one parameter, or across several.
 
@@ -212,7 +239,8 @@ class Rules:
         return self._state(Rule((name,), sentence, lambda value: all(
             map(holds, value)) if isinstance(value, list) else bool(holds(value))))
 
-    def _state(self, rule: Rule) -> 'Rules':
+    def _state(self, rule: Rule, told: Iterable[str] = ()) -> 'Rules':
+        """Take a rule over, and write it into descriptors: those of ``told``, by default all that it is about."""
         for name in rule.names:
             self._type_of(name)
         known = {name: self._stored(name) for name in rule.names}
@@ -223,7 +251,7 @@ class Rules:
         words = rule.sentence
         if not words.startswith(rule.names):
             words = words[0].upper() + words[1:]
-        for name in rule.names:
+        for name in told or rule.names:
             descriptor = rclpy_private.own_descriptor(self._node, name)
             descriptor.additional_constraints = '; '.join(
                 filter(None, (descriptor.additional_constraints, words)))

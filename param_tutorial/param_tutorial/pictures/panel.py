@@ -68,7 +68,7 @@ class RowState:
     is_busy: bool = False
     """True while the node has been asked for another value; the control shows what was entered until then."""
     message: tuple[str, str] | None = None
-    """What to say beside the control: 'rejected', 'failed', 'waiting' or 'adjusted', and the words."""
+    """What to say beside the control: 'rejected', 'failed', 'waiting', 'adjusted' or 'locked', and the words."""
     first: str | None = None
     """What it had at first, if that is something else."""
     is_gathered: bool = False

@@ -1,12 +1,13 @@
 """One parameter on a panel: its value, what stands beside it, and what a person can do with it."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import Descriptor
 from param_tutorial.parameters.live import LiveParameter
+from param_tutorial.parameters.locks import Condition, conditions_of, unmet
 from param_tutorial.parameters.text import fit, format_items, format_value, parse_items, parse_value
 from param_tutorial.pictures.panel import PanelRow, RowState
 from param_tutorial.widgets.editors import row_of, scale_of
@@ -31,6 +32,7 @@ class Control:
         self._shape: Any = None
         self._row: PanelRow
         self._scale: Scale | None = None
+        self._conditions: list[Condition] = []
 
     def __repr__(self) -> str:
         return f'<Control: {self.name} = {self.value!r}>'
@@ -102,12 +104,14 @@ class Control:
         if self.scale is not None:
             self._take(self, self.scale.value(min(max(0, position), self.scale.last)), grip)
 
-    def state(self, *, is_locked: bool, gathered: Any = ...) -> RowState:
+    def state(self, *, is_locked: bool, known: Mapping[str, Any] | None = None, gathered: Any = ...) -> RowState:
         """Return what the panel shows of the parameter's value.
 
         :param is_locked: True if nothing can be changed now.
+        :param known: The values of the node's parameters, by name: the parameter may depend on one of them.
         :param gathered: The value that is wanted together with other changes; ``...`` for none.
         """
+        self._look()
         parameter, descriptor = self._parameter, self.descriptor
         value, text = parameter.value, format_value(parameter.descriptor, parameter.value)
         if gathered is not ...:
@@ -123,6 +127,8 @@ class Control:
         elif parameter.adjusted is not ...:
             asked = format_value(descriptor, parameter.adjusted)
             message = 'adjusted', f'You asked for {asked}, and the node has stored {text}.'
+        if lock := unmet(self._conditions, known or {}):
+            is_locked, message = True, message or ('locked', lock)
         first = format_value(descriptor, self.first) if self.is_changed else None
         return RowState(text, self._position(value), is_locked or descriptor.read_only, parameter.busy, message, first,
                         items=None if descriptor.read_only else format_items(descriptor, value))
@@ -152,6 +158,7 @@ class Control:
             self._shape = shape
             self._scale = scale_of(descriptor, value)
             self._row = row_of(descriptor, value, self._scale)
+            self._conditions = conditions_of(descriptor)
 
     @property
     def parameter(self) -> LiveParameter:

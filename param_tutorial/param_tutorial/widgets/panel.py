@@ -400,7 +400,8 @@ class ParameterPanel(View):
             if not live.is_busy:
                 self._edits.end()
             gathered = self._gathered or {}
-            states = {name: control.state(is_locked=bool(live.status), gathered=gathered.get(name, ...))
+            known = {name: control.value for name, control in self._controls.items()} | gathered
+            states = {name: control.state(is_locked=bool(live.status), known=known, gathered=gathered.get(name, ...))
                       for name, control in self._controls.items()}
             rows = [control.row for control in self._controls.values()]
             with self._front.hold_sync():  # the script needs both at once
