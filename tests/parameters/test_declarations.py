@@ -59,6 +59,8 @@ LEAVE_TYPE_OUT = 'Leave `type` out: the value decides'
      'limits. Give it the range of its own type', 99),
     ([1, 2], {'integer_range': INTEGERS}, 'it has an integer_range and is declared as integer array, so it has no '
      'limits. Judge the elements in an on-set callback', [99]),
+    (1.0, {'floating_point_range': [FloatingPointRange(from_value=0, to_value=5.0)]}, "its descriptor holds what its "
+     "message has no room for: The 'from_value' field must be of type 'float', and it is `0`", 5.0),
     ('x', {'integer_range': INTEGERS}, 'it has an integer_range and is declared as string, so it has no limits. '
      'Leave it out', 'anything')])
 def test_what_a_descriptor_says_in_vain_is_an_error(ros, default, fields, words, accepted_nevertheless):
@@ -72,6 +74,16 @@ def test_what_a_descriptor_says_in_vain_is_an_error(ros, default, fields, words,
     assert str(raised.value) == f'Contradicts declares what rclpy ignores:\nx: {words}'
     assert ros.nodes == ()
     assert ParameterClient(ros.add(Contradicts)).set_parameter('x', accepted_nevertheless).successful
+
+
+def test_a_second_range_is_an_error(ros):
+    class TwoRanges(Node):
+        def __init__(self):
+            super().__init__('two_ranges')
+            self.declare_parameter('x', 1, ParameterDescriptor(integer_range=INTEGERS * 2))
+
+    with pytest.raises(DeclarationError, match=r"x: its descriptor holds what .* 'integer_range' .* length <= 1"):
+        check_declarations(TwoRanges)
 
 
 def test_one_descriptor_for_two_parameters_is_an_error(ros):

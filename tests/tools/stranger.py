@@ -100,7 +100,9 @@ _WHERE = """number => {
 }"""
 _HAS_FOCUS = """number => document.activeElement === document.querySelector(`[data-stranger="${number}"]`)"""
 _PANELS = """index => [...window.jupyterapp.shell.currentWidget.content.widgets[index].node
-    .querySelectorAll('.jp-OutputArea-output .param-panel')].map((panel, number) => {
+    .querySelectorAll('.jp-OutputArea-output .param-panel')]
+    .filter(panel => panel.querySelector('.param-node').textContent.startsWith('/'))  // a browser's list is none
+    .map((panel, number) => {
         panel.setAttribute('data-stranger-panel', `${index}-${number}`);
         const bad = panel.querySelector('.param-status-bad');
         return [`${index}-${number}`, panel.querySelector('.param-node').textContent, bad ? bad.textContent : ''];

@@ -15,18 +15,10 @@ from rclpy.parameter import Parameter
 from rclpy.task import Future
 
 from param_tutorial.errors import NodeNotFoundError
-from param_tutorial.exercises.trial import (
-    CORNER,
-    NodeT,
-    NoStart,
-    NotYet,
-    NoUse,
-    Trial,
-    describe_wrong_field,
-    expect,
-)
+from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.declarations import describe_wrong_field
 from param_tutorial.parameters.values import ParameterType
 from param_tutorial.runtime import stage
 

@@ -12,7 +12,6 @@ import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from textwrap import shorten
 from types import FrameType
 from typing import Any, TypeVar, overload
 
@@ -29,6 +28,7 @@ from param_tutorial.errors import (
     WaitTimeoutError,
 )
 from param_tutorial.parameters.client import ParameterClient
+from param_tutorial.parameters.declarations import describe_wrong_field
 from param_tutorial.parameters.parsing import LOADER
 from param_tutorial.ros2 import command
 from param_tutorial.runtime import stage
@@ -99,24 +99,6 @@ def expect(met: Any, expected: str, happened: str) -> None:
     """Raise NotYet unless it is met."""
     if not met:
         raise NotYet(expected, happened)
-
-
-def describe_wrong_field(message: Any) -> str:
-    """Return which field of a message, or of a message in it, has a value of the wrong type; nothing if none has.
-
-    rclpy looks at no field, unless a message is made with ``check_fields=True``. It sends an integer in place of a
-    double as another number, which depends on the version of Python, and most other values not at all.
-    """
-    for name in message.get_fields_and_field_types():
-        value = getattr(message, name)
-        for each in value if isinstance(value, (list, tuple)) else ():
-            if hasattr(each, 'get_fields_and_field_types') and (found := describe_wrong_field(each)):
-                return found
-        try:
-            type(message)(**{name: value}, check_fields=True)
-        except AssertionError as error:
-            return f'{error}, and it is `{shorten(repr(value), 100)}`'
-    return ''
 
 
 def _expect_sendable(node: Node) -> None:

@@ -4,6 +4,7 @@ import copy
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from textwrap import shorten
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterType
@@ -84,6 +85,24 @@ def check_declarations(node_class: type[Node], overrides: Mapping[str, Any] | No
         raise DeclarationError('\n'.join([f'{node_class.__name__} declares what rclpy ignores:', *found]))
 
 
+def describe_wrong_field(message: Any) -> str:
+    """Return which field of a message, or of a message in it, has a value of the wrong type; nothing if none has.
+
+    rclpy looks at no field, unless a message is made with ``check_fields=True``. It sends an integer in place of a
+    double as another number, which depends on the version of Python, and most other values not at all.
+    """
+    for name in message.get_fields_and_field_types():
+        value = getattr(message, name)
+        for each in value if isinstance(value, (list, tuple)) else ():
+            if hasattr(each, 'get_fields_and_field_types') and (found := describe_wrong_field(each)):
+                return found
+        try:
+            type(message)(**{name: value}, check_fields=True)
+        except AssertionError as error:
+            return f'{error}, and it is `{shorten(repr(value), 100)}`'
+    return ''
+
+
 def _contradictions(name: str, kept: ParameterDescriptor, meant: ParameterDescriptor, first: str | None) -> list[str]:
     """Return what a descriptor says in vain.
 
@@ -95,6 +114,8 @@ def _contradictions(name: str, kept: ParameterDescriptor, meant: ParameterDescri
         return [f'its descriptor is the object of {first}, which now describes {name} too. Make one for each']
     found = []
     kind = values.TYPES[kept.type]
+    if wrong := describe_wrong_field(meant):
+        found.append(f'its descriptor holds what its message has no room for: {wrong}')
     if meant.type not in (ParameterType.PARAMETER_NOT_SET, kept.type):
         said = values.TYPES[meant.type].label if meant.type < len(values.TYPES) else meant.type
         found.append(f'its descriptor says type {said}, and it is declared as {kind.label}. Leave `type` out: '
