@@ -13,7 +13,7 @@ from rclpy.node import Node
 from param_tutorial import EventView, LogView, ParameterPanel, RobotView
 from param_tutorial.lessons import archive
 from param_tutorial.lessons.pages import drawing
-from param_tutorial.lessons.recording import album, recorder
+from param_tutorial.lessons.recording import album, interview, recorder
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.pictures import track
@@ -92,6 +92,16 @@ def test_a_page_pictures_a_node_with_a_view_of_a_later_cell(oven):
     assert recording['names'] == ['heat']
     assert unpack(recording['looks']) == {f'heat={text}': text for text in '01234'}
     assert json.loads(json.dumps(recording)) == recording
+
+
+def test_of_a_panel_with_too_many_parameters_the_first_are_asked_for_and_the_others_say_so(oven, monkeypatch):
+    monkeypatch.setattr(interview, '_MOST_ASKED', 1)
+    recording = recorder.record(oven(ParameterPanel('/oven')).model_id, NO_PAGE)
+    first, *others = [row for row in recording['rows'] if row['name'] != 'start_type_description_service']
+    assert 'answers' in first and not first['locked']
+    assert others and all(row['locked'] and 'answers' not in row for row in others)
+    drawn = drawing.Drawer('page').draw(recording)
+    assert drawn.count('Not recorded: run the notebook to change it.') == len(others)
 
 
 @pytest.mark.slow

@@ -247,6 +247,12 @@ class Stranger:
     def _panel_reacts(self, index: int, key: str, node: str) -> bool:
         """Change something on a panel; its node takes it, or the panel says why not."""
         panel = self._page.locator(f'[data-stranger-panel="{key}"]')
+        # Of changes that are gathered, a panel says how many there are, so one more value of one of them shows nowhere.
+        discard = panel.get_by_role('button', name='Discard')
+        if discard.is_visible():
+            discard.click()
+            if not self._becomes(discard.is_hidden):
+                return False
         for control in self._page.evaluate(_CONTROLS, index):
             each = self._page.locator(f'[data-stranger="{control["number"]}"]')
             inside = panel.locator(f'[data-stranger="{control["number"]}"]')

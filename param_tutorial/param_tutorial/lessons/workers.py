@@ -23,8 +23,7 @@ def record_all(paths: list[Path], processes: int) -> Iterator[tuple[Path, Record
     pool = concurrent.futures.ProcessPoolExecutor(processes, multiprocessing.get_context('spawn'), _begin)
     try:
         with _without_interrupts():
-            # The one with the most views takes longest, so it comes first.
-            running = {pool.submit(record_chapter, path): path for path in sorted(paths, key=_views_of, reverse=True)}
+            running = {pool.submit(record_chapter, path): path for path in sorted(paths, key=_length, reverse=True)}
         for future in concurrent.futures.as_completed(running):
             yield running[future], future.result()
     except BaseException:
@@ -35,8 +34,9 @@ def record_all(paths: list[Path], processes: int) -> Iterator[tuple[Path, Record
         pool.shutdown(cancel_futures=True)
 
 
-def _views_of(path: Path) -> int:
-    return sum(1 for _ in cells_with_widgets(read_notebook(path)))
+def _length(path: Path) -> tuple[int, str]:
+    """Return what puts first the chapters that take longest: many views, and the later ones, which do more."""
+    return max(2, sum(1 for _ in cells_with_widgets(read_notebook(path)))), path.name
 
 
 @contextlib.contextmanager

@@ -163,12 +163,14 @@ def _panel_row(row: Row) -> PanelRow:
     """Return a recorded row as the panel draws it; its slider stands at the recorded positions only."""
     last = len(row['positions']) - 1 if 'positions' in row else None
     return PanelRow(**{**row['row'], 'facts': tuple(row['row']['facts']), 'choices': tuple(row['row']['choices']),
-                       'last': last, 'note': '' if row['locked'] else _where_recorded(row)})
+                       'last': last, 'note': _where_recorded(row)})
 
 
 def _where_recorded(row: Row) -> str:
     """Return what the node was asked for, so that nobody has to find out; empty for a check box, which has it all."""
-    if row['editor'] not in (TEXT, LINES) or 'answers' not in row:
+    if row.get('unasked'):
+        return f'Not recorded: {RUN_IT} to change it.'
+    if row['locked'] or row['editor'] not in (TEXT, LINES) or 'answers' not in row:
         return ''
     numbers: dict[Decimal, None] = {}
     for text, answer in row['answers'].items():

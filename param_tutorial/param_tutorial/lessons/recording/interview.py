@@ -16,6 +16,9 @@ from param_tutorial.widgets.recordable import ControlFacts, Portrait
 _STOPS = (201, 101, 51, 41, 31, 26, 21, 16, 14, 11, 8, 6)
 _ALONE, _OF_SEVERAL, _OF_MANY, _OF_MANY_PICTURED = 201, 41, 26, 14
 _MANY_SLIDERS = 4
+# Of a panel with many parameters not all are asked for: who depends on whom takes all pairs, and each question reads all
+# values. So many at most, and so many times the number of rows.
+_MOST_ASKED, _MOST_READ = 30, 3000
 
 
 def interview(node: str, controls: Mapping[str, ControlFacts], page: Page, *, events: bool = False,
@@ -31,6 +34,10 @@ def interview(node: str, controls: Mapping[str, ControlFacts], page: Page, *, ev
     rows = _rows(controls, page['source'], is_pictured=portrait is not None)
     recording: Recording = {'rows': rows}
     loud = [row for row in rows if not row['locked']]
+    count = min(_MOST_ASKED, _MOST_READ // len(rows))
+    for row in loud[count:]:
+        row['locked'] = row['unasked'] = True
+    del loud[count:]
     if not loud:
         return recording
     if portrait:

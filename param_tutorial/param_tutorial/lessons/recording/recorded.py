@@ -50,6 +50,8 @@ class Row(_Shown, total=False):
     contexts: dict[str, dict[str, Answer]]
     """Answers where these have changed: by the ``key`` of what has."""
     log_depends: bool
+    unasked: bool
+    """True if it is locked on the page because the panel has too many to ask for all."""
 
 
 def key(changed: Mapping[str, str]) -> str:
