@@ -16,8 +16,8 @@ from param_tutorial.widgets.recordable import ControlFacts, Portrait
 _STOPS = (201, 101, 51, 41, 31, 26, 21, 16, 14, 11, 8, 6)
 _ALONE, _OF_SEVERAL, _OF_MANY, _OF_MANY_PICTURED = 201, 41, 26, 14
 _MANY_SLIDERS = 4
-# Of a panel with many parameters not all are asked for: who depends on whom takes all pairs, and each question reads all
-# values. So many at most, and so many times the number of rows.
+# Of a panel with many parameters not all are asked for: who depends on whom takes all pairs, and each question reads
+# all values. So many at most, and so many times the number of rows.
 _MOST_ASKED, _MOST_READ = 30, 3000
 
 
