@@ -3,7 +3,6 @@
 import atexit
 import collections
 import io
-import itertools
 import os
 import shutil
 import signal
@@ -60,23 +59,15 @@ _known = pytest.StashKey[dict[str, float]]()
 _seconds: collections.Counter[str] = collections.Counter()
 
 
-_tests_with_ros = itertools.count(1)
-
-
 @pytest.fixture
 def ros() -> Iterator[BackgroundExecutor]:
     """Yield a BackgroundExecutor with an empty stage; clear it and end all terminals afterwards."""
     executor = param_tutorial.start()
     # A process that an earlier test has ended may still be in the graph, for 20 s if it was killed.
     waiting.wait_until(lambda: not executor.services.node_names(), 'the nodes of earlier tests to leave the graph')
-    thread = executor._thread
     yield executor
     terminal.end_all()
     executor.remove_all()
-    # A stage that a callback had to be left behind on, or that has seen a thousand nodes, may no longer hear
-    # /parameter_events, which is not understood yet. The next test gets a new one.
-    if next(_tests_with_ros) % 100 == 0 or executor._thread is not thread:
-        executor.stop()
 
 
 @pytest.fixture

@@ -729,6 +729,37 @@ def test_the_stage_goes_on_when_a_callback_never_returns(asleep):
 
 
 @pytest.mark.slow
+def test_what_arrives_while_a_callback_never_returns_is_dealt_with_in_the_new_thread():
+    """rclpy's executor told nobody but itself; from then on each message came when the next one did."""
+    stuck = STUCK.replace('ros.add(Stuck)\n', '''
+    class Speed(Node):
+        def __init__(self):
+            super().__init__('speed')
+            self.declare_parameter('rpm', 1)
+    speed, heard = ros.add(Speed), []
+    ros.on_parameter_event(lambda event: heard.extend(each.value.integer_value for each in event.changed_parameters))
+    ParameterClient(speed).set_parameter('rpm', 2)
+    param_tutorial.wait_until(lambda: heard, 'the stage to hear of it')
+    ros.add(Stuck)
+''')
+    assert stuck != STUCK
+    done = run_python(stuck.format(asleep=True) + '''
+    from rclpy.parameter import Parameter
+
+    for rpm in (3, 4, 5):
+        speed.set_parameters([Parameter('rpm', value=rpm)])
+    client = ParameterClient(speed)
+    print(client.get_parameter('rpm'))  # asked of the thread that is stuck, and answered by the new one
+    param_tutorial.wait_until(lambda: 5 in heard, 'the stage to hear of the last change')
+    print(heard)
+    print(client.get_parameter('rpm'), client.set_parameter('rpm', 6).successful)
+    param_tutorial.wait_until(lambda: 6 in heard, 'the stage to hear of one more')
+    print(heard)
+    ''')
+    assert done.stdout.splitlines() == ['5', '[2, 3, 4, 5]', '5 True', '[2, 3, 4, 5, 6]']
+
+
+@pytest.mark.slow
 def test_nodes_that_go_after_that_leave_nothing_with_the_executor():
     """What they served is gone at once, and something else may use the memory before the executor has looked."""
     done = run_python(STUCK.format(asleep=True) + '''

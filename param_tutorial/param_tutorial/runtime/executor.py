@@ -364,6 +364,7 @@ class BackgroundExecutor:
         for node in [self.tool_node, *self._nodes]:
             rclpy_private.take_from_dead_executor(node)
             self._executor.add_node(node)
+            rclpy_private.take_over_unread(self._executor, node)
         self._thread.start()
         # A client that is created while the executor still takes over the nodes may never hear an answer.
         self.run(lambda: None, 'go on in a new thread')

@@ -16,7 +16,7 @@ from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParameter
 from rclpy import utilities
 from rclpy.client import Client
 from rclpy.context import Context
-from rclpy.executors import Executor, TimeoutException, TimeoutObject
+from rclpy.executors import Executor, TimeoutException, TimeoutObject, await_or_execute
 from rclpy.experimental.events_executor import EventsExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -260,6 +260,40 @@ def take_from_dead_executor(node: Node) -> None:
     left it. To be called before the other executor becomes a user: what is let go of here is everybody's.
     """
     _release(_waited_for(node))
+
+
+def take_over_unread(executor: Executor, node: Node) -> None:
+    """Let an executor deal with what has arrived for a node, and only an executor that never runs again was told of.
+
+    An EventsExecutor is told of each message once, and takes one from the reader for each time. So without this, every
+    later message would wait in the reader until the next one arrives, and each answer would be that to the question
+    before.
+
+    :param executor: Has the node, and does not spin yet.
+    """
+    for subscription in node.subscriptions:
+        for work in iter(functools.partial(Executor._take_subscription, executor, subscription), None):
+            executor.create_task(work)
+    each: Any
+    for each in node.clients:
+        take_response = functools.partial(each.handle.take_response, each.srv_type.Response)
+        for header, response in iter(take_response, (None, None)):
+            executor.create_task(_answer, executor, each, header, response)
+    for each in node.services:
+        take_request = functools.partial(each.handle.service_take_request, each.srv_type.Request)
+        for request, header in iter(take_request, (None, None)):
+            executor.create_task(_serve, each, request, header)
+
+
+def _answer(executor: Executor, client: Client, header: Any, response: Any) -> None:
+    with contextlib.suppress(KeyError):  # of a request that was given up
+        future = client.get_pending_request(header.request_id.sequence_number)
+        future._set_executor(executor)
+        future.set_result(response)
+
+
+async def _serve(service: Any, request: Any, header: Any) -> None:
+    service.send_response(await await_or_execute(service.callback, request, service.srv_type.Response()), header)
 
 
 def destroy_by_force(node: Node) -> None:
