@@ -250,6 +250,10 @@ class Stranger:
     def _panel_reacts(self, index: int, key: str, node: str) -> bool:
         """Change something on a panel; its node takes it, or the panel says why not."""
         panel = self._page.locator(f'[data-stranger-panel="{key}"]')
+        # A hand may have left it gathering: then a second change of a parameter shows in its box only.
+        discard = panel.get_by_role('button', name='Discard')
+        if discard.is_visible():
+            discard.click()
         for control in self._page.evaluate(_CONTROLS, index):
             each = self._page.locator(f'[data-stranger="{control["number"]}"]')
             inside = panel.locator(f'[data-stranger="{control["number"]}"]')
