@@ -77,18 +77,18 @@ def _figures(lab_page: LabPage, kernel: list[psutil.Process], browser: list[psut
             while picture.evaluate(_REST):
                 page.wait_for_timeout(100)
             still = _loads(page, SECONDS, kernel, browser)
-            if not (seconds := _move(cell, picture)):
+            if not (seconds := _move(picture)):
                 yield Figures(index, *still)
                 continue
             moving = _loads(page, seconds, kernel, browser)
-            _move(cell, picture)
+            _move(picture)
             yield Figures(index, *still, *moving, seconds, picture.evaluate(_COUNT, seconds))
 
 
-def _move(cell: Locator, picture: Locator) -> float:
+def _move(picture: Locator) -> float:
     """Have a picture move as a hand does, and return for how many seconds of it, at most SECONDS; 0 if it can't."""
     button = picture.get_by_role('button', name=re.compile('Drive|Play again'))
-    slider = cell.get_by_role('slider').first
+    slider = picture.page.get_by_role('slider').first
     if button.count():
         button.click()
     elif slider.count():
