@@ -55,8 +55,8 @@ class Figures(NamedTuple):
     frames_per_sec: float = 0.0
 
 
-def measure(notebook: Path) -> list[Figures]:
-    """Return the figures of each picture of a notebook, while it rests, and while it moves for up to SECONDS."""
+def measure(notebook: Path) -> Iterator[Figures]:
+    """Yield the figures of each picture of a notebook, while it rests, and while it moves for up to SECONDS."""
     with tempfile.TemporaryDirectory() as scratch, CourseLab(Path(scratch) / 'lab', [notebook]) as lab, \
             chromium() as browser:
         lab_page = LabPage(lab, browser, notebook.name)
@@ -64,7 +64,7 @@ def measure(notebook: Path) -> list[Figures]:
         kernel = [psutil.Process(int(lab.ask_kernel("__import__('os').getpid()")))]
         processes = [each for each in psutil.Process().children(recursive=True) if 'chrom' in each.name()]
         lab_page.page.wait_for_timeout(3000)  # whatever JupyterLab does after running a cell
-        return list(_figures(lab_page, kernel, processes))
+        yield from _figures(lab_page, kernel, processes)
 
 
 def _figures(lab_page: LabPage, kernel: list[psutil.Process], browser: list[psutil.Process]) -> Iterator[Figures]:
