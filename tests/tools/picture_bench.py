@@ -26,7 +26,7 @@ _CELLS = '''css => window.jupyterapp.shell.currentWidget.content.widgets.flatMap
     (cell, index) => cell.node.querySelector(css) ? [index] : [])'''
 _SHOW = '''index => {
     const notebook = window.jupyterapp.shell.currentWidget.content;
-    notebook.activeCellIndex = index;
+    notebook.widgets[index].node.setAttribute('data-bench', index);
     return notebook.scrollToItem(index, 'center').catch(() => null);
 }'''
 # How many seconds of its present movement a picture has before it.
@@ -34,8 +34,9 @@ _REST = '''picture => Math.max(0, ...picture.getAnimations({subtree: true}).filt
     .map(each => (each.effect.getComputedTiming().endTime - each.currentTime) / 1000))'''
 # The browser's frames; of a robot those in which it has moved.
 _COUNT = '''(picture, seconds) => new Promise(done => {
-    const seen = new Set(), begin = performance.now(), mover = picture.querySelector('.robot-mover');
+    const seen = new Set(), begin = performance.now();
     const look = now => {
+        const mover = picture.querySelector('.robot-mover');
         seen.add(mover ? getComputedStyle(mover).transform : now);
         now - begin < 1000 * seconds ? requestAnimationFrame(look) : done(seen.size / seconds);
     };
@@ -71,18 +72,22 @@ def _figures(lab_page: LabPage, kernel: list[psutil.Process], browser: list[psut
     page = lab_page.page
     for index in page.evaluate(_CELLS, _PICTURES):
         page.evaluate(_SHOW, index)
-        cell = page.locator('.jp-Notebook .jp-Cell.jp-mod-active')
-        for picture in cell.locator(_PICTURES).all():
+        for picture in page.locator(f'[data-bench="{index}"]').locator(_PICTURES).all():
             picture.scroll_into_view_if_needed()
-            while picture.evaluate(_REST):
-                page.wait_for_timeout(100)
+            _wait_for_rest(picture)
             still = _loads(page, SECONDS, kernel, browser)
             if not (seconds := _move(picture)):
                 yield Figures(index, *still)
                 continue
             moving = _loads(page, seconds, kernel, browser)
+            _wait_for_rest(picture)
             _move(picture)
             yield Figures(index, *still, *moving, seconds, picture.evaluate(_COUNT, seconds))
+
+
+def _wait_for_rest(picture: Locator) -> None:
+    while picture.evaluate(_REST):
+        picture.page.wait_for_timeout(100)
 
 
 def _move(picture: Locator) -> float:
