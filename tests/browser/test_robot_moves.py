@@ -152,11 +152,10 @@ def test_a_picture_out_of_sight_costs_nothing_and_is_in_time_when_it_is_seen_aga
         page = LabPage(lab, browser, 'twice.ipynb')
         page.run_all()
         expect(word(page)).to_have_text(['READY', 'READY'])
-        lab.ask_kernel("client.set_parameter('max_acceleration_mps2', 0.02)")  # long enough on its way
+        lab.ask_kernel("client.set_parameter('max_speed_rpm', 2)")  # minutes on its way
         first, second = page.page.locator('.robot-scene').all()
         first.scroll_into_view_if_needed()
         page.page.get_by_role('button', name='Drive').first.click()
-        expect(word(page)).to_have_text(['SPEEDING UP', 'SPEEDING UP'])
         began = wait_for(lambda: only_moving(page, 0), 'the first to move, and no other')
 
         second.scroll_into_view_if_needed()
@@ -169,7 +168,7 @@ def only_moving(page, number):
     """Return when the drive of this picture began, if it moves and no other does."""
     places = page.page.evaluate(PLACES)
     moving, *began = places.pop(number)
-    return began if moving and len(began) == moving and not any(count for count, *_ in places) else None
+    return min(began) if moving and len(began) == moving and not any(count for count, *_ in places) else None
 
 
 def expect_in_sight(page, beside):
