@@ -101,7 +101,9 @@ _WHERE = """number => {
 }"""
 _HAS_FOCUS = """number => document.activeElement === document.querySelector(`[data-stranger="${number}"]`)"""
 _PANELS = """index => [...window.jupyterapp.shell.currentWidget.content.widgets[index].node
-    .querySelectorAll('.jp-OutputArea-output .param-panel:not(.param-nodes)')].map((panel, number) => {
+    .querySelectorAll('.jp-OutputArea-output .param-panel')]
+    .filter(panel => panel.querySelector('.param-node').textContent.startsWith('/'))  // a browser's list is none
+    .map((panel, number) => {
         panel.setAttribute('data-stranger-panel', `${index}-${number}`);
         const bad = panel.querySelector('.param-status-bad');
         return [`${index}-${number}`, panel.querySelector('.param-node').textContent, bad ? bad.textContent : ''];
@@ -250,10 +252,12 @@ class Stranger:
     def _panel_reacts(self, index: int, key: str, node: str) -> bool:
         """Change something on a panel; its node takes it, or the panel says why not."""
         panel = self._page.locator(f'[data-stranger-panel="{key}"]')
-        # A hand may have left it gathering: then a second change of a parameter shows in its box only.
+        # Of changes that are gathered, a panel says how many there are, so one more value of one of them shows nowhere.
         discard = panel.get_by_role('button', name='Discard')
         if discard.is_visible():
             discard.click()
+            if not self._becomes(discard.is_hidden):
+                return False
         for control in self._page.evaluate(_CONTROLS, index):
             each = self._page.locator(f'[data-stranger="{control["number"]}"]')
             inside = panel.locator(f'[data-stranger="{control["number"]}"]')
