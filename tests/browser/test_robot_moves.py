@@ -19,6 +19,12 @@ CELLS = (
 )
 LONG = (*CELLS[:2], 'All controls:', 'view = RobotView(robot)\nSideBySide(view, ParameterPanel(robot))',
         '# Below\n' + 'A line.\n\n' * 60)
+TWICE = (*CELLS[:2], 'A robot:', 'view = RobotView(robot)\nview', '# Far away\n' + 'A line.\n\n' * 60, 'view')
+# Of each picture of the robot: how many parts move, and when on the browser's clock the drive began, in ms.
+PLACES = """() => [...document.querySelectorAll('.robot-picture')].map(each => {
+    const moving = each.getAnimations({subtree: true}).filter(one => one.playState === 'running');
+    return [moving.length, ...moving.filter(one => one.startTime !== null).map(one => one.startTime)];
+})"""
 # Where the robot's front is, in meters from the start line. The mover's own origin is the front; the sensor's beam
 # reaches further than the robot. One script, since a new picture may come between two.
 FRONT_M = """() => { const scene = document.querySelector('.robot-scene'), svg = scene.querySelector('svg'),
@@ -139,6 +145,30 @@ def test_the_picture_stays_in_sight_while_one_works_with_a_long_panel(browser, t
             page.page.set_viewport_size({'width': width, 'height': height})
             page.run_all()
             expect_in_sight(page, beside)
+
+
+def test_a_picture_out_of_sight_costs_nothing_and_is_in_time_when_it_is_seen_again(browser, tmp_path):
+    with Lab(tmp_path / 'lab', [lesson.write(tmp_path / 'twice.ipynb', TWICE)]) as lab:
+        page = LabPage(lab, browser, 'twice.ipynb')
+        page.run_all()
+        expect(word(page)).to_have_text(['READY', 'READY'])
+        lab.ask_kernel("client.set_parameter('max_speed_rpm', 2)")  # minutes on its way
+        first, second = page.page.locator('.robot-scene').all()
+        first.scroll_into_view_if_needed()
+        page.page.get_by_role('button', name='Drive').first.click()
+        began = wait_for(lambda: only_moving(page, 0), 'the first to move, and no other')
+
+        second.scroll_into_view_if_needed()
+        assert wait_for(lambda: only_moving(page, 1), 'the second to move, and no other')
+        first.scroll_into_view_if_needed()
+        assert wait_for(lambda: only_moving(page, 0), 'the first to move again') == pytest.approx(began, abs=1)
+
+
+def only_moving(page, number):
+    """Return when the drive of this picture began, if it moves and no other does."""
+    places = page.page.evaluate(PLACES)
+    moving, *began = places.pop(number)
+    return min(began) if moving and len(began) == moving and not any(count for count, *_ in places) else None
 
 
 def expect_in_sight(page, beside):

@@ -10,7 +10,8 @@ goes through Chromium, by mouse and keyboard. For each chapter, in a kernel and 
 2. A mess: cells twice and out of order, some of them interrupted, play while they run, and the page reloaded. Cells may
    fail here; nothing may hang.
 3. Run All, with play while it runs. Now each output must be the stored one. The kernel must be idle, every panel must
-   still change its node and every robot must drive, also after the page was reloaded. The browser must not complain.
+   still change its node, every list of nodes must find its parameters and every robot must drive, also after the page
+   was reloaded. The browser must not complain.
 
 It also says which cells kept the kernel busy, because the next one has to wait for them.
 """
@@ -107,9 +108,9 @@ _PANELS = """index => [...window.jupyterapp.shell.currentWidget.content.widgets[
         const bad = panel.querySelector('.param-status-bad');
         return [`${index}-${number}`, panel.querySelector('.param-node').textContent, bad ? bad.textContent : ''];
     })"""
-_ROBOTS = """index => [...window.jupyterapp.shell.currentWidget.content.widgets[index].node
-    .querySelectorAll('.jp-OutputArea-output .robot-view')].map((robot, number) => {
-        robot.setAttribute('data-stranger-robot', `${index}-${number}`);
+_VIEWS = """([index, css]) => [...window.jupyterapp.shell.currentWidget.content.widgets[index].node
+    .querySelectorAll(`.jp-OutputArea-output ${css}`)].map((view, number) => {
+        view.setAttribute('data-stranger-view', `${index}-${number}`);
         return `${index}-${number}`;
     })"""
 _VALUES = """(lambda c: {{n: repr(c.get_parameter(n)) for n in c.list_parameters()}})(
@@ -238,10 +239,14 @@ class Stranger:
                 elif not self._panel_reacts(index, key, node):
                     self.report.found.append(f'cell {index}: {when}, the panel of {node} does not react')
                 self.report.live += not bad
-            for key in self._page.evaluate(_ROBOTS, index):
+            for key in self._page.evaluate(_VIEWS, [index, '.param-nodes']):
+                self.report.live += 1
+                if not self._nodes_react(key):
+                    self.report.found.append(f'cell {index}: {when}, the list of nodes does not react')
+            for key in self._page.evaluate(_VIEWS, [index, '.robot-view']):
                 self.report.live += 1
                 if not self._robot_reacts(key):
-                    status = self._page.locator(f'[data-stranger-robot="{key}"]').get_by_role('status').inner_text()
+                    status = self._page.locator(f'[data-stranger-view="{key}"]').get_by_role('status').inner_text()
                     self.report.found.append(f'cell {index}: {when}, the robot does not drive, but says {status!r}')
 
     def _panel_reacts(self, index: int, key: str, node: str) -> bool:
@@ -256,7 +261,7 @@ class Stranger:
         for control in self._page.evaluate(_CONTROLS, index):
             each = self._page.locator(f'[data-stranger="{control["number"]}"]')
             inside = panel.locator(f'[data-stranger="{control["number"]}"]')
-            if inside.count() == 0 or control['tag'] != 'INPUT':
+            if inside.count() == 0 or control['tag'] != 'INPUT' or control['type'] == 'search':
                 continue
             def look() -> object:
                 return self._values(node), panel.inner_text()
@@ -276,9 +281,19 @@ class Stranger:
             return False
         return True
 
+    def _nodes_react(self, key: str) -> bool:
+        """Search a list of nodes for what none has, then for nothing: lines go, and come back."""
+        nodes = self._page.locator(f'[data-stranger-view="{key}"]')
+        for words in ('no such parameter', ''):
+            before = nodes.inner_text()
+            nodes.get_by_role('searchbox').fill(words)
+            if not self._changes(nodes.inner_text, before):
+                return False
+        return True
+
     def _robot_reacts(self, key: str) -> bool:
         """Press a robot's Drive, if its node is there; what may not drive is allowed to."""
-        robot = self._page.locator(f'[data-stranger-robot="{key}"]')
+        robot = self._page.locator(f'[data-stranger-view="{key}"]')
         button = robot.get_by_role('button', name='Drive')
         if button.count() == 0 or button.is_disabled():
             return True

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from param_tutorial.pictures import motion
 
-_WIDTH, _HEAD, _ROW, _BOTTOM = 720, 48, 42, 8
-_WORDS_X, _GATES_X, _PITCH, _STORED_X = 14, 212, 80, 682
+_WIDTH, _HEAD, _ROW, _BOTTOM = 748, 48, 42, 8
+_WORDS_X, _GATES_X, _PITCH, _STORED_X = 14, 212, 84, 708
 _WORDS_LETTERS, _VALUE_LETTERS = 15, 6
 _BEGIN_SEC, _READ_SEC, _GATE_SEC, _STAY_SEC = 0.3, 0.4, 0.25, 0.5
 

@@ -13,11 +13,19 @@ class DrivingPicture {
     // Keyframes belong to the whole page. Each place has this script for itself, so that counting would not tell them apart.
     this.name = `robot-${Math.random().toString(36).slice(2)}`;
     this.count = 0;
+    // A notebook shows one vehicle in several places, and each that moves costs the browser as much as the one in sight.
+    this.isSeen = true;
+    this.held = new Map();
+    new IntersectionObserver(entries => {
+      this.isSeen = entries.at(-1).isIntersecting;
+      this.hold();
+    }, {rootMargin: '50px'}).observe(this.picture);
   }
 
   /** Draw a picture; one that moves begins to, unless the reader wants no motion. */
   draw(picture) {
     this.count += 1;
+    this.held.clear();
     this.picture.innerHTML = picture.replaceAll('robot-NAME', `${this.name}-${this.count}`);
     this.isNew = true;
   }
@@ -32,6 +40,7 @@ class DrivingPicture {
     // Without motion the picture jumps from scene to scene.
     if (this.isNew || matchMedia('(prefers-reduced-motion: reduce)').matches) this.go(at);
     this.isNew = false;
+    this.hold();
   }
 
   /** Bring what moves to a moment of the motion. */
@@ -39,6 +48,19 @@ class DrivingPicture {
     for (const each of this.picture.getAnimations({subtree: true})) {
       if (each.animationName?.startsWith(`${this.name}-`)) each.currentTime = 1000 * at;
     }
+  }
+
+  /** Put what moves out of sight to its end, where it costs nothing; back in sight, it is where it would be by now. */
+  hold() {
+    for (const each of this.picture.getAnimations({subtree: true})) {
+      if (this.isSeen && this.held.has(each)) {
+        each.startTime = this.held.get(each);
+      } else if (!this.isSeen && each.playState === 'running') {
+        this.held.set(each, document.timeline.currentTime - each.currentTime);
+        each.finish();
+      }
+    }
+    if (this.isSeen) this.held.clear();
   }
 
   say(words) {
