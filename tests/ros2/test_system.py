@@ -116,8 +116,8 @@ def test_an_array_that_was_empty_is_emptied_again(ros, tmp_path):
     client.set_parameter('zones', [])
     path = tmp_path / 'monday.yaml'
     _, stderr, status = run('snapshot', '/planner', '--save', path)
-    assert (stderr, status) == ('left out: /planner: zones: an empty array in a parameter file has no type; only restore '
-                                'and diff know it, from the head of the snapshot\n', 0)
+    assert (stderr, status) == ('left out: /planner: zones: an empty array in a parameter file has no type; only '
+                                'restore and diff know it, from the head of the snapshot\n', 0)
     assert ': 0 differences, ' in run('diff', path, '/planner')[0]
     client.set_parameter('zones', ['hall', 'lab'])
     assert 'zones' in run('diff', path, '/planner')[0]
