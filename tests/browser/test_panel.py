@@ -93,6 +93,25 @@ def test_a_search_shows_what_fits_and_where_it_stands(planner):
     expect(page.row('map_name')).to_be_visible()
 
 
+def test_the_nodes_name_and_the_search_stay_in_sight(planner):
+    _, page = planner
+    panel = page.page.locator('.jp-OutputArea-output .param-panel').first
+    panel.evaluate("panel => panel.querySelectorAll('details').forEach(each => { each.open = true; })")
+    search, name = panel.get_by_role('searchbox'), panel.locator('.param-node')
+    for parameter in ('critics.path.weight_99', 'critics.goal.weight_50'):
+        box = panel.locator(f'[data-name="{parameter}"] input').first
+
+        def stands_below_the_head(box=box):
+            # What is brought to the top, as by a key. The rows around it take their places when they are first seen.
+            box.evaluate('box => box.scrollIntoView()')
+            below, above = (each.bounding_box() for each in (box, search))
+            return below['y'] >= above['y'] + above['height']
+
+        wait_for(stands_below_the_head, f'{parameter} to stand below the head')
+        for each in (box, search, name):
+            expect(each).to_be_in_viewport()
+
+
 def test_undo_and_redo_by_keyboard_and_a_value_brought_back(planner):
     lab, page = planner
     page.box('rate_hz').fill('20')

@@ -105,6 +105,36 @@ def test_what_a_snapshot_cannot_hold_is_no_difference_from_it(ros, tmp_path):
     assert (stderr, status) == ('not compared: /sparse: raw: a parameter file has no byte arrays\n', 1)
 
 
+def test_an_array_that_was_empty_is_emptied_again(ros, tmp_path):
+    class Planner(Node):
+        def __init__(self):
+            super().__init__('planner')
+            self.declare_parameters('', [('zones', ['hall']), ('speed', 1.0)])
+
+    node = ros.add(Planner)
+    client = ParameterClient(node)
+    client.set_parameter('zones', [])
+    path = tmp_path / 'monday.yaml'
+    _, stderr, status = run('snapshot', '/planner', '--save', path)
+    assert (stderr, status) == ('left out: /planner: zones: an empty array in a parameter file has no type; only '
+                                'restore and diff know it, from the head of the snapshot\n', 0)
+    assert ': 0 differences, ' in run('diff', path, '/planner')[0]
+    client.set_parameter('zones', ['hall', 'lab'])
+    assert 'zones' in run('diff', path, '/planner')[0]
+    assert 'would be set' in run('restore', path, '--dry-run')[0]
+    _, stderr, status = run('restore', path)
+    assert (stderr, status) == ('', 0)
+    assert (node.get_parameter('zones').type_, list(node.get_parameter('zones').value)) == (
+        Parameter.Type.STRING_ARRAY, [])
+    # The head would say what is true no more.
+    client.set_parameters({'zones': ['yard'], 'speed': 2.0})
+    before = path.read_text()
+    _, stderr, status = run('snapshot', '/planner', '--update', path)
+    assert (stderr, status) == (f'{path} says at its head that zones of /planner is empty, and it is not any more; '
+                                'nothing was changed. Save a new snapshot with --save\n', 1)
+    assert path.read_text() == before
+
+
 def test_two_robots(ros):
     ros.add(Camera, '/robot1')
     ros.add(Camera, '/robot2')

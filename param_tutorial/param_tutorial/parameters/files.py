@@ -28,6 +28,9 @@ _LINE_LENGTH = 100
 # The longest plain key that YAML takes without a leading question mark is 1024 bytes.
 _LONG_KEY = 1000
 
+NO_TYPE = 'an empty array in a parameter file has no type'
+"""Why an empty array is left out."""
+
 # -- reading --------------------------------------------------------------------------------------------------
 
 
@@ -193,7 +196,7 @@ def why_not_expressible(name: str, value: Any) -> str | None:
     if value is None:
         return 'it has no value'
     if values.is_empty_array(value):
-        return 'an empty array in a parameter file has no type'
+        return NO_TYPE
     try:
         parameter_type = values.type_of(value)
         name.encode()

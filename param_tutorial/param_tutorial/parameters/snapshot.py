@@ -1,14 +1,17 @@
 """The parameters of all nodes in one call, with a word on each node that did not answer; saved and read back."""
 
+import contextlib
 import datetime
+import json
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
+from itertools import takewhile
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rclpy.node import Node
 
-from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError
+from param_tutorial.errors import ExecutorError, NodeError, NodeNotFoundError, ParameterFileError
 from param_tutorial.parameters import files, values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.pictures.styles import style
@@ -24,6 +27,10 @@ T = TypeVar('T')
 
 FIRST_WORDS = '# Snapshot of'
 """How a saved snapshot begins: a file that holds all that there was, and not some overrides."""
+# A parameter file can't hold them: they have no type there, and a node of rclpy would not start. So the head of a
+# snapshot names them, in a comment, which rcl and ``ros2 param load`` pass over.
+_EMPTY_ARRAYS = '# Empty arrays: '
+_KNOWN_FROM_HEAD = '; only restore and diff know it, from the head of the snapshot'
 
 
 class Snapshot(dict[str, ParameterValues]):
@@ -46,14 +53,18 @@ class Snapshot(dict[str, ParameterValues]):
 
         :raises ParameterFileError: the file cannot be read.
         """
-        return cls({node: ParameterValues(parameters) for node, parameters in files.read_all(path).items()}, {})
+        return cls({node: ParameterValues(parameters) for node, parameters in read_saved(path).items()}, {})
 
     def dump(self) -> files.Dump:
         """Return the text of one parameter file for all nodes, which ``--params-file`` and ``restore`` read back."""
         dumps = {node: files.render(node, parameters) for node, parameters in self.items()}
         lines = [f'{FIRST_WORDS} {format_count(len(self), "node")}, {self.taken.isoformat(timespec="seconds")}\n']
         lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
-        left_out = {f'{node}: {name}': reason for node, dump in dumps.items() for name, reason in dump.left_out.items()}
+        empty = {node: names for node, each in dumps.items()
+                 if (names := [name for name, reason in each.left_out.items() if reason == files.NO_TYPE])}
+        lines += [f'{_EMPTY_ARRAYS}{json.dumps(empty)}\n'] * bool(empty)
+        left_out = {f'{node}: {name}': f'{reason}{_KNOWN_FROM_HEAD if name in empty.get(node, ()) else ""}'
+                    for node, dump in dumps.items() for name, reason in dump.left_out.items()}
         return files.Dump(''.join(lines) + '\n'.join(dump.text for dump in dumps.values()), left_out)
 
     def __repr__(self) -> str:
@@ -71,6 +82,35 @@ class Snapshot(dict[str, ParameterValues]):
         if not groups:
             return '<p>There are no nodes.</p>'
         return f'{_STYLE}<div class="param-snapshot">{grouped_table(("node", "parameter", "value"), groups)}</div>'
+
+
+def read_saved(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[str, Any]]:
+    """Return what a saved snapshot or another parameter file holds, by node, with the arrays that were empty.
+
+    :param nodes: As for ``files.read_all``.
+    :raises ParameterFileError: the file cannot be read, or rcl would reject it.
+    """
+    found = files.read_all(path, nodes)
+    lines = files.read_bytes(path).decode('utf-8', 'replace').splitlines()
+    if not (lines and lines[0].startswith(FIRST_WORDS)):
+        return found
+    for number, line in enumerate(takewhile(lambda line: line.startswith('#'), lines), 1):
+        if line.startswith(_EMPTY_ARRAYS):
+            for node, names in _empty_arrays(path, number, line.removeprefix(_EMPTY_ARRAYS)).items():
+                for name in names if node in found else ():
+                    # Somebody may have written a value since.
+                    found[node].setdefault(name, [])
+    return found
+
+
+def _empty_arrays(path: str | Path, number: int, text: str) -> dict[str, list[str]]:
+    with contextlib.suppress(ValueError, RecursionError):
+        content = json.loads(text)
+        if isinstance(content, dict) and all(isinstance(names, list) and all(isinstance(name, str) and name for name in
+                                                                             names) for names in content.values()):
+            return content
+    raise ParameterFileError(f'{path}, line {number}: this comment must name the arrays that are empty, as in '
+                             f'{_EMPTY_ARRAYS}{{"/node": ["name"]}}; remove it to leave them as they are')
 
 
 def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,

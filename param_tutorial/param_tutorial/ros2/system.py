@@ -15,7 +15,7 @@ from param_tutorial.parameters import descriptions, files, values
 from param_tutorial.parameters.editing import update_file
 from param_tutorial.parameters.sets import Difference, ParameterSet, WordTable, compare, preview
 from param_tutorial.parameters.sets import restore as restore_node
-from param_tutorial.parameters.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all
+from param_tutorial.parameters.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all, read_saved
 from param_tutorial.parameters.systems import (
     SystemDifference,
     SystemPreview,
@@ -69,6 +69,11 @@ def snapshot(session: Session, args: argparse.Namespace) -> int:
 
 def _update(session: Session, found: Snapshot, path: str) -> None:
     held = files.read_all(path, found)
+    for node, parameters in read_saved(path, found).items():
+        for name in parameters.keys() - held[node].keys() if node in found else ():
+            if not values.same(found[node].get(name, []), []):
+                raise CommandFailed(f'{path} says at its head that {name} of {node} is empty, and it is not any more; '
+                                    f'nothing was changed. Save a new snapshot with --save')
     for node, parameters in found.items():
         new = {name: parameters[name] for name in held.get(node, {}) if name in parameters}
         try:
@@ -190,7 +195,7 @@ def _named_in(path: str) -> list[str]:
     if (then := past(path)) is not None:
         return list(then)
     content = descriptions.load_yaml(path)
-    return list(descriptions.read(path) if descriptions.is_description(content) else files.read_all(path))
+    return list(descriptions.read(path) if descriptions.is_description(content) else read_saved(path))
 
 
 def _in_file(path: str, names: list[str]) -> _Side:
@@ -199,7 +204,7 @@ def _in_file(path: str, names: list[str]) -> _Side:
     if descriptions.is_description(descriptions.load_yaml(path)):
         return _Side(path, defaults_of(descriptions.read(path)), partial=True)
     is_snapshot = Path(path).read_text(encoding='utf-8', errors='replace').startswith(FIRST_WORDS)
-    return _Side(path, files.read_all(path, names), partial=not is_snapshot, is_snapshot=is_snapshot)
+    return _Side(path, read_saved(path, names), partial=not is_snapshot, is_snapshot=is_snapshot)
 
 
 # -- restore ------------------------------------------------------------------------------------------------
@@ -223,10 +228,10 @@ def add_restore_arguments(parser: argparse.ArgumentParser) -> None:
 def restore(session: Session, args: argparse.Namespace) -> int:
     """Give nodes the values of a file."""
     then = past(args.file)
-    wanted: Mapping[str, Mapping[str, Any]] = files.read_all(args.file) if then is None else then
+    wanted: Mapping[str, Mapping[str, Any]] = read_saved(args.file) if then is None else then
     if args.nodes:
         nodes = [node for word in args.nodes for node in sources.nodes_of(session, word, args)]
-        given = wanted if then is not None else files.read_all(args.file, nodes)
+        given = wanted if then is not None else read_saved(args.file, nodes)
         wanted = {node: given[node] for node in nodes if node in given}
     if not wanted:
         raise CommandFailed(f'{args.file} holds nothing for these nodes' if args.nodes else
