@@ -730,7 +730,7 @@ def test_the_stage_goes_on_when_a_callback_never_returns(asleep):
 
 @pytest.mark.slow
 def test_what_arrives_while_a_callback_never_returns_is_dealt_with_in_the_new_thread():
-    """rclpy's executor told nobody but itself; from then on each message came when the next one did."""
+    """If it is not, each later message comes only when the next one does."""
     stuck = STUCK.replace('ros.add(Stuck)\n', '''
     class Speed(Node):
         def __init__(self):
