@@ -3,6 +3,7 @@
 And ``python -m param_tutorial lab``: JupyterLab on the learner's copies of the chapters, where no ``make`` is.
 """
 
+import io
 import os
 import signal
 import sys
@@ -18,6 +19,9 @@ def main() -> int:
     # found a program: a node of ours then takes over, and ends well whatever has come meanwhile.
     signal.pthread_sigmask(signal.SIG_BLOCK if sys.argv[1:2] == ['run'] else signal.SIG_UNBLOCK,
                            (signal.SIGINT, signal.SIGTERM))
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # Of a terminal that knows no more than ASCII; names and descriptions may hold any letter.
+        sys.stdout.reconfigure(errors='backslashreplace')
     if sys.argv[1:2] == ['lab']:
         from param_tutorial.learner.command import open_lab
 

@@ -1,6 +1,7 @@
 """The commands check and describe: exit status, formats, and what files are checked against."""
 
 import json
+import os
 import subprocess
 import sys
 
@@ -145,3 +146,13 @@ def test_the_pre_commit_hook_starts_the_command(file):
     good, bad = file(GOOD, 'good.yaml'), file(GOOD.replace('120', '[1, x]'), 'bad.yaml')
     for path, status in ((good, 0), (bad, 1)):
         assert subprocess.run([sys.executable, *words, path], stdout=subprocess.DEVNULL).returncode == status
+
+
+def test_a_terminal_that_knows_only_ascii_gets_every_line(file, tmp_path):
+    schema = tmp_path / 'schema.yaml'
+    schema.write_text('lift:\n  size_mm:\n    type: int\n    default_value: 1\n')
+    path = file('/lift:\n  ros__parameters:\n    größe_mm: 1\n')
+    done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'check', path, '--against', f'/lift={schema}'],
+                          capture_output=True, text=True, env={**os.environ, 'PYTHONIOENCODING': 'ascii'})
+    assert (done.returncode, done.stderr) == (1, '')
+    assert "/lift has no parameter 'gr\\xf6\\xdfe_mm'" in done.stdout

@@ -16,7 +16,7 @@ from typing import Any
 from param_tutorial.errors import nearest
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import is_housekeeping
-from param_tutorial.parameters.descriptions import DescribedParameter, Descriptions, NodeDescription
+from param_tutorial.parameters.descriptions import DescribedParameter, Descriptions
 from param_tutorial.parameters.files import format_scalar, read_bytes
 from param_tutorial.parameters.parsing import (
     KEY,
@@ -41,6 +41,8 @@ KINDS = {
     'invalid': 'error', 'read only': 'error', 'duplicate': 'warning', 'overridden': 'warning',
     'read otherwise': 'warning',
 }
+# For so many unknown names. Each is compared with all that there are; a file of thousands is another node's.
+_MOST_SUGGESTIONS = 100
 
 
 @dataclass(frozen=True, order=True)
@@ -263,21 +265,22 @@ class _Check:
                 if described is not None and _winner(entries.get(assignment.name)) is assignment:
                     judged.add(assignment)
                     self._check_value(assignment, described, node)
-        for assignment, nodes in owners.items():
-            if not nodes:
-                self._unknown(assignment)
+        self._report_unknown(assignment for assignment, nodes in owners.items() if not nodes)
         return judged
 
-    def _unknown(self, assignment: Assignment) -> None:
-        nodes = [node for node in self._against if matches(assignment.block, node)]
-        description: NodeDescription = self._against[nodes[0]]
-        entries = effective(self._parser, nodes[0])
-        names = description.names({name: entry.value() for name, entry in entries.items()})
-        who = nodes[0] if len(nodes) == 1 else f'none of the {len(nodes)} nodes that match {assignment.block}'
-        self._add(assignment.file, assignment.name_place, 'unknown parameter',
-                  f'{who} {"has no" if len(nodes) == 1 else "has a"} parameter '
-                  f'{assignment.name!r}{nearest(assignment.name, names, "It has no parameters at all")}',
-                  nodes[0], assignment.name)
+    def _report_unknown(self, assignments: Iterable[Assignment]) -> None:
+        names: dict[str, list[str]] = {}
+        for count, assignment in enumerate(assignments):
+            nodes = [node for node in self._against if matches(assignment.block, node)]
+            if nodes[0] not in names:
+                entries = effective(self._parser, nodes[0])
+                names[nodes[0]] = self._against[nodes[0]].names({name: each.value() for name, each in entries.items()})
+            who = nodes[0] if len(nodes) == 1 else f'none of the {len(nodes)} nodes that match {assignment.block}'
+            near = (nearest(assignment.name, names[nodes[0]], 'It has no parameters at all')
+                    if count < _MOST_SUGGESTIONS else '')
+            self._add(assignment.file, assignment.name_place, 'unknown parameter',
+                      f'{who} {"has no" if len(nodes) == 1 else "has a"} parameter {assignment.name!r}{near}',
+                      nodes[0], assignment.name)
 
     def _check_value(self, assignment: Assignment, described: DescribedParameter, node: str) -> None:
         value, name = assignment.value, assignment.name
