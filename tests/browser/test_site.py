@@ -502,24 +502,53 @@ def test_a_bad_link_is_ignored_with_a_sentence(page, settings, said):
     expect(page.get_by_role('button', name='Back to the start')).to_be_disabled()
 
 
-@pytest.mark.parametrize('kept', ['{', 'null', '7', '[1]', '{"1_limits": null}', '{"1_limits": {"of": 2}}',
-                                  '{"1_limits": {"of": 2, "answers": {"6.1-1": "no choice"}}}', None])
-def test_a_page_lives_with_whatever_the_browser_has_kept(made, browser, kept):
+KEEP = """async ([answers, sizes]) => {
+    const db = await new Promise(resolve => {
+        const request = indexedDB.open('ros2-parameters-lessons');
+        request.onsuccess = () => resolve(request.result) });
+    const transaction = db.transaction(['answers', 'sizes'], 'readwrite');
+    const done = new Promise(resolve => { transaction.oncomplete = resolve });
+    for (const [key, value] of answers) transaction.objectStore('answers').put(value, key);
+    for (const [key, value] of sizes) transaction.objectStore('sizes').put(value, key);
+    await done }"""
+FIRST = ['1_limits', '6.1-1']
+
+
+@pytest.mark.parametrize(('answers', 'sizes'), [
+    ([[FIRST, {'text': 'no choice', 'isDone': True}]], [['1_limits', 2]]),
+    ([[FIRST, {'text': 7, 'isDone': True}]], [['1_limits', 2]]),
+    ([[FIRST, None]], [['1_limits', 2]]),
+    ([[FIRST, {'text': 'It rejects both', 'isDone': True}]], []),
+    ([[FIRST, {'text': 'It rejects both', 'isDone': True}]], [['1_limits', 'many']]),
+    ([['', {}]], [['1_limits', 2], [7, 7]]),
+    ([[7, {'text': '', 'isDone': True}]], [['1_limits', 2]])])
+def test_a_page_lives_with_whatever_the_browser_has_kept(made, browser, answers, sizes):
     with open_page(browser, (made.target / '1_limits.html').as_uri()) as page:
-        if kept is None:  # there is no room for more; the theme's own script takes that for an error
-            page.add_init_script('''const set = Storage.prototype.setItem;
-                Storage.prototype.setItem = function(name, text) {
-                  if (name === 'ros2-parameters-lessons') throw new DOMException('', 'QuotaExceededError');
-                  set.call(this, name, text);
-                }''')
-        else:
-            page.evaluate("text => localStorage.setItem('ros2-parameters-lessons', text)", kept)
+        page.evaluate(KEEP, [answers, sizes])
         page.reload()
-        form = page.locator('.rec-prediction').first
-        form.get_by_role('radio').first.check()
-        form.get_by_role('button', name='Commit').click()
-        expect(form.get_by_role('status')).not_to_be_empty()
-        expect(form.get_by_role('button', name='Answer again')).to_be_visible()
+        commit_to_the_first(page)
+
+
+@pytest.mark.parametrize('fault', [
+    "IDBFactory.prototype.open = () => { throw new DOMException('', 'SecurityError') }",
+    "IDBFactory.prototype.open = () => new EventTarget()",  # it never answers
+    "IDBObjectStore.prototype.put = () => { throw new DOMException('', 'QuotaExceededError') }",
+    "IDBObjectStore.prototype.getAll = () => { throw new DOMException('', 'UnknownError') }",
+    "Object.defineProperty(window, 'indexedDB', {get: () => undefined})"])
+def test_a_page_lives_where_the_browser_keeps_nothing(made, browser, fault):
+    with open_page(browser, (made.target / '1_limits.html').as_uri()) as page:
+        page.add_init_script(fault)
+        page.reload()
+        commit_to_the_first(page)
+
+
+def commit_to_the_first(page):
+    form = page.locator('.rec-prediction').first
+    form.get_by_role('radio').first.check()
+    form.get_by_role('button', name='Commit').click()
+    expect(form.get_by_role('status')).not_to_be_empty()
+    expect(form.get_by_role('button', name='Answer again')).to_be_visible()
+    expect(page.locator('.lesson-mark')).to_have_attribute('title', '1 of 2 questions answered')
 
 
 def start_to_drive(page):
@@ -963,6 +992,18 @@ def test_all_controls_begin_anew_after_a_reload_in_firefox(made, firefox_page):
     firefox_page.reload()
     firefox_page.wait_for("document.documentElement.dataset.lesson === 'ready'")
     assert firefox_page.evaluate(CONTROLS) == before
+
+
+def test_firefox_keeps_a_prediction_and_marks_it_on_the_first_page(made, firefox_page):
+    show_in_firefox(firefox_page, made.target / '1_limits.html')
+    firefox_page.click('.rec-prediction input[type=radio]')
+    firefox_page.click('.rec-prediction .rec-commit')
+    firefox_page.reload()
+    firefox_page.wait_for("document.querySelector('.rec-prediction .rec-says').textContent.trim()")
+    firefox_page.open((made.target / 'index.html').as_uri())
+    firefox_page.wait_for("document.querySelector('.front-lessons .lesson-mark')?.title === '1 of 2 questions answered'")
+    firefox_page.click('.lesson-progress button')
+    firefox_page.wait_for("!document.querySelector('.lesson-mark')")
 
 
 def test_firefox_gets_the_nodes_answers(made, firefox_page):

@@ -15,8 +15,8 @@ class RecordedExercise {
       this.check();
     });
     this.comeBack();
-    // It may be answered in another window.
-    addEventListener('storage', () => { if (!this.isTouched) this.comeBack(); });
+    // What is kept may not have been read yet, or comes from another window.
+    addEventListener('lesson-progress', () => { if (!this.isTouched) this.comeBack(); });
   }
 
   /** What is filled in: a text for each blank, a number for each setting, or the lines' numbers in their order. */

@@ -431,7 +431,7 @@
     };
     button.addEventListener('click', () => show(!fold.isShown()));
     form.addEventListener('lesson-committed', () => { show(true); line.hidden = true; });
-    show(LessonProgress.answer(form.dataset.number) !== undefined);
+    show(false);
     folds.set(form, fold);
     return fold;
   }
@@ -482,8 +482,8 @@
       if (box.type === 'text') box.value = kept; else box.checked = true;
     };
     comeBack();
-    // It may be answered in another window.
-    addEventListener('storage', comeBack);
+    // What is kept may not have been read yet, or comes from another window.
+    addEventListener('lesson-progress', comeBack);
   }
 
   /** Bring one view to life; where that fails, it says so, and the others live on. */
@@ -553,7 +553,7 @@
     arriving.disconnect();
     foldAnswers();
     offerCopies();
-    LessonProgress.begin();
+    const remembered = LessonProgress.begin();
     for (const form of document.querySelectorAll('.rec-prediction')) await enliven(form, facts => ask(form, facts));
     for (const form of document.querySelectorAll('.rec-exercise')) await enliven(form, facts => new RecordedExercise(form, facts));
     for (const section of document.querySelectorAll('.rec-robot')) {
@@ -567,6 +567,7 @@
     // The first page begins with a drive, if nothing else is wanted.
     const [first] = robots;
     if (first && first.section.closest('.front-robot') && !matchMedia('(prefers-reduced-motion: reduce)').matches) first.drive();
+    await remembered;
     document.documentElement.dataset.lesson = 'ready';
   }
 
