@@ -361,6 +361,15 @@ def test_the_first_cell_may_be_run_again(shell):
     assert shell.events.callbacks['pre_run_cell'].count(magics._before_cell) == 1
 
 
+def test_loading_again_keeps_no_second_copy_and_brings_the_magic_back(shell):
+    shell.register_magic_function(lambda line: 'not ours', magic_name='ros2')
+    for _ in range(3):
+        shell.run_cell('%load_ext param_tutorial')
+    ours = [each for each in shell.configurables if isinstance(each, magics.Ros2Magics)]
+    assert len(ours) == 1
+    assert shell.find_line_magic('ros2') == ours[0].line
+
+
 def test_unloaded_it_gives_exit_and_quit_back(shell):
     shell.run_cell('%unload_ext param_tutorial')
     try:

@@ -43,7 +43,9 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
     Most errors in a lesson are meant, and a page of rclpy's source above each would bury what it says.
     ``%xmode Context`` brings the whole traceback back.
     """
-    ipython.register_magics(Ros2Magics)
+    # IPython keeps all instances until the shell ends, and each run of a first cell loads again.
+    known = next((each for each in ipython.configurables if isinstance(each, Ros2Magics)), None)
+    ipython.register_magics(known or Ros2Magics)
     ipython.user_ns.update(exit=_NoExit(), quit=_NoExit())
     ipython.InteractiveTB.set_mode('Minimal')
     ipython.events.register('pre_run_cell', _before_cell)
