@@ -36,6 +36,12 @@ def test_what_the_layers_do_not_explain_is_said():
     assert 'this counts' not in ''.join(drawn(layers).itertext())
 
 
+def test_a_source_that_ends_with_its_value_says_it_once():
+    layers = Layers('speed', [('default', 100), ('-p 400', 400)])
+    assert repr(layers).splitlines() == ['-p 400', 'default 100', 'speed = 400, from -p 400.']
+    assert {'-p 400', 'default: 100'} < set(drawn(layers).itertext())
+
+
 def test_sources_are_text():
     assert '<b>: 1' in drawn(Layers('speed', [('<b>', 1)])).itertext()
 

@@ -21,6 +21,10 @@ class _Entry:
     value: str
     begin_sec: float
 
+    def words(self, between: str) -> str:
+        """Return the source and its value; a source that ends with the value, like ``-p 400``, says both."""
+        return self.source if self.source.endswith(f' {self.value}') else f'{self.source}{between}{self.value}'
+
 
 class Layers:
     """The sources of one parameter's value, as layers that cover each other.
@@ -54,7 +58,7 @@ class Layers:
     @property
     def _lines(self) -> list[str]:
         return [f'{layer}: ' * (len(entries) > 1 or layer != entries[0].source)
-                + ', then '.join(f'{entry.source} {entry.value}' for entry in entries)
+                + ', then '.join(entry.words(' ') for entry in entries)
                 for layer, entries in self._layers.items()]
 
     def __repr__(self) -> str:
@@ -101,7 +105,7 @@ class Layers:
             x += motion.LETTER_WIDTH * 1.1 * len(shown) + 18
         for number, entry in enumerate(entries):
             later = entries[number + 1] if number + 1 < len(entries) else None
-            text = motion.cut(f'{entry.source}: {entry.value}', _LETTERS // len(entries))
+            text = motion.cut(entry.words(': '), _LETTERS // len(entries))
             width = motion.LETTER_WIDTH * 1.1 * len(text)
             parts = [motion.label(x, y + 23, text, anchor='start', css_class='motion-value')]
             if later is not None:

@@ -153,7 +153,7 @@ class Plane:
             at = had
             leaves_sec = there_sec + _STAY_SEC
         yield motion.group('<circle r="8" class="motion-fill"/>' + motion.label(
-            0, 26 if number else -14, way.name, css_class='motion-bold'), self._stays(moves, begin_sec, number, reel))
+            0, 26 if number else -14, way.name, css_class='motion-bold motion-over'), self._stays(moves, begin_sec, number, reel))
 
     def _stays(self, moves: list[tuple[float, float, float]], begin_sec: float, number: int,
                reel: motion.Reel) -> str:
