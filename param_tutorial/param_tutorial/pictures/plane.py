@@ -152,8 +152,8 @@ class Plane:
             yield motion.group(parts, reel.appear(there_sec - .15))
             at = had
             leaves_sec = there_sec + _STAY_SEC
-        yield motion.group('<circle r="8" class="motion-fill"/>' + motion.label(
-            0, 26 if number else -14, way.name, css_class='motion-bold motion-over'), self._stays(moves, begin_sec, number, reel))
+        name = motion.label(0, 26 if number else -14, way.name, css_class='motion-bold motion-over')
+        yield motion.group(f'<circle r="8" class="motion-fill"/>{name}', self._stays(moves, begin_sec, number, reel))
 
     def _stays(self, moves: list[tuple[float, float, float]], begin_sec: float, number: int,
                reel: motion.Reel) -> str:
