@@ -194,6 +194,7 @@ def nearest(name: str, existing: Sequence[str], none_at_all: str) -> str:
     :param existing: The names that there are.
     :param none_at_all: What to say when there are none, without a full stop.
     """
+    existing = list(dict.fromkeys(existing))  # two nodes may have one name
     if not existing:
         return f'. {none_at_all}'
     # difflib compares whole strings; a learner who forgets the namespace or types a part is helped too.

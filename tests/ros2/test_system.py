@@ -171,6 +171,25 @@ def test_a_node_and_its_saved_defaults(ros, tmp_path):
     assert status == 1
 
 
+def test_two_nodes_of_one_name_are_pointed_out(ros, silent):
+    ros.add(Camera, '/left')
+    ros.add(Node, 'silent')
+    warning = ('WARNING: 2 nodes are called /silent. What is said or done here is about one of them, and ROS does not '
+               'tell which.\n')
+    for words in (('snapshot', '/silent'), ('snapshot',), ('diff', '/silent', '/left/camera')):
+        assert run(*words)[1].startswith(warning)
+    assert run('snapshot', '/left/camera')[1] == ''
+    assert run('snapshot', '/silen')[1] == 'there is no node /silen. Did you mean /silent?\n'
+
+
+def test_what_a_snapshot_cannot_hold_is_not_counted_as_saved(ros, tmp_path):
+    node = ros.add(Camera, '/left')
+    node.declare_parameter('names', Parameter.Type.STRING_ARRAY)
+    stdout, stderr, _ = run('snapshot', '--save', tmp_path / 'camera.yaml')
+    assert stdout.startswith('Saved 3 parameters of 1 node')
+    assert stderr == 'left out: /left/camera: names: it has no value\n'
+
+
 @pytest.mark.slow
 def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp_path):
     ros.add(Camera, '/left')

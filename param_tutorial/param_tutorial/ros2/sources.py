@@ -1,6 +1,7 @@
 """What the commands about whole systems take as an argument, and the files that they write."""
 
 import argparse
+from collections import Counter
 from pathlib import Path
 
 from param_tutorial.errors import NodeError, NodeNotFoundError
@@ -55,6 +56,7 @@ def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]
         if not session.is_there(name, session.patience(args)):
             session.wait_for_graph(args)
             raise CommandFailed(str(NodeNotFoundError(name, session.executor.services.node_names())))
+        _report_twins(session, [name], args)
         return [name]
     session.wait_for_graph(args)
     # A process that has just joined hears of names before it hears of what else a node has: see Session.node_names.
@@ -63,7 +65,17 @@ def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]
                    and (args.include_hidden_nodes or '/_' not in node))
     if not found:
         raise CommandFailed(f'no running node matches {name}')
+    _report_twins(session, found, args)
     return found
+
+
+def _report_twins(session: Session, nodes: list[str], args: argparse.Namespace) -> None:
+    """Say which of the nodes share their name: ROS carries a call to any of them."""
+    counts = Counter(each.full_name for each in session.node_names(hidden=args.include_hidden_nodes))
+    for node in nodes:
+        if counts[node] > 1:
+            session.complain(f'WARNING: {counts[node]} nodes are called {node}. What is said or done here is about one '
+                             f'of them, and ROS does not tell which.')
 
 
 def describe(session: Session, word: str, args: argparse.Namespace) -> Descriptions:

@@ -61,8 +61,9 @@ def snapshot(session: Session, args: argparse.Namespace) -> int:
     elif args.save is None:
         session.stdout.write(found.dump().text)
     else:
-        sources.save(session, found.dump(), args.save)
-        total = sum(map(len, found.values()))
+        dump = found.dump()
+        sources.save(session, dump, args.save)
+        total = sum(map(len, found.values())) - len(dump.left_out)
         session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
     return 1 if found.unanswered else 0
 
