@@ -3,6 +3,7 @@
 And ``python -m param_tutorial lab``: JupyterLab on the learner's copies of the chapters, where no ``make`` is.
 """
 
+import errno
 import io
 import os
 import signal
@@ -19,6 +20,8 @@ def main() -> int:
     # found a program: a node of ours then takes over, and ends well whatever has come meanwhile.
     signal.pthread_sigmask(signal.SIG_BLOCK if sys.argv[1:2] == ['run'] else signal.SIG_UNBLOCK,
                            (signal.SIGINT, signal.SIGTERM))
+    # Where the shell has closed one (`>&-`), nothing is printed; a socket must not take its number.
+    sys.stdout, sys.stderr = (each or os.fdopen(os.open(os.devnull, os.O_WRONLY), 'w') for each in (sys.stdout, sys.stderr))
     if isinstance(sys.stdout, io.TextIOWrapper):
         # Of a terminal that knows no more than ASCII; names and descriptions may hold any letter.
         sys.stdout.reconfigure(errors='backslashreplace')
@@ -39,8 +42,19 @@ def main() -> int:
     except KeyboardInterrupt:
         return signal.SIGINT
     except BrokenPipeError:  # e.g. `| head -1`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _print_no_more()
         return 1
+    except OSError as error:
+        if error.errno != errno.ENOSPC:
+            raise
+        _print_no_more()
+        print(f'cannot write the output: {error.strerror}', file=sys.stderr)
+        return 2
+
+
+def _print_no_more() -> None:
+    """Send the rest of the output nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _start() -> 'BackgroundExecutor':
