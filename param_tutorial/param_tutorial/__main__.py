@@ -21,7 +21,8 @@ def main() -> int:
     signal.pthread_sigmask(signal.SIG_BLOCK if sys.argv[1:2] == ['run'] else signal.SIG_UNBLOCK,
                            (signal.SIGINT, signal.SIGTERM))
     # Where the shell has closed one (`>&-`), nothing is printed; a socket must not take its number.
-    sys.stdout, sys.stderr = (each or os.fdopen(os.open(os.devnull, os.O_WRONLY), 'w') for each in (sys.stdout, sys.stderr))
+    sys.stdout, sys.stderr = (each or os.fdopen(os.open(os.devnull, os.O_WRONLY), 'w')
+                              for each in (sys.stdout, sys.stderr))
     if isinstance(sys.stdout, io.TextIOWrapper):
         # Of a terminal that knows no more than ASCII; names and descriptions may hold any letter.
         sys.stdout.reconfigure(errors='backslashreplace')

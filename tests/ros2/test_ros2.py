@@ -146,6 +146,15 @@ def test_a_file_that_is_none_gets_a_sentence_and_no_traceback(ros, tmp_path, con
     assert 'Traceback' not in stderr
 
 
+def test_a_file_to_load_in_another_encoding_is_told_apart(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'wide.yaml'
+    path.write_text('/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: 7\n', encoding='utf-16')
+    _, stderr, status = run('param', 'load', '/simple_param_node', path)
+    assert status == 1
+    assert stderr.startswith(f'{path} is not in UTF-8')
+
+
 @pytest.mark.parametrize('option', [['--spin-time', '0.1'], ['-s'], ['--use-sim-time'], ['--no-daemon'],
                                     ['--timeout', '2'], ['--include-hidden-nodes']])
 def test_options_without_effect_here_are_accepted(ros, option):

@@ -261,6 +261,9 @@ def load_parameters(session: Session, args: argparse.Namespace) -> None:
         raise CommandFailed(error) from None
     except OSError as error:
         raise CommandFailed(f'cannot read {args.parameter_file}: {error.strerror}') from None
+    except UnicodeDecodeError as error:
+        raise CommandFailed(f'{args.parameter_file} is not in UTF-8, the only encoding that `param load` reads: '
+                            f'{error}') from None
     except (yaml.YAMLError, ValueError, TypeError, AttributeError, AssertionError) as error:
         # rclpy reads every value twice, as YAML and as what `param set` is given; dates and the like fail then.
         raise CommandFailed(f'{args.parameter_file} holds something that is not a parameter: {error}') from None
