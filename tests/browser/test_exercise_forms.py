@@ -1,6 +1,7 @@
 """The forms in which a page's readers answer exercises: what they say is what the exercise's check says."""
 
 import ast
+import functools
 import html
 
 import nbformat
@@ -16,7 +17,10 @@ from param_tutorial.lessons.pages import forms
 from param_tutorial.lessons.recording import answers
 from tests.support.paths import NOTEBOOKS, ROOT
 
-pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.usefixtures('ros')]
+pytestmark = [
+    pytest.mark.slow, pytest.mark.thorough, pytest.mark.usefixtures('ros'),
+    pytest.mark.timeout(600),  # 1a and 10.3a are checked with all their settings
+]
 
 WITH_FORM = [number for number, exercise in EXERCISES.items() if exercise.form]
 PREDICTIONS = [number for number in WITH_FORM if isinstance(EXERCISES[number].form, Blanks)
@@ -31,6 +35,7 @@ def source(number, kind):
                 if cell.id == f'{kind}-{number.replace(".", "-")}')
 
 
+@functools.cache
 def recorded(number):
     return answers.record(number, source(number, 'exercise'), source(number, 'solution'))
 

@@ -6,6 +6,7 @@ import re
 import signal
 import subprocess
 import sys
+import urllib.error
 import urllib.request
 import zipfile
 from collections.abc import Iterator
@@ -96,13 +97,23 @@ def test_lab_copies_the_chapters_into_the_current_folder_and_opens_them(python, 
         found = wait_for(lambda: process.poll() is not None or re.search(r'http://127\S+(?=\s)', log.read_text()),
                          'JupyterLab')
         assert found is not True, log.read_text()
-        with urllib.request.urlopen(found[0].replace('lab/tree/index.md', 'api/contents'), timeout=100) as answer:
-            names = {each['name'] for each in json.load(answer)['content']}
+        names = wait_for(lambda: names_in(found[0].replace('lab/tree/index.md', 'api/contents')), 'its answer')
         assert {'index.md', '01_what_are_parameters.ipynb', '11_conclusion.ipynb'} <= names
         assert runtime.is_dir()
     finally:
         process.send_signal(signal.SIGTERM)
         process.wait(60)
+
+
+def names_in(contents):
+    """Ask JupyterLab for the names in its folder; None if it does not listen yet, which it says a little too early."""
+    try:
+        with urllib.request.urlopen(contents, timeout=100) as answer:
+            return {each['name'] for each in json.load(answer)['content']}
+    except urllib.error.URLError as error:
+        if not isinstance(error.reason, ConnectionRefusedError):
+            raise
+        return None
 
 
 def test_the_wheel_holds_what_git_knows_and_nothing_else(released):

@@ -126,6 +126,12 @@ def test_a_dynamic_parameter_follows_its_type(arm):
     wait_until(lambda: arm['payload'].descriptor.type is values.STRING_ARRAY, 'the new type')
 
 
+def test_a_panel_is_asked_like_a_dictionary(arm):
+    assert list(arm) == arm.names
+    with pytest.raises(ParameterNotDeclaredError, match="has no parameter '0'"):
+        arm[0]
+
+
 def test_a_parameter_declared_later_appears_and_a_deleted_one_goes(arm):
     arm_node, = stage.current().nodes
     stage.current().run(lambda: arm_node.declare_parameter('gains.kd', 3), 'declare')

@@ -130,10 +130,13 @@ class ParameterPanel(View):
         try:
             return self._controls[name]
         except KeyError:
-            raise ParameterNotDeclaredError(self._node, name, self.names) from None
+            raise ParameterNotDeclaredError(self._node, str(name), self.names) from None
 
     def __contains__(self, name: str) -> bool:
         return name in self._controls
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
 
     @property
     def node(self) -> str:
