@@ -478,6 +478,32 @@ def test_a_signal_ends_a_node_well_at_any_moment(number, at, start_process):
     assert 'Traceback' not in text + rest
 
 
+LATE = """
+import os, signal, sys, threading, types
+import rclpy
+from param_tutorial.nodes.__main__ import main
+
+def run_late():
+    rclpy.init()
+    node = rclpy.create_node('late')
+    rclpy.get_default_context().shutdown()
+    threading.Timer(0.5, os.kill, [os.getpid(), signal.SIGINT]).start()
+    node.declare_parameter('speed', 1)
+
+sys.modules['param_tutorial.nodes.late'] = types.ModuleType('late')
+sys.modules['param_tutorial.nodes.late'].main = run_late
+sys.argv = ['nodes', 'late']
+sys.exit(main())
+"""
+
+
+@pytest.mark.slow
+def test_a_signal_that_rclpy_hears_of_before_python_ends_a_node_well():
+    """As on a busy machine: in its constructor the context goes, and Python's handler runs only then."""
+    done = subprocess.run([sys.executable, '-c', LATE], capture_output=True, text=True, timeout=100)
+    assert (done.returncode, 'Traceback' in done.stderr) == (0, False), done.stderr
+
+
 @pytest.mark.slow
 def test_no_signal_is_held_back_from_a_program_that_is_not_ours(tmp_path, monkeypatch):
     program = tmp_path / 'lib/other/program'

@@ -11,6 +11,7 @@ import os
 import signal
 import sys
 import threading
+import time
 from types import FrameType
 from typing import Any
 
@@ -49,6 +50,10 @@ def main() -> int:
     try:
         importlib.import_module(f'{__package__}.{name}').main()
     except Exception:
+        # rclpy's handler shuts the context down before Python hears of the signal: on a busy machine, long before.
+        deadline = time.monotonic() + PATIENCE_SEC
+        while not is_told() and _has_rclpy_been_shut_down() and time.monotonic() < deadline:
+            time.sleep(0.01)
         if not is_told():
             raise
     finally:
@@ -64,6 +69,11 @@ def _is_rclpy_listening() -> bool:
     signals: Any = sys.modules.get('rclpy.signals')
     get_options = getattr(signals, 'get_current_signal_handlers_options', None)
     return get_options is not None and get_options() != signals.SignalHandlerOptions.NO
+
+
+def _has_rclpy_been_shut_down() -> bool:
+    """True if the context has been shut down, but not by ``rclpy.shutdown()``, which takes the handlers away too."""
+    return _is_rclpy_listening() and not sys.modules['rclpy'].ok()
 
 
 if __name__ == '__main__':
