@@ -11,6 +11,8 @@ c.PAMAuthenticator.allow_all = True
 # Their JupyterLab, under their own account, on their own copies of the chapters.
 c.Spawner.cmd = [sys.executable, str(Path(__file__).with_name('learner.py'))]
 c.Spawner.default_url = '/lab/tree/index.md'
+# At the beginning of a lesson the whole class starts at once, on a machine that may be small.
+c.Spawner.start_timeout = c.Spawner.http_timeout = 300
 # The course needs no network, and each ROS domain stays on this machine.
 c.JupyterHub.bind_url = 'http://127.0.0.1:8000'
 c.ConfigurableHTTPProxy.command = [str(Path(sys.executable).with_name('configurable-http-proxy'))]

@@ -4,6 +4,7 @@ import contextlib
 import http.cookiejar
 import json
 import os
+import random
 import socket
 import subprocess
 import sys
@@ -23,6 +24,9 @@ from tests.support.paths import ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(500)]
 
+# /proc/sys/net/ipv4/ip_local_port_range begins here. JupyterHub takes its ports seconds after they were chosen, and
+# meanwhile hundreds of sockets of other tests are given one.
+FIRST_EPHEMERAL_PORT = 32_768
 PASSWORD = 'long-enough-a-secret'
 CHAPTER = '01_what_are_parameters.ipynb'
 # The course's settings, with any password and without accounts of the machine's.
@@ -40,10 +44,15 @@ c.ConfigurableHTTPProxy.api_url = 'http://127.0.0.1:{api_port}'
 
 
 def free_ports(count: int) -> list[int]:
-    """Return ports that are free now."""
+    """Return ports that are free now, and that Linux gives to nobody who leaves the choice to it."""
     with contextlib.ExitStack() as stack:
-        sockets = [stack.enter_context(socket.create_server(('127.0.0.1', 0))) for _ in range(count)]
-        return [each.getsockname()[1] for each in sockets]
+        ports: list[int] = []
+        while len(ports) < count:
+            port = random.randrange(10_000, FIRST_EPHEMERAL_PORT)
+            with contextlib.suppress(OSError):  # it is in use
+                stack.enter_context(socket.create_server(('127.0.0.1', port)))
+                ports.append(port)
+        return ports
 
 
 @pytest.fixture(scope='module')

@@ -58,6 +58,15 @@ def test_a_chapter_that_fails(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.thorough
+def test_a_chapter_that_does_not_end(tmp_path, monkeypatch):
+    monkeypatch.setattr(run, '_CELL_TIMEOUT_SEC', 1)
+    path = write(tmp_path / '1_a.ipynb', ('while True: pass', ''))
+    with pytest.raises(run.ChapterError, match=r'cell 2 \(while True: pass\): it is still running after 1 s'):
+        run.record_chapter(path)
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_chapter_that_was_not_run(tmp_path):
     path = write(tmp_path / '1_a.ipynb', ('x = 1', ''))
     notebook = nbformat.read(path, as_version=4)

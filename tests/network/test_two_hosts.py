@@ -118,8 +118,8 @@ def test_on_a_slow_and_lossy_link_a_panel_waits_visibly_and_nothing_is_lost(netw
         # Whatever it says on the way, it ends with what the node has, and with the change or a word on it.
         done = f'not panel._live.is_busy and ({ON_PANEL} == {value} or bool({SAID}))'
         wait_for(functools.partial(laptop.run, done), f'{value}, or a word')
-    # Slower than a person waits without asking.
-    network.slow_down(0.7, 0.0)
+    # Slower than a person waits without asking, also on a busy machine.
+    network.slow_down(2.0, 0.0)
     enter(laptop, 140)
     wait_for(lambda: laptop.run(SAID) == 'Waiting for the node to answer…', 'the word that the panel waits')
     network.slow_down(0.0, 0.0)

@@ -1,5 +1,8 @@
 """Calls with a deadline: what comes back, and with which error each way to fail ends."""
 
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 from rcl_interfaces.srv import GetParameters, ListParameters, SetParameters
 from rclpy.node import Node
@@ -7,6 +10,7 @@ from rclpy.parameter import Parameter
 
 from param_tutorial.errors import CallbackError, ExecutorError, NoAnswerError, NodeError, NodeNotFoundError
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.runtime import graph
 from param_tutorial.runtime.services import full_name
 from param_tutorial.runtime.waiting import wait_until
 from tests.support.nodes import Gate
@@ -107,6 +111,22 @@ def test_a_call_without_waiting_fails_at_once_where_there_is_no_node_and_later_w
     node.open.release()
 
 
+@pytest.mark.slow
+def test_a_node_that_leaves_while_its_services_are_waited_for_is_not_said_to_run_without_them(
+        ros, monkeypatch):
+    waits, wait = threading.Event(), graph.wait_for_service
+    monkeypatch.setattr(graph, 'wait_for_service', lambda *arguments: waits.set() or wait(*arguments))
+    # Without the last service, which would tell that there are no others.
+    node = ros.add(Node, 'leaves', start_parameter_services=False, enable_rosout=False,
+                   parameter_overrides=[Parameter('start_type_description_service', value=False)])
+    with ThreadPoolExecutor() as threads:
+        answer = threads.submit(ros.services.call, '/leaves', 'list_parameters', ListParameters.Request())
+        assert waits.wait(60)
+        ros.remove(node)
+        with pytest.raises(NodeNotFoundError, match='there is no node /leaves'):
+            answer.result()
+
+
 def test_clients_of_a_namespace_are_forgotten_and_made_again(ros):
     ros.add(Node, 'talker', namespace='/trial')
     ros.services.call('/trial/talker', 'list_parameters', ListParameters.Request())
@@ -118,12 +138,13 @@ def test_clients_of_a_namespace_are_forgotten_and_made_again(ros):
 
 @pytest.mark.slow
 def test_clients_of_a_node_that_has_left_are_not_kept(ros):
-    before = len(list(ros.tool_node.clients))
+    before, in_group = len(list(ros.tool_node.clients)), len(ros.tool_node.default_callback_group.entities)
     for _ in range(3):
         ros.add(SimpleParamNode)
         assert ros.services.call(ROBOT, 'list_parameters', ListParameters.Request()).result.names
         ros.remove_all()
     wait_until(lambda: len(list(ros.tool_node.clients)) <= before, 'the clients to end', timeout_sec=20.0)
+    assert len(ros.tool_node.default_callback_group.entities) == in_group
 
 
 @pytest.mark.slow

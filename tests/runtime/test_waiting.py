@@ -11,26 +11,28 @@ from param_tutorial.runtime import waiting
 from param_tutorial.runtime.waiting import wait_until, within
 
 
-@pytest.fixture(params=[(1, 1), (2, 1), (8, 4)], ids=['idle', 'shared', 'busy'])
+@pytest.fixture(params=[(1, 1, 1), (2, 1, 1), (8, 1, 4), (1, 2, 1), (1, 4, 2), (3, 4, 6)],
+                ids=['idle', 'shared', 'busy', 'half a core', 'held back', 'busy and held back'])
 def slowness(request, monkeypatch, tmp_path):
-    """Pretend that some threads share each core, as /proc/loadavg has it; return how much slower time passes then."""
-    threads_per_core, slowness = request.param
+    """Pretend that threads share each core, and a quota holds them back; return how much slower time passes then."""
+    threads_per_core, held_back, slowness = request.param
     cores = len(waiting.os.sched_getaffinity(0))
     (tmp_path / 'loadavg').write_text(f'1.00 1.00 1.00 {threads_per_core * cores}/300 4711\n')
     monkeypatch.setattr(waiting, '_LOAD', tmp_path / 'loadavg')
+    monkeypatch.setattr(waiting.cgroups, 'Throttle', lambda: lambda: held_back)
     return slowness
 
 
 @pytest.fixture
 def now(monkeypatch):
-    """Let time stand still for a new clock; return the time as a list of one number."""
+    """Let time stand still for a new clock, return the time as a list of one number."""
     now = [0.0]
     monkeypatch.setattr(waiting, 'time', SimpleNamespace(monotonic=lambda: now[0]))
     monkeypatch.setattr(waiting, 'machine_time', waiting._MachineClock())
     return now
 
 
-def test_machine_time_is_shared_by_those_who_run(now, slowness):
+def test_machine_time_is_shared_by_those_who_run(slowness, now):
     now[0] += 1.0
     began = waiting.machine_time()
     now[0] += 8.0
@@ -39,13 +41,14 @@ def test_machine_time_is_shared_by_those_who_run(now, slowness):
 
 def test_on_a_machine_without_such_a_file_it_is_time(now, monkeypatch, tmp_path):
     monkeypatch.setattr(waiting, '_LOAD', tmp_path / 'missing')
+    monkeypatch.setattr(waiting.machine_time, '_throttle', lambda: 1.0)
     now[0] += 1.0
     began = waiting.machine_time()
     now[0] += 8.0
     assert waiting.machine_time() - began == pytest.approx(8.0)
 
 
-def test_a_wait_in_vain_takes_as_long_as_the_machine_needs(now, slowness):
+def test_a_wait_in_vain_takes_as_long_as_the_machine_needs(slowness, now):
     now[0] += 1.0
     waiting.machine_time()
     began = now[0]

@@ -2,7 +2,8 @@
 
 pytest-timeout keeps the time. Its method `signal` would lose its alarm to the exercises, which set one themselves,
 and cannot interrupt rclpy's C++. Its method `thread` ends the process and leaves kernels, browsers and terminals
-running. So the timer is this one. With pytest-xdist only one worker ends; a new one runs the tests that it had left.
+running. So the timer is this one, and counts in machine time. With pytest-xdist only one worker ends; a new one runs
+the tests that it had left.
 """
 
 import contextlib
@@ -18,6 +19,9 @@ from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 from xdist.workermanage import WorkerController
 
+from param_tutorial.runtime.waiting import machine_time
+
+_LOOK_PERIOD_SEC = 0.5
 _limit_sec = pytest.StashKey[float]()
 # Set when this process is about to end.
 _ending = threading.Event()
@@ -78,10 +82,16 @@ class _Scheduling(LoadScopeScheduling):
 
 
 def _start(item: pytest.Item) -> None:
-    timer = threading.Timer(item.stash[_limit_sec], _end, [item])
-    timer.daemon = True
-    timer.start()
-    item.cancel_timeout = timer.cancel
+    over = threading.Event()
+
+    def watch() -> None:
+        deadline = machine_time() + item.stash[_limit_sec]
+        while not over.wait(_LOOK_PERIOD_SEC):
+            if machine_time() > deadline:
+                _end(item)
+
+    threading.Thread(target=watch, name='time limit', daemon=True).start()
+    item.cancel_timeout = over.set
 
 
 def _end(item: pytest.Item) -> None:

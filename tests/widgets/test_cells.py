@@ -8,6 +8,7 @@ from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tutorial import SideBySide, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.notebook.magics import terminal_hint
 from param_tutorial.widgets import cells
 from param_tutorial.widgets.log import LogView
 from param_tutorial.widgets.panel import ParameterPanel
@@ -25,14 +26,14 @@ def run(monkeypatch, bare_ipython):
 
 def test_a_cell_that_runs_again_closes_what_it_made(ros, run):
     ros.add(SimpleParamNode)
-    first, second = ParameterPanel('/simple_param_node'), LogView()
+    first, second, third = ParameterPanel('/simple_param_node'), LogView(), terminal_hint()
     run[0] = ('cell 2', 'run 2')
     elsewhere = ParameterPanel('/simple_param_node')
     assert 'closed' not in repr(first)
     run[0] = ('cell 1', 'run 3')
     ParameterPanel('/simple_param_node').close()
     assert repr(first) == '<ParameterPanel: /simple_param_node, closed>'
-    assert second.comm is None
+    assert second.comm is third.comm is None
     assert repr(elsewhere) == '<ParameterPanel: /simple_param_node, 9 parameters>'
 
 
@@ -58,8 +59,8 @@ def test_ipython_forgets_what_a_cell_made_when_it_runs_again(ros, run, bare_ipyt
 
 @pytest.mark.parametrize('make', [
     lambda: ParameterPanel('/simple_param_node'), LogView,
-    lambda: SideBySide(RobotView('/simple_param_node'), ParameterPanel('/simple_param_node'))], ids=[
-        'panel', 'log', 'side by side'])
+    lambda: SideBySide(RobotView('/simple_param_node'), ParameterPanel('/simple_param_node')), terminal_hint], ids=[
+        'panel', 'log', 'side by side', 'line for a terminal'])
 def test_a_closed_view_leaves_nothing_with_ipywidgets(ros, make):
     ros.add(SimpleParamNode)
     before = set(widget_registry)

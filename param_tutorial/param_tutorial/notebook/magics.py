@@ -34,7 +34,7 @@ from param_tutorial.runtime import domain, stage
 from param_tutorial.runtime.backlog import from_pages
 
 if TYPE_CHECKING:
-    import ipywidgets
+    from param_tutorial.widgets.hint import Hint
 
 
 def load_ipython_extension(ipython: InteractiveShell) -> None:
@@ -148,7 +148,7 @@ class Ros2Magics(Magics):
         self._names['_exit_code'] = shell.status
 
     @line_magic('ros2_terminal')
-    def terminal(self, line: str) -> 'ipywidgets.HTML':
+    def terminal(self, line: str) -> 'Hint':
         """Show the line that makes a terminal join the ROS domain of this notebook."""
         return terminal_hint()
 
@@ -305,19 +305,13 @@ def _run_genuine(installed: str, words: list[str], streams: _Streams) -> int:
                 os.killpg(process.pid, signal.SIGKILL)
 
 
-def terminal_hint() -> 'ipywidgets.HTML':
-    """Return a widget with the line that makes a terminal join the ROS domain of this notebook.
-
-    A widget, because its content is not compared when the notebook is tested: the domain differs each time.
-    """
-    import ipywidgets
-
-    class Hint(ipywidgets.HTML):  # type: ignore[misc]  # ipywidgets ships no annotations
-        def __repr__(self) -> str:
-            return '(a line to paste into a terminal, so that it joins this notebook)'
+def terminal_hint() -> 'Hint':
+    """Return a widget with the line that makes a terminal join the ROS domain of this notebook."""
+    from param_tutorial.widgets.hint import Hint
 
     return Hint(f'Paste this line into a terminal, and <code>ros2</code> there finds the nodes of this notebook:'
-                f'<pre style="user-select: all; white-space: pre-wrap">{html.escape(terminal_line())}</pre>')
+                f'<pre style="user-select: all; white-space: pre-wrap">{html.escape(terminal_line())}</pre>',
+                '(a line to paste into a terminal, so that it joins this notebook)')
 
 
 def terminal_line() -> str:

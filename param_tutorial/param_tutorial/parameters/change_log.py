@@ -24,7 +24,14 @@ from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
 
-from param_tutorial.errors import ExecutorError, InvalidValueError, NodeError, NodeGoneError, ParameterFileError
+from param_tutorial.errors import (
+    ExecutorError,
+    InvalidValueError,
+    NodeError,
+    NodeGoneError,
+    NodeNotFoundError,
+    ParameterFileError,
+)
 from param_tutorial.parameters import values
 from param_tutorial.parameters.client import ParameterClient, ParameterValues
 from param_tutorial.parameters.files import as_path, read_bytes
@@ -368,8 +375,10 @@ class ChangeFollower:
             times = self._new.pop(node)
             if times[1:] and node in self._known:
                 self._new[node] = times[1:]
-        answers, _ = ask_all(sorted(self._known.keys() & due), ParameterClient.get_parameters,
-                             timeout_sec=self._timeout_sec, executor=self._executor)
+        answers, unanswered = ask_all(sorted(self._known.keys() & due), ParameterClient.get_parameters,
+                                      timeout_sec=self._timeout_sec, executor=self._executor)
+        for node in unanswered:  # while it is asked, nothing else is told
+            self._new.pop(node, None)
         return [change for node, parameters in answers.items() for change in self._seen(node, parameters)]
 
     def _changes_of(self, event: ParameterEvent, time: datetime.datetime) -> list[LoggedChange]:
@@ -412,7 +421,8 @@ class ChangeFollower:
         """Tell of the nodes that have just not answered, each once, and see to it that they are asked again."""
         for node, error in unanswered.items():
             # One that has left meanwhile is told as gone.
-            if self._trouble is not None and node not in self._silent and not isinstance(error, NodeGoneError):
+            has_left = isinstance(error, (NodeGoneError, NodeNotFoundError))
+            if self._trouble is not None and node not in self._silent and not has_left:
                 self._trouble(error)
         waits = {node: self._silent.get(node, list(_ASK_AGAIN_SEC)) for node in unanswered}
         self._look_again_at = machine_time() + min(each[0] for each in waits.values()) if waits else None

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rcl_interfaces.srv import SetParameters
+from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.client import Client
 from rclpy.exceptions import NameValidationException
 from rclpy.node import Node
@@ -268,7 +269,9 @@ class Services:
             client = self._clients.get((node, service))
             if client is None:
                 try:
-                    client = self._tool_node.create_client(SERVICE_TYPES[service], f'{node}/{service}')
+                    # A group of its own: rclpy's callback groups never forget a client, and the node's lasts.
+                    client = self._tool_node.create_client(SERVICE_TYPES[service], f'{node}/{service}',
+                                                           callback_group=ReentrantCallbackGroup())
                 except NameValidationException:
                     raise NodeNotFoundError(node, self.node_names()) from None
                 self._clients[node, service] = client
@@ -292,6 +295,8 @@ class Services:
                 network_sec = None if domain.is_limited_to_this_host() else discovery_timeout_sec
                 raise NodeNotFoundError(node, self.node_names(), network_sec)
             if not graph.wait_for_service(client.service_is_ready, node, service, self._tool_node):
+                if graph.has_left(node, self._tool_node):
+                    raise NodeNotFoundError(node, self.node_names())
                 raise NodeError(node, f'{node} is running but offers no {service} service: it was created '
                                       f'with start_parameter_services=False, or is just leaving')
         except WaitTimeoutError as error:

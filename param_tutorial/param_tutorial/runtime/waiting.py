@@ -1,8 +1,9 @@
 """Wait for a condition with a deadline, and never by sleeping for luck.
 
 A time limit tells "it is slow" from "it will never come". On a busy machine everything is slow: where ten processes
-share two cores, each does in five seconds what it otherwise does in one. So limits are counted in the seconds of
-``machine_time``, which pass more slowly there. As long as no more than two threads share a core, they are seconds.
+share two cores, each does in five seconds what it otherwise does in one; and so it is in a container that may use only
+a part of a core. So limits are counted in the seconds of ``machine_time``, which pass more slowly there. As long as no
+more than two threads share a core, they are seconds.
 """
 
 import os
@@ -13,6 +14,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from param_tutorial.errors import WaitTimeoutError
+from param_tutorial.runtime import cgroups
 
 T = TypeVar('T')
 
@@ -25,11 +27,12 @@ _SLICE_SEC, _LEAST_SLICE_SEC = 0.05, 0.002
 
 
 class _MachineClock:
-    """Adds up the time that passes, divided by how much too many threads share a core."""
+    """Adds up the time that passes, divided by how much less than half a core a thread gets."""
 
     def __init__(self) -> None:
         # A signal's handler may ask, too, while the thread that it interrupts is in here.
         self._lock = threading.RLock()
+        self._throttle = cgroups.Throttle()
         self._slowness = 1.0
         self._looked = self._read = time.monotonic()
         self._seconds = 0.0
@@ -38,17 +41,17 @@ class _MachineClock:
         with self._lock:
             now = time.monotonic()
             if now - self._looked >= _LOOK_PERIOD_SEC:
-                self._slowness, self._looked = _slowness(), now
+                self._slowness, self._looked = max(1.0, _sharing() * self._throttle() / _THREADS_PER_CORE), now
             self._seconds += max(0.0, now - self._read) / self._slowness
             self._read = max(now, self._read)
             return self._seconds
 
 
-def _slowness() -> float:
-    """Return how many times too many threads there are to run on the cores of this process, at least 1.0."""
+def _sharing() -> float:
+    """Return how many threads want to run on each core of this process, at least 1.0."""
     try:
         running = int(_LOAD.read_text().split()[3].partition('/')[0])
-        return max(1.0, running / (_THREADS_PER_CORE * len(os.sched_getaffinity(0))))
+        return max(1.0, running / len(os.sched_getaffinity(0)))
     except (OSError, ValueError, IndexError, AttributeError):  # not Linux
         return 1.0
 

@@ -7,11 +7,12 @@ question can disturb the lesson. One more kernel tries what a reader may answer 
 """
 
 import ast
+import asyncio
 import contextlib
 import json
 import re
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Coroutine, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -21,16 +22,21 @@ from jupyter_client.kernelspec import KernelSpec
 from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from nbclient.util import run_sync
 from nbformat import NotebookNode
 
 from param_tutorial.exercises import EXERCISES, prediction
 from param_tutorial.lessons.recording import comparison
 from param_tutorial.lessons.recording.recorded import Page, Recording, Recordings, ViewFacts
 from param_tutorial.runtime import domain
+from param_tutorial.runtime.waiting import machine_time
 
 WIDGET = 'application/vnd.jupyter.widget-view+json'
 _ANSWER = 'application/x-param-tutorial-recording+json'
+# In machine time. When a cell has run, its outputs come through another socket, and the limit for those is nbclient's.
 _CELL_TIMEOUT_SEC = 300
+_OUTPUTS_TIMEOUT_SEC = 120
+_LOOK_PERIOD_SEC = 0.5
 # What these cells name are numbers of predictions and chapters, which nobody types into a panel.
 _ABOUT_LEARNER = re.compile(r'^exercises\.(predict|progress|certificate)\(', re.MULTILINE)
 
@@ -202,9 +208,10 @@ def started(path: Path, *, allow_errors: bool = False) -> Iterator[NotebookClien
 
     :param allow_errors: Whether a cell that ends in an error is one like any other.
     """
-    client = NotebookClient(read_notebook(path), timeout=_CELL_TIMEOUT_SEC, kernel_manager_class=OwnKernel,
-                            coalesce_streams=True, store_widget_state=False, allow_errors=allow_errors,
-                            resources={'metadata': {'path': str(path.parent)}})
+    client = NotebookClient(
+        read_notebook(path), timeout=None, iopub_timeout=_OUTPUTS_TIMEOUT_SEC, raise_on_iopub_timeout=True,
+        kernel_manager_class=OwnKernel, coalesce_streams=True, store_widget_state=False, allow_errors=allow_errors,
+        resources={'metadata': {'path': str(path.parent)}})
     # What a kernel says beside its messages is of the kernel and not of the lesson.
     with client.setup_kernel(env=domain.environment_without_domain(), stderr=subprocess.DEVNULL):
         yield client
@@ -235,13 +242,31 @@ def _execute(path: Path, client: NotebookClient, cell: NotebookNode, index: int,
     :param position: Where it stands, if that is elsewhere.
     """
     try:
-        client.execute_cell(cell, index if position is None else position)
+        run_sync(_in_time)(client.async_execute_cell(cell, index if position is None else position))
     except CellExecutionError as error:
         raise ChapterError(path, index + 1, cell.source, f'it raises {error.ename}: {error.evalue}') from None
     except CellTimeoutError:
+        raise ChapterError(path, index + 1, cell.source,
+                           f'its outputs have not come within {_OUTPUTS_TIMEOUT_SEC} s.') from None
+    except TimeoutError:
         raise ChapterError(path, index + 1, cell.source, f'it is still running after {_CELL_TIMEOUT_SEC} s.') from None
     except DeadKernelError:
         raise ChapterError(path, index + 1, cell.source, 'its kernel has died.') from None
+
+
+async def _in_time(work: Coroutine[Any, Any, Any]) -> None:
+    """Wait for what runs a cell. nbclient's own limit knows nothing of machine time.
+
+    :raises TimeoutError: it takes too long.
+    """
+    running, deadline = asyncio.ensure_future(work), machine_time() + _CELL_TIMEOUT_SEC
+    while not (await asyncio.wait([running], timeout=_LOOK_PERIOD_SEC))[0]:
+        if machine_time() > deadline:
+            running.cancel()
+            with contextlib.suppress(DeadKernelError):  # as nbclient calls it
+                await running
+            raise TimeoutError
+    running.result()
 
 
 def _ask_recorder(path: Path, client: NotebookClient, index: int, function: str, *arguments: Any) -> Any:
