@@ -44,9 +44,11 @@ class Kernel:
         self.client.start_channels()
         self.client.wait_for_ready(timeout=DEADLINE_SEC)
 
-    def run(self, code: str, *, interrupt_on: str = '', answer: Callable[[], str] | None = None) -> str:
+    def run(self, code: str, *, cell: str = '', interrupt_on: str = '',
+            answer: Callable[[], str] | None = None) -> str:
         """Run a cell; return its printed and shown text, with an error's name at the end.
 
+        :param cell: Which one it is, as front ends say with each run, so that what it showed before goes.
         :param interrupt_on: Press "interrupt" when this text has been printed.
         :param answer: Called when the cell asks with input(); returns what to type.
         """
@@ -70,6 +72,7 @@ class Kernel:
             assert answer is not None
             self.client.input(answer())
 
+        self.client.session.metadata = {'cellId': cell} if cell else {}
         self.client.execute_interactive(code, timeout=DEADLINE_SEC, output_hook=collect,
                                         allow_stdin=answer is not None, stdin_hook=type_in)
         return ''.join(text)

@@ -23,7 +23,7 @@ from playwright.sync_api import expect
 
 from tests.support import lesson
 from tests.support.lab import CHROMIUM, ROOT, Lab, LabPage, chromium
-from tests.tools import panel_bench, picture_bench
+from tests.tools import memory_bench, panel_bench, picture_bench
 
 # Run in a kernel, as a lesson is: there a widget's messages really travel.
 LATENCY = '''
@@ -443,6 +443,13 @@ def large_panels() -> list[Row]:
             Row('longest time without a frame while somebody types it', f'{figures["longest frame"]:.0f} ms', '', None)]
 
 
+def cells_again(warm_up: int, runs: int) -> list[Row]:
+    """Measure what a kernel keeps of chapter 6.1, which starts and ends a dozen nodes each time its cells run."""
+    growth = memory_bench.measure('06_1', warm_up, runs)
+    return [Row('memory that each further run of 6.1 costs its kernel', f'{growth.in_all:.0f} KiB', '', None),
+            Row('the same, without what IPython keeps of any cell', f'{growth.without_ipython:.0f} KiB', '', None)]
+
+
 def _ms(seconds: float) -> str:
     return f'{1000 * seconds:.2f} ms'
 
@@ -462,7 +469,7 @@ def main() -> int:
                     lambda: step_response(1 if quick else 5), lambda: whole_system(1 if quick else 5),
                     lambda: many_parameters(1 if quick else 5),
                     lambda: lesson_in_browser(1 if quick else 5, 5.0 if quick else 20.0),
-                    large_panels, robot_in_browser):
+                    large_panels, robot_in_browser, lambda: cells_again(*((2, 2) if quick else (100, 60)))):
         for row in measure():
             rows.append(row)
             verdict = {True: 'met', False: 'NOT MET', None: ''}[row.met]
