@@ -14,7 +14,8 @@ from traitlets import default
 
 from param_tutorial.runtime import domain
 
-DEADLINE_SEC = 60
+# Less than a test may take.
+DEADLINE_SEC = 170
 
 
 class KernelManager(KernelManagerOnPorts):

@@ -56,6 +56,23 @@ def ask_form(panel, do, *, is_save, path='', changed_only=False):
     return sent[0]
 
 
+def test_a_look_at_a_value_that_was_gone_before_it_was_shown_is_taken_again(arm):
+    """On a busy machine the form said forever what the node had had for a moment: the panel showed nothing new."""
+    client, path = ParameterClient(NODE), write('arm.yaml', MIXED)
+
+    def change(tool):
+        client.set_parameter('tool', tool)
+        wait_until(lambda: arm['tool'].value == tool, f'{tool} to be heard of')
+
+    before = arm['tool'].value, arm._front.state
+    with arm._drawing:  # the panel shows nothing meanwhile
+        change('saw')
+        assert arm.preview(path)['tool'].now == 'saw'
+        change(before[0])
+    wait_until(lambda: arm._front.state != before[1], 'the script to hear of it')
+    assert arm._front.state['rows'] == before[1]['rows']
+
+
 def test_what_is_saved_comes_back(arm):
     first = ParameterClient(NODE).get_parameters()
     dump = arm.save('config/arm.yaml')

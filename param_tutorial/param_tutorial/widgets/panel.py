@@ -106,6 +106,9 @@ class ParameterPanel(View):
         self._is_code_gathered = False
         self._note = ''
         self._not_restored: dict[str, str] = {}
+        # The values of the last look at a file, and how many such looks were overtaken by the node.
+        self._looked_at: State | None = None
+        self._overtaken_looks = 0
         self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
         super().__init__([self._front], 'param-panel')
@@ -231,10 +234,10 @@ class ParameterPanel(View):
 
         :raises ParameterFileError: the file cannot be read, or rcl would reject it.
         """
-        return preview_file(as_path(path, is_typed=True), self._node,
-                            {name: control.descriptor for name, control in self._controls.items()},
-                            {name: control.value for name, control in self._controls.items()},
-                            is_partial=self._in_order)
+        with self._drawing:
+            descriptors = {name: control.descriptor for name, control in self._controls.items()}
+            present = self._looked_at = {name: control.value for name, control in self._controls.items()}
+        return preview_file(as_path(path, is_typed=True), self._node, descriptors, present, is_partial=self._in_order)
 
     def load(self, path: str | Path) -> Loaded:
         """Ask the node for the values that a parameter file holds for it; ``undo`` takes them back together.
@@ -403,7 +406,11 @@ class ParameterPanel(View):
             if not live.is_busy:
                 self._edits.end()
             gathered = self._gathered or {}
-            known = {name: control.value for name, control in self._controls.items()} | gathered
+            present = {name: control.value for name, control in self._controls.items()}
+            known = present | gathered
+            # A value may have been looked at that was never shown; the script looks again when anything below changes.
+            if self._looked_at not in (None, present):
+                self._looked_at, self._overtaken_looks = None, self._overtaken_looks + 1
             states = {name: control.state(is_locked=bool(live.status), known=known, gathered=gathered.get(name, ...))
                       for name, control in self._controls.items()}
             rows = [control.row for control in self._controls.values()]
@@ -414,7 +421,8 @@ class ParameterPanel(View):
                         self._node, rows, states, status=live.status, in_order=self._in_order)
                 self._front.state = {
                     'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
-                    'rows': {name: state.as_json() for name, state in states.items()}, **self._gathering()}
+                    'rows': {name: state.as_json() for name, state in states.items()},
+                    'overtaken_looks': self._overtaken_looks, **self._gathering()}
 
     def _gathering(self) -> dict[str, Any]:
         """Return what the script has to know of what is gathered; nothing if each change is sent at once."""

@@ -71,7 +71,7 @@ WRONG = {
            '    def judge(self, parameters):\n        self.rate = parameters[0].value\n'
            "        return __import__('rcl_interfaces.msg').msg.SetParametersResult(successful=True)")], 2,
          'that value was rejected in the end'),
-        ([('self.liters +=', '__import__("time").sleep(60 * minutes)\n        self.liters +=')], 0,
+        ([('self.liters +=', '__import__("time").sleep(1000 * minutes)\n        self.liters +=')], 0,
          'it was still running after'),
     ],
 }

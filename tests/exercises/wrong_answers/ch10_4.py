@@ -62,7 +62,7 @@ WRONG = {
         ([(_CALL, _BY_HAND.replace('re.fullmatch', 're.match'))], 3, 'it was accepted'),
         ([(_CALL, _BY_HAND.replace("reason = 'no mode'", "reason = ''"))], 3, 'it was accepted'),
         ([(_CALL, _BY_HAND.replace('after.update', 'after.updat'))], 0, "no attribute 'updat'"),
-        ([("super().__init__('drone')", "super().__init__('drone')\n        import time; time.sleep(60)")], 0,
+        ([("super().__init__('drone')", "super().__init__('drone')\n        import time; time.sleep(1000)")], 0,
          'was still running'),
     ],
     '10.4b': [

@@ -164,7 +164,7 @@ WRONG = {
         ([('return LaunchDescription([', "return LaunchDescription([Node(package='param_tutorial', "
            "executable='cart_node'),")], 0, 'the launch starts 2 processes'),
         # Hangs.
-        ([('    config = ', '    import time; time.sleep(60)\n    config = ')], 0, 'none came'),
+        ([('    config = ', '    import time; time.sleep(1000)\n    config = ')], 0, 'none came'),
         ([('return LaunchDescription', 'LaunchDescription')], 0, 'none came'),
     ],
     '11f': [
