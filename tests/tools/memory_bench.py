@@ -4,24 +4,16 @@ By itself, for any chapter: ``python -m tests.tools.memory_bench 06_1 --warm-up 
 """
 
 import argparse
-from dataclasses import dataclass
 
 from tests.support.growth import Chapter
 from tests.support.kernels import Kernel
 from tests.support.paths import NOTEBOOKS
 
 
-@dataclass(frozen=True)
-class Growth:
-    """By how much a kernel grew with each run, in KiB."""
+def measure(chapter: str, warm_up: int, runs: int) -> float:
+    """Run a chapter's cells again and again, and return by how much the kernel grew with each run, in KiB.
 
-    in_all: float
-    without_ipython: float
-    """Without what cells showed and returned: IPython keeps all of it until the kernel ends."""
-
-
-def measure(chapter: str, warm_up: int, runs: int) -> Growth:
-    """Run a chapter's cells again and again.
+    IPython forgets after each run what the cells showed and returned: by itself it keeps all of it for good.
 
     :param chapter: How the name of its file begins.
     :param warm_up: Runs before the first look: the memory of its many threads takes a hundred to find its size.
@@ -33,15 +25,15 @@ def measure(chapter: str, warm_up: int, runs: int) -> Growth:
     kernel = Kernel()
     try:
         lesson = Chapter(paths[0], kernel)
-        for _ in range(warm_up):
-            lesson.run()
-        lesson.forget()
-        before = lesson.resident_bytes()
-        for _ in range(runs):
-            lesson.run()
-        in_all = lesson.resident_bytes() - before
-        lesson.forget()
-        return Growth(in_all / runs / 1024, (lesson.resident_bytes() - before) / runs / 1024)
+
+        def resident_after(count: int) -> int:
+            for _ in range(count):
+                lesson.run()
+                lesson.forget()
+            return lesson.resident_bytes()
+
+        before = resident_after(warm_up)
+        return (resident_after(runs) - before) / runs / 1024
     finally:
         kernel.kill()
 
@@ -53,8 +45,7 @@ def main() -> None:
     parser.add_argument('--warm-up', type=int, default=100, metavar='N', help='runs before (default: %(default)s)')
     parser.add_argument('--runs', type=int, default=100, metavar='N', help='default: %(default)s')
     chosen = parser.parse_args()
-    growth = measure(chosen.chapter, chosen.warm_up, chosen.runs)
-    print(f'{growth.in_all:.0f} KiB a run, {growth.without_ipython:.0f} KiB without what IPython keeps')
+    print(f'{measure(chosen.chapter, chosen.warm_up, chosen.runs):.0f} KiB a run')
 
 
 if __name__ == '__main__':
