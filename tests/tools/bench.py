@@ -446,7 +446,7 @@ def large_panels() -> list[Row]:
 def cells_again(warm_up: int, runs: int) -> list[Row]:
     """Measure what a kernel keeps of chapter 6.1, which starts and ends a dozen nodes each time its cells run."""
     growth = memory_bench.measure('06_1', warm_up, runs)
-    return [Row('memory that each further run of 6.1 costs, but for what IPython keeps', f'{growth:.0f} KiB', '', None)]
+    return [Row('memory that each further run of 6.1 costs, its outputs forgotten', f'{growth:.0f} KiB', '', None)]
 
 
 def _ms(seconds: float) -> str:
