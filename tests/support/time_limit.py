@@ -19,9 +19,8 @@ from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 from xdist.workermanage import WorkerController
 
-from param_tutorial.runtime.waiting import machine_time
+from param_tutorial.runtime.waiting import within
 
-_LOOK_PERIOD_SEC = 0.5
 _limit_sec = pytest.StashKey[float]()
 # Set when this process is about to end.
 _ending = threading.Event()
@@ -85,10 +84,8 @@ def _start(item: pytest.Item) -> None:
     over = threading.Event()
 
     def watch() -> None:
-        deadline = machine_time() + item.stash[_limit_sec]
-        while not over.wait(_LOOK_PERIOD_SEC):
-            if machine_time() > deadline:
-                _end(item)
+        if not within(item.stash[_limit_sec], over.wait):
+            _end(item)
 
     threading.Thread(target=watch, name='time limit', daemon=True).start()
     item.cancel_timeout = over.set

@@ -370,15 +370,12 @@ class ChangeFollower:
         now = machine_time()
         if self._look_again_at is not None and self._look_again_at <= now:
             return self._look()
-        due = [node for node, times in self._new.items() if times[0] <= now]
-        for node in due:
-            times = self._new.pop(node)
-            if times[1:] and node in self._known:
-                self._new[node] = times[1:]
-        answers, unanswered = ask_all(sorted(self._known.keys() & due), ParameterClient.get_parameters,
-                                      timeout_sec=self._timeout_sec, executor=self._executor)
-        for node in unanswered:  # while it is asked, nothing else is told
-            self._new.pop(node, None)
+        due = {node: times[1:] for node, times in self._new.items() if times[0] <= now}
+        self._new = {node: times for node, times in self._new.items() if node not in due}
+        answers, _ = ask_all(sorted(self._known.keys() & due), ParameterClient.get_parameters,
+                             timeout_sec=self._timeout_sec, executor=self._executor)
+        # One that did not answer isn't asked again: meanwhile nothing else would be told.
+        self._new |= {node: later for node, later in due.items() if later and node in answers}
         return [change for node, parameters in answers.items() for change in self._seen(node, parameters)]
 
     def _changes_of(self, event: ParameterEvent, time: datetime.datetime) -> list[LoggedChange]:

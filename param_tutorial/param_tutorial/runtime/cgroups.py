@@ -20,28 +20,24 @@ class Throttle:
 
     def __init__(self) -> None:
         self._looked = time.monotonic()
-        self._stood_still = {folder: _stood_still_sec(folder) for folder in _groups()}
+        self._stood_still = {folder: _stood_still_sec(folder) for folder in _quotas()}
         self._slowness = 1.0
 
     def __call__(self) -> float:
         """Return how many times slower a thread gets on, 1.0 if nothing holds it back; looks twice a second."""
-        took = time.monotonic() - self._looked
+        now = time.monotonic()
+        took = now - self._looked
         if took >= _LOOK_PERIOD_SEC:
-            now = {folder: _stood_still_sec(folder) for folder in _groups()}
-            self._slowness = max((_slowness_in(folder, (seconds - self._stood_still.get(folder, seconds)) / took)
-                                  for folder, seconds in now.items()), default=1.0)
-            self._looked, self._stood_still = self._looked + took, now
+            quotas, before = _quotas(), self._stood_still
+            self._looked, self._stood_still = now, {folder: _stood_still_sec(folder) for folder in quotas}
+            # Where a thread has to stand still, its group is using all that it may use.
+            self._slowness = 1.0 + max((max(0.0, seconds - before.get(folder, seconds)) / took / quotas[folder]
+                                        for folder, seconds in self._stood_still.items()), default=0.0)
         return self._slowness
 
 
-def _slowness_in(folder: Path, cores_still: float) -> float:
-    """Return how much slower a group's threads are if they had to stand still on so many cores, on average."""
-    # Where any has to, the group is using all that it may use.
-    return 1.0 + max(0.0, cores_still) / _quota_cores(folder)
-
-
-def _groups() -> list[Path]:
-    """Return the folders of the control groups that this process is in and that have a quota."""
+def _quotas() -> dict[Path, float]:
+    """Return how many cores each control group may use that this process is in and that has a quota, by its folder."""
     folders = []
     with contextlib.suppress(OSError, ValueError):
         for line in MEMBERSHIP.read_text().splitlines():
@@ -51,7 +47,7 @@ def _groups() -> list[Path]:
                 group = root / name.lstrip('/')
                 # In a container the name may be the host's, and the root is the container's own group.
                 folders += [each for each in (group, *group.parents) if each.is_relative_to(root)]
-    return [each for each in folders if _quota_cores(each) < float('inf')]
+    return {folder: cores for folder in folders if (cores := _quota_cores(folder)) < float('inf')}
 
 
 def _quota_cores(folder: Path) -> float:
