@@ -13,7 +13,7 @@ from tests.support.paths import NOTEBOOKS
 def measure(chapter: str, warm_up: int, runs: int) -> float:
     """Run a chapter's cells again and again, and return by how much the kernel grew with each run, in KiB.
 
-    IPython forgets after each run what the cells showed and returned: by itself it keeps all of it for good.
+    IPython forgets after each run what was typed, shown and returned: by itself it keeps all of it for good.
 
     :param chapter: How the name of its file begins.
     :param warm_up: Runs before the first look: the memory of its many threads takes a hundred to find its size.

@@ -192,7 +192,9 @@ class BackgroundExecutor:
         except BaseException:
             # Half a node still has services on the network that nobody would ever serve.
             if rclpy_private.is_in_graph(node):
+                end_service = rclpy_private.keep_type_description_service(node)
                 node.destroy_node()
+                end_service()
             raise
         what = f'add {_full_name(node)}'
         # Known before it is spun: its first callback, and listeners to the graph, may look for it.
