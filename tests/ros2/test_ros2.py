@@ -628,6 +628,16 @@ def test_a_process_without_a_domain_is_where_everybody_is():
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_while_a_command_tidies_up_says_nothing(number):
+    program = (f'import atexit, os, sys; atexit.register(lambda: os.kill(os.getpid(), {number:d})); '
+               'sys.argv[1:] = ["-h"]; import param_tutorial.__main__ as m; sys.exit(m.main())')
+    done = subprocess.run([sys.executable, '-c', program], capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stderr) == (0, '')
+    assert done.stdout.startswith('usage: ros2')
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize('unbuffered', ['', '1'])
 def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
     ros.add(SimpleParamNode)
