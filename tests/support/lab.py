@@ -16,7 +16,6 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
@@ -24,7 +23,7 @@ from pathlib import Path
 from jupyter_client import BlockingKernelClient
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
-from param_tutorial.runtime.waiting import machine_time
+from param_tutorial.runtime.waiting import wait_until
 from tests.support.paths import ROOT
 
 # The shell is the same browser without its window, and takes a quarter of the processor time.
@@ -293,10 +292,5 @@ class LabPage:
 
 
 def wait_for(condition, what: str, timeout_sec: float = TIMEOUT_SEC):
-    """Wait until a condition is true, and return its value; the limit is in machine time."""
-    deadline = machine_time() + timeout_sec
-    while not (value := condition()):
-        if machine_time() > deadline:
-            raise TimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
-        time.sleep(0.05)
-    return value
+    """Wait until a condition is true, and return its value: wait_until, with as long a limit as a browser's waits."""
+    return wait_until(condition, what, timeout_sec)
