@@ -22,7 +22,7 @@ from rclpy.node import Node
 import param_tutorial
 from param_tutorial import ParameterClient
 from param_tutorial.errors import ExecutorError, WaitTimeoutError
-from param_tutorial.runtime import domain, executor, stage
+from param_tutorial.runtime import domain, executor, rclpy_private, stage
 from tests.support.kernels import DEADLINE_SEC
 
 
@@ -518,6 +518,22 @@ def test_a_node_that_is_destroyed_leaves_the_stage(ros):
     assert ParameterClient(other).set_parameter('rpm', 2).successful
     again = ros.add(Speed)
     assert ParameterClient(again).set_parameter('rpm', 2).successful
+
+
+def test_listeners_to_the_graph_hear_of_a_node_whose_name_goes_late(ros, monkeypatch):
+    # The name stays until the node's last service ends; the executor may look at the graph before.
+    ends, keep = [], rclpy_private.keep_type_description_service
+    monkeypatch.setattr(rclpy_private, 'keep_type_description_service',
+                        lambda node: ends.append(keep(node)) or (lambda: None))
+    heard = []
+    ros.on_graph_change(lambda: heard.append(ros.services.node_names()))
+    ros.add(Speed, 'late')
+    assert heard[-1] == ['/late']
+    ros.remove('/late')
+    assert heard[-1] == ros.services.node_names() == ['/late']
+    for end in ends:
+        ros.run(end, 'end its last service')
+    param_tutorial.wait_until(lambda: heard[-1] == [], 'the listener to hear of it')
 
 
 def test_a_node_that_destroys_itself_in_its_callback_leaves_the_stage(ros):

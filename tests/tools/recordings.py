@@ -170,26 +170,34 @@ def panel(folder: Path, environment: dict[str, str]) -> tuple[bytes, bytes, list
             process.terminate()
 
 
+def make_panel(folder: Path, environment: dict[str, str], frames_folder: Path | None) -> None:
+    """Write the pictures of the panel's page, and its frames into a folder of their own if there is one."""
+    moving, still, frames = panel(folder, environment)
+    (FOLDER / 'panel.webp').write_bytes(moving)
+    (FOLDER / 'panel_still.webp').write_bytes(still)
+    if frames_folder:
+        frames_folder.mkdir(parents=True, exist_ok=True)
+        for number, png in enumerate(frames):
+            (frames_folder / f'{number:02}.png').write_bytes(png)
+
+
 def main() -> None:
-    """Make all pictures."""
+    """Make the pictures."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--frames', type=Path, metavar='FOLDER', help="also keep the frames of the panel's page")
+    parser.add_argument('--terminals', type=Path, metavar='FOLDER', help='only those of terminals, put there')
     options = parser.parse_args()
     domain.choose()
     environment = shell_environment()
-    FOLDER.mkdir(parents=True, exist_ok=True)
+    target = options.terminals or FOLDER
+    target.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch, robot(environment):
         folder = Path(scratch)
-        moving, still, frames = panel(folder, environment)
-        (FOLDER / 'panel.webp').write_bytes(moving)
-        (FOLDER / 'panel_still.webp').write_bytes(still)
+        if not options.terminals:
+            make_panel(folder, environment, options.frames)
         for name, picture in terminals(folder, environment).items():
-            (FOLDER / name).write_text(picture)
-    if options.frames:
-        options.frames.mkdir(parents=True, exist_ok=True)
-        for number, png in enumerate(frames):
-            (options.frames / f'{number:02}.png').write_bytes(png)
-    for path in sorted(FOLDER.iterdir()):
+            (target / name).write_text(picture)
+    for path in sorted(target.iterdir()):
         print(f'{path}: {path.stat().st_size} bytes')
 
 

@@ -25,7 +25,7 @@ from rclpy.signals import SignalHandlerOptions
 
 from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, rclpy_private
-from param_tutorial.runtime.graph import Incarnations, incarnations, note_arrival
+from param_tutorial.runtime.graph import Incarnations, incarnations, nodes_in_graph, note_arrival
 from param_tutorial.runtime.lean_messages import import_messages
 from param_tutorial.runtime.listeners import Listeners
 from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_init, is_managed, prepare
@@ -134,6 +134,7 @@ class BackgroundExecutor:
         self._event_listeners: Listeners[[ParameterEvent]] = Listeners()
         self._graph_listeners: Listeners[[]] = Listeners()
         self._incarnations: Incarnations = frozenset()
+        self._names: list[tuple[str, str]] = []
         self._stopping = False
         self._executor = rclpy_private.new_executor(self.context)
         self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
@@ -531,10 +532,11 @@ class BackgroundExecutor:
 
     def _check_graph(self) -> bool:
         """Tell the listeners if the graph has changed, and return whether it has."""
-        nodes = incarnations(self.tool_node)
-        if nodes == self._incarnations:
+        nodes, names = incarnations(self.tool_node), nodes_in_graph(self.tool_node)
+        # A name comes and goes apart from what tells one node of this name from the next.
+        if (nodes, names) == (self._incarnations, self._names):
             return False
-        before, self._incarnations = self._incarnations, nodes
+        before, self._incarnations, self._names = self._incarnations, nodes, names
         self.services.graph_changed(before, nodes)
         self._graph_listeners.call()
         return True
