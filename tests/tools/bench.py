@@ -409,6 +409,8 @@ def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
         notebook = lesson.write(Path(scratch) / 'lesson.ipynb')
         with Lab(Path(scratch) / 'lab', [notebook]) as lab, chromium() as browser:
             page = LabPage(lab, browser, notebook.name)
+            # JupyterLab never comes to the end of a restart that is asked for while it connects to the kernel.
+            page.run_all()
             for _ in range(rounds):
                 page.page.evaluate("() => window.jupyterapp.commands.execute('notebook:clear-all-cell-outputs')")
                 expect(page.page.locator('.param-panel')).to_have_count(0)
