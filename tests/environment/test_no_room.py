@@ -107,8 +107,10 @@ WRITERS = {
 @pytest.mark.parametrize('hindered', [full_disk, read_only])
 @pytest.mark.parametrize(('writer', 'is_new'), [
     (writer, is_new) for writer in WRITERS for is_new in (True, False) if writer != 'update' or not is_new])
-def test_what_cannot_be_written_is_said_and_changes_nothing(ros, folder, writer, is_new, hindered):
+def test_what_cannot_be_written_is_said_and_changes_nothing(ros, folder, tmp_path, writer, is_new, hindered):
     ros.add(SimpleParamNode)
+    # What is imported or read on the way has to be there before: without root's rights, nobody may look into /root.
+    WRITERS[writer](tmp_path / 'missing' / 'robot.yaml')
     path = folder / 'robot.yaml'
     (folder / 'other.yaml').write_text(f'{NODE}:\n  ros__parameters:\n    max_speed_rpm: 7\n')
     if not is_new and writer == 'progress':

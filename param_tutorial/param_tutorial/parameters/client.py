@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterEvent, ParameterValue
+from rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterEvent
 from rcl_interfaces.srv import (
     DescribeParameters,
     GetParameters,
@@ -454,10 +454,12 @@ def to_message(name: str, value: Any, parameter_type: ParameterType | None = Non
     """
     if parameter_type is None or not (values.is_empty_array(value) and parameter_type.is_array):
         parameter_type = values.type_of(value)
-    message = ParameterValue(type=parameter_type.number)
+    # A ParameterValue that is passed to the constructor costs a second one: it makes its default anyway.
+    message = Parameter(name=name)
+    message.value.type = parameter_type.number
     if parameter_type.field:
-        setattr(message, parameter_type.field, value)
-    return Parameter(name=name, value=message)
+        setattr(message.value, parameter_type.field, value)
+    return message
 
 
 def changes(event: ParameterEvent) -> ParameterValues:

@@ -184,12 +184,13 @@ class LiveParameters:
 
     def _send(self, request: Request) -> None:
         try:
+            executor = self._executor or stage.current()
             message = to_message(request.parameter.name, request.value, request.parameter.descriptor.type)
-            future = self._require_executor().services.call_async(
+            future = executor.services.call_async(
                 self.node, 'set_parameters', SetParameters.Request(parameters=[message]),
                 timeout_sec=self._timeout_sec)
         except Exception as error:  # whatever it is: it must become visible, and this may be any thread
-            self._hand_over(self._state.send_failed, request, error, machine_time())
+            self._hand_over(self._state.send_failed, request, self._reason(error), machine_time())
         else:
             future.add_done_callback(functools.partial(self._on_answer, request))
 
@@ -295,6 +296,14 @@ class LiveParameters:
                                 'executor that the callback keeps busy')
 
     # -- the executor -----------------------------------------------------------------------------------
+
+    def _reason(self, error: Exception) -> Exception:
+        """Return why nothing could be sent. Asked only now: it would take as long as all else before each request."""
+        try:
+            self._require_executor()
+        except ExecutorError as stopped:
+            return stopped
+        return error
 
     def _require_executor(self) -> BackgroundExecutor:
         executor = self._executor or stage.current()

@@ -83,7 +83,7 @@ class ParameterState:
 ParameterT = TypeVar('ParameterT', bound=ParameterState)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False, slots=True)
 class Request:
     """One value that the node is asked for. Two requests are never the same one, even for the same value."""
 

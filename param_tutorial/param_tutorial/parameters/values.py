@@ -44,6 +44,9 @@ class ParameterType:
             return isinstance(value, (list, tuple, array.array)) and all(map(self.item, value))
         return value is None if self.field is None else self.item(value)
 
+    def __hash__(self) -> int:
+        return self.number  # that of all the fields takes longer than what is looked up with it
+
     def __repr__(self) -> str:
         return f'<{self.label}>'
 

@@ -314,7 +314,8 @@ class Services:
     def _forget(self, future: Future, client: Client) -> None:
         with self._lock:
             self._pending.pop(future, None)
-        client.remove_pending_request(future)
+        if not future.done():  # otherwise rclpy has done so
+            client.remove_pending_request(future)
 
     def _fail(self, future: Future, error: BaseException) -> None:
         with self._lock:

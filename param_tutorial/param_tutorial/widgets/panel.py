@@ -49,6 +49,7 @@ from param_tutorial.widgets.edits import Edits, State
 from param_tutorial.widgets.recordable import ControlFacts
 from param_tutorial.widgets.view import FollowingView, View
 
+_STYLE = style('pictures/panel.css')
 # Of a node in which a search finds more, these are shown; its panel shows all.
 _HITS = 8
 
@@ -343,7 +344,7 @@ class ParameterPanel(View):
         return name in self and not values.same(self[name].value, value)
 
     def _state(self) -> State:
-        return {name: control.value for name, control in self._controls.items() if not control.descriptor.read_only}
+        return {name: each.value for name, each in self._followed if not each.descriptor.read_only}
 
     def _end(self) -> None:
         self._live.close()
@@ -417,7 +418,7 @@ class ParameterPanel(View):
             with self._front.hold_sync():  # the script needs both at once
                 if rows != self._rows:
                     self._rows = rows
-                    self._front.markup = style('pictures/panel.css') + panel_markup(
+                    self._front.markup = _STYLE + panel_markup(
                         self._node, rows, states, status=live.status, in_order=self._in_order)
                 self._front.state = {
                     'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
