@@ -30,8 +30,10 @@ class Form:
 
 
 def _parse_integer(text: str) -> int:
-    text = text.strip()
-    return int(text, 10 if re.fullmatch(r'[+-]?[0-9_]+', text) else 0)
+    try:
+        return int(text)  # 010 is ten
+    except ValueError:
+        return int(text, 0)
 
 
 def _parse_double(text: str) -> float:

@@ -15,7 +15,7 @@ import queue
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import anywidget
 import ipywidgets as widgets
@@ -32,7 +32,6 @@ from param_tutorial.errors import (
 from param_tutorial.parameters import values
 from param_tutorial.parameters.catalog import Catalog, CatalogNode
 from param_tutorial.parameters.client import ParameterClient, node_name
-from param_tutorial.parameters.file_preview import FilePreview, Loaded, preview_file
 from param_tutorial.parameters.files import Dump, as_path, render
 from param_tutorial.parameters.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
 from param_tutorial.parameters.text import format_value
@@ -42,12 +41,14 @@ from param_tutorial.pictures.wording import format_count
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC
 from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.widgets import file_form
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.control import Control
 from param_tutorial.widgets.edits import Edits, State
 from param_tutorial.widgets.recordable import ControlFacts
 from param_tutorial.widgets.view import FollowingView, View
+
+if TYPE_CHECKING:  # what reads and checks files is imported when a file is first named: most panels never need it
+    from param_tutorial.parameters.file_preview import FilePreview, Loaded
 
 _STYLE = style('pictures/panel.css')
 # Of a node in which a search finds more, these are shown; its panel shows all.
@@ -230,17 +231,19 @@ class ParameterPanel(View):
         dump.save(as_path(path, is_typed=True))
         return dump
 
-    def preview(self, path: str | Path) -> FilePreview:
+    def preview(self, path: str | Path) -> 'FilePreview':
         """Return what loading a parameter file would do, row by row; nothing is asked of the node.
 
         :raises ParameterFileError: the file cannot be read, or rcl would reject it.
         """
+        from param_tutorial.parameters.file_preview import preview_file
+
         with self._drawing:
             descriptors = {name: control.descriptor for name, control in self._controls.items()}
             present = self._looked_at = {name: control.value for name, control in self._controls.items()}
         return preview_file(as_path(path, is_typed=True), self._node, descriptors, present, is_partial=self._in_order)
 
-    def load(self, path: str | Path) -> Loaded:
+    def load(self, path: str | Path) -> 'Loaded':
         """Ask the node for the values that a parameter file holds for it; ``undo`` takes them back together.
 
         They go in one request. If the node rejects that, each is asked for by itself. While changes are gathered,
@@ -255,7 +258,9 @@ class ParameterPanel(View):
             self.settle()
             return self._load(self.preview(path))
 
-    def _load(self, preview: FilePreview) -> Loaded:
+    def _load(self, preview: 'FilePreview') -> 'Loaded':
+        from param_tutorial.parameters.file_preview import Loaded
+
         wanted = preview.accepted
         left = preview.left_out
         if self._gathered is not None:
@@ -387,6 +392,8 @@ class ParameterPanel(View):
 
     def _serve_form(self, content: dict[str, Any]) -> None:
         """Answer the form for parameter files: what a path would do, or what was done."""
+        from param_tutorial.widgets import file_form
+
         wish = {'is_save': content['is_save'], 'path': content['path'].strip(), 'changed_only': content['changed_only']}
         answer: dict[str, Any] = {'client': content['client'], 'form': content['number']}
         if content['do'] == 'look':
