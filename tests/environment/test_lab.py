@@ -1,19 +1,23 @@
 """What `make lab` starts: the real JupyterLab, and a real terminal in it, without a browser."""
 
 import json
+import os
 import re
+import subprocess
 import sys
 import urllib.request
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 import websocket
 
 from tests.support.lab import TIMEOUT_SEC, CourseLab
-from tests.support.paths import NOTEBOOKS
+from tests.support.paths import NOTEBOOKS, ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 
+TERMINAL = ROOT / 'environment' / 'jupyter' / 'terminal.bash'
 # What a learner's own start-up files may do, and Debian's /etc/profile does.
 START_UP = '''
 PATH=/usr/local/bin:/usr/bin:/bin
@@ -71,6 +75,20 @@ def test_python_in_a_terminal_is_the_courses(terminal, name):
 
 def test_the_courses_ros2_runs_in_a_terminal(terminal):
     assert 'usage' in terminal.run('python -m param_tutorial param --help').lower()
+
+
+def test_where_nothing_that_is_built_could_be_started_colcon_says_so():
+    programs = str(Path(sys.executable).parent)
+    said = {}
+    for folder in (programs, '/home/learner/my course/.venv/bin'):
+        done = subprocess.run(
+            ['bash', '--rcfile', TERMINAL, '-i', '-c', 'colcon --help'], capture_output=True, text=True,
+            env={'PATH': os.environ['PATH'], 'HOME': '/nowhere', 'PARAM_TUTORIAL_PROGRAMS': folder}, check=False)
+        said[folder] = done.returncode, done.stdout + done.stderr
+    assert said[programs][0] == 0
+    status, words = said['/home/learner/my course/.venv/bin']
+    assert status == 1
+    assert "a space in it: /home/learner/my course/.venv/bin. Move the course's folder" in words
 
 
 def test_a_terminal_has_the_learners_own_settings_otherwise(terminal, lab):

@@ -170,6 +170,20 @@ def test_a_first_executable_is_built_and_greets(shell):
 
 
 @pytest.mark.slow
+def test_what_is_built_runs_where_python_lies_below_a_space(tmp_path, monkeypatch):
+    folder = tmp_path / 'a folder'
+    folder.symlink_to(sys.prefix)
+    monkeypatch.setattr(sys, 'executable', str(folder / 'bin' / 'python'))
+    first, second = (shell := Shell()), Shell(beside=shell)
+    first.run('mkdir -p ws/src; cd ws/src; ros2 pkg create hello --build-type ament_python --node-name greeter; cd ..')
+    assert 'Finished <<< hello' in first.run('colcon build')
+    # Linux starts no program whose first line has a space in the name of what is to run it.
+    assert first.run('head -1 install/hello/lib/hello/greeter') == '#!~/.python/bin/python'
+    assert second.run('cd ws; source install/setup.bash; ros2 run hello greeter') == 'Hi from hello.'
+    assert 'Finished <<< hello' in second.run('colcon build')
+
+
+@pytest.mark.slow
 def test_a_workspace_with_a_package_of_our_name_does_not_hide_the_embedded_ros2(shell):
     shell.run('mkdir param_tutorial; touch param_tutorial/__init__.py; export PYTHONPATH=$PWD')
     # As the programs that it starts see it, and as it sees itself.

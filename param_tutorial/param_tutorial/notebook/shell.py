@@ -65,6 +65,7 @@ class Shell:
         self.status = 0
         """The exit status of the last command."""
         has_genuine = genuine.path() is not None
+        self._programs, colcon = _programs_without_space(self.home)
         with interruptible():
             self._process = subprocess.Popen(
                 ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
@@ -79,13 +80,15 @@ class Shell:
         self.run('trap : INT')
         if not has_genuine:
             self.run(f'ros2() {{ {shlex.join(genuine.embedded_words())} "$@"; }}')
+            if colcon:
+                self.run(f'colcon() {{ {colcon} "$@"; }}')
 
     def _first_environment(self, has_genuine: bool) -> dict[str, str]:
         outer = genuine.environment() if has_genuine else dict(os.environ)
         passed_on = {name: value for name, value in outer.items() if not _NOT_PASSED_ON.match(name)}
         # Where colcon was installed with this Python. First, so that the nodes that it builds find this Python's rclpy;
         # beside a genuine ROS, theirs is its own, and this colcon stands in for one that is missing.
-        path = [str(Path(sys.executable).parent), passed_on.get('PATH', os.defpath)]
+        path = [str(self._programs), passed_on.get('PATH', os.defpath)]
         passed_on['PATH'] = os.pathsep.join(reversed(path) if has_genuine else path)
         if has_genuine and 'PYTHONPATH' in outer:
             passed_on['PYTHONPATH'] = outer['PYTHONPATH']
@@ -160,6 +163,22 @@ class Shell:
     def close(self) -> None:
         """End the shell, and remove its home folder if it is its own; safe to call more than once."""
         self._close()
+
+
+def _programs_without_space(home: Path) -> tuple[Path, str]:
+    """Return the folder of this Python's programs, and the words that start colcon there if its own program won't do.
+
+    What colcon builds is started by a first line that names Python, and Linux ends a name there at the first space. So
+    where .venv lies below a folder with one in its name, it gets another path.
+    """
+    programs = Path(sys.executable).parent
+    if not re.search(r'\s', str(programs)):
+        return programs, ''
+    link = home / '.python'
+    if not link.is_symlink():
+        link.symlink_to(programs.parent)
+    program = 'import sys; from colcon_core.command import main; sys.exit(main())'
+    return link / programs.name, shlex.join([str(link / programs.name / 'python'), '-c', program])
 
 
 def _close(process: subprocess.Popen[bytes], folder: TemporaryDirectory[str] | None) -> None:

@@ -266,8 +266,8 @@ def format_scalar(value: bool | int | float | str) -> str:
             return '.inf' if value > 0 else '-.inf'
         mantissa, e, exponent = repr(value).partition('e')
         return (mantissa if '.' in mantissa else f'{mantissa}.0') + e + exponent
-    if _NAME.fullmatch(value) or _PLAIN.fullmatch(value) and typed(value, False) == value and not any(
-            pattern.match(value) for _, pattern in _YAML_TYPES.get(value[0], ())):
+    if _NAME.fullmatch(value) or (_PLAIN.fullmatch(value) and typed(value, False) == value and not any(
+            pattern.match(value) for _, pattern in _YAML_TYPES.get(value[0], ()))):
         return value
     if value.isprintable():
         return "'" + value.replace("'", "''") + "'"
