@@ -108,7 +108,13 @@ def measure(ask: Callable[[str], Answer], calls: int, at_once: int) -> int:
 
     began = time.monotonic()
     with ThreadPoolExecutor(at_once) as workers:
-        answers = list(workers.map(timed, itertools.islice(itertools.cycle(CALLS), calls)))
+        answers = []
+        # Whoever ends it early has seen how far it came.
+        for answer in workers.map(timed, itertools.islice(itertools.cycle(CALLS), calls)):
+            answers.append(answer)
+            if len(answers) % 200 == 0:
+                wrong = sum(each != CALLS[words] for words, each, _ in answers)
+                print(f'{wrong} of {len(answers)} wrong so far', flush=True)
     took_sec = time.monotonic() - began
     wrong = [(words, answer) for words, answer, _ in answers if answer != CALLS[words]]
     print(f'{len(wrong)} of {len(answers)} answers wrong, in {took_sec:.0f} s, at load {os.getloadavg()[0]:.1f}')

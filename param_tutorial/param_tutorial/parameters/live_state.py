@@ -54,8 +54,7 @@ class ParameterState:
         self.is_unanswered = False
         """True if the message is that the node was not asked, or did not answer: it has rejected nothing."""
         self.asked_at = 0.0
-        self.answered_at = 0.0
-        """When the node's last answer came, on the clock of ``runtime.waiting.machine_time``."""
+        """On the clock of ``runtime.waiting.machine_time``."""
         self.request: Request | None = None
         """The request that is under way."""
         self.waiting: Request | None = None
@@ -423,7 +422,6 @@ class LiveState(Generic[ParameterT]):
         parameter = request.parameter
         if parameter.request is not request:
             return NOTHING  # given up before the answer came
-        parameter.answered_at = now
         if not reason:
             parameter.value = request.value
             parameter.accepted = request.value
