@@ -109,7 +109,7 @@ def measure(ask: Callable[[str], Answer], calls: int, at_once: int) -> int:
     began = time.monotonic()
     with ThreadPoolExecutor(at_once) as workers:
         answers = []
-        # Whoever ends it early has seen how far it came.
+        # If you end it early, you have seen how far it came.
         for answer in workers.map(timed, itertools.islice(itertools.cycle(CALLS), calls)):
             answers.append(answer)
             if len(answers) % 200 == 0:
