@@ -36,7 +36,7 @@ def test_a_text_is_cut_after_so_many_lines_or_characters(text, passed):
 
 def test_in_the_next_period_lines_pass_again(monkeypatch):
     now = [0.0]
-    monkeypatch.setattr(streams.time, 'monotonic', lambda: now[0])
+    monkeypatch.setattr(streams, 'machine_time', lambda: now[0])
     allowance = Allowance(1, period_sec=1.0)
     assert [allowance.take('a\n') for _ in range(3)] == ['a\n', '', '']
     assert allowance.left_out() == 0

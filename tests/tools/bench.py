@@ -265,6 +265,11 @@ SLOW_ROBOT = (
     'RobotView(robot)',
 )
 
+START_AND_RUN_ALL = """async () => {
+    await window.jupyterapp.shell.currentWidget.sessionContext.changeKernel({name: 'python3'});
+    window.jupyterapp.commands.execute('notebook:run-all-cells');
+}"""
+
 # One node with more and more parameters: what takes more than its share of the time shows.
 MANY = '''
 import sys
@@ -423,10 +428,10 @@ def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
             for _ in range(rounds):
                 page.page.evaluate("() => window.jupyterapp.commands.execute('notebook:clear-all-cell-outputs')")
                 expect(page.page.locator('.param-panel')).to_have_count(0)
+                # A restart would count what the kernel before takes to end.
+                page.page.evaluate('() => window.jupyterapp.shell.currentWidget.sessionContext.shutdown()')
                 start = time.monotonic()
-                page.page.evaluate(
-                    '() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
-                page.command('notebook:run-all-cells')
+                page.page.evaluate(START_AND_RUN_ALL)
                 expect(page.slider('max_acceleration_mps2')).to_be_visible()
                 first_panel.append(time.monotonic() - start)
                 page.run_all()

@@ -9,11 +9,12 @@ import contextlib
 import math
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 from typing import Any, TextIO
 
-# Each second, from the thread that spins all nodes.
+from param_tutorial.runtime.waiting import machine_time
+
+# Each second, from the thread that spins all nodes. In machine time: what a busy machine prints, it shows as slowly.
 STAGE_LINES = 200
 # From a learner's code, for each check.
 CHECK_LINES = 40
@@ -24,10 +25,13 @@ class Allowance:
     """How much may be printed; what is beyond it is counted."""
 
     def __init__(self, lines: int, period_sec: float = math.inf):
-        """:param lines: So many in each period, of 100 characters on average."""
+        """
+        :param lines: So many in each period, of 100 characters on average.
+        :param period_sec: In machine time.
+        """
         self._lines = lines
         self._period_sec = period_sec
-        self._began = time.monotonic()
+        self._began = machine_time()
         self._lines_left, self._chars_left = lines, lines * _CHARS_PER_LINE
         self._left_out = 0
         self._lock = threading.Lock()
@@ -36,7 +40,7 @@ class Allowance:
         """Return what may be printed of a text."""
         with self._lock:
             if self._is_over():
-                self._began = time.monotonic()
+                self._began = machine_time()
                 self._lines_left, self._chars_left = self._lines, self._lines * _CHARS_PER_LINE
             if self._chars_left <= 0:  # a flood comes this way hundreds of thousands of times
                 self._left_out += text.count('\n')
@@ -64,7 +68,7 @@ class Allowance:
             return count
 
     def _is_over(self) -> bool:
-        return self._period_sec < math.inf and time.monotonic() >= self._began + self._period_sec
+        return self._period_sec < math.inf and machine_time() >= self._began + self._period_sec
 
 
 class _Output:
