@@ -71,7 +71,7 @@ def try_on(system: str, folder: Path) -> bool:
 
 def main(systems: list[str]) -> int:
     if os.geteuid() or not shutil.which('debootstrap'):
-        print('This needs Debian\'s debootstrap, and root\'s rights.', file=sys.stderr)
+        print("This needs Debian's debootstrap, and root's rights.", file=sys.stderr)
         return 2
     failed = []
     for system in systems or SYSTEMS:
