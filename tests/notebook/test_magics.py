@@ -195,7 +195,8 @@ def fake_ros2(tmp_path, monkeypatch):
     path = tmp_path / 'opt' / 'bin' / 'ros2'
     path.parent.mkdir(parents=True)
     (tmp_path / 'opt' / 'lib').mkdir()
-    path.write_text(FAKE.format(python=sys.executable))
+    # It needs no packages, and a first line may have no space before its first option.
+    path.write_text(FAKE.format(python=os.path.realpath(sys.executable)))
     path.chmod(path.stat().st_mode | stat.S_IXUSR)
     monkeypatch.setenv('PATH', f'{path.parent}{os.pathsep}{os.environ["PATH"]}')
     monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path / 'opt'))
