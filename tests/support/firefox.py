@@ -137,7 +137,8 @@ def firefox(folder: Path) -> Iterator[FirefoxPage]:
         f'user_pref({json.dumps(name)}, {json.dumps(value)});\n' for name, value in _PREFERENCES.items()))
     # A suite that is interrupted kills its workers, and this must not outlive them.
     process = subprocess.Popen(
-        ['setpriv', '--pdeathsig', 'KILL', '--', FIREFOX, '--headless', '--no-remote', '--profile', profile, '--remote-debugging-port=0', 'about:blank'],
+        ['setpriv', '--pdeathsig', 'KILL', '--', FIREFOX, '--headless', '--no-remote', '--profile', profile,
+         '--remote-debugging-port=0', 'about:blank'],
         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     assert process.stderr
     try:
