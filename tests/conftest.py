@@ -63,7 +63,7 @@ _seconds: collections.Counter[str] = collections.Counter()
 def ros() -> Iterator[BackgroundExecutor]:
     """Yield a BackgroundExecutor with an empty stage; clear it and end all terminals afterwards."""
     executor = param_tutorial.start()
-    # A process that an earlier test has ended may still be in the graph, for 20 s if it was killed.
+    # A process that an earlier test has ended may still be in the graph, for 8 s if it was killed.
     waiting.wait_until(lambda: not executor.services.node_names(), 'the nodes of earlier tests to leave the graph')
     yield executor
     terminal.end_all()

@@ -50,7 +50,7 @@ def arm(environment):
                           text=True) as process:
         assert process.stdout.readline() == 'ready\n'
         yield process
-        # Asked politely, it takes leave: killed, it would stand in the graph of this worker's next tests for 20 s.
+        # Asked politely, it takes leave: killed, it would stand in the graph of this worker's next tests for 8 s.
         process.terminate()
         try:
             process.wait(20)

@@ -37,6 +37,7 @@ from param_tutorial.errors import (
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters import values
 from param_tutorial.runtime.services import DISCOVERY_TIMEOUT_SEC
+from tests.support.nodes import environment_to_stand_still_in
 from tests.support.strategies import VALUES
 
 
@@ -72,14 +73,14 @@ def client(ros):
     return ParameterClient(ros.add(Everything))
 
 
-def process(source, *arguments):
+def process(source, *arguments, env=None):
     """Start a script in its own process, in this process's ROS domain."""
-    return subprocess.Popen([sys.executable, '-c', textwrap.dedent(source), *arguments],
+    return subprocess.Popen([sys.executable, '-c', textwrap.dedent(source), *arguments], env=env,
                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
 @pytest.fixture
-def remote_node():
+def remote_node(tmp_path):
     """Return a process with a SimpleParamNode called /remote, which prints a line once it spins."""
     child = process('''
         import rclpy
@@ -92,10 +93,9 @@ def remote_node():
             rclpy.spin(node)
         except (KeyboardInterrupt, ExternalShutdownException):
             pass
-    ''')
+    ''', env=environment_to_stand_still_in(tmp_path))
     assert child.stdout.readline() == 'ready\n'
     yield child
-    # Not by SIGKILL: for 20 s, until its lease runs out, a killed node would still count as present.
     child.send_signal(signal.SIGCONT)
     child.send_signal(signal.SIGINT)
     child.communicate(timeout=30)

@@ -57,8 +57,8 @@ def remote(ros):
     """Return a function that starts a node in its own process; with 'asleep' it answers only after a line of input."""
     started = []
 
-    def start(*arguments):
-        process = subprocess.Popen([sys.executable, '-c', textwrap.dedent(REMOTE), *arguments],
+    def start(*arguments, env=None):
+        process = subprocess.Popen([sys.executable, '-c', textwrap.dedent(REMOTE), *arguments], env=env,
                                    stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         started.append(process)
         assert process.stdout.readline() == 'ready\n'

@@ -24,7 +24,7 @@ from param_tutorial.parameters.rules import Rules
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets.panel import ParameterPanel
-from tests.support.nodes import Arm, Counter, Gate
+from tests.support.nodes import Arm, Counter, Gate, environment_to_stand_still_in
 from tests.support.widgets import enter, is_locked, press, says, shows, slide, wait_for_value, worker_threads
 
 NODE = '/arm'
@@ -283,9 +283,8 @@ def test_a_node_that_does_not_answer(ros, remote):
 
 
 @pytest.mark.slow
-def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote):
-    process = remote('stopped')
-    # Much less than the 20 s after which DDS considers the process dead, even if machine time is slow.
+def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote, tmp_path):
+    process = remote('stopped', env=environment_to_stand_still_in(tmp_path))
     panel = ParameterPanel('stopped', timeout_sec=0.5)
     wait_until(lambda: 'x' in panel, 'the panel to find the node', 20)
     process.send_signal(signal.SIGSTOP)  # it stands still in mid-work
