@@ -20,8 +20,8 @@ INT64_MAX = 2**63 - 1
 def environment_to_stand_still_in(folder: Path) -> dict[str, str]:
     """Return the environment for a process that a test stops with SIGSTOP, to see what is said of one that is silent.
 
-    After the 8 s of our profile, DDS takes it for dead; on a starved machine, half a second of machine time is longer. Let
-    it go on and end by itself: for as long as it says here, it would also count as present after a SIGKILL.
+    After the 8 s of our profile, DDS takes it for dead; on a starved machine, half a second of machine time is longer.
+    Let it go on and end by itself: for as long as it says here, it would also count as present after a SIGKILL.
 
     :param folder: Takes the profile.
     """
