@@ -60,6 +60,10 @@ test-fast: setup-all  ## run the tests that take seconds in all, while you edit
 test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
 	@$(VENV) -m tests.tools.pythons $(ARGS)
 
+# On two cores some 45 minutes for each three.
+test-starved: setup-all  ## run the whole suite in half a core, beside eight busy processes: make test-starved ARGS="--runs 5 --at-once 3"
+	@$(VENV) -m tests.tools.starved $(ARGS)
+
 # Takes root's rights and Debian's debootstrap.
 test-fresh: setup-all  ## run `make lab` and the chapters on a fresh Debian stable and testing, as a plain user without compilers
 	@$(VENV) -m tests.tools.fresh $(ARGS)
@@ -111,5 +115,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-fresh test-beside-ros play stranger html \
+.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-starved test-fresh test-beside-ros play stranger html \
     lesson bench steady lint release lock clean
