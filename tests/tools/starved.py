@@ -4,8 +4,8 @@
 
 Each run is `make test-all` in a fresh clone of what is committed, in a control group that may use half a core, beside
 processes that never rest. Those are in a group of their own, or they would leave less than half a core to the suite.
-What a run printed is kept in build/starved/. Other arguments go to pytest. It takes Linux, root's rights, and on two cores some 45 minutes for three
-at once. The exit status is 1 if any run was red.
+What a run printed is kept in build/starved/. Other arguments go to pytest. It takes Linux, root's rights, and on two
+cores some 45 minutes for three at once. The exit status is 1 if any run was red.
 """
 
 import argparse
@@ -62,9 +62,9 @@ def run_suite(number: int, cores: float, arguments: str) -> bool:
     subprocess.run(['make', '--silent', 'setup-all'], cwd=checkout, check=True, stdout=subprocess.DEVNULL)
     began = time.monotonic()
     with control_group(f'suite{number}', cores) as inside, log.open('w') as output:
-        status = subprocess.run([*inside, 'make', 'test-all', f'ARGS={arguments}'], cwd=checkout, env={**os.environ, 'CI': 'true'},
-                                stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
-                                check=False).returncode
+        status = subprocess.run([*inside, 'make', 'test-all', f'ARGS={arguments}'], cwd=checkout,
+                                env={**os.environ, 'CI': 'true'}, stdin=subprocess.DEVNULL, stdout=output,
+                                stderr=subprocess.STDOUT, check=False).returncode
     shutil.rmtree(checkout)
     text = log.read_text()
     last = next((line.strip('= ') for line in reversed(text.splitlines()) if ' in ' in line and 'passed' in line), '')
@@ -93,7 +93,8 @@ def main() -> int:
     with control_group('busy') as inside, ThreadPoolExecutor(chosen.at_once) as workers:
         for _ in range(chosen.busy):
             subprocess.Popen([*inside, sys.executable, '-c', 'while True: pass'])
-        results = list(workers.map(lambda number: run_suite(number, chosen.cores, arguments), range(1, chosen.runs + 1)))
+        results = list(workers.map(lambda number: run_suite(number, chosen.cores, arguments),
+                                   range(1, chosen.runs + 1)))
     return int(not all(results))
 
 
