@@ -23,8 +23,9 @@ def test_so_many_lines_pass_and_the_others_are_counted():
         for text in (str(number), '\n'):  # as print() writes
             printed.write(allowance.take(text))
     assert printed.getvalue() == '0\n1\n2\n'
-    assert allowance.left_out() == 997
     assert allowance.left_out() == 0
+    assert allowance.left_out(at_once=True) == 997
+    assert allowance.left_out(at_once=True) == 0
 
 
 @pytest.mark.parametrize(('text', 'passed'), [
@@ -35,29 +36,13 @@ def test_a_text_is_cut_after_so_many_lines_or_characters(text, passed):
 
 def test_in_the_next_period_lines_pass_again(monkeypatch):
     now = [0.0]
-    monkeypatch.setattr(streams, 'machine_time', lambda: now[0])
-    allowance = Allowance(1, period_sec=1.0)
-    assert [allowance.take('a\n') for _ in range(3)] == ['a\n', '', '']
-    now[0] = 0.9
-    assert allowance.take('b\n') == ''
-    now[0] = 1.0
-    assert allowance.take('c\n') == 'c\n'
-
-
-def test_what_is_left_out_is_gathered_and_said_soon_however_slow_the_machine(monkeypatch):
-    now = [0.0]
-    monkeypatch.setattr(streams, 'machine_time', lambda: 0.0)
     monkeypatch.setattr(streams.time, 'monotonic', lambda: now[0])
     allowance = Allowance(1, period_sec=1.0)
-    for text in ('a\n', 'b\n', 'c\n'):
-        allowance.take(text)
-    now[0] = 0.9
-    assert allowance.left_out(gathered_sec=1.0) == 0
+    assert [allowance.take('a\n') for _ in range(3)] == ['a\n', '', '']
+    assert allowance.left_out() == 0
     now[0] = 1.0
-    assert allowance.left_out(gathered_sec=1.0) == 2
-    allowance.take('d\n')
-    assert allowance.left_out(gathered_sec=1.0) == 0
-    assert allowance.left_out() == 1
+    assert allowance.left_out() == 2
+    assert allowance.take('b\n') == 'b\n'
 
 
 def test_a_guarded_block_prints_its_first_lines_and_cannot_ask(capsys):

@@ -441,8 +441,8 @@ class BackgroundExecutor:
 
     def _tell_what_is_left_out(self) -> None:
         if count := self._guard.left_out():
-            self._guard.say(f'… and {count:,} more lines from callbacks, which are left out: while a callback prints, '
-                            f'no node gets a turn.')
+            print(f'… and {count:,} more lines from callbacks, which are left out: while a callback prints, no node '
+                  f'gets a turn.', file=sys.stderr)
 
     # -- exceptions in callbacks ------------------------------------------------------------------------
 

@@ -13,9 +13,7 @@ import time
 from collections.abc import Callable, Iterator
 from typing import Any, TextIO
 
-from param_tutorial.runtime.waiting import machine_time
-
-# Each second, from the thread that spins all nodes. In machine time: what a busy machine prints, it shows as slowly.
+# Each second, from the thread that spins all nodes.
 STAGE_LINES = 200
 # From a learner's code, for each check.
 CHECK_LINES = 40
@@ -26,26 +24,22 @@ class Allowance:
     """How much may be printed; what is beyond it is counted."""
 
     def __init__(self, lines: int, period_sec: float = math.inf):
-        """
-        :param lines: So many in each period, of 100 characters on average.
-        :param period_sec: In machine time.
-        """
+        """:param lines: So many in each period, of 100 characters on average."""
         self._lines = lines
         self._period_sec = period_sec
-        self._began = machine_time()
+        self._began = time.monotonic()
         self._lines_left, self._chars_left = lines, lines * _CHARS_PER_LINE
         self._left_out = 0
-        self._left_out_since = -math.inf
         self._lock = threading.Lock()
 
     def take(self, text: str) -> str:
         """Return what may be printed of a text."""
         with self._lock:
             if self._is_over():
-                self._began = machine_time()
+                self._began = time.monotonic()
                 self._lines_left, self._chars_left = self._lines, self._lines * _CHARS_PER_LINE
             if self._chars_left <= 0:  # a flood comes this way hundreds of thousands of times
-                self._leave_out(text.count('\n'))
+                self._left_out += text.count('\n')
                 return ''
             part = text[:self._chars_left]
             lines = part.split('\n', self._lines_left)
@@ -56,28 +50,21 @@ class Allowance:
             if part != text:
                 # Nothing more in this period: the end of a line would stand there without its beginning.
                 self._lines_left = self._chars_left = 0
-                self._leave_out(text.count('\n', len(part)))
+                self._left_out += text.count('\n', len(part))
             return part
 
-    def left_out(self, gathered_sec: float = 0.0) -> int:
-        """Return how many lines were left out, and count from 0 again.
+    def left_out(self, *, at_once: bool = False) -> int:
+        """Return how many lines were left out in the periods that are over, and count from 0 again.
 
-        :param gathered_sec: Return 0, and go on counting, if the first of them was left out less than so long ago. Not
-            in machine time: that they were left out should be said soon.
+        :param at_once: In the current period too.
         """
         with self._lock:
-            if time.monotonic() < self._left_out_since + gathered_sec:
-                return 0
-            count, self._left_out = self._left_out, 0
+            count = self._left_out if at_once or self._is_over() else 0
+            self._left_out -= count
             return count
 
-    def _leave_out(self, lines: int) -> None:
-        if not self._left_out:
-            self._left_out_since = time.monotonic()
-        self._left_out += lines
-
     def _is_over(self) -> bool:
-        return self._period_sec < math.inf and machine_time() >= self._began + self._period_sec
+        return self._period_sec < math.inf and time.monotonic() >= self._began + self._period_sec
 
 
 class _Output:
@@ -139,13 +126,7 @@ class Guard:
 
     def left_out(self) -> int:
         """Return how many lines were left out since the last time, once a second has passed."""
-        return self._allowance.left_out(gathered_sec=1.0)
-
-    @staticmethod
-    def say(text: str) -> None:
-        """Print a line on sys.stderr that counts as nobody's."""
-        stream = sys.stderr
-        print(text, file=stream._stream if isinstance(stream, _Output) else stream)
+        return self._allowance.left_out()
 
     def leave(self) -> None:
         """Leave everything as it was."""
@@ -168,5 +149,5 @@ def guarded(forbidden: Callable[[], Exception]) -> Iterator[None]:
         yield
     finally:
         (sys.stdout, sys.stderr), builtins.input = streams, ask
-        if count := allowance.left_out():
+        if count := allowance.left_out(at_once=True):
             print(f'… and {count:,} more lines, which are left out here.')
