@@ -3,7 +3,6 @@
 import builtins
 import contextlib
 import io
-import math
 import sys
 import threading
 
@@ -23,9 +22,8 @@ def test_so_many_lines_pass_and_the_others_are_counted():
         for text in (str(number), '\n'):  # as print() writes
             printed.write(allowance.take(text))
     assert printed.getvalue() == '0\n1\n2\n'
+    assert allowance.left_out() == 997
     assert allowance.left_out() == 0
-    assert allowance.left_out(at_once=True) == 997
-    assert allowance.left_out(at_once=True) == 0
 
 
 @pytest.mark.parametrize(('text', 'passed'), [
@@ -34,15 +32,12 @@ def test_a_text_is_cut_after_so_many_lines_or_characters(text, passed):
     assert Allowance(2).take(text) == passed
 
 
-def test_in_the_next_period_lines_pass_again(monkeypatch):
-    now = [0.0]
-    monkeypatch.setattr(streams.time, 'monotonic', lambda: now[0])
-    allowance = Allowance(1, period_sec=1.0)
+def test_a_renewed_allowance_lets_lines_pass_again_and_still_knows_what_it_left_out():
+    allowance = Allowance(1)
     assert [allowance.take('a\n') for _ in range(3)] == ['a\n', '', '']
-    assert allowance.left_out() == 0
-    now[0] = 1.0
-    assert allowance.left_out() == 2
-    assert allowance.take('b\n') == 'b\n'
+    allowance.renew()
+    assert [allowance.take('b\n') for _ in range(2)] == ['b\n', '']
+    assert allowance.left_out() == 3
 
 
 def test_a_guarded_block_prints_its_first_lines_and_cannot_ask(capsys):
@@ -65,7 +60,6 @@ def test_what_fits_is_printed_and_nothing_added(capsys):
     with guarded(ZeroDivisionError):
         print('one line')
     assert capsys.readouterr().out == 'one line\n'
-    assert math.isinf(Allowance(1)._period_sec)
 
 
 @pytest.mark.slow
@@ -85,6 +79,42 @@ def test_a_flood_in_the_executors_thread_is_cut_and_told_of(ros, capsys):
     assert 0 < shown <= streams.STAGE_LINES
     assert f'… and {5000 - shown:,} more lines from callbacks' in text
     assert text.count('from the cell') == 1
+
+
+def test_what_the_executor_says_is_not_left_out_after_a_flood(ros, capsys):
+    def flood_and_fail():
+        for number in range(5000):
+            print('flood', number)
+        raise ZeroDivisionError('said after the flood')
+
+    node = ros.add(Node, 'flooding')
+    timer = node.create_timer(0.001, lambda: (timer.cancel(), flood_and_fail()))
+    text = ''
+
+    def told():
+        nonlocal text
+        text += ''.join(capsys.readouterr())
+        return 'more lines from callbacks' in text
+
+    param_tutorial.wait_until(told, 'the word', timeout_sec=30)
+    assert 'ZeroDivisionError: said after the flood' in text
+
+
+def test_a_callback_that_prints_for_seconds_shows_its_first_lines_only(monkeypatch):
+    now = [0.0]
+    monkeypatch.setattr(streams.time, 'monotonic', lambda: now[0])
+    guard, stdout = streams.Guard(lambda: True, lambda: None), io.StringIO()
+    with contextlib.redirect_stdout(stdout):
+        for _ in range(2):
+            now[0] += 1.0
+            guard.look()
+            for _ in range(3):
+                now[0] += 1.0
+                print('flood\n' * streams.STAGE_LINES, end='')
+        guard.leave()
+    assert stdout.getvalue().count('\n') == 2 * streams.STAGE_LINES
+    assert guard.left_out() == 4 * streams.STAGE_LINES
+    assert guard.left_out() == 0
 
 
 class Asking(Node):

@@ -441,8 +441,8 @@ class BackgroundExecutor:
 
     def _tell_what_is_left_out(self) -> None:
         if count := self._guard.left_out():
-            print(f'… and {count:,} more lines from callbacks, which are left out: while a callback prints, no node '
-                  f'gets a turn.', file=sys.stderr)
+            self._guard.say(f'… and {count:,} more lines from callbacks, which are left out: while a callback prints, '
+                            f'no node gets a turn.')
 
     # -- exceptions in callbacks ------------------------------------------------------------------------
 
@@ -457,11 +457,11 @@ class BackgroundExecutor:
             return  # the caller raises it
         failure.times_shown += 1
         if failure.times_shown == 1:
-            text = ''.join(traceback.format_exception(error))
-            print(f'{_sentence(failure)} raised an exception; the node keeps running.\n{text}', file=sys.stderr, end='')
+            text = ''.join(traceback.format_exception(error)).rstrip('\n')
+            self._guard.say(f'{_sentence(failure)} raised an exception; the node keeps running.\n{text}')
         elif failure.times_shown == 2:
-            print(f'The same {type(error).__name__} again in {failure}. From now on, repeats are only counted, in '
-                  f'the failures of the executor.', file=sys.stderr)
+            self._guard.say(f'The same {type(error).__name__} again in {failure}. From now on, repeats are only '
+                            f'counted, in the failures of the executor.')
 
     def _count(self, error: BaseException, callback: Callback | None) -> Failure:
         for failure in self.failures:

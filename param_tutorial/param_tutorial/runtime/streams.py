@@ -6,15 +6,15 @@ would keep the browser busy for a minute. No ROS, no Jupyter.
 
 import builtins
 import contextlib
-import math
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
 from typing import Any, TextIO
 
-# Each second, from the thread that spins all nodes.
+# From one callback, and each second from the thread that spins all nodes.
 STAGE_LINES = 200
+_PERIOD_SEC = 1.0
 # From a learner's code, for each check.
 CHECK_LINES = 40
 _CHARS_PER_LINE = 100
@@ -23,21 +23,21 @@ _CHARS_PER_LINE = 100
 class Allowance:
     """How much may be printed; what is beyond it is counted."""
 
-    def __init__(self, lines: int, period_sec: float = math.inf):
-        """:param lines: So many in each period, of 100 characters on average."""
+    def __init__(self, lines: int):
+        """:param lines: So many, of 100 characters on average."""
         self._lines = lines
-        self._period_sec = period_sec
-        self._began = time.monotonic()
-        self._lines_left, self._chars_left = lines, lines * _CHARS_PER_LINE
         self._left_out = 0
         self._lock = threading.Lock()
+        self.renew()
+
+    def renew(self) -> None:
+        """Let so many lines pass again."""
+        with self._lock:
+            self._lines_left, self._chars_left = self._lines, self._lines * _CHARS_PER_LINE
 
     def take(self, text: str) -> str:
         """Return what may be printed of a text."""
         with self._lock:
-            if self._is_over():
-                self._began = time.monotonic()
-                self._lines_left, self._chars_left = self._lines, self._lines * _CHARS_PER_LINE
             if self._chars_left <= 0:  # a flood comes this way hundreds of thousands of times
                 self._left_out += text.count('\n')
                 return ''
@@ -48,23 +48,16 @@ class Allowance:
             self._lines_left -= part.count('\n')
             self._chars_left -= len(part)
             if part != text:
-                # Nothing more in this period: the end of a line would stand there without its beginning.
+                # Nothing more until it is renewed: the end of a line would stand there without its beginning.
                 self._lines_left = self._chars_left = 0
                 self._left_out += text.count('\n', len(part))
             return part
 
-    def left_out(self, *, at_once: bool = False) -> int:
-        """Return how many lines were left out in the periods that are over, and count from 0 again.
-
-        :param at_once: In the current period too.
-        """
+    def left_out(self) -> int:
+        """Return how many lines were left out, and count from 0 again."""
         with self._lock:
-            count = self._left_out if at_once or self._is_over() else 0
-            self._left_out -= count
+            count, self._left_out = self._left_out, 0
             return count
-
-    def _is_over(self) -> bool:
-        return self._period_sec < math.inf and time.monotonic() >= self._began + self._period_sec
 
 
 class _Output:
@@ -113,10 +106,14 @@ class Guard:
         """
         self._applies_here = applies_here
         self._forbidden_here = forbidden_here
-        self._allowance = Allowance(STAGE_LINES, period_sec=1.0)
+        self._allowance = Allowance(STAGE_LINES)
+        self._renewed = self._told = time.monotonic()
 
     def look(self) -> None:
-        """Be in place."""
+        """Be in place: a callback is about to begin. Within one, however long it prints, nothing is renewed."""
+        if time.monotonic() >= self._renewed + _PERIOD_SEC:
+            self._renewed = time.monotonic()
+            self._allowance.renew()
         for name in ('stdout', 'stderr'):
             stream = getattr(sys, name)
             if not isinstance(stream, _Output):
@@ -125,8 +122,18 @@ class Guard:
             builtins.input = _Input(builtins.input, self._forbidden_here)
 
     def left_out(self) -> int:
-        """Return how many lines were left out since the last time, once a second has passed."""
-        return self._allowance.left_out()
+        """Return how many lines were left out and not told of yet; at most once a second more than 0."""
+        if time.monotonic() < self._told + _PERIOD_SEC:
+            return 0
+        if count := self._allowance.left_out():
+            self._told = time.monotonic()
+        return count
+
+    @staticmethod
+    def say(text: str) -> None:
+        """Print a line on sys.stderr that counts for nobody and is never left out."""
+        stream = sys.stderr
+        print(text, file=stream._stream if isinstance(stream, _Output) else stream)
 
     def leave(self) -> None:
         """Leave everything as it was."""
@@ -149,5 +156,5 @@ def guarded(forbidden: Callable[[], Exception]) -> Iterator[None]:
         yield
     finally:
         (sys.stdout, sys.stderr), builtins.input = streams, ask
-        if count := allowance.left_out(at_once=True):
+        if count := allowance.left_out():
             print(f'… and {count:,} more lines, which are left out here.')
