@@ -115,5 +115,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-starved test-fresh test-beside-ros play stranger html \
-    lesson bench steady lint release lock clean
+.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-starved \
+    test-fresh test-beside-ros play stranger html lesson bench steady lint release lock clean

@@ -102,28 +102,30 @@ def in_kernel() -> Iterator[Callable[[str], Answer]]:
 
 def measure(ask: Callable[[str], Answer], calls: int, at_once: int) -> int:
     """Ask, and print the figures and the first wrong answers. Return how many were wrong."""
+    answers: list[tuple[str, Answer, float]] = []
+
+    def wrong() -> list[tuple[str, Answer]]:
+        return [(words, answer) for words, answer, _ in answers if answer != CALLS[words]]
+
     def timed(words: str) -> tuple[str, Answer, float]:
         began = time.monotonic()
         return words, ask(words), time.monotonic() - began
 
     began = time.monotonic()
     with ThreadPoolExecutor(at_once) as workers:
-        answers = []
         # If you end it early, you have seen how far it came.
         for answer in workers.map(timed, itertools.islice(itertools.cycle(CALLS), calls)):
             answers.append(answer)
             if len(answers) % 200 == 0:
-                wrong = sum(each != CALLS[words] for words, each, _ in answers)
-                print(f'{wrong} of {len(answers)} wrong so far', flush=True)
+                print(f'{len(wrong())} of {len(answers)} wrong so far', flush=True)
     took_sec = time.monotonic() - began
-    wrong = [(words, answer) for words, answer, _ in answers if answer != CALLS[words]]
-    print(f'{len(wrong)} of {len(answers)} answers wrong, in {took_sec:.0f} s, at load {os.getloadavg()[0]:.1f}')
-    for words, answer in wrong[:10]:
+    print(f'{len(wrong())} of {len(answers)} answers wrong, in {took_sec:.0f} s, at load {os.getloadavg()[0]:.1f}')
+    for words, answer in wrong()[:10]:
         print(f'  WRONG {words}: {answer}')
     for words in CALLS:
         if seconds := [each for asked, _, each in answers if asked == words]:
             print(f'  {words}: {statistics.median(seconds):.3f} s in the middle, {max(seconds):.3f} s at most')
-    return len(wrong)
+    return len(wrong())
 
 
 def main() -> int:
