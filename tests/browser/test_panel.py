@@ -321,3 +321,26 @@ def test_a_node_is_found_by_its_parameters_and_opened(planner):
     expect(nodes.locator('.node-line')).to_have_count(0)
     nodes.get_by_role('searchbox').press('Escape')
     expect(nodes.locator('.node-line')).to_have_count(1)
+
+
+@pytest.fixture
+def slow_script(opened):
+    """Let the script of a panel take longer to load than the two seconds that anywidget waits for it."""
+    lab, _ = opened
+    lab.ask_kernel('exec("from param_tutorial.widgets.panel import _Front; _Front.quick = _Front._esm; '
+                   '_Front._esm = \'await new Promise(go => setTimeout(go, 3000));\' + str(_Front.quick)")')
+    yield
+    lab.ask_kernel('exec("_Front._esm = _Front.quick; del _Front.quick")')
+
+
+def test_a_panel_whose_script_is_slow_to_load_follows_its_node(opened, slow_script):
+    lab, page = opened
+    page.run_all()
+    expect(page.box('rate_hz')).to_have_value('10')
+    lab.ask_kernel("client.set_parameter('map_name', 'yard')")
+    expect(page.box('map_name')).to_have_value('yard')
+    page.page.locator('.param-nodes').get_by_role('button', name='/planner', exact=True).click()
+    opened_panel = page.page.locator('.node-panels .param-panel')
+    expect(opened_panel.get_by_label('map_name', exact=True)).to_have_value('yard')
+    lab.ask_kernel("client.set_parameter('map_name', 'attic')")
+    expect(opened_panel.get_by_label('map_name', exact=True)).to_have_value('attic')

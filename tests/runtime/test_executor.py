@@ -295,12 +295,13 @@ def test_many_restarts_do_not_pile_up(ros):
     for round_number in range(30):
         client = ParameterClient(ros.add(Speed))
         assert client.set_parameter('rpm', round_number).successful
-    before = threading.active_count(), len(list(Path('/proc/self/fd').iterdir()))
+    threads, files = threading.active_count(), len(list(Path('/proc/self/fd').iterdir()))
     for round_number in range(30):
         client = ParameterClient(ros.add(Speed))
         assert client.set_parameter('rpm', round_number).successful
-    after = threading.active_count(), len(list(Path('/proc/self/fd').iterdir()))
-    assert after == before
+    # What an earlier test has left may go meanwhile.
+    assert threading.active_count() <= threads
+    assert len(list(Path('/proc/self/fd').iterdir())) <= files
     assert ros.services.node_names() == ['/speed']
 
 

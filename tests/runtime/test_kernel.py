@@ -118,7 +118,7 @@ def test_threads_are_back_to_the_baseline_after_stop(kernel):
 def test_restart(kernel):
     kernel.run(START)
     kernel.manager.restart_kernel()
-    kernel.client.wait_for_ready(timeout=DEADLINE_SEC)
+    kernel.client.wait_for_ready()
     kernel.run(START)
     assert kernel.run('ros.services.node_names()') == "['/simple_param_node']"
     assert kernel.end() == 0

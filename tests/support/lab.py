@@ -41,6 +41,8 @@ KNOWN_ERRORS = (
     r"Failed to execute 'removeChild' on 'Node'",
     # It asks each kernel for its debugger, which the course leaves out, when a page is loaded again.
     r'Could not restore the debugger state',
+    # anywidget gives a script two seconds to load. Our views go on without: see widgets/front.js.
+    r'\[anywidget\] Failed to initialize model',
 )
 
 CHROMIUM_FLAGS = (

@@ -95,4 +95,4 @@ function render({model, el}) {
   };
 }
 
-export default {render};
+export default {initialize, render};

@@ -10,13 +10,13 @@ import html
 import math
 from typing import Any, NamedTuple
 
-import anywidget
 import traitlets
 
 from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.nodes.clawbot_node import State
 from param_tutorial.pictures import track
 from param_tutorial.pictures.styles import sheet
+from param_tutorial.widgets.front import Front, script
 from param_tutorial.widgets.view import View
 
 
@@ -27,10 +27,10 @@ class Start(NamedTuple):
     state: State
 
 
-class _Front(anywidget.AnyWidget):
+class _Front(Front):
     """The vehicle in the browser."""
 
-    _esm = sheet('widgets/driving.js')
+    _esm = script('widgets/driving.js')
     _css = sheet('pictures/track.css') + sheet('widgets/driving.css')
     markup = traitlets.Unicode(track.view_markup()).tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)

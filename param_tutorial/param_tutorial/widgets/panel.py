@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import anywidget
 import ipywidgets as widgets
 import traitlets
 from rclpy.node import Node
@@ -44,6 +43,7 @@ from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.control import Control
 from param_tutorial.widgets.edits import Edits, State
+from param_tutorial.widgets.front import Front, script
 from param_tutorial.widgets.recordable import ControlFacts
 from param_tutorial.widgets.view import FollowingView, View
 
@@ -55,19 +55,19 @@ _STYLE = style('pictures/panel.css')
 _HITS = 8
 
 
-class _Front(anywidget.AnyWidget):
+class _Front(Front):
     """The panel in the browser: markup, and what changes in it."""
 
-    _esm = sheet('widgets/file_form.js') + sheet('widgets/panel.js')
+    _esm = script('widgets/file_form.js', 'widgets/panel.js')
     markup = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
     search = traitlets.Unicode().tag(sync=True)
 
 
-class _BrowserFront(anywidget.AnyWidget):
+class _BrowserFront(Front):
     """The list of nodes in the browser."""
 
-    _esm = sheet('widgets/browser.js')
+    _esm = script('widgets/browser.js')
     _css = sheet('pictures/panel.css') + sheet('widgets/browser.css')
     state = traitlets.Dict().tag(sync=True)
 

@@ -18,6 +18,7 @@ from param_tutorial.runtime.worker import Worker
 from param_tutorial.widgets import recordable
 from param_tutorial.widgets.beside_cells import answer_beside_cells
 from param_tutorial.widgets.cells import close_looks, close_with_cell
+from param_tutorial.widgets.front import Front
 
 
 def nothing() -> None:
@@ -43,6 +44,8 @@ class View(widgets.VBox):
         self.add_class(css_class)
         for widget in (self, *_all_within(self)):
             answer_beside_cells(widget)
+            if isinstance(widget, Front):
+                widget.drawing = self._drawing
         recordable.register(self.model_id, self)
 
     def on_close(self, listener: Callable[['View'], object]) -> Callable[[], None]:
