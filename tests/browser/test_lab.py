@@ -175,6 +175,9 @@ def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     second = panels.nth(1).get_by_label('robot_name', exact=True)
     second.fill('Second')
     second.press('Enter')
+    # If it comes to nothing, the row says why.
+    expect(page.page.locator('.param-row').filter(has=page.page.get_by_label('robot_name', exact=True)).nth(1)
+           ).to_contain_text('↺')
     expect(page.page.get_by_role('log')).to_contain_text('robot_name is now Second')
     expect(page.box('robot_name')).to_have_value('Second')
     assert value(lab, 'max_acceleration_mps2') == 0.123456

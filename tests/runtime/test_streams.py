@@ -5,6 +5,7 @@ import contextlib
 import io
 import sys
 import threading
+from types import SimpleNamespace
 
 import pytest
 from rclpy.node import Node
@@ -107,7 +108,7 @@ def test_what_the_executor_says_is_not_left_out_after_a_flood(ros, capsys):
 
 def test_a_callback_that_prints_for_seconds_shows_its_first_lines_only(monkeypatch):
     now = [0.0]
-    monkeypatch.setattr(streams.time, 'monotonic', lambda: now[0])
+    monkeypatch.setattr(streams, 'time', SimpleNamespace(monotonic=lambda: now[0]))
     guard, stdout = streams.Guard(lambda: True, lambda: None), io.StringIO()
     with contextlib.redirect_stdout(stdout):
         for _ in range(2):

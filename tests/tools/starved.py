@@ -3,7 +3,8 @@
     python -m tests.tools.starved [--runs 5] [--at-once 3] [--cores 0.5] [--busy 8]
 
 Each run is `make test-all` in a fresh clone of what is committed, in a control group that may use half a core, beside
-processes that never rest. Those are in a group of their own, or they would leave less than half a core to the suite.
+processes that never rest. Those are in a group of their own, with little weight, or they would leave less than half a
+core to the suite.
 What a run printed is kept in build/starved/. Other arguments go to pytest. It takes Linux, root's rights, and on two
 cores some 45 minutes for three at once. The exit status is 1 if any run was red.
 """
@@ -29,10 +30,11 @@ VERSION_1, VERSION_2 = Path('/sys/fs/cgroup/cpu'), Path('/sys/fs/cgroup')
 
 
 @contextlib.contextmanager
-def control_group(name: str, cores: float | None = None) -> Iterator[list[str]]:
+def control_group(name: str, cores: float | None = None, weight: float = 1.0) -> Iterator[list[str]]:
     """Make a control group, and yield the words that start a command in it; what is in it at the end is killed.
 
     :param cores: How much processor time it may use, in cores; None for any.
+    :param weight: Its part of what there is, where another group has 1.
     """
     is_old = VERSION_1.is_dir()
     group = (VERSION_1 if is_old else VERSION_2) / f'param_tutorial_{os.getpid()}_{name}'
@@ -41,6 +43,7 @@ def control_group(name: str, cores: float | None = None) -> Iterator[list[str]]:
     group.mkdir()
     members = group / 'cgroup.procs'
     try:
+        (group / ('cpu.shares' if is_old else 'cpu.weight')).write_text(str(round(weight * (1024 if is_old else 100))))
         if cores and is_old:
             (group / 'cpu.cfs_period_us').write_text(str(PERIOD_USEC))
             (group / 'cpu.cfs_quota_us').write_text(str(round(cores * PERIOD_USEC)))
@@ -90,7 +93,7 @@ def main() -> int:
         print("This makes control groups, which takes root's rights.", file=sys.stderr)
         return 2
     FOLDER.mkdir(parents=True, exist_ok=True)
-    with control_group('busy') as inside, ThreadPoolExecutor(chosen.at_once) as workers:
+    with control_group('busy', weight=0.1) as inside, ThreadPoolExecutor(chosen.at_once) as workers:
         for _ in range(chosen.busy):
             subprocess.Popen([*inside, sys.executable, '-c', 'while True: pass'])
         results = list(workers.map(lambda number: run_suite(number, chosen.cores, arguments),

@@ -1,5 +1,7 @@
 """The cart's view: it drives as the parameters say, also those that change on the way, and lets go of its node."""
 
+from types import SimpleNamespace
+
 import pytest
 from rclpy.node import Node
 
@@ -12,7 +14,7 @@ from param_tutorial.widgets import cart as cart_module
 def clock(monkeypatch):
     """Let time pass for the view only when a test says so: ``clock[0] += 3``."""
     now = [100.0]
-    monkeypatch.setattr(cart_module.time, 'monotonic', lambda: now[0])
+    monkeypatch.setattr(cart_module, 'time', SimpleNamespace(monotonic=lambda: now[0]))
     return now
 
 
