@@ -2,7 +2,6 @@
 
 import contextlib
 import inspect
-import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -25,6 +24,7 @@ from param_tutorial.exercises.trial import (
 )
 from param_tutorial.parameters import values
 from param_tutorial.runtime.streams import guarded
+from param_tutorial.runtime.waiting import machine_time
 
 Examine = Callable[[Trial], None]
 FindOut = Callable[[Trial], Any]
@@ -159,7 +159,7 @@ class Exercise:
         findings: list[Finding] = []
         names: set[str] = set()
         waited, picture = False, ''
-        began_sec = time.monotonic()
+        began_sec = machine_time()
         try:
             with guarded(error_if_asked), borrowed_stage() as ros:
                 for requirement in self.requirements:

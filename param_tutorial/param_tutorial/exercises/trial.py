@@ -8,7 +8,6 @@ import re
 import signal
 import tempfile
 import threading
-import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -47,8 +46,8 @@ TIME_LIMIT_SEC = 5.0
 _SHORT_TIME_LIMIT_SEC = 1.0
 # How long a reaction may take when nothing is on its way any more that could bring it.
 _SETTLED_SEC = 0.5
-# When a check as a whole should have come to its end. What comes close to it gets less and less time, though never
-# less than the short limit: a callback that sleeps is asked a dozen times.
+# When a check as a whole should have come to its end, in machine time. What comes close to it gets less and less,
+# though never less than the short limit: a callback that sleeps is asked a dozen times.
 _WHOLE_CHECK_SEC = 6.0
 # How often to look whether a limit is over: machine time is right only for those who look often.
 _RING_PERIOD_SEC = 0.1
@@ -134,14 +133,14 @@ class Trial:
                  began_sec: float | None = None):
         """
         :param has_waited_in_vain: In an earlier trial with this work.
-        :param began_sec: When the first trial with this work began, by the monotonic clock. By default now.
+        :param began_sec: When the first trial with this work began, in machine time. By default now.
         """
         self.ros = ros
         self.work = work
         self.names: list[str] = []
         """The names of the nodes that were made of the work."""
         self.has_waited_in_vain = has_waited_in_vain
-        self._began_sec = time.monotonic() if began_sec is None else began_sec
+        self._began_sec = machine_time() if began_sec is None else began_sec
         self._threads_before = threading.enumerate()
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
@@ -218,7 +217,7 @@ class Trial:
 
     def _limit_sec(self) -> float:
         """Return how long a constructor, function or answer may take now."""
-        left_sec = self._began_sec + _WHOLE_CHECK_SEC - time.monotonic()
+        left_sec = self._began_sec + _WHOLE_CHECK_SEC - machine_time()
         return min(TIME_LIMIT_SEC, max(_SHORT_TIME_LIMIT_SEC, round(left_sec, 1)))
 
     def ros2(self, *words: str) -> str:

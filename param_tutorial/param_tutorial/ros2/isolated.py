@@ -9,8 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from param_tutorial.errors import ParameterToolError
@@ -20,7 +19,9 @@ from param_tutorial.ros2.genuine import embedded_words
 from param_tutorial.ros2.run import find_program
 from param_tutorial.ros2.session import CommandFailed
 from param_tutorial.runtime import domain, stage
+from param_tutorial.runtime.waiting import machine_time, within
 
+# All of these in machine time.
 START_TIMEOUT_SEC = 20.0
 # A program doesn't say when its last node is there. Two looks of the same, so far apart, must do.
 _LOOK_PERIOD_SEC = 0.5
@@ -36,22 +37,22 @@ def describe_program(package: str, executable: str) -> Descriptions:
     """
     program = find_program(package, executable)
     root = embedded_words()[-1]
-    with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
+    with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder, tempfile.TemporaryFile('w+') as complaint:
         path = Path(folder, 'descriptions.yaml')
         child = subprocess.Popen([sys.executable, '-c', _PROGRAM, root, str(path), *program],
                                  env=domain.environment_without_domain(), stdin=subprocess.DEVNULL,
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                                 stdout=subprocess.DEVNULL, stderr=complaint)
         try:
-            _, complaint = child.communicate(timeout=2 * START_TIMEOUT_SEC)
-        except BaseException as error:  # also Ctrl+C: the child stops the program when it is asked to end
+            if not within(2 * START_TIMEOUT_SEC, _ends(child)):
+                raise CommandFailed(f'{package}/{executable} could not be described in time')
+        except BaseException:  # also Ctrl+C: the child stops the program when it is asked to end
             child.send_signal(signal.SIGINT)
-            child.communicate()
-            if not isinstance(error, subprocess.TimeoutExpired):
-                raise
-            raise CommandFailed(f'{package}/{executable} could not be described in time') from None
+            child.wait()
+            raise
         if child.returncode:
-            last = complaint.strip().splitlines()
-            raise CommandFailed(f'{package}/{executable} could not be described: {last[-1] if last else "no reason"}')
+            complaint.seek(0)
+            said = complaint.read().strip().splitlines()
+            raise CommandFailed(f'{package}/{executable} could not be described: {said[-1] if said else "no reason"}')
         return descriptions.read(path)
 
 
@@ -76,21 +77,20 @@ def _describe(program: Sequence[str]) -> Descriptions:
         except OSError as error:
             raise CommandFailed(f'it cannot be started: {error.strerror}') from None
         try:
-            deadline = time.monotonic() + START_TIMEOUT_SEC
+            deadline = machine_time() + START_TIMEOUT_SEC
             before: Descriptions | None = None
             while True:
                 found = descriptions.describe(defaults_from=AS_DECLARED, executor=ros)
                 if found and not found.unanswered and found == before:
                     return Descriptions(found.values())
                 before = found
-                if process.poll() is not None:
+                if within(_LOOK_PERIOD_SEC, _ends(process)):
                     output.seek(0)
                     said = output.read().strip().splitlines()
                     raise CommandFailed(f'it ended with exit status {process.returncode}'
                                         + (f': {said[-1]}' if said else ''))
-                if time.monotonic() > deadline:
+                if machine_time() > deadline:
                     raise CommandFailed(f'no node of it answered within {START_TIMEOUT_SEC:g} s')
-                time.sleep(_LOOK_PERIOD_SEC)
         finally:
             _stop(process)
 
@@ -100,9 +100,18 @@ def _stop(process: 'subprocess.Popen[bytes]') -> None:
     for how in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
         try:
             os.killpg(process.pid, how)
-            process.wait(_STOP_TIMEOUT_SEC)
         except ProcessLookupError:
             return
+        if within(_STOP_TIMEOUT_SEC, _ends(process)):
+            return
+
+
+def _ends(process: 'subprocess.Popen[bytes]') -> Callable[[float], bool]:
+    """Return a function that waits for a process to end."""
+    def wait(seconds: float) -> bool:
+        try:
+            process.wait(seconds)
         except subprocess.TimeoutExpired:
-            continue
-        return
+            return False
+        return True
+    return wait
