@@ -68,6 +68,8 @@ def planner(opened):
     expect(page.box('rate_hz')).to_have_value('10')
     yield lab, page
     assert page.strange_errors() == []
+    # An exception in a thread of the kernel is printed there.
+    assert page.page.locator('[data-mime-type="application/vnd.jupyter.stderr"]').all_inner_texts() == []
 
 
 def value(lab, name):

@@ -4,6 +4,7 @@ import pytest
 from rclpy.node import Node
 
 from param_tutorial import ParameterBrowser, ParameterPanel
+from param_tutorial.parameters.catalog import CatalogNode
 from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.runtime.waiting import wait_until
 from tests.support.nodes import Arm, Gate
@@ -146,3 +147,16 @@ def test_it_outlives_the_executor(ros, shown):
     param_tutorial.start().add(Fan)
     wait_until(lambda: says(shown) == {'/fan': '4 parameters'}, 'it to come back')
     param_tutorial.start().remove_all()
+
+
+def test_what_a_search_finds_goes_with_the_nodes_that_it_looked_at(ros, shown):
+    """Nodes come anew while a list of them is drawn."""
+    catalog = shown._catalog
+    before = catalog.nodes
+    ros.add(Fan)
+    wait_until(lambda: catalog.nodes['/fan'].incarnations != before['/fan'].incarnations, 'the new fan')
+    wait_until(lambda: catalog.nodes['/fan'].is_read, 'it to be read')
+    assert catalog.find('breeze', before) == {'/fan': ['maker']}
+    assert before['/fan'].values['maker'] == 'Breeze & Sons'
+    unread = {'/fan': CatalogNode('/fan', frozenset())}
+    assert catalog.find('breeze', unread) == {}

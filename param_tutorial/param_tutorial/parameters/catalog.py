@@ -6,8 +6,8 @@ in a few threads, so that a node that hangs keeps no other one waiting.
 
 import concurrent.futures
 import threading
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
@@ -60,18 +60,19 @@ class Catalog:
 
     @property
     def nodes(self) -> dict[str, CatalogNode]:
-        """The nodes that are there, by name, in the order of the alphabet."""
+        """The nodes that are there, by name, in the order of the alphabet, each as it is known now."""
         with self._lock:
-            return dict(sorted(self._nodes.items()))
+            return {name: replace(node) for name, node in sorted(self._nodes.items())}
 
-    def find(self, text: str) -> dict[str, list[str]]:
+    def find(self, text: str, nodes: Mapping[str, CatalogNode] | None = None) -> dict[str, list[str]]:
         """Find parameters in whose node, name, description or value all words of a text stand.
 
+        :param nodes: Where to look, if not in all that are there now: what goes with the answer is read from the same.
         :return: The parameters' names by node. A node that is found by its own name is there in any case.
         """
         words = text.lower().split()
         found: dict[str, list[str]] = {}
-        for name, node in self.nodes.items():
+        for name, node in (self.nodes if nodes is None else nodes).items():
             hits = [each for each, descriptor in node.descriptors.items()
                     if _has_all(words, f'{name} {each} {descriptor.description} '
                                        f'{format_value(descriptor, node.values.get(each))}')]
@@ -124,18 +125,20 @@ class Catalog:
         try:
             descriptors, present = client.describe_and_get()
         except ParameterToolError as error:
-            node.problem = describe_error(error)
+            with self._lock:
+                node.problem, node.is_read = describe_error(error), True
             if isinstance(error, NoAnswerError):
                 self._ask_again_later(node)
         else:
             with self._lock:
-                node.descriptors, node.values, node.problem = dict(descriptors), dict(present), ''
-        node.is_read = True
+                node.descriptors, node.values = dict(descriptors), dict(present)
+                node.problem, node.is_read = '', True
         if not self._closed:
             self._on_change()
 
     def _on_event(self, event: ParameterEvent) -> None:
-        node = self.nodes.get(event.node)
+        with self._lock:
+            node = self._nodes.get(event.node)
         if node is None:
             return
         if event.new_parameters or event.deleted_parameters:

@@ -580,8 +580,9 @@ class ParameterBrowser(FollowingView):
         self._catalog = None
 
     def _show(self) -> None:
-        nodes = self._catalog.nodes if self._catalog else {}
-        found = self.find(self._search) if self._search.strip() else dict.fromkeys(nodes, ())
+        catalog = self._catalog
+        nodes = catalog.nodes if catalog else {}
+        found = catalog.find(self._search, nodes) if catalog and self._search.strip() else dict.fromkeys(nodes, ())
         lines = {}
         for name, node in nodes.items():
             if name in found or name in self._panels:
@@ -593,7 +594,7 @@ class ParameterBrowser(FollowingView):
         # that was stopped for longer than DDS waits answers again, but ROS lists it no more.
         lines |= {name: {'name': name, 'is_open': True, 'is_bad': True, 'says': 'not in the graph', 'hits': []}
                   for name in self._panels if name not in nodes}
-        status = 'no executor is running' if self._catalog is None else format_count(len(nodes), 'node')
+        status = 'no executor is running' if catalog is None else format_count(len(nodes), 'node')
         if self._search.strip():
             count = sum(map(len, found.values()))
             status += f', {format_count(count, "parameter")} found in {len(found)}'
@@ -608,10 +609,12 @@ class ParameterBrowser(FollowingView):
 
     def snapshot(self) -> dict[str, Any]:
         """Return the nodes that are there as a list to read: without a kernel nothing can be opened or found."""
-        nodes = list(self._catalog.nodes.values()) if self._catalog else []
-        wait_until(lambda: all(node.is_read or node.problem for node in nodes), 'the answers of the nodes')
+        def nodes() -> Iterable[CatalogNode]:
+            return self._catalog.nodes.values() if self._catalog else ()
+
+        wait_until(lambda: all(node.is_read or node.problem for node in nodes()), 'the answers of the nodes')
         lines = ''.join(f'<li class="node-line"><code>{html.escape(node.name)}</code>'
-                        f'<span class="node-says">{html.escape(_says(node))}</span></li>' for node in nodes)
+                        f'<span class="node-says">{html.escape(_says(node))}</span></li>' for node in nodes())
         return {'kind': 'still', 'text': repr(self), 'html':
                 f'{style("widgets/browser.css")}<div class="param-browser"><ul class="node-list">{lines}</ul></div>'}
 
