@@ -76,10 +76,8 @@ def test_what_fits_is_printed_and_nothing_added(capsys):
     assert capsys.readouterr().out == 'one line\n'
 
 
-@pytest.mark.slow
-def test_a_flood_in_the_executors_thread_is_cut_and_told_of(ros, capsys):
-    ros.run(lambda: [print('flood', number) for number in range(5000)], 'print')
-    print('from the cell')
+def printed_until_told(capsys):
+    """Return all that was printed until the word that lines were left out."""
     text = ''
 
     def told():
@@ -88,6 +86,14 @@ def test_a_flood_in_the_executors_thread_is_cut_and_told_of(ros, capsys):
         return 'more lines from callbacks' in text
 
     param_tutorial.wait_until(told, 'the word', timeout_sec=30)
+    return text
+
+
+@pytest.mark.slow
+def test_a_flood_in_the_executors_thread_is_cut_and_told_of(ros, capsys):
+    ros.run(lambda: [print('flood', number) for number in range(5000)], 'print')
+    print('from the cell')
+    text = printed_until_told(capsys)
     # What other callbacks printed in the same second counts as well.
     shown = text.count('flood')
     assert 0 < shown <= streams.STAGE_LINES
@@ -103,14 +109,7 @@ def test_what_the_executor_says_is_not_left_out_after_a_flood(ros, capsys):
 
     node = ros.add(Node, 'flooding')
     timer = node.create_timer(0.001, lambda: (timer.cancel(), flood_and_fail()))
-    text = ''
-
-    def told():
-        nonlocal text
-        text += ''.join(capsys.readouterr())
-        return 'more lines from callbacks' in text
-
-    param_tutorial.wait_until(told, 'the word', timeout_sec=30)
+    text = printed_until_told(capsys)
     assert 'ZeroDivisionError: said after the flood' in text
 
 

@@ -4,9 +4,8 @@
 
 Each run is `make test-all` in a fresh clone of what is committed, in a control group that may use half a core, beside
 processes that never rest. Those are in a group of their own, with little weight, or they would leave less than half a
-core to the suite.
-What a run printed is kept in build/starved/. Other arguments go to pytest. It takes Linux, root's rights, and on two
-cores some 45 minutes for three at once. The exit status is 1 if any run was red.
+core to the suite. What a run printed is kept in build/starved/. Other arguments go to pytest. It takes Linux, root's
+rights, and on two cores some 45 minutes for three at once. The exit status is 1 if any run was red.
 """
 
 import argparse
