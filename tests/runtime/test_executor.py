@@ -23,7 +23,6 @@ import param_tutorial
 from param_tutorial import ParameterClient
 from param_tutorial.errors import ExecutorError, WaitTimeoutError
 from param_tutorial.runtime import domain, executor, rclpy_private, stage
-from tests.support.kernels import DEADLINE_SEC
 
 
 class Speed(Node):
@@ -38,7 +37,7 @@ def run_python(source, **options):
     """Run a script in its own process and ROS domain: in this domain, killed nodes may linger."""
     environment = domain.environment_without_domain()
     return subprocess.run([sys.executable, '-c', textwrap.dedent(source)], capture_output=True, text=True,
-                          timeout=DEADLINE_SEC, check=False, **{'env': environment, **options})
+                          check=False, **{'env': environment, **options})
 
 
 def test_a_second_node_of_the_same_class_replaces_the_first(ros):

@@ -156,7 +156,7 @@ def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
     started = psutil.Process(process.pid).children(recursive=True)
     assert started
     kernel.client.execute("ParameterClient('/ends').set_parameter('x', 2)")
-    assert process.wait(DEADLINE_SEC) == 7
+    assert process.wait() == 7
     wait_until(lambda: not any(each.is_running() and each.status() != psutil.STATUS_ZOMBIE for each in started),
                'what the kernel started to end')
     # Another kernel may take the domain at once, and finds no node in it.
@@ -274,7 +274,7 @@ class Page:
     def _ask(self, kind, content):
         request = self._client.session.msg(kind, content)
         self._client.control_channel.send(request)
-        reply = self._client.control_channel.get_msg(timeout=DEADLINE_SEC)
+        reply = self._client.control_channel.get_msg()
         assert reply['parent_header']['msg_id'] == request['header']['msg_id']
         return reply['content']
 

@@ -8,7 +8,7 @@ import functools
 import queue
 import tempfile
 import uuid
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from jupyter_client.blocking import BlockingKernelClient
@@ -16,9 +16,9 @@ from jupyter_client.manager import KernelManager as KernelManagerOnPorts
 from traitlets import default
 
 from param_tutorial.runtime import domain
-from param_tutorial.runtime.waiting import machine_time
+from param_tutorial.runtime.waiting import machine_time, wait_until
 
-# Less than a test may take.
+# In machine time, and less than a test may take.
 DEADLINE_SEC = 170
 _LOOK_PERIOD_SEC = 0.5
 
@@ -77,6 +77,8 @@ class Kernel:
         self.client = self.manager.client()
         self.client.start_channels()
         self.client.wait_for_ready()
+        # What was printed for a cell that had ended; a page shows it below that cell.
+        self.late = ''
 
     def run(self, code: str, *, cell: str = '', interrupt_on: str = '',
             answer: Callable[[], str] | None = None) -> str:
@@ -85,12 +87,13 @@ class Kernel:
         :param cell: Which one it is, as front ends say with each run, so that what it showed before goes.
         :param interrupt_on: Press "interrupt" when this text has been printed.
         :param answer: Called when the cell asks with input(); returns what to type.
+        :raises WaitTimeoutError: the cell has not ended after DEADLINE_SEC.
         """
         text: list[str] = []
         waiting = bool(interrupt_on)
-
-        def collect(message: dict[str, Any]) -> None:
-            nonlocal waiting
+        self.client.session.metadata = {'cellId': cell} if cell else {}
+        request = self.client.execute(code, allow_stdin=answer is not None)
+        for message in self._messages(request):
             content = message['content']
             if message['msg_type'] == 'stream':
                 text.append(content['text'])
@@ -101,24 +104,39 @@ class Kernel:
                 text.append(content['data']['text/plain'])
             elif message['msg_type'] == 'error':
                 text.append(f'{content["ename"]}: {content["evalue"]}')
-
-        def type_in(_message: dict[str, Any]) -> None:
-            assert answer is not None
-            self.client.input(answer())
-
-        self.client.session.metadata = {'cellId': cell} if cell else {}
-        self.client.execute_interactive(code, timeout=DEADLINE_SEC, output_hook=collect,
-                                        allow_stdin=answer is not None, stdin_hook=type_in)
+            elif message['msg_type'] == 'input_request':
+                assert answer is not None
+                self.client.input(answer())
         return ''.join(text)
+
+    def _messages(self, request: str) -> Iterator[dict[str, Any]]:
+        """Yield what comes of a request until it is done with.
+
+        In place of ``execute_interactive``, whose limit is in seconds of the clock.
+        """
+        channels = (self.client.stdin_channel, self.client.iopub_channel)
+        deadline = machine_time() + DEADLINE_SEC
+        while True:
+            ready = wait_until(lambda: [channel for channel in channels if channel.msg_ready()], 'the cell to end',
+                               deadline - machine_time())
+            message = ready[0].get_msg(timeout=0)
+            if message['parent_header'].get('msg_id') != request:
+                self.late += message['content']['text'] if message['msg_type'] == 'stream' else ''
+                continue
+            if message['content'].get('execution_state') == 'idle':
+                break
+            yield message
+        while self.client.get_shell_msg(timeout=DEADLINE_SEC)['parent_header'].get('msg_id') != request:
+            pass
 
     def end(self) -> int:
         """Shut the kernel down as JupyterLab does, and return its exit status."""
         process = self.manager.provisioner.process
         self.client.shutdown()
-        status = process.wait(DEADLINE_SEC)
+        wait_until(lambda: process.poll() is not None, 'the kernel to end', DEADLINE_SEC)
         self.client.stop_channels()
         self.manager.cleanup_resources()
-        return status
+        return process.returncode
 
     def kill(self) -> None:
         """Kill the kernel, whatever it is doing."""

@@ -507,7 +507,7 @@ def main() -> int:
                     lambda: step_response(1 if quick else 5), lambda: whole_system(1 if quick else 5),
                     lambda: many_parameters(1 if quick else 5),
                     lambda: lesson_in_browser(1 if quick else 5, 5.0 if quick else 20.0),
-                    large_panels, robot_in_browser, lambda: cells_again(*((2, 2) if quick else (100, 60)))):
+                    large_panels, robot_in_browser, lambda: cells_again(*((2, 2) if quick else (200, 100)))):
         for row in measure():
             rows.append(row)
             verdict = {True: 'met', False: 'NOT MET', None: ''}[row.met]

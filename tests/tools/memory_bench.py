@@ -16,7 +16,7 @@ def measure(chapter: str, warm_up: int, runs: int) -> float:
     IPython forgets after each run what was typed, shown and returned: by itself it keeps all of it for good.
 
     :param chapter: How the name of its file begins.
-    :param warm_up: Runs before the first look: the memory of its many threads takes a hundred to find its size.
+    :param warm_up: Runs before the first look: the memory of its many threads takes 150 to find its size.
     :raises ValueError: there is no such chapter, or more than one.
     """
     paths = list(NOTEBOOKS.glob(f'{chapter}*.ipynb'))
@@ -42,7 +42,7 @@ def main() -> None:
     """Measure as the arguments say."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('chapter', help='how the name of its file begins: 06_1')
-    parser.add_argument('--warm-up', type=int, default=100, metavar='N', help='runs before (default: %(default)s)')
+    parser.add_argument('--warm-up', type=int, default=200, metavar='N', help='runs before (default: %(default)s)')
     parser.add_argument('--runs', type=int, default=100, metavar='N', help='default: %(default)s')
     chosen = parser.parse_args()
     print(f'{measure(chosen.chapter, chosen.warm_up, chosen.runs):.0f} KiB a run')
