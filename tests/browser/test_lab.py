@@ -12,7 +12,7 @@ from playwright.sync_api import expect
 
 from tests.support import lab as lab_module
 from tests.support import lesson
-from tests.support.lab import ROOT, TIMEOUT_SEC, Lab, LabPage, chromium
+from tests.support.lab import ROOT, Lab, LabPage, chromium
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -72,7 +72,7 @@ def open_chapter(open_notebook, tmp_path):
 def terminal(lab, *words):
     """Run a command as in a second terminal, in the kernel's ROS domain, and return what it printed."""
     done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words], env=lab.ros_environment(), cwd=ROOT,
-                          capture_output=True, text=True, timeout=TIMEOUT_SEC)
+                          capture_output=True, text=True)
     assert done.returncode == 0, f'{words}: {done.stdout}{done.stderr}'
     return done.stdout.strip()
 

@@ -15,6 +15,7 @@ from playwright.sync_api import expect
 
 from param_tutorial.runtime import domain
 from tests.support.lab import wait_for
+from tests.support.processes import wait_or_kill
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -52,10 +53,7 @@ def arm(environment):
         yield process
         # Asked politely, it takes leave: killed, it would stand in the graph of this worker's next tests for 8 s.
         process.terminate()
-        try:
-            process.wait(20)
-        except subprocess.TimeoutExpired:  # once, of some hundred times, rclpy's own spin has not heard of it
-            process.kill()
+        wait_or_kill(process)  # once, of some hundred times, rclpy's own spin has not heard of it
 
 
 @pytest.fixture
@@ -111,8 +109,8 @@ def test_the_page_shows_and_changes_a_node_and_ends_with_its_kernel(browser, arm
     ports = [each.laddr for one in family for each in one.net_connections('inet') if each.status == psutil.CONN_LISTEN]
     assert {ip for ip, _ in ports} == {'127.0.0.1'}
     process.send_signal(signal.SIGINT)
-    assert process.wait(60) == 0
-    assert psutil.wait_procs(family, timeout=20)[1] == []
+    assert process.wait() == 0
+    wait_for(lambda: not any(each.is_running() for each in family), 'its kernel to end')
     assert process.stdout.read() == 'Only programs on this machine can reach it. Ctrl+C ends it.\n'
     assert list(tmp_path.glob('param_tutorial_panel_*')) == []
     page.close()
@@ -151,11 +149,11 @@ def test_the_page_rejects_requests_without_the_token(page_process):
     # The command line is in the list of processes, which everybody can read.
     assert address.partition('token=')[2] not in ' '.join(psutil.Process(process.pid).cmdline())
     process.send_signal(signal.SIGTERM)
-    assert process.wait(60) == 0
+    assert process.wait() == 0
 
 
 def test_a_name_that_no_node_can_have_starts_nothing(environment):
     done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'panel', '/no good'], env=environment,
-                          capture_output=True, text=True, timeout=60)
+                          capture_output=True, text=True)
     assert done.returncode == 1
     assert '/no good' in done.stderr and 'Traceback' not in done.stderr

@@ -137,7 +137,7 @@ def test_binder_starts_with_the_learners_copies(tmp_path):
     done = subprocess.run(
         [tmp_path / 'environment' / 'binder.sh', 'start', 'sh', '-c', 'echo $JUPYTER_CONFIG_PATH; ls my_lessons'],
         cwd=tmp_path, env={**os.environ, 'PATH': f'{Path(sys.executable).parent}{os.pathsep}{os.environ["PATH"]}'},
-        capture_output=True, text=True, timeout=120, check=True)
+        capture_output=True, text=True, check=True)
     settings, *copies = done.stdout.split()
     assert (Path(settings) / 'labconfig' / 'page_config.json').is_file()
     assert {'index.md', '01_what_are_parameters.ipynb'} <= set(copies)

@@ -21,6 +21,7 @@ import websocket
 
 from tests.support.lab import TIMEOUT_SEC, wait_for
 from tests.support.paths import ROOT
+from tests.support.processes import wait_or_kill
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(500)]
 
@@ -90,11 +91,7 @@ def hub(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     finally:
         process.terminate()
         print(log.read_text())  # which pytest shows when a test fails
-        try:
-            process.wait(60)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
+        wait_or_kill(process, 60)
 
 
 class Learner:

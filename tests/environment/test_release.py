@@ -70,7 +70,7 @@ def elsewhere(tmp_path: Path) -> Iterator[dict[str, str]]:
 
 
 def test_client_and_panel_work_without_the_checkout(python, elsewhere, tmp_path):
-    done = subprocess.run([python, '-c', USE], cwd=tmp_path, env=elsewhere, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([python, '-c', USE], cwd=tmp_path, env=elsewhere, capture_output=True, text=True)
     *file, value = done.stdout.split(' ')
     assert int(value) == 130, done.stderr
     assert Path(' '.join(file)).is_relative_to(python.parents[1])
@@ -80,10 +80,10 @@ def test_a_parameter_file_of_the_course_and_its_ros_package_are_found(python, el
     done = subprocess.run(
         [python, '-c', 'from pathlib import Path; import param_tutorial\n'
                        'print((Path(param_tutorial.__file__).parents[2] / "config" / "cart_config.yaml").exists())'],
-        cwd=tmp_path, env=elsewhere, capture_output=True, text=True, timeout=120)
+        cwd=tmp_path, env=elsewhere, capture_output=True, text=True)
     assert done.stdout == 'True\n', done.stderr
     done = subprocess.run([python, '-m', 'param_tutorial', 'launch', 'param_tutorial', 'simple_param_launch.py', '-s'],
-                          cwd=tmp_path, env=elsewhere, capture_output=True, text=True, timeout=120)
+                          cwd=tmp_path, env=elsewhere, capture_output=True, text=True)
     assert 'Arguments' in done.stdout, done.stderr
 
 
@@ -102,7 +102,7 @@ def test_lab_copies_the_chapters_into_the_current_folder_and_opens_them(python, 
         assert runtime.is_dir()
     finally:
         process.send_signal(signal.SIGTERM)
-        process.wait(60)
+        process.wait()
 
 
 def names_in(contents):

@@ -38,7 +38,7 @@ def test_what_hangs_is_named_and_ended_and_the_others_run(tmp_path):
     (tmp_path / 'test_hanging.py').write_text(HANGING)
     done = subprocess.run(
         [sys.executable, '-m', 'pytest', '-p', 'tests.support.time_limit', '-p', 'no:randomly', '--timeout', '3',
-         '-n', '1', '--dist', 'loadscope', str(tmp_path)], cwd=ROOT, capture_output=True, text=True, timeout=150)
+         '-n', '1', '--dist', 'loadscope', str(tmp_path)], cwd=ROOT, capture_output=True, text=True)
     assert '3 failed, 3 passed' in done.stdout
     assert 'ValueError: seen all the same' in done.stdout
     for name in ('test_that_hangs', 'test_that_fails_and_hangs_in_its_teardown'):
@@ -56,6 +56,6 @@ def test_what_hangs_is_named_and_ended_and_the_others_run(tmp_path):
 def test_tests_run_where_stdin_is_closed(workers):
     tests = 'tests/notebook/test_magics.py'  # they import IPython, which looks at stdin
     done = subprocess.run(['sh', '-c', 'exec "$@" <&-', 'sh', sys.executable, '-m', 'pytest', '-n', workers, '-k',
-                           'an_answer_goes', tests], cwd=ROOT, capture_output=True, text=True, timeout=150)
+                           'an_answer_goes', tests], cwd=ROOT, capture_output=True, text=True)
     assert re.search(r'[1-9]\d* passed', done.stdout), done.stdout + done.stderr
     assert done.returncode == 0

@@ -28,7 +28,6 @@ from tests.support.lab import wait_for
 from tests.support.paths import NOTEBOOKS, ROOT
 
 FIRST, SECOND, SOLUTION = '01_first.ipynb', '05_1_second.ipynb', 'solutions/01_first.ipynb'
-DEADLINE_SEC = 60
 
 
 def write_chapter(path: Path, *sources: str) -> None:
@@ -139,7 +138,7 @@ def test_make_clean_leaves_it_alone(course, copies):
     (course / 'Makefile').write_text((ROOT / 'Makefile').read_text())
     (course / 'build').mkdir()
     before = files(copies.folder)
-    subprocess.run(['make', 'clean'], cwd=course, check=True, capture_output=True, timeout=DEADLINE_SEC)
+    subprocess.run(['make', 'clean'], cwd=course, check=True, capture_output=True)
     assert not (course / 'build').exists()
     assert files(copies.folder) == before
 
@@ -329,7 +328,7 @@ def test_the_number_of_several_chapters_is_an_error_that_names_them(course, caps
 
 def test_make_reset_says_which_chapter_it_wants():
     done = subprocess.run(['make', '--no-print-directory', '-o', 'setup', 'reset'], cwd=ROOT, capture_output=True,
-                          text=True, timeout=DEADLINE_SEC)
+                          text=True)
     assert done.returncode != 0
     assert done.stderr.splitlines()[0] == 'Which one? make reset CHAPTER=08'
 
@@ -399,7 +398,7 @@ def test_a_delivery_that_is_killed_anywhere_is_made_up_for_by_the_next(tmp_path)
         write_chapter(copies.chapters / FIRST, 'speed = 2', 'stop()')
         write_chapter(copies.chapters / SECOND, 'turn = 2')
         with start(course, f'{KILL}\nkill_at({killed_at})\ncopies.deliver()') as process:
-            process.communicate(timeout=DEADLINE_SEC)
+            process.communicate()
         copy = copies.folder / FIRST
         assert copy.read_bytes() == before or before in backups(copies)
         copies.deliver()
@@ -438,7 +437,7 @@ def test_of_two_deliveries_at_once_one_waits_for_the_other(copies):
         assert (copies.folder / FIRST).read_bytes() == before
     finally:
         os.close(folder)
-        said = [process.communicate(timeout=DEADLINE_SEC)[1] for process in processes]
+        said = [process.communicate()[1] for process in processes]
     assert said == ['', '']
     assert sources(copies.folder / FIRST) == ['# Title', 'speed = 99', NOTE + '~~~~python\nspeed = 2\n~~~~', 'stop()']
     assert backups(copies) == [before]

@@ -12,6 +12,7 @@ import psutil
 import pytest
 
 from param_tutorial.lessons import archive, build
+from param_tutorial.runtime.waiting import wait_until
 from tests.lessons.test_lessons import write
 
 
@@ -83,11 +84,10 @@ def test_no_process_outlives_a_build(tmp_path, number, when):
     below = psutil.Process(process.pid).children(recursive=True)
     # As from a terminal: its Ctrl+C goes to all processes of the group.
     (os.killpg if number == signal.SIGINT else os.kill)(process.pid, number)
-    said = process.communicate(timeout=60)[1]
+    said = process.communicate()[1]
     if number == signal.SIGINT:
         assert said == '\nStopped; the previous site is kept.\n' and process.returncode == 130
-    _, alive = psutil.wait_procs(below, timeout=30)
-    assert alive == []
+    wait_until(lambda: not any(each.is_running() for each in below), 'the processes that it had started to end', 30)
 
 
 def commands_below(pid):

@@ -248,5 +248,5 @@ def test_a_chapter_needs_no_network(network):
     chapter = NOTEBOOKS / '05_2_with_a_callback.ipynb'
     done = subprocess.run(
         network.robot.command(sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '--nbval', chapter),
-        cwd=ROOT, env=network.robot.environment(), capture_output=True, text=True, timeout=360)
+        cwd=ROOT, env=network.robot.environment(), capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -43,7 +43,7 @@ def press_ctrl_c_when():
 def test_without_help_a_child_ignores_it_too():
     with subprocess.Popen([sys.executable, '-c', 'import signal; print(signal.getsignal(signal.SIGINT).name)'],
                           stdout=subprocess.PIPE, text=True) as child:
-        assert child.communicate(timeout=60)[0] == 'SIG_IGN\n'
+        assert child.communicate()[0] == 'SIG_IGN\n'
 
 
 def test_a_terminals_command_ends_with_ctrl_c():
@@ -77,7 +77,7 @@ def test_what_is_handed_on_raises_nothing_here(ended):
         child.wait()
     with handed_to(child.pid):
         signal.raise_signal(signal.SIGINT)
-    assert child.wait(60) == -(signal.SIGKILL if ended else signal.SIGINT)
+    assert child.wait() == -(signal.SIGKILL if ended else signal.SIGINT)
 
 
 @pytest.mark.parametrize('context', [interruptible, lambda: handed_to(os.getpid())])

@@ -341,7 +341,7 @@ def test_the_line_for_a_terminal_makes_it_see_the_nodes(node, cell):
     line = magics.terminal_line()
     plain = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
     done = subprocess.run(['bash', '-O', 'expand_aliases', '-c', f'{line}\nros2 node list'], env=plain,
-                          capture_output=True, text=True, timeout=60)
+                          capture_output=True, text=True)
     assert (done.stdout, done.stderr) == ('/simple_param_node\n', '')
 
 

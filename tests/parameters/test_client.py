@@ -98,7 +98,7 @@ def remote_node(tmp_path):
     yield child
     child.send_signal(signal.SIGCONT)
     child.send_signal(signal.SIGINT)
-    child.communicate(timeout=30)
+    child.communicate()
 
 
 @pytest.mark.slow
@@ -359,7 +359,7 @@ def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
         except TimeoutError as error:
             print(error)
     ''')
-    output, _ = child.communicate(timeout=60)
+    output, _ = child.communicate()
     assert '/lab/everything did not answer set_parameters within 1 s' in output
     printed = []
 
@@ -442,7 +442,7 @@ def test_a_node_that_is_killed_in_mid_call(ros):
     param_tutorial.wait_until(lambda: ros.services.is_ready('/killed'), 'the node', timeout_sec=30)
     with pytest.raises((NoAnswerError, NodeGoneError), match='/killed'):
         ParameterClient('/killed', timeout_sec=20).set_parameter('x', 2)
-    child.communicate(timeout=30)
+    child.communicate()
     assert child.returncode == 7
     assert ros.services._pending == {}
 
@@ -476,7 +476,7 @@ def test_a_node_that_leaves_in_mid_call(ros, waiting):
         future = ros.services.call_async('/leaving', 'set_parameters', request, timeout_sec=60)
         param_tutorial.wait_until(future.done, 'the call to fail', timeout_sec=30)
         assert isinstance(future.exception(), NodeGoneError)
-    child.communicate(timeout=30)
+    child.communicate()
 
 
 def test_without_an_executor_the_word_is_start():

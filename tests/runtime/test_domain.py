@@ -25,7 +25,7 @@ def nothing_chosen():
 def choose(variable='ROS_AUTOMATIC_DISCOVERY_RANGE', **environment):
     """Let a new process choose, and return what it prints; raise if it fails."""
     return subprocess.run([sys.executable, '-c', CHOOSE.format(variable)], env={**nothing_chosen(), **environment},
-                          capture_output=True, text=True, timeout=60, check=False)
+                          capture_output=True, text=True, check=False)
 
 
 def test_it_stays_the_same_and_stands_in_the_environment():
@@ -42,7 +42,7 @@ def test_living_processes_have_different_domains():
         chosen = [int(child.stdout.readline()) for child in children]
     finally:
         for child in children:
-            child.communicate('\n', timeout=30)
+            child.communicate('\n')
     assert len({*chosen, domain.choose()}) == 7
     assert set(chosen) <= set(domain.DOMAIN_IDS)
 
@@ -55,7 +55,7 @@ def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memo
         child.stdout.readline()
         sockets = {socket.laddr.ip for socket in psutil.Process(child.pid).net_connections('udp')}
         maps = Path(f'/proc/{child.pid}/maps').read_text()
-        child.communicate('\n', timeout=30)
+        child.communicate('\n')
     assert sockets == {'127.0.0.1'}
     assert 'fastrtps' in maps  # its library
     assert '/dev/shm/fastrtps' not in maps
@@ -128,7 +128,7 @@ def test_what_the_user_has_set_for_a_robots_network_does_not_part_processes_here
               'ROS_SECURITY_ENABLE': 'true', 'ROS_SECURITY_STRATEGY': 'Enforce', 'ROS_LOCALHOST_ONLY': '1',
               'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'}
     done = subprocess.run([sys.executable, '-c', source], env={**nothing_chosen(), **others}, capture_output=True,
-                          text=True, timeout=120, check=False)
+                          text=True, check=False)
     assert done.stdout.split() == ['/here'], done.stderr
     # One warning, and from this module alone.
     assert done.stderr == ('RMW_IMPLEMENTATION is rmw_cyclonedds_cpp, which this Python does not have: continuing with '

@@ -21,6 +21,8 @@ from typing import Any
 
 from websocket import WebSocket, create_connection
 
+from tests.support.processes import wait_or_kill
+
 FIREFOX = next(filter(None, map(shutil.which, ('firefox-esr', 'firefox'))), None)
 TIMEOUT_SEC = 120.0
 # It asks no server on the internet, and shows no page of its own.
@@ -152,9 +154,5 @@ def firefox(folder: Path) -> Iterator[FirefoxPage]:
             yield FirefoxPage(connection)
     finally:
         process.terminate()
-        try:
-            process.wait(30)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
+        wait_or_kill(process)
         process.stderr.close()

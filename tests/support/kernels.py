@@ -11,12 +11,14 @@ import uuid
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+import zmq
 from jupyter_client.blocking import BlockingKernelClient
 from jupyter_client.manager import KernelManager as KernelManagerOnPorts
 from traitlets import default
 
+from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.runtime import domain
-from param_tutorial.runtime.waiting import machine_time, wait_until
+from param_tutorial.runtime.waiting import machine_time, wait_until, within
 
 # In machine time, and less than a test may take.
 DEADLINE_SEC = 170
@@ -115,13 +117,17 @@ class Kernel:
         In place of ``execute_interactive``, whose limit is in seconds of the clock.
         """
         channels = (self.client.stdin_channel, self.client.iopub_channel)
+        poller = zmq.Poller()
+        for channel in channels:
+            poller.register(channel.socket, zmq.POLLIN)
         deadline = machine_time() + DEADLINE_SEC
         while True:
-            ready = wait_until(lambda: [channel for channel in channels if channel.msg_ready()], 'the cell to end',
-                               deadline - machine_time())
-            message = ready[0].get_msg(timeout=0)
+            if not within(deadline - machine_time(), lambda seconds: bool(poller.poll(1000 * seconds))):
+                raise WaitTimeoutError(f'the cell has not ended after {DEADLINE_SEC} s')
+            message = next(channel for channel in channels if channel.msg_ready()).get_msg(timeout=0)
             if message['parent_header'].get('msg_id') != request:
-                self.late += message['content']['text'] if message['msg_type'] == 'stream' else ''
+                if message['msg_type'] == 'stream':
+                    self.late += message['content']['text']
                 continue
             if message['content'].get('execution_state') == 'idle':
                 break

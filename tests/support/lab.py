@@ -25,6 +25,7 @@ from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 from param_tutorial.runtime.waiting import wait_until
 from tests.support.paths import ROOT
+from tests.support.processes import wait_or_kill
 
 # The shell is the same browser without its window, and takes a quarter of the processor time.
 CHROMIUM = next(filter(None, map(shutil.which, ('chromium-headless-shell', 'chromium', 'chromium-browser',
@@ -116,11 +117,7 @@ class Lab:
     def __exit__(self, *_) -> None:
         # On SIGTERM the server ends its kernels too.
         self._process.terminate()
-        try:
-            self._process.wait(20)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        wait_or_kill(self._process)
         self._log.close()
 
     def _find_url(self) -> str | None:

@@ -18,6 +18,7 @@ from pathlib import Path
 from types import TracebackType
 
 from tests.support.paths import ROOT, ROS_PACKAGE
+from tests.support.processes import wait_or_kill
 
 _PYTHON = '''
 import ast, contextlib, json, sys
@@ -85,11 +86,7 @@ class Python:
     def end(self) -> None:
         """End it."""
         self.process.stdin.close()
-        try:
-            self.process.wait(30)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.process.wait()
+        wait_or_kill(self.process)
         self.process.stdout.close()
 
 
@@ -165,7 +162,7 @@ class Network:
         self.robot.end()
         if self._wire:
             self._wire.stdin.close()
-            self._wire.wait(30)
+            wait_or_kill(self._wire)
             self._wire.stdout.close()
         for name in (self.laptop.name, self.robot.name, self._cable):
             subprocess.run(['ip', 'netns', 'delete', name], capture_output=True)
