@@ -24,6 +24,7 @@ from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.run import signals_held
 from param_tutorial.runtime import domain, stage, surroundings
+from param_tutorial.runtime.processes import ends
 from param_tutorial.runtime.waiting import machine_time, within
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
@@ -141,16 +142,11 @@ class Terminal:
         self._wait_until_it_rests()
         if self._process.poll() is None:
             os.killpg(self._process.pid, signal.SIGINT)
-        if not within(timeout_sec, self._ends_within):
+        if not within(timeout_sec, ends(self._process)):
             os.killpg(self._process.pid, signal.SIGKILL)
             self._process.wait()  # nothing can ignore that, and a busy machine may take its time
         self._reader.join(timeout_sec)
         return self._process.returncode
-
-    def _ends_within(self, seconds: float) -> bool:
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(seconds)
-        return not self.is_running
 
     def _wait_until_it_rests(self, timeout_sec: float = 1.0) -> None:
         """Wait until none of the command's processes computes, or the time has passed.

@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from param_tutorial.errors import ParameterToolError
@@ -19,6 +19,7 @@ from param_tutorial.ros2.genuine import embedded_words
 from param_tutorial.ros2.run import find_program
 from param_tutorial.ros2.session import CommandFailed
 from param_tutorial.runtime import domain, stage
+from param_tutorial.runtime.processes import ends
 from param_tutorial.runtime.waiting import machine_time, within
 
 # All of these in machine time.
@@ -43,7 +44,7 @@ def describe_program(package: str, executable: str) -> Descriptions:
                                  env=domain.environment_without_domain(), stdin=subprocess.DEVNULL,
                                  stdout=subprocess.DEVNULL, stderr=complaint)
         try:
-            if not within(2 * START_TIMEOUT_SEC, _ends(child)):
+            if not within(2 * START_TIMEOUT_SEC, ends(child)):
                 raise CommandFailed(f'{package}/{executable} could not be described in time')
         except BaseException:  # also Ctrl+C: the child stops the program when it is asked to end
             child.send_signal(signal.SIGINT)
@@ -84,7 +85,7 @@ def _describe(program: Sequence[str]) -> Descriptions:
                 if found and not found.unanswered and found == before:
                     return Descriptions(found.values())
                 before = found
-                if within(_LOOK_PERIOD_SEC, _ends(process)):
+                if within(_LOOK_PERIOD_SEC, ends(process)):
                     output.seek(0)
                     said = output.read().strip().splitlines()
                     raise CommandFailed(f'it ended with exit status {process.returncode}'
@@ -102,16 +103,5 @@ def _stop(process: 'subprocess.Popen[bytes]') -> None:
             os.killpg(process.pid, how)
         except ProcessLookupError:
             return
-        if within(_STOP_TIMEOUT_SEC, _ends(process)):
+        if within(_STOP_TIMEOUT_SEC, ends(process)):
             return
-
-
-def _ends(process: 'subprocess.Popen[bytes]') -> Callable[[float], bool]:
-    """Return a function that waits for a process to end."""
-    def wait(seconds: float) -> bool:
-        try:
-            process.wait(seconds)
-        except subprocess.TimeoutExpired:
-            return False
-        return True
-    return wait
