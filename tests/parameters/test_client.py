@@ -419,9 +419,10 @@ def test_a_node_that_does_not_answer(ros, remote_node):
     remote_node.send_signal(signal.SIGSTOP)
     with pytest.raises(NoAnswerError, match=r'/remote did not answer list_parameters within 0\.3 s'):
         client.list_parameters()
-    future = ros.services.call_async('/remote', 'list_parameters', ListParameters.Request(), timeout_sec=0.1)
-    param_tutorial.wait_until(future.done, 'the call to expire')
-    assert isinstance(future.exception(), NoAnswerError)
+    answers = []
+    ros.services.call_async('/remote', 'list_parameters', ListParameters.Request(), answers.append, timeout_sec=0.1)
+    param_tutorial.wait_until(lambda: answers, 'the call to expire')
+    assert isinstance(answers[0].exception(), NoAnswerError)
     remote_node.send_signal(signal.SIGCONT)
     assert ParameterClient('/remote', timeout_sec=30).get_parameter('robot_name') == 'Clawbot'
     assert ros.services._pending == {}
@@ -473,9 +474,10 @@ def test_a_node_that_leaves_in_mid_call(ros, waiting):
             client.set_parameter('x', 2)
     else:
         request = SetParameters.Request(parameters=[Parameter('x', value=2).to_parameter_msg()])
-        future = ros.services.call_async('/leaving', 'set_parameters', request, timeout_sec=60)
-        param_tutorial.wait_until(future.done, 'the call to fail', timeout_sec=30)
-        assert isinstance(future.exception(), NodeGoneError)
+        answers = []
+        ros.services.call_async('/leaving', 'set_parameters', request, answers.append, timeout_sec=60)
+        param_tutorial.wait_until(lambda: answers, 'the call to fail', timeout_sec=30)
+        assert isinstance(answers[0].exception(), NodeGoneError)
     child.communicate()
 
 
@@ -560,14 +562,16 @@ def test_clients_are_forgotten_unless_they_wait_for_an_answer(ros):
 
     def ask_and_forget():
         """In the executor's thread, so that no answer can come in between."""
-        future = ros.services.call_async('/lab/everything', 'list_parameters', ListParameters.Request())
+        ros.services.call_async('/lab/everything', 'list_parameters', ListParameters.Request(), answers.append)
         ros.services.forget('/lab')
-        return future, [each.srv_name for each in ros.tool_node.clients]
+        return [each.srv_name for each in ros.tool_node.clients]
 
-    future, left = ros.run(ask_and_forget, 'ask')
+    answers = []
+    left = ros.run(ask_and_forget, 'ask')
     assert [name for name in left if name.startswith('/lab/')] == ['/lab/everything/list_parameters']
-    param_tutorial.wait_until(future.done, 'the answer')
-    assert 'count' in future.result().result.names
+    param_tutorial.wait_until(lambda: answers, 'the answer')
+    assert 'count' in answers[0].result().result.names
+    param_tutorial.wait_until(lambda: ros.services._pending == {}, 'the call to be forgotten')
     ros.run(lambda: ros.services.forget('/lab'), 'forget')
     assert not any(each.srv_name.startswith('/lab/') for each in ros.tool_node.clients)
     assert client.set_parameter('count', 6).successful

@@ -338,10 +338,9 @@ def test_answers_are_sent_through_an_attribute_of_the_service(ros, lamp):
 
     service.send_response = fail_once
     rclpy_private.watch_answers(service, errors.append)
-    future = ros.services.call_async('/lamp', 'get_parameters', GetParameters.Request(names=['watts']))
+    ros.services.call_async('/lamp', 'get_parameters', GetParameters.Request(names=['watts']), lambda _: None)
     wait_until(lambda: errors, 'the answer that fails')
     assert str(errors[0]) == 'on purpose'
-    future.cancel()
 
 
 def test_a_declaration_takes_its_override_from_the_nodes_own_dictionary(ros):

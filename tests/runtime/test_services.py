@@ -91,23 +91,35 @@ def test_a_callback_cannot_wait_for_a_service(ros):
 def test_a_call_without_waiting_completes_in_the_executors_thread(ros):
     ros.add(SimpleParamNode)
     ros.services.greet(ROBOT)
-    where = []
-    future = ros.services.call_async(ROBOT, 'list_parameters', ListParameters.Request())
-    future.add_done_callback(lambda _: where.append(ros.services.in_executor_thread()))
-    wait_until(lambda: where, 'the answer', 30.0)
-    assert 'max_speed_rpm' in future.result().result.names
+    answers = []
+    ros.services.call_async(ROBOT, 'list_parameters', ListParameters.Request(),
+                            lambda future: answers.append((future.result(), ros.services.in_executor_thread())))
+    wait_until(lambda: answers, 'the answer', 30.0)
+    (answer, is_in_executor_thread), = answers
+    assert is_in_executor_thread
+    assert 'max_speed_rpm' in answer.result.names
+    wait_until(lambda: ros.services._pending == {}, 'the call to be forgotten', 30.0)
+
+
+def test_a_call_is_forgotten_although_what_hears_its_answer_raises(ros):
+    ros.add(SimpleParamNode)
+    ros.services.greet(ROBOT)
+    ros.services.call_async(ROBOT, 'list_parameters', ListParameters.Request(), lambda _: 1 / 0)
+    wait_until(lambda: ros.failures, 'the error', 30.0)
+    assert isinstance(ros.failures[0].error, ZeroDivisionError)
     assert ros.services._pending == {}
 
 
 def test_a_call_without_waiting_fails_at_once_where_there_is_no_node_and_later_where_it_is_late(ros):
     with pytest.raises(NodeNotFoundError):
-        ros.services.call_async('/nobody', 'set_parameters', set_x(1))
+        ros.services.call_async('/nobody', 'set_parameters', set_x(1), pytest.fail)
     node = ros.add(Gate)
     ros.services.greet('/gate')
-    future = ros.services.call_async('/gate', 'set_parameters', set_x(1), timeout_sec=0.0)
+    answers = []
+    ros.services.call_async('/gate', 'set_parameters', set_x(1), answers.append, timeout_sec=0.0)
     assert node.entered.acquire(timeout=30)
     ros.services.expire()
-    assert isinstance(future.exception(), NoAnswerError)
+    assert isinstance(answers[0].exception(), NoAnswerError)
     node.open.release()
 
 

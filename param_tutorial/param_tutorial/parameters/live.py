@@ -186,13 +186,11 @@ class LiveParameters:
         try:
             executor = self._executor or stage.current()
             message = to_message(request.parameter.name, request.value, request.parameter.descriptor.type)
-            future = executor.services.call_async(
+            executor.services.call_async(
                 self.node, 'set_parameters', SetParameters.Request(parameters=[message]),
-                timeout_sec=self._timeout_sec)
+                functools.partial(self._on_answer, request), timeout_sec=self._timeout_sec)
         except Exception as error:  # whatever it is: it must become visible, and this may be any thread
             self._hand_over(self._state.send_failed, request, self._reason(error), machine_time())
-        else:
-            future.add_done_callback(functools.partial(self._on_answer, request))
 
     # -- what happens: the executor's thread, or the one that starts or stops it --------------------------
 

@@ -175,18 +175,22 @@ class Session:
         """
         answers: dict[str, Any] = {}
         finished = threading.Semaphore(0)
-        futures = {}
+
+        def take(node: str, answer: Any) -> None:
+            answers[node] = answer
+            finished.release()
+
         for node in nodes:
             try:
-                futures[node] = self.executor.services.call_async(
-                    node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)
-                futures[node].add_done_callback(lambda _: finished.release())
+                self.executor.services.call_async(
+                    node, service, request, lambda future, node=node: take(node, future.exception() or future.result()),
+                    timeout_sec=SERVICE_TIMEOUT_SEC)
             except ParameterToolError as error:
-                answers[node] = error
+                take(node, error)
         # Each call has a time limit of its own, so each finishes.
-        for _ in futures:
+        for _ in nodes:
             finished.acquire()
-        return answers | {node: future.exception() or future.result() for node, future in futures.items()}
+        return answers
 
 
 def without_services(node: str | NodeName) -> str:

@@ -196,18 +196,25 @@ class Services:
             self._greeted.pop(node, None)
             del self._outlived[node]
 
-    def call_async(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC) -> Future:
+    def call_async(self, node: str, service: str, request: Any, on_answer: Callable[[Future], object], *,
+                   timeout_sec: float = TIMEOUT_SEC) -> None:
         """Call a parameter service of a node that is known to be there, without waiting.
 
-        :return: Completes, in the executor's thread, with the answer or one of the errors of ``call``.
+        :param on_answer: Called in the executor's thread, with a future that holds the answer or one of the errors of
+            ``call``.
         :raises NodeNotFoundError: the node is not there now.
         """
         client = self._client(node, service)
         if not client.service_is_ready():
             raise NodeNotFoundError(node, self.node_names())
-        future = self._send(client, node, service, request, timeout_sec)
-        future.add_done_callback(lambda future: self._forget(future, client))
-        return future
+
+        def finish(future: Future) -> None:
+            try:
+                on_answer(future)  # first, as somebody waits for it
+            finally:
+                self._forget(future, client)
+
+        self._send(client, node, service, request, timeout_sec).add_done_callback(finish)
 
     def is_ready(self, node: str, service: str = 'set_parameters') -> bool:
         """True if the node is there, so that a call now would reach it."""
