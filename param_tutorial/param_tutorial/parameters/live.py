@@ -27,7 +27,7 @@ from param_tutorial.parameters.live_state import LATE_SEC, Change, LiveState, Pa
 from param_tutorial.runtime import stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.services import TIMEOUT_SEC, full_name
-from param_tutorial.runtime.waiting import machine_time, within
+from param_tutorial.runtime.waiting import machine_time
 from param_tutorial.runtime.worker import Worker
 
 # Thirty times a second is as often as anybody can see.
@@ -57,7 +57,7 @@ class LiveParameter(ParameterState):
 
     def give_way(self) -> None:
         """Leave the processor to the node for the moment that its answer takes if it lives in this process."""
-        self._live._wait_for_answer(self, _GIVE_WAY_SEC)
+        self._live._give_way(self)
 
     def reject(self, reason: str) -> None:
         """Reject what a hand entered, without asking the node."""
@@ -136,6 +136,7 @@ class LiveParameters:
         """
         deadline = machine_time() + timeout_sec
         self._require_other_thread()
+        self._wait_for_answers(deadline, timeout_sec)
         if self._is_reachable():
             self._hand_over(self._state.refresh)
         while not self._state.closed:
@@ -272,9 +273,10 @@ class LiveParameters:
 
     # -- waiting: the caller's thread -------------------------------------------------------------------
 
-    def _wait_for_answer(self, parameter: LiveParameter, timeout_sec: float) -> None:
+    def _give_way(self, parameter: LiveParameter) -> None:
         with self._lock:
-            within(timeout_sec, lambda seconds: self._ended.wait_for(lambda: not parameter.busy, seconds))
+            if parameter.busy:
+                self._ended.wait(_GIVE_WAY_SEC)
 
     def _wait_for_answers(self, deadline: float, timeout_sec: float) -> None:
         while True:
