@@ -176,17 +176,17 @@ class Session:
         answers: dict[str, Any] = {}
         finished = threading.Semaphore(0)
 
-        def take(node: str, answer: Any) -> None:
-            answers[node] = answer
+        def take(node: str, future: Any) -> None:
+            answers[node] = future.exception() or future.result()
             finished.release()
 
         for node in nodes:
             try:
-                self.executor.services.call_async(
-                    node, service, request, lambda future, node=node: take(node, future.exception() or future.result()),
-                    timeout_sec=SERVICE_TIMEOUT_SEC)
+                self.executor.services.call_async(node, service, request, functools.partial(take, node),
+                                                  timeout_sec=SERVICE_TIMEOUT_SEC)
             except ParameterToolError as error:
-                take(node, error)
+                answers[node] = error
+                finished.release()
         # Each call has a time limit of its own, so each finishes.
         for _ in nodes:
             finished.acquire()
