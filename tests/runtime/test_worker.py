@@ -119,6 +119,34 @@ def test_staying_starts_a_thread_where_there_is_none(make, never_by_itself):
     wait_for_calls(step, 1)
 
 
+class LateNews(threading.Condition):
+    """Lets something happen between the end of a wait and the waiter's return, where a busy machine leaves it room."""
+
+    def __init__(self):
+        super().__init__()
+        self.waits = 0
+        self.news = {}
+
+    def wait(self, timeout=None):
+        is_notified = super().wait(timeout)
+        self.waits += 1
+        self.news.pop(self.waits, lambda: None)()
+        return is_notified
+
+
+@pytest.mark.parametrize(('news', 'calls'), [(Worker.wake, 1), (Worker.stay, module._IDLE_LOOKS)])
+def test_what_happens_just_before_the_thread_would_end_is_looked_after(make, monkeypatch, news, calls):
+    monkeypatch.setattr(module, '_LOOK_PERIOD_SEC', 0.001)
+    step = Step()
+    worker = make(step)
+    worker._changed = LateNews()
+    worker._changed.news[module._IDLE_LOOKS + 1] = lambda: news(worker)
+    worker.wake()
+    wait_until(lambda: worker.is_idle, 'the thread to end', TIMEOUT_SEC)
+    assert worker._changed.news == {}
+    assert step.calls >= 1 + module._IDLE_LOOKS + calls
+
+
 def test_a_call_in_the_callers_thread_waits_its_turn_or_gives_up(make, never_by_itself):
     step = Step()
     step.gate.clear()

@@ -35,6 +35,8 @@ class Worker:
         self._changed = threading.Condition()
         self._woken = False
         self._ended = False
+        # How often the thread has looked since it was woken, or told to stay, and has found nothing.
+        self._idle_looks = 0
         self._thread: threading.Thread | None = None
         self._one_at_a_time = threading.Lock()
         _workers.add(self)
@@ -61,7 +63,10 @@ class Worker:
 
     def stay(self) -> None:
         """Make sure that the thread is there and looks after what is outstanding. Cheaper than waking it."""
-        if self._thread is None:
+        with self._changed:
+            self._idle_looks = 0
+            is_there = self._thread is not None
+        if not is_there:
             self.wake()
 
     def call_now(self, timeout_sec: float) -> bool:
@@ -94,17 +99,21 @@ class Worker:
                     self._thread = None
 
     def _work(self) -> None:
-        idle_looks, pause_sec = 0, _LOOK_PERIOD_SEC
+        pause_sec = _LOOK_PERIOD_SEC
         while True:
             with self._changed:
-                woken = self._woken or self._ended or self._changed.wait(pause_sec)
-                if self._ended or (not woken and idle_looks >= _IDLE_LOOKS):
+                if not (self._woken or self._ended):
+                    self._changed.wait(pause_sec)
+                # Not what wait() returned: on a busy machine much may have happened between the end of its time and here.
+                woken, self._woken = self._woken, False
+                if self._ended or (not woken and self._idle_looks >= _IDLE_LOOKS):
                     self._thread = None
                     return
-                self._woken = False
+                self._idle_looks = 0 if woken else self._idle_looks + 1
             with self._one_at_a_time:
                 again_sec = self._step()
-            idle_looks = 0 if woken or again_sec is not None else idle_looks + 1
+            if again_sec is not None:
+                self.stay()
             pause_sec = _LOOK_PERIOD_SEC if again_sec is None else min(again_sec, _LOOK_PERIOD_SEC)
             time.sleep(self._period_sec)
             pause_sec = max(0.0, pause_sec - self._period_sec)
