@@ -110,6 +110,7 @@ class NodeLog:
         deadline = machine_time() + timeout_sec
         with self._changed:
             while True:
+                is_late = machine_time() > deadline  # asked before the lines, which may come while this thread waits
                 # What was read of all nodes has been read of each; not the other way round.
                 unread = [(number, line) for number, line in self._since(
                     max(self._read.get(None, 0), self._read.get(node, 0)), node) if line.time_ns >= self._marked_ns]
@@ -118,10 +119,11 @@ class NodeLog:
                     if until in line.text:
                         self._read[node] = number
                         return '\n'.join(str(line) for _, line in unread[first:index + 1])
-                if not self._changed.wait(_LOOK_PERIOD_SEC) and machine_time() > deadline:
+                if is_late:
                     came = '\n'.join(str(line) for _, line in unread) or '(nothing)'
                     raise WaitTimeoutError(
                         f'timed out after {timeout_sec:g} s waiting for a log line with {until!r}; what came:\n{came}')
+                self._changed.wait(_LOOK_PERIOD_SEC)
 
     def _since(self, number: int, node: str | None) -> list[tuple[int, LogLine]]:
         """Return the lines after the numbered one, each with its number; the first ever received is 1."""

@@ -90,9 +90,11 @@ def wait_until(condition: Callable[[], T], what: str, timeout_sec: float = 5.0) 
     """
     deadline = machine_time() + timeout_sec
     pause_sec = 0.001
-    while not (value := condition()):
-        if machine_time() > deadline:
+    while True:
+        is_late = machine_time() > deadline  # asked first: the last look is after the deadline
+        if value := condition():
+            return value
+        if is_late:
             raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
         time.sleep(pause_sec)
         pause_sec = min(2 * pause_sec, 0.02)
-    return value

@@ -104,7 +104,7 @@ class Worker:
             with self._changed:
                 if not (self._woken or self._ended):
                     self._changed.wait(pause_sec)
-                # Not what wait() returned: on a busy machine much may have happened between the end of its time and here.
+                # Not what wait() returned: much may happen between the end of its time and this line.
                 woken, self._woken = self._woken, False
                 if self._ended or (not woken and self._idle_looks >= _IDLE_LOOKS):
                     self._thread = None
