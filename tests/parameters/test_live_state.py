@@ -256,6 +256,18 @@ def test_a_node_that_does_not_answer_is_asked_again_later(state):
     assert state.begin_reading(14.0).describe
 
 
+def test_what_was_said_of_a_lost_node_is_not_said_of_one_that_comes_and_is_silent_at_first(state, x):
+    state.graph_changed(frozenset(), is_ready=False)
+    state.send_failed(state.ask(x, 2, 10.0).send, NodeNotFoundError(NODE, []), 10.0)
+    assert state.graph_changed(AGAIN, is_ready=False).read
+    assert state.begin_reading(11.0).describe
+    state.reading_failed(NoAnswerError(NODE, 'list_parameters', 3.0), 14.0)
+    assert 'did not answer' in state.status
+    assert state.begin_reading(15.1).describe
+    state.described(['x'], {'x': descriptor('x')}, {'x': 1})
+    assert (state.status, x.message) == ('', '')
+
+
 def test_a_node_that_does_not_answer_to_a_change_is_silent_until_it_answers_anything(state, x):
     silent = NoAnswerError(NODE, 'set_parameters', 3.0)
     assert state.answer_failed(state.ask(x, 2, 10.0).send, silent, 13.0) == Todo(read=True, show=True, ended=True)

@@ -446,8 +446,9 @@ class LiveState(Generic[ParameterT]):
 
     def _fall_silent(self, error: Exception, ask_again_at: float) -> None:
         """Take note that the node is there and does not answer; everything is read when it does."""
+        if not self.status:  # a node that was lost and has no answer yet is another one
+            self._is_silent = True
         self.status = describe_error(error)
-        self._is_silent = True
         self._retry_at = ask_again_at
 
     def _lose(self, status: str) -> Todo:
