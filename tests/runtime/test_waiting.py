@@ -89,7 +89,6 @@ def test_a_condition_that_does_not_come_true_is_named():
         wait_until(lambda: False, 'the end', 0.1)
 
 
-@pytest.mark.slow
 def test_the_last_look_is_after_the_deadline(monkeypatch):
     """A look may take long, and what it looks for may come meanwhile."""
     now = [0.0]
@@ -102,6 +101,7 @@ def test_the_last_look_is_after_the_deadline(monkeypatch):
     assert waiting.wait_until(condition, 'nothing', timeout_sec=5.0)
 
 
+@pytest.mark.slow
 def test_a_signals_handler_may_ask_for_machine_time_while_the_thread_that_it_interrupts_does(monkeypatch):
     asked = []
     monkeypatch.setattr(waiting, '_LOOK_PERIOD_SEC', 0.0)  # each look reads a file, and so takes longer

@@ -136,6 +136,7 @@ class LiveParameters:
         """
         deadline = machine_time() + timeout_sec
         self._require_other_thread()
+        # Before everything is asked for: the reader would ask while the answers are still coming.
         self._wait_for_answers(deadline, timeout_sec)
         if self._is_reachable():
             self._hand_over(self._state.refresh)
