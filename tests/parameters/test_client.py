@@ -37,7 +37,7 @@ from param_tutorial.errors import (
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters import values
 from param_tutorial.runtime.services import DISCOVERY_TIMEOUT_SEC
-from tests.support.nodes import environment_to_stand_still_in
+from tests.support.processes import CAN_STAND_STILL, standing_still
 from tests.support.strategies import VALUES
 
 
@@ -73,16 +73,16 @@ def client(ros):
     return ParameterClient(ros.add(Everything))
 
 
-def process(source, *arguments, env=None):
+def process(source, *arguments):
     """Start a script in its own process, in this process's ROS domain."""
-    return subprocess.Popen([sys.executable, '-c', textwrap.dedent(source), *arguments], env=env,
+    return subprocess.Popen([sys.executable, '-c', textwrap.dedent(source), *arguments],
                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
 @pytest.fixture
-def remote_node(tmp_path):
+def remote_node():
     """Return a process with a SimpleParamNode called /remote, which prints a line once it spins."""
-    child = process('''
+    child = process(CAN_STAND_STILL + textwrap.dedent('''
         import rclpy
         from rclpy.executors import ExternalShutdownException
         from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -93,10 +93,9 @@ def remote_node(tmp_path):
             rclpy.spin(node)
         except (KeyboardInterrupt, ExternalShutdownException):
             pass
-    ''', env=environment_to_stand_still_in(tmp_path))
+    '''))
     assert child.stdout.readline() == 'ready\n'
     yield child
-    child.send_signal(signal.SIGCONT)
     child.send_signal(signal.SIGINT)
     child.communicate()
 
@@ -416,14 +415,13 @@ def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatc
 def test_a_node_that_does_not_answer(ros, remote_node):
     ParameterClient('/remote', timeout_sec=30).list_parameters()
     client = ParameterClient('/remote', timeout_sec=0.3)
-    remote_node.send_signal(signal.SIGSTOP)
-    with pytest.raises(NoAnswerError, match=r'/remote did not answer list_parameters within 0\.3 s'):
-        client.list_parameters()
-    answers = []
-    ros.services.call_async('/remote', 'list_parameters', ListParameters.Request(), answers.append, timeout_sec=0.1)
-    param_tutorial.wait_until(lambda: answers, 'the call to expire')
-    assert isinstance(answers[0].exception(), NoAnswerError)
-    remote_node.send_signal(signal.SIGCONT)
+    with standing_still(remote_node):
+        with pytest.raises(NoAnswerError, match=r'/remote did not answer list_parameters within 0\.3 s'):
+            client.list_parameters()
+        answers = []
+        ros.services.call_async('/remote', 'list_parameters', ListParameters.Request(), answers.append, timeout_sec=0.1)
+        param_tutorial.wait_until(lambda: answers, 'the call to expire')
+        assert isinstance(answers[0].exception(), NoAnswerError)
     assert ParameterClient('/remote', timeout_sec=30).get_parameter('robot_name') == 'Clawbot'
     assert ros.services._pending == {}
 

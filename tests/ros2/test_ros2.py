@@ -25,7 +25,7 @@ from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.ros2 import command, session
 from param_tutorial.ros2.run import node_programs, signals_held
 from param_tutorial.runtime import domain, executor, graph, stage
-from tests.support.nodes import environment_to_stand_still_in
+from tests.support.processes import CAN_STAND_STILL, standing_still
 
 EMBEDDED = [sys.executable, '-m', 'param_tutorial']
 
@@ -54,7 +54,6 @@ def start_process(ros):
         # A process that is asked to end says goodbye to the others. A killed one would count as present for a while.
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGINT)
-            os.killpg(process.pid, signal.SIGCONT)
         try:
             process.communicate(timeout=20)
         except subprocess.TimeoutExpired:
@@ -67,8 +66,8 @@ def start_process(ros):
 
 def program_of(name):
     """Return the command line of a program with one node. It prints a line when it is ready, and ends when asked."""
-    return sys.executable, '-c', f'''
-import signal, rclpy
+    return sys.executable, '-c', CAN_STAND_STILL + f'''
+import rclpy
 from rclpy.node import Node
 rclpy.init(signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
 node = Node({name!r})
@@ -249,20 +248,19 @@ def test_a_list_of_booleans_and_integers_is_one_of_integers(ros):
 
 
 @pytest.mark.slow
-def test_a_busy_node_is_given_up_after_a_while(ros, monkeypatch, start_process, tmp_path):
+def test_a_busy_node_is_given_up_after_a_while(ros, monkeypatch, start_process):
     monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
-    stopped = start_process(*program_of('sleeper'), stdout=subprocess.PIPE,
-                            env=environment_to_stand_still_in(tmp_path))
-    ready(stopped)
+    sleeper = start_process(*program_of('sleeper'), stdout=subprocess.PIPE)
+    ready(sleeper)
     for service in ('get_parameters', 'list_parameters'):
         wait_until(lambda: ros.services.is_ready('/sleeper', service), service, 30)  # noqa: B023
-    stopped.send_signal(signal.SIGSTOP)
-    stdout, stderr, status = run('param', 'get', '/sleeper', 'use_sim_time')
-    assert (stdout, status) == ('', 1)
-    assert '/sleeper did not answer get_parameters within 0.3 s' in stderr
-    stdout, stderr, status = run('param', 'list', '/sleeper')
-    assert (stdout, status) == ('', 0)
-    assert "Exception while calling service of node '/sleeper'" in stderr
+    with standing_still(sleeper):
+        stdout, stderr, status = run('param', 'get', '/sleeper', 'use_sim_time')
+        assert (stdout, status) == ('', 1)
+        assert '/sleeper did not answer get_parameters within 0.3 s' in stderr
+        stdout, stderr, status = run('param', 'list', '/sleeper')
+        assert (stdout, status) == ('', 0)
+        assert "Exception while calling service of node '/sleeper'" in stderr
 
 
 def test_a_callback_that_raises_is_reported(ros):

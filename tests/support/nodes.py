@@ -1,10 +1,7 @@
 """Nodes for tests of panels and clients."""
 
 import math
-import os
-import re
 import threading
-from pathlib import Path
 
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, SetParametersResult
 from rcl_interfaces.msg import ParameterDescriptor as Describe
@@ -12,26 +9,7 @@ from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.runtime import domain
-
 INT64_MAX = 2**63 - 1
-
-
-def environment_to_stand_still_in(folder: Path) -> dict[str, str]:
-    """Return the environment for a process that a test stops with SIGSTOP, to see what is said of one that is silent.
-
-    After the 8 s of our profile, DDS takes it for dead; on a starved machine, half a second of machine time is longer.
-    Let it go on and end by itself: for as long as it says here, it would also count as present after a SIGKILL.
-
-    :param folder: Takes the profile.
-    """
-    domain.choose()
-    ours = Path(os.environ['FASTRTPS_DEFAULT_PROFILES_FILE'])
-    profile = folder / ours.name
-    text, count = re.subn('(?<=<leaseDuration><sec>)[0-9]+', '300', ours.read_text())
-    assert count == 1
-    profile.write_text(text)
-    return {**os.environ, 'FASTRTPS_DEFAULT_PROFILES_FILE': str(profile)}
 
 
 class Arm(Node):

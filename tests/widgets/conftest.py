@@ -1,6 +1,5 @@
 """Fixtures of the tests of widgets."""
 
-import signal
 import subprocess
 import sys
 import textwrap
@@ -12,6 +11,7 @@ from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets.panel import ParameterPanel
 from param_tutorial.widgets.view import View
 from tests.support.nodes import Arm
+from tests.support.processes import CAN_STAND_STILL
 from tests.support.widgets import worker_threads
 
 
@@ -33,7 +33,7 @@ def arm(ros):
     return panel
 
 
-REMOTE = '''
+REMOTE = CAN_STAND_STILL + textwrap.dedent('''
     import signal, sys, threading, rclpy
     from rclpy.node import Node
     rclpy.init()
@@ -49,7 +49,7 @@ REMOTE = '''
     node.destroy_node()
     # A process that ends while the news of its node is under way can leave a ghost in the graph.
     signal.pause()
-'''
+''')
 
 
 @pytest.fixture
@@ -57,8 +57,8 @@ def remote(ros):
     """Return a function that starts a node in its own process; with 'asleep' it answers only after a line of input."""
     started = []
 
-    def start(*arguments, env=None):
-        process = subprocess.Popen([sys.executable, '-c', textwrap.dedent(REMOTE), *arguments], env=env,
+    def start(*arguments):
+        process = subprocess.Popen([sys.executable, '-c', REMOTE, *arguments],
                                    stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         started.append(process)
         assert process.stdout.readline() == 'ready\n'
@@ -66,7 +66,6 @@ def remote(ros):
 
     yield start
     for process in started:
-        process.send_signal(signal.SIGCONT)
         process.stdin.close()  # which ends the node
     # The next test may expect an empty stage.
     ros.remove_all()

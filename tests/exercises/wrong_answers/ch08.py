@@ -68,7 +68,7 @@ WRONG = {
         ([("            return SetParametersResult(successful=False, reason=f'{gap_m} m is too small a gap for "
            "{speed_mps} m/s')", "            raise ValueError('too fast')")], 5, 'ValueError: too fast'),
         ([('    def react(self, parameters):\n', '    def react(self, parameters):\n        import time\n'
-           '        time.sleep(20)\n')], 2, 'Does a callback wait'),
+           '        time.sleep(1000)\n')], 2, 'Does a callback wait'),
     ],
     '8b': [
         ([("at once.': 1", "at once.': 6")], 4, 'is not initialized'),
