@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -21,6 +22,15 @@ NODE = '''
 import param_tutorial
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 node = param_tutorial.start().add(SimpleParamNode)
+'''
+# Without this package, as a robot has it.
+PLAIN_NODE = '''
+import threading
+import rclpy
+rclpy.init()
+node = rclpy.create_node('simple_param_node')
+node.declare_parameter('max_speed_rpm', 100)
+threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
 '''
 PANEL = '''
 import param_tutorial
@@ -44,10 +54,10 @@ def network(tmp_path: Path) -> Iterator[Network]:
         yield network
 
 
-def start(network: Network) -> tuple[Python, Python]:
+def start(network: Network, node: str = NODE) -> tuple[Python, Python]:
     """Start a node on the robot and a panel on the laptop, in a domain and on a network that the user chose."""
     robot, laptop = network.robot.python(**CHOSEN), network.laptop.python(**CHOSEN)
-    robot.run(NODE)
+    robot.run(node)
     laptop.run(PANEL)
     wait_for(lambda: laptop.run('"max_speed_rpm" in panel._front.state["rows"]'), 'the panel to find the node')
     return robot, laptop
@@ -108,6 +118,19 @@ def test_a_change_that_gets_lost_for_a_moment_is_shown_as_the_node_has_it(networ
                                 ) == robot.run(OF_NODE) == laptop.run(ON_PANEL), 'panel and node to agree')
     enter(laptop, 160)
     wait_for(lambda: agree(robot, laptop, 160), 'the next change')
+
+
+def test_a_robot_without_this_package_is_found_again_after_the_cable_was_out_for_a_while(network):
+    """So long that a lesson with a shorter lease than the robot's 20 s forgot it, and was not forgotten by it."""
+    robot, laptop = start(network, PLAIN_NODE)
+    network.unplug()
+    time.sleep(12)
+    network.plug()
+    # A change of the first moment may have to wait longer than a panel does.
+    assert laptop.run('ParameterClient("/simple_param_node", timeout_sec=60).get_parameter("max_speed_rpm")') == 100
+    wait_for(lambda: agree(robot, laptop, 100), 'panel and node to agree')
+    enter(laptop, 120)
+    wait_for(lambda: agree(robot, laptop, 120), 'the change')
 
 
 def test_on_a_slow_and_lossy_link_a_panel_waits_visibly_and_nothing_is_lost(network):
