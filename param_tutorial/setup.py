@@ -9,6 +9,8 @@ from glob import glob
 from setuptools import find_packages, setup
 
 PACKAGE = 'param_tutorial'
+NODES = ('simple_param_node', 'param_setter_node', 'param_event_monitor', 'param_query_node', 'clawbot_node',
+         'pallet_lift_node', 'pid_controller_node', 'cart_node')
 
 setup(
     name=PACKAGE,
@@ -27,16 +29,8 @@ setup(
     description="The nodes, panel and tools of the course 'Mastering ROS 2 Parameters with Python'",
     license='Apache-2.0',
     entry_points={
-        'console_scripts': [
-            'simple_param_node = param_tutorial.nodes.simple_param_node:main',
-            'param_setter_node = param_tutorial.nodes.param_setter_node:main',
-            'param_event_monitor = param_tutorial.nodes.param_event_monitor:main',
-            'param_query_node = param_tutorial.nodes.param_query_node:main',
-            'clawbot_node = param_tutorial.nodes.clawbot_node:main',
-            'pallet_lift_node = param_tutorial.nodes.pallet_lift_node:main',
-            'pid_controller_node = param_tutorial.nodes.pid_controller_node:main',
-            'cart_node = param_tutorial.nodes.cart_node:main',
-        ],
+        # Not each node's own main(): a signal would find it unprepared until it spins.
+        'console_scripts': [f'{node} = {PACKAGE}.nodes.__main__:program' for node in NODES],
         'ros2cli.command': [
             'param_check = param_tutorial.ros2.extension:CheckCommand',
             'param_describe = param_tutorial.ros2.extension:DescribeCommand',

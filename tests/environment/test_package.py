@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from param_tutorial.ros2.run import node_programs
 from tests.support.paths import PACKAGE, ROOT, ROS_PACKAGE
 
 if sys.version_info >= (3, 11):
@@ -82,15 +83,13 @@ def test_names_versions_and_licences_agree(package_xml, setup_py):
     assert 'Apache License' in (ROOT / 'LICENSE').read_text()
 
 
-def test_each_entry_point_is_there(setup_py):
-    programs = setup_py['entry_points']['console_scripts']
-    assert len(programs) >= 2
-    for program in programs:
-        name, module, function = re.fullmatch(r'(\w+) = ([\w.]+):(\w+)', program).groups()
-        assert module.endswith(f'.{name}')
-        source = ROS_PACKAGE / Path(*module.split('.')).with_suffix('.py')
-        signature = rf'^def {function}\(args: list\[str\] \| None = None\) -> None:$'
-        assert re.search(signature, source.read_text(), re.MULTILINE), source
+def test_colcon_installs_the_programs_that_our_run_knows(setup_py):
+    nodes = {path.stem: path.read_text() for path in (PACKAGE / 'nodes').glob('[a-z]*.py')}
+    assert set(setup_py['entry_points']['console_scripts']) == {
+        f'{name} = param_tutorial.nodes.__main__:program' for name in node_programs()}
+    assert sorted(nodes) == node_programs()
+    for name, source in nodes.items():
+        assert re.search(r'^def main\(args: list\[str\] \| None = None\) -> None:$', source, re.MULTILINE), name
 
 
 def test_each_package_below_the_ros_package_is_installed(setup_py):

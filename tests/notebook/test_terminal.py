@@ -1,17 +1,16 @@
 """terminals: commands in processes of their own, and their end."""
 
-import shutil
+import os
 import signal
-import subprocess
 import sys
-import textwrap
 
 import psutil
 import pytest
 
 from param_tutorial import ParameterClient, Terminal, wait_until
 from param_tutorial.errors import WaitTimeoutError
-from param_tutorial.runtime import stage
+from param_tutorial.runtime import domain, stage
+from tests.support.kernels import Kernel
 
 pytestmark = pytest.mark.slow
 
@@ -96,19 +95,46 @@ def test_a_cell_that_starts_a_command_again_ends_the_first():
     assert (other.interrupt(), again.interrupt()) == (-signal.SIGINT, -signal.SIGINT)
 
 
-@pytest.mark.skipif(shutil.which('setpriv') is None, reason='the command of util-linux that arranges it is missing')
-@pytest.mark.parametrize('command', ['ros2 run param_tutorial simple_param_node',
-                                     'ros2 launch param_tutorial simple_param_launch.py'])
-def test_a_killed_kernel_leaves_no_process_behind(command):
-    with subprocess.Popen([sys.executable, '-c', textwrap.dedent(f'''
-            import psutil, time
-            from param_tutorial import Terminal
-            terminal = Terminal({command!r})
-            terminal.read(until='robot_serial_number', timeout_sec=60)
-            print(*(child.pid for child in psutil.Process().children(recursive=True)), flush=True)
-            time.sleep(600)
-            ''')], stdout=subprocess.PIPE, text=True) as kernel:
-        children = [psutil.Process(int(number)) for number in kernel.stdout.readline().split()]
-        assert children
+PREPARED = '%load_ext param_tutorial\nfrom param_tutorial import Shell, Terminal\nshell = Shell()'
+# What is typed into a cell; {ready} is the path of a file that is made once all is running.
+STARTED = "{terminal}.read(until='robot_serial_number', timeout_sec=60)\nopen('{ready}', 'w').close()"
+SLEEPS = 'sleep 1000 & touch {ready}; sleep 1000'
+
+
+@pytest.mark.parametrize('cell', [
+    STARTED.replace('{terminal}', "Terminal('ros2 run param_tutorial simple_param_node')"),
+    STARTED.replace('{terminal}', "Terminal('ros2 launch param_tutorial simple_param_launch.py')"),
+    f'%%shell shell\n{SLEEPS}', '%ros2 node list',
+], ids=['run', 'launch', 'shell', 'genuine'])
+def test_a_killed_kernel_leaves_no_process_behind(tmp_path, cell):
+    ready, programs = tmp_path / 'ready', tmp_path / 'programs'
+    environment = {name: value for name, value in domain.environment_without_domain().items()
+                   if name != 'PARAM_TUTORIAL_ROS2'}
+    if cell.startswith('%ros2'):
+        programs.mkdir()
+        (programs / 'ros2').write_text(f'#!/bin/sh\n{SLEEPS.format(ready=ready)}\n')
+        (programs / 'ros2').chmod(0o755)
+    kernel = Kernel({**environment, 'PATH': f'{programs}{os.pathsep}{environment["PATH"]}'})
+    try:
+        kernel.run(PREPARED)
+        kernel.client.execute(cell.format(ready=ready))
+        wait_until(ready.exists, 'all to run', 60)
+        children = psutil.Process(kernel.manager.provisioner.process.pid).children(recursive=True)
+        assert len(children) >= 2
+    finally:
         kernel.kill()
     wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 30)
+
+
+def test_a_command_that_ignores_signals_is_killed_with_its_kernel(tmp_path):
+    """After 20 s, which launch may need for its nodes."""
+    ready = tmp_path / 'ready'
+    kernel = Kernel()
+    try:
+        kernel.run(PREPARED)
+        kernel.client.execute(f'%%shell shell\ntrap "" TERM INT; touch {ready}; while :; do sleep 0.1; done')
+        wait_until(ready.exists, 'all to run', 60)
+        children = psutil.Process(kernel.manager.provisioner.process.pid).children(recursive=True)
+    finally:
+        kernel.kill()
+    wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 60)

@@ -2,7 +2,6 @@
 
 import io
 import os
-import re
 import signal
 import socket
 import subprocess
@@ -607,11 +606,6 @@ def test_pkg_tells_what_has_been_built_and_sourced(workspace, tmp_path, monkeypa
     assert run('pkg', 'prefix', 'param_tutorial') == ('', 'Package not found\n', 1)
     monkeypatch.delenv('AMENT_PREFIX_PATH')
     assert run('pkg', 'list') == run('pkg', 'executables') == ('', '', 0)
-
-
-def test_the_programs_that_colcon_installs_are_the_same(request):
-    setup = (request.config.rootpath / 'param_tutorial/setup.py').read_text()
-    assert sorted(re.findall(r"'(\w+) = [\w.]+:main'", setup)) == node_programs()
 
 
 # -- as a process ---------------------------------------------------------------------------------------------

@@ -1,4 +1,6 @@
-"""``python -m param_tutorial.nodes simple_param_node``: a node as a process of its own, which ends well at any moment.
+"""A node as a process of its own, which ends well at any moment.
+
+``python -m param_tutorial.nodes simple_param_node`` runs one, and so does each program that colcon has installed.
 
 A node's own ``main()`` hears of SIGINT and SIGTERM through rclpy, once ``rclpy.init()`` has installed its handlers and
 ``spin()`` waits. Before that, Ctrl+C is a KeyboardInterrupt while Python still imports rclpy, and SIGTERM ends the
@@ -12,6 +14,7 @@ import signal
 import sys
 import threading
 import time
+from pathlib import Path
 from types import FrameType
 from typing import Any
 
@@ -22,6 +25,15 @@ PATIENCE_SEC = 4.0
 
 def main() -> int:
     """Run the node that the process's first argument names, until a signal ends it."""
+    return _run(sys.argv.pop(1))
+
+
+def program() -> int:
+    """Run the node after which the program is called, until a signal ends it."""
+    return _run(Path(sys.argv[0]).name)
+
+
+def _run(name: str) -> int:
     told: list[int] = []
 
     def end(number: int, _frame: FrameType | None) -> None:
@@ -46,7 +58,6 @@ def main() -> int:
         signal.signal(number, end)
     # The program that starts this process may have held them back until now: see ros2.run.
     signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)
-    name = sys.argv.pop(1)
     try:
         importlib.import_module(f'{__package__}.{name}').main()
     except Exception:

@@ -32,6 +32,7 @@ from param_tutorial.ros2.run import keeps_busy
 from param_tutorial.ros2.session import TextStream
 from param_tutorial.runtime import domain, stage
 from param_tutorial.runtime.backlog import from_pages
+from param_tutorial.runtime.processes import Guard
 
 if TYPE_CHECKING:
     from param_tutorial.widgets.hint import Hint
@@ -287,7 +288,7 @@ def _run_genuine(installed: str, words: list[str], streams: _Streams) -> int:
     process = subprocess.Popen(
         command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
         start_new_session=True)
-    with process, handed_to(process.pid), selectors.DefaultSelector() as selector:
+    with process, Guard(process.pid), handed_to(process.pid), selectors.DefaultSelector() as selector:
         assert process.stdout and process.stderr  # both are pipes
         for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):
             selector.register(pipe, selectors.EVENT_READ, (stream, codecs.getincrementaldecoder('utf-8')('replace')))

@@ -21,6 +21,7 @@ from param_tutorial.errors import ShellError
 from param_tutorial.notebook.interrupts import handed_to, interruptible
 from param_tutorial.ros2 import genuine
 from param_tutorial.runtime import domain, surroundings
+from param_tutorial.runtime.processes import Guard
 from param_tutorial.runtime.waiting import machine_time
 
 # The learner's own settings would change what commands do and print: git's name and address, colcon's defaults, how
@@ -71,8 +72,10 @@ class Shell:
                 ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(has_genuine),
                 start_new_session=True)
+            # What is running when this process is killed would go on.
+            guard = Guard(self._process.pid)
         # Also when a cell that makes a shell runs again, and when the kernel ends.
-        self._close = weakref.finalize(self, _close, self._process, folder)
+        self._close = weakref.finalize(self, _close, self._process, guard, folder)
         assert self._process.stdin and self._process.stdout  # both are pipes
         self._input, self._output = self._process.stdin, self._process.stdout
         os.set_blocking(self._output.fileno(), False)
@@ -181,7 +184,7 @@ def _programs_without_space(home: Path) -> tuple[Path, str]:
     return link / programs.name, shlex.join([str(link / programs.name / 'python'), '-c', program])
 
 
-def _close(process: subprocess.Popen[bytes], folder: TemporaryDirectory[str] | None) -> None:
+def _close(process: subprocess.Popen[bytes], guard: Guard, folder: TemporaryDirectory[str] | None) -> None:
     assert process.stdin and process.stdout  # both are pipes
     process.stdin.close()  # bash ends with its input
     try:
@@ -189,6 +192,7 @@ def _close(process: subprocess.Popen[bytes], folder: TemporaryDirectory[str] | N
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGTERM)
         process.wait(10.0)
+    guard.dismiss()
     process.stdout.close()
     if folder is not None:
         folder.cleanup()

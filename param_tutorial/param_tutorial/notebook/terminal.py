@@ -9,13 +9,11 @@ import contextlib
 import os
 import re
 import shlex
-import shutil
 import signal
 import subprocess
 import threading
 import time
 import weakref
-from collections.abc import Sequence
 from pathlib import Path
 
 from param_tutorial.errors import WaitTimeoutError
@@ -24,7 +22,7 @@ from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.run import signals_held
 from param_tutorial.runtime import domain, stage, surroundings
-from param_tutorial.runtime.processes import ends
+from param_tutorial.runtime.processes import Guard, ends
 from param_tutorial.runtime.waiting import machine_time, within
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
@@ -34,13 +32,6 @@ _PROCESS_ID = re.compile(r'(?<=: process started) with pid \[\d+\]$|(?<=: proces
                          r'(?<=: process has died \[)pid \d+, ')
 _LOG_FOLDER = '[INFO] [launch]: All log files can be found below '
 _open: 'weakref.WeakSet[Terminal]' = weakref.WeakSet()
-
-
-def _ends_with_parent(command: Sequence[str]) -> list[str]:
-    """Return what goes before a command, so that Linux sends it a SIGTERM when this process ends, however it ends."""
-    setpriv = shutil.which('setpriv')
-    # For a command that does not exist, Popen raises the error.
-    return [setpriv, '--pdeathsig', 'TERM', '--'] if setpriv and shutil.which(command[0]) else []
 
 
 class Terminal:
@@ -85,14 +76,15 @@ class Terminal:
         elif arguments[0] == 'ros2':
             arguments, environment = genuine.command(arguments[1:])
         is_embedded = arguments[:len(genuine.embedded_words())] == genuine.embedded_words()
-        # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
         with interruptible(), signals_held(hears_of_it=is_embedded):
             self._process = subprocess.Popen(
-                [*_ends_with_parent(arguments), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, text=True, errors='replace', start_new_session=True, cwd=folder,
                 env={**{name: value for name, value in environment.items() if not name.startswith('RCUTILS_')},
                      'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
                      'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
+            # Nobody could end the command if this process were killed, and its nodes would answer as long as it ran.
+            self._guard = Guard(self._process.pid)
         self._reader = threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True)
         self._reader.start()
         _open.add(self)
@@ -178,6 +170,9 @@ class Terminal:
                 with self._changed:
                     self._text += _PROCESS_ID.sub('', line)
                     self._changed.notify_all()
+        with contextlib.suppress(ChildProcessError):  # another thread has noticed the end
+            os.waitid(os.P_PID, self._process.pid, os.WEXITED | os.WNOWAIT)
+        self._guard.dismiss()
         with self._changed:
             self._changed.notify_all()
 
