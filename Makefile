@@ -90,6 +90,9 @@ bench: setup-all  ## run the benchmarks
 steady: setup-all  ## call the course's ros2 2,000 times and count wrong answers: make steady ARGS="--busy 8"
 	@$(VENV) -m tests.tools.steady $(ARGS)
 
+steady-ends: setup-all  ## end nodes at 1,000 random moments by Ctrl+C and SIGTERM, and count those that did not end well
+	@$(VENV) -m tests.tools.signals $(ARGS)
+
 lint: setup-all  ## check code, notebooks and spelling without running them
 	@$(VENV) -m ruff check .
 	@$(VENV) -m codespell_lib --dictionary - --dictionary environment/words.txt
@@ -116,4 +119,4 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-starved \
-    test-fresh test-beside-ros play stranger html lesson bench steady lint release lock clean
+    test-fresh test-beside-ros play stranger html lesson bench steady steady-ends lint release lock clean

@@ -47,7 +47,7 @@ def main() -> int:
         _print_no_more()
         return 1
     except OSError as error:
-        if error.errno != errno.ENOSPC:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
             raise
         _print_no_more()
         print(f'cannot write the output: {error.strerror}', file=sys.stderr)
