@@ -141,6 +141,8 @@ def test_on_a_slow_and_lossy_link_a_panel_waits_visibly_and_nothing_is_lost(netw
         # Whatever it says on the way, it ends with what the node has, and with the change or a word on it.
         done = f'not panel._live.is_busy and ({ON_PANEL} == {value} or bool({SAID}))'
         wait_for(functools.partial(laptop.run, done), f'{value}, or a word')
+        # With a word, too: the change may come through later, and then the panel follows.
+        wait_for(lambda: robot.run(OF_NODE) == laptop.run(ON_PANEL), 'panel and node to agree')
     # Slower than a person waits without asking, also on a busy machine.
     network.slow_down(2.0, 0.0)
     enter(laptop, 140)
