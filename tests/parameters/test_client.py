@@ -1,5 +1,6 @@
 """client and services: every verb, and every way to fail, on real nodes."""
 
+import contextlib
 import math
 import signal
 import subprocess
@@ -17,7 +18,14 @@ from rcl_interfaces.msg import (
     SetParametersResult,
 )
 from rcl_interfaces.msg import Parameter as ParameterMessage
-from rcl_interfaces.srv import ListParameters, SetParameters
+from rcl_interfaces.srv import (
+    DescribeParameters,
+    GetParameters,
+    GetParameterTypes,
+    ListParameters,
+    SetParameters,
+    SetParametersAtomically,
+)
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -331,10 +339,24 @@ def test_a_callback_that_reads_an_undeclared_parameter_is_a_rejection(ros):
     assert client.get_parameter('speed') == 100
 
 
-def test_a_malformed_request_does_not_end_the_node(client, ros):
-    request = SetParameters.Request(parameters=[ParameterMessage(name='count', value=ParameterValue(type=77))])
-    with pytest.raises(CallbackError, match='77'):
-        ros.services.call('/lab/everything', 'set_parameters', request)
+NO_TYPE = [ParameterMessage(name='count', value=ParameterValue(type=77))]
+NO_NAMES = ['', '..', 'a\nb', 'x' * 100_000]
+
+
+MALFORMED = {
+    'set_parameters': SetParameters.Request(parameters=NO_TYPE),
+    'set_parameters_atomically': SetParametersAtomically.Request(parameters=NO_TYPE),
+    'get_parameters': GetParameters.Request(names=NO_NAMES),
+    'get_parameter_types': GetParameterTypes.Request(names=NO_NAMES),
+    'describe_parameters': DescribeParameters.Request(names=NO_NAMES),
+    'list_parameters': ListParameters.Request(prefixes=NO_NAMES, depth=2**64 - 1),
+}
+
+
+@pytest.mark.parametrize('service', MALFORMED)
+def test_a_malformed_request_does_not_end_the_node(client, ros, service):
+    with pytest.raises(CallbackError, match='77') if service.startswith('set') else contextlib.nullcontext():
+        ros.services.call('/lab/everything', service, MALFORMED[service])
     assert client.get_parameter('count') == 3
 
 
