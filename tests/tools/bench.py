@@ -522,7 +522,7 @@ def main() -> int:
     print(textwrap.dedent(f'''\
         {platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, \
         load {os.getloadavg()[0]:.1f}'''))
-    saved = ROOT / 'build' / 'bench.json'
+    saved = ROOT / 'build' / ('bench_quick.json' if quick else 'bench.json')
     last = {row['what']: row['figure'] for row in json.loads(saved.read_text())} if saved.exists() else {}
     rows: list[Row] = []
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
