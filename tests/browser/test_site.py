@@ -8,7 +8,6 @@ import contextlib
 import functools
 import http.server
 import json
-import os
 import re
 import shutil
 import threading
@@ -23,7 +22,7 @@ from param_tutorial.lessons import archive, single
 from param_tutorial.lessons.build import Site
 from param_tutorial.lessons.pages import writing
 from param_tutorial.lessons.recording import run
-from tests.support import lesson
+from tests.support import lesson, missing
 from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import ROOT, wait_for
 from tests.tools.site_rules import check_page, open_page
@@ -967,10 +966,7 @@ def test_the_course_itself_is_what_is_built_by_default():
 def firefox_page(tmp_path_factory):
     """The tab of a Firefox; nothing may be complained of. In CI a missing Firefox is a failure."""
     if FIREFOX is None:
-        missing = 'there is no Firefox on the PATH: apt-get install firefox-esr'
-        if os.environ.get('CI'):
-            pytest.fail(missing)
-        pytest.skip(missing)
+        missing.skip('there is no Firefox on the PATH: apt-get install firefox-esr')
     with firefox(tmp_path_factory.mktemp('profile')) as page:
         yield page
         assert page.complaints == []

@@ -101,6 +101,23 @@ STARTED = "{terminal}.read(until='robot_serial_number', timeout_sec=60)\nopen('{
 SLEEPS = 'sleep 1000 & touch {ready}; sleep 1000'
 
 
+def end_by_killing(kernel, cell, ready):
+    """Kill a kernel in which a cell runs; return what it had started."""
+    def started():
+        return psutil.Process(kernel.manager.provisioner.process.pid).children(recursive=True)
+
+    try:
+        kernel.run(PREPARED)
+        before = started()
+        kernel.client.execute(cell.format(ready=ready))
+        wait_until(ready.exists, 'all to run', 60)
+        children = started()
+        assert len(children) > len(before) >= 1
+    finally:
+        kernel.kill()
+    return children
+
+
 @pytest.mark.parametrize('cell', [
     STARTED.replace('{terminal}', "Terminal('ros2 run param_tutorial simple_param_node')"),
     STARTED.replace('{terminal}', "Terminal('ros2 launch param_tutorial simple_param_launch.py')"),
@@ -115,26 +132,12 @@ def test_a_killed_kernel_leaves_no_process_behind(tmp_path, cell):
         (programs / 'ros2').write_text(f'#!/bin/sh\n{SLEEPS.format(ready=ready)}\n')
         (programs / 'ros2').chmod(0o755)
     kernel = Kernel({**environment, 'PATH': f'{programs}{os.pathsep}{environment["PATH"]}'})
-    try:
-        kernel.run(PREPARED)
-        kernel.client.execute(cell.format(ready=ready))
-        wait_until(ready.exists, 'all to run', 60)
-        children = psutil.Process(kernel.manager.provisioner.process.pid).children(recursive=True)
-        assert len(children) >= 2
-    finally:
-        kernel.kill()
+    children = end_by_killing(kernel, cell, ready)
     wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 30)
 
 
 def test_a_command_that_ignores_signals_is_killed_with_its_kernel(tmp_path):
     """After 20 s, which launch may need for its nodes."""
-    ready = tmp_path / 'ready'
-    kernel = Kernel()
-    try:
-        kernel.run(PREPARED)
-        kernel.client.execute(f'%%shell shell\ntrap "" TERM INT; touch {ready}; while :; do sleep 0.1; done')
-        wait_until(ready.exists, 'all to run', 60)
-        children = psutil.Process(kernel.manager.provisioner.process.pid).children(recursive=True)
-    finally:
-        kernel.kill()
+    cell = '%%shell shell\ntrap "" TERM INT; touch {ready}; while :; do sleep 0.1; done'
+    children = end_by_killing(Kernel(), cell, tmp_path / 'ready')
     wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 60)

@@ -18,14 +18,7 @@ from rcl_interfaces.msg import (
     SetParametersResult,
 )
 from rcl_interfaces.msg import Parameter as ParameterMessage
-from rcl_interfaces.srv import (
-    DescribeParameters,
-    GetParameters,
-    GetParameterTypes,
-    ListParameters,
-    SetParameters,
-    SetParametersAtomically,
-)
+from rcl_interfaces.srv import ListParameters, SetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -44,6 +37,7 @@ from param_tutorial.errors import (
 )
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters import values
+from param_tutorial.runtime.service_types import SERVICE_TYPES
 from param_tutorial.runtime.services import DISCOVERY_TIMEOUT_SEC
 from tests.support.processes import CAN_STAND_STILL, standing_still
 from tests.support.strategies import VALUES
@@ -341,22 +335,20 @@ def test_a_callback_that_reads_an_undeclared_parameter_is_a_rejection(ros):
 
 NO_TYPE = [ParameterMessage(name='count', value=ParameterValue(type=77))]
 NO_NAMES = ['', '..', 'a\nb', 'x' * 100_000]
-
-
 MALFORMED = {
-    'set_parameters': SetParameters.Request(parameters=NO_TYPE),
-    'set_parameters_atomically': SetParametersAtomically.Request(parameters=NO_TYPE),
-    'get_parameters': GetParameters.Request(names=NO_NAMES),
-    'get_parameter_types': GetParameterTypes.Request(names=NO_NAMES),
-    'describe_parameters': DescribeParameters.Request(names=NO_NAMES),
-    'list_parameters': ListParameters.Request(prefixes=NO_NAMES, depth=2**64 - 1),
+    'set_parameters': {'parameters': NO_TYPE},
+    'set_parameters_atomically': {'parameters': NO_TYPE},
+    'get_parameters': {'names': NO_NAMES},
+    'get_parameter_types': {'names': NO_NAMES},
+    'describe_parameters': {'names': NO_NAMES},
+    'list_parameters': {'prefixes': NO_NAMES, 'depth': 2**64 - 1},
 }
 
 
-@pytest.mark.parametrize('service', MALFORMED)
+@pytest.mark.parametrize('service', SERVICE_TYPES)
 def test_a_malformed_request_does_not_end_the_node(client, ros, service):
     with pytest.raises(CallbackError, match='77') if service.startswith('set') else contextlib.nullcontext():
-        ros.services.call('/lab/everything', service, MALFORMED[service])
+        ros.services.call('/lab/everything', service, SERVICE_TYPES[service].Request(**MALFORMED[service]))
     assert client.get_parameter('count') == 3
 
 

@@ -45,7 +45,7 @@ for line in sys.stdin:
 '''
 
 
-def missing() -> str | None:
+def why_no_hosts() -> str | None:
     """Return why no hosts can be made here, or None."""
     if not shutil.which('ip'):
         return 'there is no command `ip`: apt install iproute2'

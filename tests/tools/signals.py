@@ -24,9 +24,10 @@ from param_tutorial.ros2.run import signals_held
 from param_tutorial.runtime import domain
 from param_tutorial.runtime.processes import ends
 from param_tutorial.runtime.waiting import within
+from tests.tools.steady import EMBEDDED
 
 WAYS = {'alone': [sys.executable, '-m', 'param_tutorial.nodes', 'simple_param_node'],
-        'run': [sys.executable, '-m', 'param_tutorial', 'run', 'param_tutorial', 'simple_param_node']}
+        'run': [*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node']}
 LIMIT_SEC = 20.0
 
 
@@ -40,7 +41,7 @@ def end(words: list[str], number: signal.Signals, after_sec: float) -> str:
         send: Callable[[int, int], None] = os.killpg if number == signal.SIGINT else os.kill
         send(process.pid, number)
         has_ended = within(LIMIT_SEC, ends(process))
-        left = [each for each in psutil.process_iter() if each.is_running() and _session(each.pid) == process.pid]
+        left = [each for each in psutil.pids() if _session(each) == process.pid]
         if left:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()

@@ -83,8 +83,8 @@ class Terminal:
                 env={**{name: value for name, value in environment.items() if not name.startswith('RCUTILS_')},
                      'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
                      'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
-            # Nobody could end the command if this process were killed, and its nodes would answer as long as it ran.
-            self._guard = Guard(self._process.pid)
+        # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
+        self._guard = Guard(self._process.pid)
         self._reader = threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True)
         self._reader.start()
         _open.add(self)
