@@ -138,6 +138,6 @@ def test_a_killed_kernel_leaves_no_process_behind(tmp_path, cell):
 
 def test_a_command_that_ignores_signals_is_killed_with_its_kernel(tmp_path):
     """After 20 s, which launch may need for its nodes."""
-    cell = '%%shell shell\ntrap "" TERM INT; touch {ready}; while :; do sleep 0.1; done'
-    children = end_by_killing(Kernel(), cell, tmp_path / 'ready')
+    # What bash ignores, the commands that it starts ignore too.
+    children = end_by_killing(Kernel(), f'%%shell shell\ntrap "" TERM INT; {SLEEPS}', tmp_path / 'ready')
     wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 60)
