@@ -114,6 +114,20 @@ def test_the_browser_shows_it_where_the_closed_form_says(open_robot):
     assert 'speed 1.05 m/s' in page.page.locator('.robot-strip').inner_text().splitlines()[line]
 
 
+def test_it_is_drawn_thirty_times_a_second(open_robot):
+    """More often costs a browser without a graphics card more, and looks the same."""
+    lab, page = open_robot
+    lab.ask_kernel('[ros.add(ClawbotNode, real_time=False), view.drive()]')
+    expect(word(page)).to_have_text('SPEEDING UP')
+    places = page.page.evaluate("""() => {
+        const mover = document.querySelector('.robot-mover'), [film] = mover.getAnimations(), places = new Set();
+        film.pause();
+        for (film.currentTime = 1000; film.currentTime < 2000; film.currentTime += 5)
+            places.add(getComputedStyle(mover).transform);
+        return [...places]; }""")
+    assert len(places) == pytest.approx(30, abs=1)
+
+
 def test_with_safety_off_it_crashes_in_words_and_shape(open_robot):
     _, page = open_robot
     page.box('enable_safety_mode').click()
