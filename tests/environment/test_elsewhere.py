@@ -22,7 +22,9 @@ else:
     import tomli as tomllib
 
 WORKFLOWS = sorted((ROOT / '.github' / 'workflows').glob('*.yml'))
-DEVCONTAINER = json.loads((ROOT / '.devcontainer' / 'devcontainer.json').read_text())
+# In JSON with comments, which Python's json does not read.
+DEVCONTAINER = json.loads(
+    re.sub('^//.*\n', '', (ROOT / '.devcontainer' / 'devcontainer.json').read_text(), flags=re.MULTILINE))
 PYPROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())
 TARGETS = re.findall(r'^([a-z-]+):', (ROOT / 'Makefile').read_text(), re.MULTILINE)
 
