@@ -24,6 +24,7 @@ from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.ros2 import command, session
 from param_tutorial.ros2.run import node_programs, signals_held
 from param_tutorial.runtime import domain, executor, graph, stage
+from tests.support import missing
 from tests.support.processes import CAN_STAND_STILL, standing_still
 
 EMBEDDED = [sys.executable, '-m', 'param_tutorial']
@@ -416,6 +417,57 @@ def test_a_killed_process_does_not_stand_for_one_that_has_not_been_heard(ros):
         assert '/killed' in ros.services.node_names()  # nobody has said that it is gone
         assert not graph.is_complete(ros.tool_node)
     wait_until(lambda: '/killed' not in ros.services.node_names(), 'the lease to end', 30)
+
+
+# A node that leaves without a word: what it sends no longer reaches anybody. Its process goes on.
+LEAVES_SILENTLY = '''
+import os, sys, rclpy
+from rclpy.node import Node
+from param_tutorial.runtime.udp_ports import open_sockets
+rclpy.init()
+node = Node('silent')
+print('ready', flush=True)
+sys.stdin.readline()
+senders = {f'socket:[{each.inode}]' for each in open_sockets() if each.port >= 32768}
+for descriptor in os.listdir('/proc/self/fd'):
+    if os.path.lexists(path := f'/proc/self/fd/{descriptor}') and os.readlink(path) in senders:
+        os.dup2(os.open(os.devnull, os.O_RDWR), int(descriptor))
+node.destroy_node()
+rclpy.shutdown()
+print('ready', flush=True)
+sys.stdin.readline()
+'''
+
+
+@pytest.mark.slow
+def test_a_process_whose_leave_got_lost_does_not_stand_for_one_that_has_not_been_heard(ros):
+    """As when two commands run at once: one leaves before it has heard of the other."""
+    with subprocess.Popen([sys.executable, '-c', LEAVES_SILENTLY], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          text=True) as process:
+        ready(process)
+        wait_until(lambda: '/silent' in ros.services.node_names() and graph.is_complete(ros.tool_node), 'the node', 30)
+        print(file=process.stdin, flush=True)
+        ready(process)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unheard:
+            unheard.bind(('127.0.0.1', 7400 + 250 * ros.domain_id + 10 + 2 * 100))
+            is_complete = graph.is_complete(ros.tool_node)
+            assert '/silent' in ros.services.node_names()  # nobody has said that it is gone
+        assert not is_complete
+        assert graph.is_complete(ros.tool_node)
+        process.communicate()
+    wait_until(lambda: '/silent' not in ros.services.node_names(), 'the lease to end', 30)
+
+
+@pytest.mark.slow
+def test_a_process_in_a_container_of_this_machine_counts_as_heard(ros, start_process):
+    """On the host's network and with numbers of its own for processes, as with `docker run --network host`."""
+    apart = ['unshare', '--pid', '--fork', '--kill-child']
+    if subprocess.run([*apart, 'true'], capture_output=True, check=False).returncode:
+        missing.skip('no namespace of processes can be made: not root, or in a container')
+    ready(start_process(*apart, *program_of('contained'), stdout=subprocess.PIPE))
+    wait_until(lambda: '/contained' in ros.services.node_names(), 'the node', 30)
+    wait_until(lambda: graph.is_complete(ros.tool_node), 'the graph', 30)
+    assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
 
 
 # -- run ------------------------------------------------------------------------------------------------------

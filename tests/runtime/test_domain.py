@@ -12,7 +12,8 @@ import psutil
 import pytest
 
 from param_tutorial.errors import ExecutorError
-from param_tutorial.runtime import domain, surroundings
+from param_tutorial.runtime import domain, surroundings, udp_ports
+from param_tutorial.runtime.udp_ports import UdpSocket
 
 CHOOSE = 'import os; from param_tutorial.runtime import domain; print(domain.choose(), os.environ.get("{0}"))'
 
@@ -107,14 +108,14 @@ def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant
 
 def test_a_port_that_a_look_at_the_table_passes_over_is_found_by_the_next(monkeypatch):
     """Linux can skip an entry of a listing while others are closed."""
-    port, other = 7400 + 250 * 5 + 10, 80
+    port, other, third = (UdpSocket(number, inode) for inode, number in enumerate((7400 + 250 * 5 + 10, 80, 443)))
     for looks in ([{other}, {port}, {port}], [{port, other}, {other}, {port}, {port}]):
-        monkeypatch.setattr(domain, '_listed_ports', functools.partial(next, iter(looks)))
-        assert domain.participant_ports(5) == {port}
+        monkeypatch.setattr(udp_ports, '_listed', functools.partial(next, iter(looks)))
+        assert domain.participant_sockets(5) == {port}
     # If others keep coming and going, everything that was seen counts.
-    looks = itertools.cycle([{other}, {port}, {443}])
-    monkeypatch.setattr(domain, '_listed_ports', functools.partial(next, looks))
-    assert domain.participant_ports(5) == {port}
+    looks = itertools.cycle([{other}, {port}, {third}])
+    monkeypatch.setattr(udp_ports, '_listed', functools.partial(next, looks))
+    assert domain.participant_sockets(5) == {port}
 
 
 @pytest.mark.slow

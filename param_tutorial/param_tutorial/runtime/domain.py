@@ -4,17 +4,16 @@ DDS keeps domains apart by UDP port numbers. Nothing in ROS hands domains out: p
 number are in the same graph, and two nodes of one name in one graph both obey every ``param set``.
 """
 
-import contextlib
 import os
 import socket
 from pathlib import Path
 
 from param_tutorial.errors import ExecutorError
 from param_tutorial.runtime import surroundings
+from param_tutorial.runtime.udp_ports import UdpSocket, open_sockets
 
 # Above 101 the ports of a domain reach into Linux's ephemeral range, and 0 is what everybody else is in.
 DOMAIN_IDS = range(1, 102)
-_MOST_LOOKS = 10
 
 _ANY_NETWORK = Path(__file__).with_name('fastdds.xml')
 _THIS_HOST = Path(__file__).with_name('fastdds_this_host.xml')
@@ -111,29 +110,10 @@ def participant_ports(domain_id: int) -> set[int]:
 
     Participant number n of a domain listens on port 7400 + 250 * domain + 10 + 2 * n (RTPS specification, 9.6.1.1).
     """
+    return {each.port for each in participant_sockets(domain_id)}
+
+
+def participant_sockets(domain_id: int) -> set[UdpSocket]:
+    """Return what is open on those ports."""
     first = 7400 + 250 * domain_id + 10
-    return _open_ports() & set(range(first, first + 240, 2))
-
-
-def _open_ports() -> set[int]:
-    """Return the UDP ports that are open on this machine.
-
-    Linux gives its table out in pages, and passes over a line if one before it goes between two pages: 16 of 817 looks
-    missed a port while another process opened and closed some. Then the next look differs.
-    """
-    looks = [_listed_ports()]
-    while len(looks) < _MOST_LOOKS:
-        looks.append(_listed_ports())
-        if looks[-1] == looks[-2]:
-            return looks[-1]
-    return set[int]().union(*looks)
-
-
-def _listed_ports() -> set[int]:
-    """Return the UDP ports that one look at Linux's table finds."""
-    ports: set[int] = set()
-    for table in (Path('/proc/net/udp'), Path('/proc/net/udp6')):
-        with contextlib.suppress(OSError, StopIteration), table.open() as lines:
-            next(lines)
-            ports |= {int(line.split()[1].rpartition(':')[2], 16) for line in lines}
-    return ports
+    return {each for each in open_sockets() if each.port in range(first, first + 240, 2)}

@@ -5,12 +5,12 @@ others one by one, in a tenth of a second on an idle machine and in seconds on a
 genuine ``ros2``, is too long on most days and too short on some. But this machine knows how much there is to discover:
 
 - Every DDS participant listens on a UDP port of its own, whose number follows from the domain. Linux lists all open
-  ports, so it tells how many participants there are.
+  ports and which process holds them, so it tells how many participants there are, and of which processes.
 - Every participant of ROS announces its nodes on the topic ros_discovery_info, and every node publishes on
   /parameter_events or /rosout. The graph tells which of them have been heard, and whose nodes are known.
 
-When as many participants have been heard as there are ports, and each has announced its nodes, nothing is missing, but
-of a process that has lived long: names travel apart, and what its nodes offer may come a second or more after them.
+When the participant behind each port has been heard, and each has announced its nodes, nothing is missing, but of a
+process that has lived long: names travel apart, and what its nodes offer may come a second or more after them.
 Other machines remain unknown: unless discovery is limited to this one, it is given time as well.
 
 The services of a node are announced apart from its name, and nothing says how many there are. But they are announced
@@ -23,7 +23,6 @@ import time
 import weakref
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.qos import QoSCompatibility, qos_check_compatible
@@ -31,8 +30,9 @@ from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.pictures.diagrams import NodeGraph
-from param_tutorial.runtime import domain
+from param_tutorial.runtime import domain, udp_ports
 from param_tutorial.runtime.service_types import SERVICE_TYPES
+from param_tutorial.runtime.udp_ports import UdpSocket
 from param_tutorial.runtime.waiting import machine_time
 
 # A port may belong to a process that is suspended or to no ROS program at all: don't wait for it forever.
@@ -142,8 +142,9 @@ def _has_unheard_nodes(observer: Node) -> bool:
 def _missing(observer: Node) -> str:
     """Name how many participants have yet to be heard, or to announce their nodes; empty if none."""
     heard, announced = _participants(observer)
-    ports = domain.participant_ports(observer.context.get_domain_id())
-    count = max(len(ports) - len(heard), 0) + len(heard - announced)
+    # In this order: a participant that has been heard had opened its port before.
+    sockets = domain.participant_sockets(observer.context.get_domain_id())
+    count = _count_missing(heard, announced, sockets)
     return f'{count} ROS process{"" if count == 1 else "es"}' if count else ''
 
 
@@ -154,22 +155,42 @@ def _participants(node: Node) -> tuple[set[bytes], set[bytes]]:
     for topic in ('/rosout', '/parameter_events'):
         for info in node.get_publishers_info_by_topic(topic):
             named[info.node_name != _UNKNOWN].add(bytes(info.endpoint_gid[:12]))
-    return heard - _killed(heard), named[True] - named[False]
+    return heard, named[True] - named[False]
 
 
-def _killed(participants: set[bytes]) -> set[bytes]:
-    """Return those participants that belonged to a process of this machine that is no more.
+def _count_missing(heard: set[bytes], announced: set[bytes], sockets: set[UdpSocket]) -> int:
+    """Return how many participants have yet to be heard, or to announce their nodes.
 
-    One that was killed has not said that it leaves, and would count as one of those that hold a port. The identity of a
-    participant of Fast DDS begins with the vendor, the host, and the lower half of the process's number
-    (``GuidPrefix_t::create`` of Fast DDS 2.14).
+    To compare their number with that of the ports would not do: one that was killed, or whose word that it leaves got
+    lost, is still heard and has no port any more, and would stand for another that has one and has not been heard. So
+    each is looked for among the sockets of its process. The identity of a participant of Fast DDS begins with the
+    vendor, the host, and the lower half of the process's number (``GuidPrefix_t::create`` of Fast DDS 2.14).
+
+    :param sockets: Those on which the domain's participants listen.
     """
-    ours = {each for each in participants if _half(each) == os.getpid() & 0xffff}
-    if ours == participants:
-        return set()
-    hosts = {each[:4] for each in ours}
-    alive = {int(path.name) & 0xffff for path in Path('/proc').iterdir() if path.name.isdigit()}
-    return {each for each in participants if each[:4] in hosts and _half(each) not in alive}
+    visible = udp_ports.processes()
+    count, spare, found, portless = 0, 0, set[int](), set[bytes]()
+    for half in set(map(_half, heard)):
+        group = {each for each in heard if _half(each) == half}
+        ports = udp_ports.held(sockets, (each for each in visible if each & 0xffff == half))
+        count += max(len(ports) - len(group), 0)
+        spare += max(len(group) - len(ports), 0)
+        found |= ports
+        if ports:
+            count += len(group - announced)
+        else:
+            portless |= group
+    left = {each for each in sockets if each.port not in found}
+    ports_left = {each.port for each in left}
+    # A process of another user cannot be looked into, and one in another container has another number there: what they
+    # hold may be of one that was heard.
+    foreign = ports_left - udp_ports.held(left, filter(udp_ports.is_numbered_as_here, visible)) if spare else set()
+    count += len(ports_left) - min(len(foreign), spare)
+    # The others without a port are on another machine, unless their identity is of this one: then they have left.
+    # Where Linux's table cannot be had, nobody's port is known.
+    may_be_here = bool(foreign) or not sockets
+    ours = {each[:4] for each in heard if _half(each) == os.getpid() & 0xffff}
+    return count + sum(may_be_here or each[:4] not in ours for each in portless - announced)
 
 
 def _half(participant: bytes) -> int:
