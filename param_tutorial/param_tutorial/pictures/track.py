@@ -2,7 +2,7 @@
 
 No frames are drawn here. A motion is a few phases of constant acceleration, and the distance driven in each is a
 quadratic function of time, which a CSS ``cubic-bezier(1/3, p/3, 2/3, (1 + p)/3)`` is exactly. So each phase becomes
-one step of a CSS animation, and the browser moves the vehicle at its own frame rate.
+one step of a CSS animation, and the browser moves the vehicle by itself.
 
 What the vehicles look like and what they say is in ``robot`` and ``cart``. What a picture tells in words changes with
 each phase: those are its scenes, and ``widgets/driving.js`` tells them, in JupyterLab as on a page of the website.
