@@ -419,7 +419,7 @@ def test_a_killed_process_does_not_stand_for_one_that_has_not_been_heard(ros):
     wait_until(lambda: '/killed' not in ros.services.node_names(), 'the lease to end', 30)
 
 
-# A node that leaves without a word: what it sends no longer reaches anybody. Its process goes on.
+# A node whose goodbye reaches nobody, because its process has closed the sockets that send. The process goes on.
 LEAVES_SILENTLY = '''
 import os, sys, rclpy
 from rclpy.node import Node
@@ -440,7 +440,7 @@ sys.stdin.readline()
 
 
 @pytest.mark.slow
-def test_a_process_whose_leave_got_lost_does_not_stand_for_one_that_has_not_been_heard(ros):
+def test_a_process_whose_goodbye_was_lost_does_not_hide_one_that_has_not_been_heard(ros):
     """As when two commands run at once: one leaves before it has heard of the other."""
     with subprocess.Popen([sys.executable, '-c', LEAVES_SILENTLY], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                           text=True) as process:
@@ -460,7 +460,7 @@ def test_a_process_whose_leave_got_lost_does_not_stand_for_one_that_has_not_been
 
 @pytest.mark.slow
 def test_a_process_in_a_container_of_this_machine_counts_as_heard(ros, start_process):
-    """On the host's network and with numbers of its own for processes, as with `docker run --network host`."""
+    """It is on the host's network and has its own process numbers, as with `docker run --network host`."""
     apart = ['unshare', '--pid', '--fork', '--kill-child']
     if subprocess.run([*apart, 'true'], capture_output=True, check=False).returncode:
         missing.skip('no namespace of processes can be made: not root, or in a container')

@@ -161,10 +161,10 @@ def _participants(node: Node) -> tuple[set[bytes], set[bytes]]:
 def _count_missing(heard: set[bytes], announced: set[bytes], sockets: set[UdpSocket]) -> int:
     """Return how many participants have yet to be heard, or to announce their nodes.
 
-    To compare their number with that of the ports would not do: one that was killed, or whose word that it leaves got
-    lost, is still heard and has no port any more, and would stand for another that has one and has not been heard. So
-    each is looked for among the sockets of its process. The identity of a participant of Fast DDS begins with the
-    vendor, the host, and the lower half of the process's number (``GuidPrefix_t::create`` of Fast DDS 2.14).
+    Comparing their number with the number of ports is not enough. A participant that was killed, or whose goodbye was
+    lost, still counts as heard but has no port any more, so it would hide one that has a port and has not been heard.
+    Therefore each is looked up among the sockets of its process. The identity of a participant of Fast DDS begins with
+    the vendor, the host, and the lower half of the process's number (``GuidPrefix_t::create`` of Fast DDS 2.14).
 
     :param sockets: Those on which the domain's participants listen.
     """
@@ -182,12 +182,12 @@ def _count_missing(heard: set[bytes], announced: set[bytes], sockets: set[UdpSoc
             portless |= group
     left = {each for each in sockets if each.port not in found}
     ports_left = {each.port for each in left}
-    # A process of another user cannot be looked into, and one in another container has another number there: what they
-    # hold may be of one that was heard.
+    # This process cannot inspect those of other users, and in another container a process has another number. Their
+    # ports may belong to participants that have been heard.
     foreign = ports_left - udp_ports.held(left, filter(udp_ports.is_numbered_as_here, visible)) if spare else set()
     count += len(ports_left) - min(len(foreign), spare)
-    # The others without a port are on another machine, unless their identity is of this one: then they have left.
-    # Where Linux's table cannot be had, nobody's port is known.
+    # The other participants without a port are on another machine, or they were on this one and have left. Without
+    # Linux's table of ports, they may all be here.
     may_be_here = bool(foreign) or not sockets
     ours = {each[:4] for each in heard if _half(each) == os.getpid() & 0xffff}
     return count + sum(may_be_here or each[:4] not in ours for each in portless - announced)

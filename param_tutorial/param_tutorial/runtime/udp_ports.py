@@ -14,7 +14,7 @@ class UdpSocket(NamedTuple):
 
     port: int
     inode: int
-    """Linux's number of it, by which a process's files name it."""
+    """Its number in Linux; the links in /proc/<process>/fd contain it."""
 
 
 def open_sockets() -> set[UdpSocket]:
@@ -43,14 +43,14 @@ def _listed() -> set[UdpSocket]:
 
 
 def processes() -> set[int]:
-    """Return the numbers of the processes that this one can see: in a container, those in it; empty without /proc."""
+    """Return the numbers of the processes that this one can see (in a container, those in it); empty without /proc."""
     with contextlib.suppress(OSError):
         return {int(path.name) for path in Path('/proc').iterdir() if path.name.isdigit()}
     return set()
 
 
 def is_numbered_as_here(process_id: int) -> bool:
-    """True if a process can be looked into and has the same number for itself, so it is in no other container."""
+    """True if this process can inspect another one, and both count processes alike: no container is between them."""
     with contextlib.suppress(OSError):
         return Path(f'/proc/{process_id}/ns/pid').readlink() == Path('/proc/self/ns/pid').readlink()
     return False
@@ -59,17 +59,17 @@ def is_numbered_as_here(process_id: int) -> bool:
 def held(sockets: Collection[UdpSocket], process_ids: Iterable[int]) -> set[int]:
     """Return the ports of those sockets that some processes hold.
 
-    What another user's processes hold cannot be seen.
+    This process cannot see what another user's processes hold.
     """
     files = {name for process_id in process_ids for name in _open_files(process_id)}
     return {each.port for each in sockets if f'socket:[{each.inode}]' in files}
 
 
 def _open_files(process_id: int) -> set[str]:
-    """Return where the descriptors of a process lead; empty if it has ended or may not be looked into."""
+    """Return what the descriptors of a process link to; empty if it has ended or this process must not inspect it."""
     folder, names = f'/proc/{process_id}/fd', set[str]()
     with contextlib.suppress(OSError):
-        # With Path it takes more than twice as long, and a wait for the graph looks a hundred times a second.
+        # Path takes more than twice as long, and a wait for the graph looks up to a hundred times a second.
         for descriptor in os.listdir(folder):  # noqa: PTH208
             with contextlib.suppress(OSError):  # closed meanwhile
                 names.add(os.readlink(f'{folder}/{descriptor}'))  # noqa: PTH115
