@@ -1,5 +1,6 @@
 """The embedded ros2 where no recording goes: mistakes, nodes that are late, busy, gone or double, and run."""
 
+import contextlib
 import io
 import os
 import signal
@@ -79,6 +80,14 @@ while not told:
 node.destroy_node()
 rclpy.shutdown()
 '''
+
+
+@contextlib.contextmanager
+def unheard_participant(domain_id):
+    """Open the port of a participant that says nothing, in this block."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listening:
+        listening.bind(('127.0.0.1', 7400 + 250 * domain_id + 10 + 2 * 100))
+        yield
 
 
 def ready(process):
@@ -320,8 +329,7 @@ def test_that_a_node_is_not_there_is_said_only_if_it_is_known(ros, monkeypatch):
     assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
     wait_until(lambda: graph.is_complete(ros.tool_node), 'the graph', 30)
     monkeypatch.setattr(graph, 'PATIENCE_SEC', 0.2)
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as silent:
-        silent.bind(('127.0.0.1', 7400 + 250 * ros.domain_id + 10 + 2 * 100))
+    with unheard_participant(ros.domain_id):
         assert not graph.is_complete(ros.tool_node)
         why = 'timed out after 0.2 s waiting for 1 ROS process to announce its nodes: suspended, or in a debugger?'
         assert run('param', 'get', '/nobody', 'x') == ('', f'{why}\n', 1)
@@ -412,8 +420,7 @@ def test_a_killed_process_does_not_stand_for_one_that_has_not_been_heard(ros):
         wait_until(lambda: '/killed' in ros.services.node_names(), 'the node', 30)
         killed.kill()
     assert graph.is_complete(ros.tool_node)
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unheard:
-        unheard.bind(('127.0.0.1', 7400 + 250 * ros.domain_id + 10 + 2 * 100))
+    with unheard_participant(ros.domain_id):
         assert '/killed' in ros.services.node_names()  # nobody has said that it is gone
         assert not graph.is_complete(ros.tool_node)
     wait_until(lambda: '/killed' not in ros.services.node_names(), 'the lease to end', 30)
@@ -448,8 +455,7 @@ def test_a_process_whose_goodbye_was_lost_does_not_hide_one_that_has_not_been_he
         wait_until(lambda: '/silent' in ros.services.node_names() and graph.is_complete(ros.tool_node), 'the node', 30)
         print(file=process.stdin, flush=True)
         ready(process)
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unheard:
-            unheard.bind(('127.0.0.1', 7400 + 250 * ros.domain_id + 10 + 2 * 100))
+        with unheard_participant(ros.domain_id):
             is_complete = graph.is_complete(ros.tool_node)
             assert '/silent' in ros.services.node_names()  # nobody has said that it is gone
         assert not is_complete

@@ -160,7 +160,7 @@ def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
     wait_until(lambda: not any(each.is_running() and each.status() != psutil.STATUS_ZOMBIE for each in started),
                'what the kernel started to end')
     # Another kernel may take the domain at once, and finds no node in it.
-    assert domain.participant_ports(number) == set()
+    assert domain.participant_sockets(number) == set()
     claim = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
     claim.bind(f'\0param_tutorial/ros_domain/{number}')
     claim.close()

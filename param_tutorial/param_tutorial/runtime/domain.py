@@ -97,7 +97,7 @@ def _claim_free_domain() -> tuple[int, int]:
             claim.close()
             continue
         # A program that knows nothing of claims, or a node that has outlived the kernel that started it.
-        if participant_ports(domain_id):
+        if participant_sockets(domain_id):
             claim.close()
             continue
         return domain_id, claim.detach()
@@ -105,15 +105,10 @@ def _claim_free_domain() -> tuple[int, int]:
                         f'down kernels that are no longer needed, or set ROS_DOMAIN_ID to share one of them')
 
 
-def participant_ports(domain_id: int) -> set[int]:
-    """Return the UDP ports of this machine on which participants of a domain listen for discovery.
+def participant_sockets(domain_id: int) -> set[UdpSocket]:
+    """Return the sockets of this machine on which participants of a domain listen for discovery.
 
     Participant number n of a domain listens on port 7400 + 250 * domain + 10 + 2 * n (RTPS specification, 9.6.1.1).
     """
-    return {each.port for each in participant_sockets(domain_id)}
-
-
-def participant_sockets(domain_id: int) -> set[UdpSocket]:
-    """Return what is open on those ports."""
     first = 7400 + 250 * domain_id + 10
     return {each for each in open_sockets() if each.port in range(first, first + 240, 2)}
