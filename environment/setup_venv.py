@@ -225,15 +225,10 @@ def set_up(lock, wanted_python):
     print('The set-up is done.', flush=True)
 
 
-def main(arguments):
-    if arguments == ['--check']:
-        return 1 if python_problem() else 0
-    lock, wanted_python = EVERYTHING if arguments == ['--everything'] else LEARNER, os.environ.get('PYTHON')
+def report(work):
+    """Do the work, and return an exit status: what goes wrong is printed in one sentence."""
     try:
-        if outdated(lock, wanted_python):
-            check(wanted_python)
-            with only_one():
-                set_up(lock, wanted_python)
+        work()
     except SetupError as error:
         print(error, file=sys.stderr)
         return 1
@@ -244,6 +239,20 @@ def main(arguments):
         print('\nStopped; the next run starts the set-up again.', file=sys.stderr)
         return 130
     return 0
+
+
+def main(arguments):
+    if arguments == ['--check']:
+        return 1 if python_problem() else 0
+    lock, wanted_python = EVERYTHING if arguments == ['--everything'] else LEARNER, os.environ.get('PYTHON')
+
+    def work():
+        if outdated(lock, wanted_python):
+            check(wanted_python)
+            with only_one():
+                set_up(lock, wanted_python)
+
+    return report(work)
 
 
 if __name__ == '__main__':

@@ -1,13 +1,19 @@
-"""A real JupyterHub for a class, as `make hub` starts it: two learners at once."""
+"""A real JupyterHub for a class, as `make hub` starts it: two learners at once.
+
+Once as a teacher starts it, as root, with the sign-in by PAM and a server under each learner's own account; and once as
+far as it goes without root's rights.
+"""
 
 import contextlib
 import http.cookiejar
 import json
 import os
 import random
+import shutil
 import socket
 import subprocess
 import sys
+import tempfile
 import urllib.error
 import urllib.parse
 import urllib.request
@@ -19,6 +25,7 @@ from pathlib import Path
 import pytest
 import websocket
 
+from tests.support import accounts, missing
 from tests.support.lab import TIMEOUT_SEC, wait_for
 from tests.support.paths import ROOT
 from tests.support.processes import wait_or_kill
@@ -28,19 +35,29 @@ pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(500)]
 # /proc/sys/net/ipv4/ip_local_port_range begins here. JupyterHub takes its ports seconds after they were chosen, and
 # meanwhile hundreds of sockets of other tests are given one.
 FIRST_EPHEMERAL_PORT = 32_768
+SCRIPTS = ROOT / 'environment' / 'jupyterhub'
+NAMES = ('ada', 'grace')
 PASSWORD = 'long-enough-a-secret'
+# As in /etc/shadow: `openssl passwd -6 -salt salt`.
+PASSWORD_HASH = ('$6$salt$qTgY4srfAhPuEJIpdXf0BcwCLzUvvKn430S/M7qXRfhDx4bqG7g1r/y78K2tXUM.l8qvH9imOGHGADy0hV8BU/')
 CHAPTER = '01_what_are_parameters.ipynb'
-# The course's settings, with any password and without accounts of the machine's.
+# The course's settings, on ports and in a folder of the test's.
 SETTINGS = '''
 load_subconfig({course!r})
+c.JupyterHub.bind_url = 'http://127.0.0.1:{port}'
+c.JupyterHub.hub_port = {hub_port}
+c.ConfigurableHTTPProxy.api_url = 'http://127.0.0.1:{api_port}'
+c.JupyterHub.db_url = 'sqlite:///{folder}/jupyterhub.sqlite'
+c.JupyterHub.cookie_secret_file = '{folder}/cookie_secret'
+c.ConfigurableHTTPProxy.pid_file = '{folder}/proxy.pid'
+'''
+# With any password, and without accounts of the machine's.
+WITHOUT_ROOT = '''
 c.JupyterHub.authenticator_class = 'shared-password'
 c.SharedPasswordAuthenticator.user_password = {password!r}
 c.Authenticator.allow_all = True
 c.JupyterHub.spawner_class = 'simple'
-c.SimpleLocalProcessSpawner.home_dir_template = {homes!r}
-c.JupyterHub.bind_url = 'http://127.0.0.1:{port}'
-c.JupyterHub.hub_port = {hub_port}
-c.ConfigurableHTTPProxy.api_url = 'http://127.0.0.1:{api_port}'
+c.SimpleLocalProcessSpawner.home_dir_template = '{homes}/{{username}}'
 '''
 
 
@@ -57,22 +74,36 @@ def free_ports(count: int) -> list[int]:
 
 
 @pytest.fixture(scope='module')
-def hub(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+def homes() -> Iterator[Path]:
+    """Yield a folder that everybody may enter; pytest's own are for one user."""
+    homes = Path(tempfile.mkdtemp(prefix='param_tutorial_'))
+    homes.chmod(0o755)
+    yield homes
+    shutil.rmtree(homes)
+
+
+@pytest.fixture(scope='module', params=['accounts of the machine', 'without root'])
+def hub(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, homes: Path) -> Iterator[str]:
     """Start JupyterHub; yield its address."""
     folder = tmp_path_factory.mktemp('hub')
     port, hub_port, api_port = free_ports(3)
+    settings = SETTINGS.format(course=str(SCRIPTS / 'jupyterhub_config.py'), folder=folder, port=port,
+                               hub_port=hub_port, api_port=api_port)
     config = folder / 'config.py'
-    config.write_text(SETTINGS.format(
-        course=str(ROOT / 'environment' / 'jupyterhub' / 'jupyterhub_config.py'),
-        homes=str(folder / 'homes' / '{username}'), password=PASSWORD, port=port,
-        hub_port=hub_port, api_port=api_port))
+    words: list[str | Path] = [sys.executable, SCRIPTS / 'hub.py', '--config', config]
+    if request.param == 'without root':
+        settings += WITHOUT_ROOT.format(password=PASSWORD, homes=homes / 'of_one_account')
+    elif why := accounts.why_none():
+        missing.skip(f'no accounts can be made: {why}')
+    else:
+        words = accounts.command(words, folder, homes, NAMES, PASSWORD_HASH, needed=[ROOT, Path(sys.base_prefix)])
+    config.write_text(settings)
     environment = {name: value for name, value in os.environ.items()
                    if not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST', 'IPYTHON'))}
     log = folder / 'hub.log'
     with log.open('w') as output:
-        process = subprocess.Popen(
-            [sys.executable, ROOT / 'environment' / 'jupyterhub' / 'hub.py', '--config', config], cwd=folder,
-            env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT)
+        process = subprocess.Popen(words, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=output,
+                                   stderr=subprocess.STDOUT)
     address = f'http://127.0.0.1:{port}'
 
     def answers() -> bool:
@@ -160,7 +191,7 @@ class Learner:
             'channel': 'shell', 'parent_header': {}, 'metadata': {},
             'header': {'msg_id': number, 'msg_type': 'execute_request', 'session': number, 'username': self.name,
                        'version': '5.3'},
-            'content': {'code': source, 'silent': False, 'allow_stdin': False}}))
+            'content': {'code': source, 'silent': False, 'allow_stdin': False, 'stop_on_error': False}}))
         value = ''
         while True:
             message = json.loads(self._kernel.recv())
@@ -190,7 +221,7 @@ class Learner:
 @pytest.fixture(scope='module')
 def learners(hub: str) -> Iterator[list[Learner]]:
     """Sign in two learners, and run the chapter as both at once."""
-    both = [Learner(hub, 'ada'), Learner(hub, 'grace')]
+    both = [Learner(hub, name) for name in NAMES]
 
     def learn(learner: Learner) -> None:
         learner.sign_in()
@@ -210,6 +241,8 @@ def test_each_has_copies_of_their_own(learners):
         assert {'index.md', CHAPTER} <= names
         folder = Path(learner.run('os.getcwd()').strip("'"))
         assert folder.parts[-2:] == (learner.name, 'my_lessons')
+        # The test has made the account's home folder, or has only one account.
+        assert int(learner.run('os.getuid()')) == folder.parent.stat().st_uid
     assert not (ROOT / 'environment' / 'jupyterhub' / 'my_lessons').exists()
 
 

@@ -15,9 +15,11 @@ from types import ModuleType, SimpleNamespace
 
 import pytest
 
+from tests.support import missing
 from tests.support.paths import ROOT
 
 SCRIPT = ROOT / 'environment' / 'setup_venv.py'
+HUB = ROOT / 'environment' / 'jupyterhub' / 'hub.py'
 
 
 class Checkout:
@@ -361,3 +363,59 @@ def test_a_sourced_ros_does_not_reach_the_new_environment(checkout, tmp_path):
            'runpy.run_path(sys.argv[0], run_name="__main__")'
     checkout.run(code=code)
     assert checkout.has('param_tutorial')
+
+
+# JupyterHub's environment
+
+
+@pytest.fixture
+def hub(checkout: Checkout) -> Checkout:
+    """A checkout whose script is that of `make hub`. Its JupyterHub says what it was given, and ends."""
+    folder = checkout.root / 'environment' / 'jupyterhub'
+    folder.mkdir()
+    checkout.script = Path(shutil.copy(HUB, folder))
+    (folder / 'learner.py').touch()
+    (checkout.root / 'environment' / 'requirements-hub.lock').write_text(locked('six'))
+    (checkout.root / 'jupyterhub.py').write_text('import sys\nprint("JupyterHub", *sys.argv[1:])\n')
+    checkout.project.write_text(checkout.project.read_text().replace('["param_tutorial"]',
+                                                                     '["param_tutorial", "jupyterhub"]'))
+    checkout.venv = checkout.root / 'build' / 'jupyterhub'
+    checkout.python = checkout.venv / 'bin' / 'python'
+    return checkout
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+def test_the_environment_of_jupyterhub_is_made_once(hub):
+    assert hub.run('--config', 'own.py').out.splitlines()[-1] == 'JupyterHub --config own.py'
+    assert hub.has('param_tutorial') and hub.has('six')
+    mark = hub.mark()
+    assert hub.run('--config', 'own.py').out == 'JupyterHub --config own.py\n'
+    assert mark.exists()
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+def test_the_environment_of_jupyterhub_is_made_afresh_by_another_python_and_in_another_folder(hub):
+    hub.run('--config', 'own.py')
+    mark, stamp = hub.mark(), hub.venv / 'made_from.json'
+    python = os.path.realpath(sys.executable)
+    stamp.write_text(stamp.read_text().replace(python, '/usr/bin/python3.99'))
+    hub.run('--config', 'own.py')
+    assert not mark.exists() and python in stamp.read_text()
+
+    moved = hub.root.with_name('moved')
+    hub.root.rename(moved)
+    hub.script = moved / hub.script.relative_to(hub.root)
+    assert 'Setting up JupyterHub' in hub.run('--config', 'own.py').out
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+def test_a_course_that_other_accounts_cannot_read_is_named_before_jupyterhub_starts(hub):
+    """The folders that pytest makes are closed to others."""
+    if os.geteuid() != 0:
+        missing.skip('only root starts JupyterHub for others')
+    said = hub.run(status=1).err
+    assert f'must be able to read all of {hub.root}' in said and 'PYTHON=/usr/bin/python3' in said
+    assert is_one_sentence(said)
