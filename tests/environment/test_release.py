@@ -87,6 +87,29 @@ def test_a_parameter_file_of_the_course_and_its_ros_package_are_found(python, el
     assert 'Arguments' in done.stdout, done.stderr
 
 
+def test_check_works_without_the_checkout(python, elsewhere, tmp_path):
+    (tmp_path / 'arm.yaml').write_text('arm:\n  ros__parameters:\n    speed: [1, two]\n')
+    done = subprocess.run([python, '-m', 'param_tutorial', 'check', 'arm.yaml'], cwd=tmp_path, env=elsewhere,
+                          capture_output=True, text=True)
+    assert done.returncode == 1 and done.stdout.startswith('arm.yaml:3:'), done.stdout + done.stderr
+
+
+def test_the_page_with_a_panel_works_without_the_checkout(python, elsewhere, tmp_path):
+    with subprocess.Popen([python, '-m', 'param_tutorial', 'panel', '--no-browser'], cwd=tmp_path, env=elsewhere,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
+        try:
+            line = process.stdout.readline()
+            address = re.search(r'http://127\S+', line)
+            assert address, line + process.stdout.read()
+            with urllib.request.urlopen(address[0]) as answer:
+                page = answer.read().decode()
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.communicate()
+    # Of the course's own template, and of the view that the page runs.
+    assert '<title>Parameters</title>' in page and 'anywidget' in page
+
+
 def test_lab_copies_the_chapters_into_the_current_folder_and_opens_them(python, elsewhere, tmp_path):
     log = tmp_path / 'log'
     with log.open('w') as output:
