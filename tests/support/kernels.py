@@ -94,7 +94,8 @@ class Kernel:
         text: list[str] = []
         waiting = bool(interrupt_on)
         self.client.session.metadata = {'cellId': cell} if cell else {}
-        request = self.client.execute(code, allow_stdin=answer is not None)
+        # By default, a cell that raises has the kernel drop what it gets within the next moment, on a busy machine too.
+        request = self.client.execute(code, allow_stdin=answer is not None, stop_on_error=False)
         for message in self._messages(request):
             content = message['content']
             if message['msg_type'] == 'stream':
