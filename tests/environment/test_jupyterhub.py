@@ -22,6 +22,7 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import psutil
 import pytest
 import websocket
 
@@ -79,6 +80,9 @@ def homes() -> Iterator[Path]:
     homes = Path(tempfile.mkdtemp(prefix='param_tutorial_'))
     homes.chmod(0o755)
     yield homes
+    # The servers and kernels that JupyterHub leaves behind end by themselves, a moment after it.
+    wait_for(lambda: not [each for each in psutil.process_iter(['cwd'])
+                          if each.info['cwd'] and Path(each.info['cwd']).is_relative_to(homes)], 'an empty class')
     shutil.rmtree(homes)
 
 
