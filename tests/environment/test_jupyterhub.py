@@ -40,7 +40,7 @@ SCRIPTS = ROOT / 'environment' / 'jupyterhub'
 NAMES = ('ada', 'grace')
 PASSWORD = 'long-enough-a-secret'
 # As in /etc/shadow: `openssl passwd -6 -salt salt`.
-PASSWORD_HASH = ('$6$salt$qTgY4srfAhPuEJIpdXf0BcwCLzUvvKn430S/M7qXRfhDx4bqG7g1r/y78K2tXUM.l8qvH9imOGHGADy0hV8BU/')
+PASSWORD_HASH = '$6$salt$qTgY4srfAhPuEJIpdXf0BcwCLzUvvKn430S/M7qXRfhDx4bqG7g1r/y78K2tXUM.l8qvH9imOGHGADy0hV8BU/'
 CHAPTER = '01_what_are_parameters.ipynb'
 # The course's settings, on ports and in a folder of the test's.
 SETTINGS = '''
