@@ -1,5 +1,6 @@
 """JupyterHub's settings for a class on one machine: see README.md here, and `make hub`."""
 
+import shutil
 import sys
 from pathlib import Path
 
@@ -23,4 +24,7 @@ c.JupyterHub.cookie_secret_file = str(state / 'cookie_secret')
 c.ConfigurableHTTPProxy.pid_file = str(state / 'proxy.pid')
 # The course needs no network, and each ROS domain stays on this machine.
 c.JupyterHub.bind_url = 'http://127.0.0.1:8000'
-c.ConfigurableHTTPProxy.command = [str(Path(sys.executable).with_name('configurable-http-proxy'))]
+# JupyterHub's usual proxy is a program of Node.js. Its port to Python will do, but it passes no sub-protocol of a
+# WebSocket on, so a notebook connects at its second attempt.
+c.ConfigurableHTTPProxy.command = [shutil.which('configurable-http-proxy')
+                                   or str(Path(sys.executable).with_name('configurable-http-proxy'))]
