@@ -64,7 +64,8 @@ def run_suite(number: int, cores: float, arguments: str) -> bool:
     subprocess.run(['make', '--silent', 'setup-all'], cwd=checkout, check=True, stdout=subprocess.DEVNULL)
     began = time.monotonic()
     with control_group(f'suite{number}', cores) as inside, log.open('w') as output:
-        status = subprocess.run([*inside, 'make', 'test-all', f'ARGS={arguments}'], cwd=checkout,
+        # With -v the log names a test that fails at once, and also when the run is stopped.
+        status = subprocess.run([*inside, 'make', 'test-all', f'ARGS=-v {arguments}'], cwd=checkout,
                                 env={**os.environ, 'CI': 'true'}, stdin=subprocess.DEVNULL, stdout=output,
                                 stderr=subprocess.STDOUT, check=False).returncode
     shutil.rmtree(checkout)
