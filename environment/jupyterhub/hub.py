@@ -62,7 +62,7 @@ def check_access() -> None:
     if reason:
         raise setup_venv.SetupError(
             f"The learners' accounts can't run the course ({reason}). They must be able to read all of "
-            f'{setup_venv.ROOT} and to run {setup_venv.base_python()}: move the course out of a home folder that is '
+            f'{ROOT} and to run {setup_venv.base_python()}: move the course out of a home folder that is '
             f'closed to others, open it with `chmod -R go+rX`, or choose another Python, as in '
             f'`make hub PYTHON=/usr/bin/python3`.')
 

@@ -8,29 +8,10 @@ import os
 import subprocess
 from collections.abc import Iterable
 from pathlib import Path
+from shlex import quote
 
 # Where Linux distributions give accounts to people, and hardly any machine has as many.
 _FIRST_NUMBER = 58_000
-# The first argument says where files may be kept.
-_SCRIPT = '''
-set -eu
-folder=$1
-shift
-mount --bind "$folder/passwd" /etc/passwd
-mount --bind "$folder/shadow" /etc/shadow
-# In place of a folder that is closed to others, one that is open and has in it what they need.
-while read -r number closed; do
-    mount --bind "$closed" "$folder/$number"
-    mount -t tmpfs -o mode=755 none "$closed"
-    while read -r of path; do
-        if [ "$of" = "$number" ]; then
-            mkdir -p "$path"
-            mount --bind "$folder/$number/${path#"$closed/"}" "$path"
-        fi
-    done < "$folder/needed"
-done < "$folder/closed"
-exec "$@"
-'''
 
 
 def why_none() -> str | None:
@@ -63,16 +44,20 @@ def command(words: Iterable[str | Path], folder: Path, homes: Path, names: Itera
     (folder / 'passwd').chmod(0o644)
     (folder / 'shadow').write_text(shadow)
     (folder / 'shadow').chmod(0o600)
-    closed: list[Path] = []
-    entries = []
+    mounts = [f'mount --bind {quote(str(folder / name))} /etc/{name}' for name in ('passwd', 'shadow')]
+    # In place of a folder that is closed to others, one that is open and has in it what they need.
+    closed: dict[Path, list[Path]] = {}
     for path in needed:
-        above = next((each for each in reversed(path.parents) if not each.stat().st_mode & 0o001), None)
-        if above is None:
-            continue
-        if above not in closed:
-            (folder / str(len(closed))).mkdir()
-            closed.append(above)
-        entries.append(f'{closed.index(above)} {path}\n')
-    (folder / 'closed').write_text(''.join(f'{number} {path}\n' for number, path in enumerate(closed)))
-    (folder / 'needed').write_text(''.join(entries))
-    return ['unshare', '--mount', 'sh', '-c', _SCRIPT, 'sh', folder, *words]
+        for above in reversed(path.parents):
+            if not above.stat().st_mode & 0o001:
+                closed.setdefault(above, []).append(path)
+                break
+    for number, (above, paths) in enumerate(closed.items()):
+        kept = folder / str(number)
+        kept.mkdir()
+        mounts += [f'mount --bind {quote(str(above))} {quote(str(kept))}',
+                   f'mount -t tmpfs -o mode=755 none {quote(str(above))}']
+        for path in paths:
+            mounts += [f'mkdir -p {quote(str(path))}',
+                       f'mount --bind {quote(str(kept / path.relative_to(above)))} {quote(str(path))}']
+    return ['unshare', '--mount', 'sh', '-ec', '\n'.join([*mounts, 'exec "$@"']), 'sh', *words]
