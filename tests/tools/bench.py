@@ -449,10 +449,14 @@ def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
             after, stop = kernel.cpu_times(), time.monotonic()
             share = (after.user + after.system - before.user - before.system) / (stop - start)
             memory = kernel.memory_info().rss / 2**20
-    began, ratio = statistics.median(panel_sec), statistics.median(panel_sec) / statistics.median(slider_sec)
-    return [Row('kernel start to first panel on screen', f'{began:.2f} s', 'at most 0.8 s', began <= 0.8),
-            Row("the same, against one of ipywidgets' sliders and a bare node", f'{ratio:.2f} times', 'at most 1 time',
-                ratio <= 1),
+    began = statistics.median(panel_sec)
+    # Jupyter Server asks a starting kernel who it is; where the answer is lost, as it often is, it asks again after
+    # half a second. A median tells on which side this coin fell more often, so the fastest are compared.
+    ratio = min(panel_sec) / min(slider_sec)
+    return [Row('kernel start to first panel on screen', f'{began:.2f} s, at best {min(panel_sec):.2f} s',
+                'at most 0.8 s', began <= 0.8),
+            Row("the same at best, against one of ipywidgets' sliders and a bare node", f'{ratio:.2f} times',
+                'at most 1 time', ratio <= 1),
             Row('idle CPU of a running lesson', f'{100 * share:.1f} % of a core', 'at most 2 %', share <= 0.02),
             Row("memory of a lesson's kernel (RSS)", f'{memory:.0f} MiB', '', None)]
 
@@ -528,7 +532,7 @@ def main() -> int:
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
                     lambda: step_response(1 if quick else 5), lambda: whole_system(1 if quick else 5),
                     lambda: many_parameters(1 if quick else 5),
-                    lambda: lesson_in_browser(1 if quick else 5, 5.0 if quick else 20.0),
+                    lambda: lesson_in_browser(1 if quick else 10, 5.0 if quick else 20.0),
                     large_panels, robot_in_browser, lambda: cells_again(*((2, 2) if quick else (200, 100)))):
         for row in measure():
             rows.append(row)
