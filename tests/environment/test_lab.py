@@ -77,15 +77,17 @@ def test_the_courses_ros2_runs_in_a_terminal(terminal):
     assert 'usage' in terminal.run('python -m param_tutorial param --help').lower()
 
 
-def test_where_nothing_that_is_built_could_be_started_colcon_says_so():
-    programs = str(Path(sys.executable).parent)
+def test_where_nothing_that_is_built_could_be_started_colcon_says_so(tmp_path):
+    # A link, because the path of this checkout may have a space in it, too.
+    programs = tmp_path / 'bin'
+    programs.symlink_to(Path(sys.executable).parent)
     said = {}
-    for folder in (programs, '/home/learner/my course/.venv/bin'):
+    for folder in (str(programs), '/home/learner/my course/.venv/bin'):
         done = subprocess.run(
             ['bash', '--rcfile', TERMINAL, '-i', '-c', 'colcon --help'], capture_output=True, text=True,
             env={'PATH': os.environ['PATH'], 'HOME': '/nowhere', 'PARAM_TUTORIAL_PROGRAMS': folder}, check=False)
         said[folder] = done.returncode, done.stdout + done.stderr
-    assert said[programs][0] == 0
+    assert said[str(programs)][0] == 0
     status, words = said['/home/learner/my course/.venv/bin']
     assert status == 1
     assert "a space in it: /home/learner/my course/.venv/bin. Move the course's folder" in words
