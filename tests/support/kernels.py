@@ -96,20 +96,23 @@ class Kernel:
         self.client.session.metadata = {'cellId': cell} if cell else {}
         # By default, a cell that raises has the kernel drop what it gets within the next moment, on a busy machine too.
         request = self.client.execute(code, allow_stdin=answer is not None, stop_on_error=False)
-        for message in self._messages(request):
-            content = message['content']
-            if message['msg_type'] == 'stream':
-                text.append(content['text'])
-                if waiting and interrupt_on in ''.join(text):
-                    waiting = False
-                    self.manager.interrupt_kernel()
-            elif message['msg_type'] == 'execute_result':
-                text.append(content['data']['text/plain'])
-            elif message['msg_type'] == 'error':
-                text.append(f'{content["ename"]}: {content["evalue"]}')
-            elif message['msg_type'] == 'input_request':
-                assert answer is not None
-                self.client.input(answer())
+        try:
+            for message in self._messages(request):
+                content = message['content']
+                if message['msg_type'] == 'stream':
+                    text.append(content['text'])
+                    if waiting and interrupt_on in ''.join(text):
+                        waiting = False
+                        self.manager.interrupt_kernel()
+                elif message['msg_type'] == 'execute_result':
+                    text.append(content['data']['text/plain'])
+                elif message['msg_type'] == 'error':
+                    text.append(f'{content["ename"]}: {content["evalue"]}')
+                elif message['msg_type'] == 'input_request':
+                    assert answer is not None
+                    self.client.input(answer())
+        except WaitTimeoutError as error:
+            raise WaitTimeoutError(f'{error}; what came:\n{"".join(text) or "(nothing)"}') from None
         return ''.join(text)
 
     def _messages(self, request: str) -> Iterator[dict[str, Any]]:

@@ -85,8 +85,9 @@ class Terminal:
                      'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
         # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
         self._guard = Guard(self._process.pid)
-        self._reader = threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True)
-        self._reader.start()
+        # In place of Thread.is_alive() and join(), which Ctrl+C leaves wrong: see BackgroundExecutor.
+        self._all_read = threading.Event()
+        threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True).start()
         _open.add(self)
 
     def __repr__(self) -> str:
@@ -117,7 +118,7 @@ class Terminal:
                 if at >= 0 and end >= 0:
                     lines, self._read = self._text[self._read:end], end + 1
                     return lines
-                ended = not self._reader.is_alive()
+                ended = self._all_read.is_set()
                 if ended or machine_time() > deadline:
                     why = 'the command ended' if ended else f'{timeout_sec:g} s passed'
                     raise WaitTimeoutError(f'{why} before a line with {until!r} came from {self.command!r}; '
@@ -137,7 +138,7 @@ class Terminal:
         if not within(timeout_sec, ends(self._process)):
             os.killpg(self._process.pid, signal.SIGKILL)
             self._process.wait()  # nothing can ignore that, and a busy machine may take its time
-        self._reader.join(timeout_sec)
+        self._all_read.wait(timeout_sec)
         return self._process.returncode
 
     def _wait_until_it_rests(self, timeout_sec: float = 1.0) -> None:
@@ -163,18 +164,21 @@ class Terminal:
 
     def _collect(self) -> None:
         assert self._process.stdout  # a pipe
-        with self._process.stdout as lines:
-            for line in lines:
-                if line.startswith(_LOG_FOLDER):
-                    continue
-                with self._changed:
-                    self._text += _PROCESS_ID.sub('', line)
-                    self._changed.notify_all()
-        with contextlib.suppress(ChildProcessError):  # another thread has noticed the end
-            os.waitid(os.P_PID, self._process.pid, os.WEXITED | os.WNOWAIT)
-        self._guard.dismiss()
-        with self._changed:
-            self._changed.notify_all()
+        try:
+            with self._process.stdout as lines:
+                for line in lines:
+                    if line.startswith(_LOG_FOLDER):
+                        continue
+                    with self._changed:
+                        self._text += _PROCESS_ID.sub('', line)
+                        self._changed.notify_all()
+            with contextlib.suppress(ChildProcessError):  # another thread has noticed the end
+                os.waitid(os.P_PID, self._process.pid, os.WEXITED | os.WNOWAIT)
+            self._guard.dismiss()
+        finally:
+            with self._changed:
+                self._all_read.set()
+                self._changed.notify_all()
 
 
 @atexit.register

@@ -24,7 +24,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
 from rclpy.signals import SignalHandlerOptions
 
 from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
-from param_tutorial.runtime import domain, rclpy_private
+from param_tutorial.runtime import domain, interrupts, rclpy_private
 from param_tutorial.runtime.graph import Incarnations, incarnations, nodes_in_graph, note_arrival
 from param_tutorial.runtime.lean_messages import import_messages
 from param_tutorial.runtime.listeners import Listeners
@@ -151,12 +151,13 @@ class BackgroundExecutor:
             self._in_main_thread, WAIT_LIMIT_SEC, self._error_if_endless, self._error_if_in_vain))
         self._let_go_of_context = rclpy_private.keep_context(self.context, self._tell_who_keeps_rclpy)
         self._let_go_of_nodes = rclpy_private.call_before_node_init(before_node_init)
+        self._let_go_of_interrupts = interrupts.raise_again()
         self._thread.start()
 
     @property
     def is_running(self) -> bool:
         """True if the thread spins, on a context that is alive."""
-        return self._thread.is_alive() and self.context.ok() and not self._stopping
+        return not self._ended.is_set() and self.context.ok() and not self._stopping
 
     @property
     def errors(self) -> list[BaseException]:
@@ -297,7 +298,17 @@ class BackgroundExecutor:
         return values[0]
 
     def _new_thread(self) -> threading.Thread:
-        return threading.Thread(target=self._spin, name='ros-background-executor', daemon=True)
+        # Thread.is_alive() and join() take a thread that runs for one that has ended, for good, if Ctrl+C comes while
+        # they look (CPython 3.10 to 3.12).
+        self._ended = threading.Event()
+        return threading.Thread(target=self._spin_until_the_end, args=(self._ended,), name='ros-background-executor',
+                                daemon=True)
+
+    def _spin_until_the_end(self, ended: threading.Event) -> None:
+        try:
+            self._spin()
+        finally:
+            ended.set()
 
     def _spin(self) -> None:
         next_graph_check = 0.0
@@ -342,8 +353,10 @@ class BackgroundExecutor:
         return within(INTERRUPT_TIMEOUT_SEC, has_ended_within)
 
     def _ends_within(self, seconds: float) -> bool:
-        self._thread.join(seconds)
-        return not self._thread.is_alive()
+        if not self._ended.wait(seconds):
+            return False
+        self._thread.join()
+        return True
 
     def _free_thread(self) -> bool:
         """Interrupt a callback that keeps the thread for longer than anybody waits for an answer, if there is one."""
@@ -483,7 +496,8 @@ class BackgroundExecutor:
         self._allow_waiting()
         self._let_go_of_context()
         self._let_go_of_nodes()
-        if self._thread.is_alive() and self.context.ok():
+        self._let_go_of_interrupts()
+        if not self._ended.is_set() and self.context.ok():
             self._executor.create_task(lambda: None)
         has_ended = within(STOP_TIMEOUT_SEC, self._ends_within) or self._interrupt(self._ends_within)
         if has_ended:
