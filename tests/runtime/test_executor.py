@@ -250,6 +250,29 @@ def test_an_interruption_that_python_only_prints_comes_again(ros, capfd):
     assert ParameterClient(node).set_parameter('rpm', 2).successful
 
 
+def test_the_stage_runs_on_after_an_interrupt_while_somebody_asks_whether_it_runs():
+    """Thread.is_alive() of CPython 3.11 says of a thread that was asked just then that it has ended, for good."""
+    done = run_python('''
+        import signal, threading
+        import param_tutorial
+        ros = param_tutorial.start()
+        main = threading.main_thread().ident
+        for _ in range(100):
+            asking = threading.Event()
+            presser = threading.Thread(target=lambda: asking.wait() and signal.pthread_kill(main, signal.SIGINT))
+            presser.start()
+            try:
+                asking.set()
+                while True:
+                    ros.is_running
+            except KeyboardInterrupt:
+                presser.join()
+        print(ros.is_running)
+    ''')
+    assert done.stdout == 'True\n', done.stderr
+    assert done.returncode == 0
+
+
 def test_run_gives_the_result_or_the_exception(ros):
     assert ros.run(threading.current_thread, 'look') is not threading.current_thread()
     with pytest.raises(KeyError, match='x'):
