@@ -96,29 +96,28 @@ class Kernel:
         self.client.session.metadata = {'cellId': cell} if cell else {}
         # By default, a cell that raises has the kernel drop what it gets within the next moment, on a busy machine too.
         request = self.client.execute(code, allow_stdin=answer is not None, stop_on_error=False)
-        try:
-            for message in self._messages(request):
-                content = message['content']
-                if message['msg_type'] == 'stream':
-                    text.append(content['text'])
-                    if waiting and interrupt_on in ''.join(text):
-                        waiting = False
-                        self.manager.interrupt_kernel()
-                elif message['msg_type'] == 'execute_result':
-                    text.append(content['data']['text/plain'])
-                elif message['msg_type'] == 'error':
-                    text.append(f'{content["ename"]}: {content["evalue"]}')
-                elif message['msg_type'] == 'input_request':
-                    assert answer is not None
-                    self.client.input(answer())
-        except WaitTimeoutError as error:
-            raise WaitTimeoutError(f'{error}; what came:\n{"".join(text) or "(nothing)"}') from None
+        for message in self._messages(request, text):
+            content = message['content']
+            if message['msg_type'] == 'stream':
+                text.append(content['text'])
+                if waiting and interrupt_on in ''.join(text):
+                    waiting = False
+                    self.manager.interrupt_kernel()
+            elif message['msg_type'] == 'execute_result':
+                text.append(content['data']['text/plain'])
+            elif message['msg_type'] == 'error':
+                text.append(f'{content["ename"]}: {content["evalue"]}')
+            elif message['msg_type'] == 'input_request':
+                assert answer is not None
+                self.client.input(answer())
         return ''.join(text)
 
-    def _messages(self, request: str) -> Iterator[dict[str, Any]]:
+    def _messages(self, request: str, text: list[str]) -> Iterator[dict[str, Any]]:
         """Yield what comes of a request until it is done with.
 
         In place of ``execute_interactive``, whose limit is in seconds of the clock.
+
+        :param text: What has been printed by then, for the error.
         """
         channels = (self.client.stdin_channel, self.client.iopub_channel)
         poller = zmq.Poller()
@@ -127,7 +126,8 @@ class Kernel:
         deadline = machine_time() + DEADLINE_SEC
         while True:
             if not within(deadline - machine_time(), lambda seconds: bool(poller.poll(1000 * seconds))):
-                raise WaitTimeoutError(f'the cell has not ended after {DEADLINE_SEC} s')
+                raise WaitTimeoutError(f'the cell has not ended after {DEADLINE_SEC} s; what came:\n'
+                                       f'{"".join(text) or "(nothing)"}')
             message = next(channel for channel in channels if channel.msg_ready()).get_msg(timeout=0)
             if message['parent_header'].get('msg_id') != request:
                 if message['msg_type'] == 'stream':
