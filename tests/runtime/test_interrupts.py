@@ -1,12 +1,22 @@
-"""interrupts: a Ctrl+C that Python has only printed comes again."""
+"""interrupts: a Ctrl+C that Python has only printed comes again, and none leaves anything locked."""
 
+import itertools
+import queue
 import signal
 import sys
 import threading
 
 import pytest
+from rcl_interfaces.msg import Log
 
 import param_tutorial
+from param_tutorial import Terminal
+from param_tutorial.errors import WaitTimeoutError
+from param_tutorial.runtime.backlog import Backlog
+from param_tutorial.runtime.interrupts import Latch
+from param_tutorial.runtime.node_log import NodeLog
+from param_tutorial.runtime.waiting import within
+from param_tutorial.runtime.worker import Worker
 
 
 class Swallows:
@@ -46,3 +56,110 @@ def test_whoever_wants_to_hear_of_other_exceptions_in_finalizers_does(monkeypatc
     assert heard == ['in a finalizer']
     param_tutorial.stop()
     assert sys.unraisablehook is before
+
+
+class InterruptedEverywhere:
+    """Calls a function again and again, with a KeyboardInterrupt at the end of one call that it makes: of the first,
+    then of the second, until it makes no more."""
+
+    def __init__(self, act, check):
+        self.interrupts = 0
+        for number in itertools.count(1):
+            self._left = number
+            sys.setprofile(self._look)
+            try:
+                act()
+            except (KeyboardInterrupt, WaitTimeoutError, RuntimeError):  # Condition.wait makes a RuntimeError of some
+                pass
+            finally:
+                sys.setprofile(None)
+            if self._left:
+                break
+            self.interrupts += 1
+            check()
+
+    def _look(self, _frame, event, _argument):
+        if event in ('return', 'c_return') and self._left:
+            self._left -= 1
+            if not self._left:
+                raise KeyboardInterrupt
+
+
+def in_another_thread(act, timeout_sec=5.0):
+    """Return a function that calls another one in a thread, and fails if that does not end."""
+    def call():
+        thread = threading.Thread(target=act, daemon=True)
+        thread.start()
+        within(timeout_sec, lambda seconds: thread.join(seconds) or not thread.is_alive())
+        assert not thread.is_alive(), 'something is locked'
+    return call
+
+
+def test_an_event_of_python_stays_locked():
+    """If this fails, a Python has come that needs no Latch."""
+    event = threading.Event()
+    with pytest.raises(AssertionError, match='locked'):
+        InterruptedEverywhere(lambda: event.wait(0.001), in_another_thread(event.set, 0.5))
+
+
+@pytest.mark.parametrize('waiters', [1, 2])
+def test_a_latch_can_be_set_after_each_interrupt(waiters):
+    latch = Latch()
+    assert InterruptedEverywhere(lambda: latch.wait(0.001), in_another_thread(lambda: None)).interrupts >= 1
+    assert not latch.is_set()
+    in_another_thread(latch.set)()
+    assert latch.is_set()
+    for _ in range(waiters):
+        in_another_thread(lambda: latch.wait(60.0))()
+
+
+def test_who_waits_for_a_latch_beside_an_interrupted_one_hears_of_it():
+    latch = Latch()
+    heard = []
+    threads = [threading.Thread(target=lambda: heard.append(latch.wait(60.0))) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    latch.set()
+    for thread in threads:
+        thread.join()
+    assert heard == [True] * 3
+
+
+def test_a_log_can_be_read_after_each_interrupt():
+    log = NodeLog()
+    done = InterruptedEverywhere(lambda: log.read(until='never', timeout_sec=0.0), in_another_thread(log.lines))
+    assert done.interrupts > 5
+    log.receive(Log(level=20, name='talker', msg='Hello'))
+    assert log.read(until='Hello') == '[INFO] [talker]: Hello'
+
+
+def test_messages_from_a_page_are_counted_although_a_cell_was_interrupted_before_it_began():
+    backlog = Backlog()
+    backlog.add()
+    assert InterruptedEverywhere(lambda: backlog.wait(0.001), in_another_thread(backlog.add)).interrupts > 5
+
+
+@pytest.mark.parametrize('act', ['wake', 'stay', 'call_now'])
+def test_a_worker_works_on_after_each_interrupt(act):
+    calls = queue.SimpleQueue()
+    worker = Worker(lambda: calls.put(None), 'interrupted', 0.0)
+
+    def work():
+        while not calls.empty():
+            calls.get()
+        worker.wake()
+        calls.get()
+
+    doing = {'wake': worker.wake, 'stay': worker.stay, 'call_now': lambda: worker.call_now(0.1)}[act]
+    assert InterruptedEverywhere(doing, in_another_thread(work)).interrupts >= 1
+    worker.end()
+
+
+def test_a_terminal_collects_on_after_each_interrupt_of_a_read():
+    terminal = Terminal('seq 1 3')
+    terminal.read(until='3')
+    assert terminal.interrupt() == 0
+    done = InterruptedEverywhere(lambda: terminal.read(until='never', timeout_sec=0.0),
+                                 in_another_thread(lambda: terminal.text))
+    assert done.interrupts > 5
+    assert terminal.text == '1\n2\n3\n'

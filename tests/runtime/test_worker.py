@@ -122,8 +122,8 @@ def test_staying_starts_a_thread_where_there_is_none(make, never_by_itself):
 class LateNews(threading.Condition):
     """Lets something happen between the end of a wait and the waiter's return, where a busy machine leaves it room."""
 
-    def __init__(self):
-        super().__init__()
+    def __init__(self, lock):
+        super().__init__(lock)
         self.waits = 0
         self.news = {}
 
@@ -139,7 +139,7 @@ def test_what_happens_just_before_the_thread_would_end_is_looked_after(make, mon
     monkeypatch.setattr(module, '_LOOK_PERIOD_SEC', 0.001)
     step = Step()
     worker = make(step)
-    worker._changed = LateNews()
+    worker._changed = LateNews(worker._lock)
     worker._changed.news[module._IDLE_LOOKS + 1] = lambda: news(worker)
     worker.wake()
     wait_until(lambda: worker.is_idle, 'the thread to end', TIMEOUT_SEC)

@@ -22,6 +22,7 @@ from param_tutorial.notebook.shell import Shell
 from param_tutorial.ros2 import genuine
 from param_tutorial.ros2.run import signals_held
 from param_tutorial.runtime import domain, stage, surroundings
+from param_tutorial.runtime.interrupts import Latch
 from param_tutorial.runtime.processes import Guard, ends
 from param_tutorial.runtime.waiting import machine_time, within
 
@@ -65,7 +66,8 @@ class Terminal:
                 earlier.interrupt()
         self._text = ''
         self._read = 0
-        self._changed = threading.Condition()
+        self._lock = threading.RLock()
+        self._changed = threading.Condition(self._lock)
         arguments = shlex.split(command)
         environment, folder = dict(os.environ), None
         if shell is not None:
@@ -86,7 +88,7 @@ class Terminal:
         # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
         self._guard = Guard(self._process.pid)
         # In place of Thread.is_alive() and join(), which Ctrl+C leaves wrong: see BackgroundExecutor.
-        self._all_read = threading.Event()
+        self._all_read = Latch()
         threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True).start()
         _open.add(self)
 
@@ -102,7 +104,7 @@ class Terminal:
     @property
     def text(self) -> str:
         """Everything printed so far."""
-        with self._changed:
+        with self._lock:
             return self._text
 
     def read(self, until: str, timeout_sec: float = 20.0) -> str:
@@ -111,7 +113,7 @@ class Terminal:
         :raises WaitTimeoutError: no such line came in time, or the command ended without it.
         """
         deadline = machine_time() + timeout_sec
-        with self._changed:
+        with self._lock:
             while True:
                 at = self._text.find(until, self._read)
                 end = self._text.find('\n', at)
@@ -169,14 +171,14 @@ class Terminal:
                 for line in lines:
                     if line.startswith(_LOG_FOLDER):
                         continue
-                    with self._changed:
+                    with self._lock:
                         self._text += _PROCESS_ID.sub('', line)
                         self._changed.notify_all()
             with contextlib.suppress(ChildProcessError):  # another thread has noticed the end
                 os.waitid(os.P_PID, self._process.pid, os.WEXITED | os.WNOWAIT)
             self._guard.dismiss()
         finally:
-            with self._changed:
+            with self._lock:
                 self._all_read.set()
                 self._changed.notify_all()
 

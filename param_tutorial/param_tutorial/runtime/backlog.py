@@ -15,17 +15,18 @@ class Backlog:
     """Counts the messages that have come, and those that have been handled, in the order in which they came."""
 
     def __init__(self) -> None:
-        self._changed = threading.Condition()
+        self._lock = threading.RLock()
+        self._changed = threading.Condition(self._lock)
         self._came = self._handled = 0
 
     def add(self) -> None:
         """A message has come, and is about to be handed to the thread that handles it."""
-        with self._changed:
+        with self._lock:
             self._came += 1
 
     def take(self) -> None:
         """A message has been handled."""
-        with self._changed:
+        with self._lock:
             self._handled = min(self._handled + 1, self._came)
             self._changed.notify_all()
 
@@ -35,7 +36,7 @@ class Backlog:
         :param timeout_sec: In machine time. After that, they count as lost, and nobody waits for them again.
         :return: False if some were lost.
         """
-        with self._changed:
+        with self._lock:
             came = self._came
             if within(timeout_sec, lambda seconds: self._changed.wait_for(lambda: self._handled >= came, seconds)):
                 return True

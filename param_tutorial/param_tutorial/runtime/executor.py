@@ -26,6 +26,7 @@ from rclpy.signals import SignalHandlerOptions
 from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, interrupts, rclpy_private
 from param_tutorial.runtime.graph import Incarnations, incarnations, nodes_in_graph, note_arrival
+from param_tutorial.runtime.interrupts import Latch
 from param_tutorial.runtime.lean_messages import import_messages
 from param_tutorial.runtime.listeners import Listeners
 from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_init, is_managed, prepare
@@ -55,10 +56,10 @@ T = TypeVar('T')
 class _CallbackInterrupted(BaseException):
     """Raised inside a callback that does not return, to get the executor's thread back."""
 
-    is_noticed = threading.Event()
+    is_noticed = False
 
     def __init__(self) -> None:
-        self.is_noticed.set()
+        _CallbackInterrupted.is_noticed = True
 
     def __str__(self) -> str:
         return 'this callback did not return, so it was interrupted: the executor has one thread for all nodes'
@@ -71,7 +72,7 @@ class _Parked(BaseException):
     asleep in a lock lets the interpreter end; one that still runs Python aborts it with status 134.
     """
 
-    is_parked = threading.Event()
+    is_parked = Latch()
 
     def __init__(self) -> None:
         self.is_parked.set()
@@ -273,7 +274,7 @@ class BackgroundExecutor:
             return function()
         values: list[T] = []
         errors: list[BaseException] = []
-        begun, finished = threading.Event(), threading.Event()
+        begun, finished = Latch(), Latch()
 
         def work() -> None:
             begun.set()
@@ -300,11 +301,11 @@ class BackgroundExecutor:
     def _new_thread(self) -> threading.Thread:
         # Thread.is_alive() and join() take a thread that runs for one that has ended, for good, if Ctrl+C comes while
         # they look (CPython 3.10 to 3.12).
-        self._ended = threading.Event()
+        self._ended = Latch()
         return threading.Thread(target=self._spin_until_the_end, args=(self._ended,), name='ros-background-executor',
                                 daemon=True)
 
-    def _spin_until_the_end(self, ended: threading.Event) -> None:
+    def _spin_until_the_end(self, ended: Latch) -> None:
         try:
             self._spin()
         finally:
@@ -340,11 +341,11 @@ class BackgroundExecutor:
         before a callback counts as one that cannot be interrupted, it is raised a second time.
         """
         kept_by = self.callback_watch.running
-        _CallbackInterrupted.is_noticed.clear()
+        _CallbackInterrupted.is_noticed = False
         self._raise_in_thread(_CallbackInterrupted)
         if within(_NOTICE_TIMEOUT_SEC, has_ended_within):
             return True
-        if not _CallbackInterrupted.is_noticed.is_set():
+        if not _CallbackInterrupted.is_noticed:
             return False
         if within(INTERRUPT_TIMEOUT_SEC, has_ended_within):
             return True
@@ -387,9 +388,9 @@ class BackgroundExecutor:
 
     def _park_thread(self) -> None:
         """Keep the thread from ever running Python again: it sleeps until the process ends."""
-        _Parked.is_parked.clear()
+        _Parked.is_parked = Latch()
         self._raise_in_thread(_Parked)
-        if _CallbackInterrupted.is_noticed.is_set():  # otherwise it is asleep already, which is as good
+        if _CallbackInterrupted.is_noticed:  # otherwise it is asleep already, which is as good
             within(_NOTICE_TIMEOUT_SEC, _Parked.is_parked.wait)
 
     # -- what code on the stage must not do -------------------------------------------------------------

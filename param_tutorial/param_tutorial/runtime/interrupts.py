@@ -1,6 +1,13 @@
-"""Ctrl+C, and a notebook's "interrupt" button, which must not be lost. No ROS, no Jupyter."""
+"""Ctrl+C, and a notebook's "interrupt" button: it must not be lost, and must leave nothing locked. No ROS, no Jupyter.
+
+Python raises KeyboardInterrupt in the main thread, at the end of any call. A ``with lock:`` is one step. But
+``Condition.__enter__`` is written in Python, and calls another function to take its lock: an interrupt between the two
+leaves it locked, as nobody has come as far as the ``with`` that would let go of it. Event is built on Condition. So
+code that the main thread may run enters the condition's lock, and has a Latch in place of an Event.
+"""
 
 import _thread
+import queue
 import signal
 import sys
 import threading
@@ -10,6 +17,33 @@ from types import CodeType
 from typing import Any
 
 _LOOK_PERIOD_SEC = 0.001
+
+
+class Latch:
+    """Something that happens once, and that threads wait for. Ctrl+C in one of them does no harm to the others."""
+
+    def __init__(self) -> None:
+        self._is_set = False
+        self._news: queue.SimpleQueue[None] = queue.SimpleQueue()
+
+    def is_set(self) -> bool:
+        """True once it has happened."""
+        return self._is_set
+
+    def set(self) -> None:
+        """It has happened."""
+        self._is_set = True
+        self._news.put(None)
+
+    def wait(self, timeout_sec: float) -> bool:
+        """Wait until it has happened, or the time has passed. Return whether it has."""
+        try:
+            if not self._is_set:
+                self._news.get(timeout=timeout_sec)
+                self._news.put(None)  # for the next who waits; an interrupted one has only to wait for longer
+        except queue.Empty:
+            pass
+        return self._is_set
 
 
 def raise_again() -> Callable[[], None]:

@@ -50,14 +50,15 @@ class NodeLog:
         # How many lines had been received when a reader (of one node, or of all: None) read last.
         self._read: dict[str | None, int] = {}
         self._marked_ns = 0
-        self._changed = threading.Condition()
+        self._lock = threading.RLock()
+        self._changed = threading.Condition(self._lock)
         self._listeners: Listeners[[LogLine]] = Listeners()
 
     def receive(self, message: 'Log') -> None:
         """Take a message rcl_interfaces/msg/Log from /rosout; called in the executor's thread."""
         line = LogLine(LEVELS.get(message.level, str(message.level)), message.name, message.msg,
                        message.stamp.sec * 10**9 + message.stamp.nanosec)
-        with self._changed:
+        with self._lock:
             self._lines.append(line)
             self._received += 1
             self._changed.notify_all()
@@ -75,7 +76,7 @@ class NodeLog:
 
         :param node: Only those of this node, e.g. '/simple_param_node'.
         """
-        with self._changed:
+        with self._lock:
             return [str(line) for _, line in self._since(0, node)]
 
     def recent(self, node: str | None, count: int) -> list[LogLine]:
@@ -83,7 +84,7 @@ class NodeLog:
 
         :param node: Only those of this node; None for all.
         """
-        with self._changed:
+        with self._lock:
             return [line for _, line in self._since(0, node)][-count:]
 
     def mark(self) -> None:
@@ -92,7 +93,7 @@ class NodeLog:
         What was logged before is left out even if it arrives later. The notebook extension marks the beginning of each
         cell, so that no cell shows what a hand did on a panel before it.
         """
-        with self._changed:
+        with self._lock:
             self._marked_ns = time.time_ns()
 
     def read(self, until: str, node: str | None = None, timeout_sec: float = 5.0, *, since: str = '') -> str:
@@ -108,7 +109,7 @@ class NodeLog:
         :raises WaitTimeoutError: no such line came in time; the message shows what came instead.
         """
         deadline = machine_time() + timeout_sec
-        with self._changed:
+        with self._lock:
             while True:
                 is_late = machine_time() > deadline  # asked before the lines, which may come while this thread waits
                 # What was read of all nodes has been read of each; not the other way round.
@@ -134,7 +135,7 @@ class NodeLog:
 
     def clear(self) -> None:
         """Forget all lines, read or not."""
-        with self._changed:
+        with self._lock:
             self._lines.clear()
             self._read.clear()
 

@@ -28,6 +28,7 @@ from param_tutorial.errors import (
     WaitTimeoutError,
 )
 from param_tutorial.runtime import domain, graph
+from param_tutorial.runtime.interrupts import Latch
 from param_tutorial.runtime.service_types import SERVICE_TYPES
 from param_tutorial.runtime.waiting import machine_time
 
@@ -136,7 +137,7 @@ class Services:
 
     def _wait_for_answer(self, client: Client, node: str, service: str, request: Any, timeout_sec: float, *,
                          repeat: bool) -> Any:
-        finished = threading.Event()
+        finished = Latch()
         sent: list[Future] = []
         began = machine_time()
         deadline, is_second_chance = began + timeout_sec, False

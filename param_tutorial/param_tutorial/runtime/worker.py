@@ -32,13 +32,14 @@ class Worker:
         self._step = step
         self._name = name
         self._period_sec = period_sec
-        self._changed = threading.Condition()
+        self._lock = threading.RLock()
+        self._changed = threading.Condition(self._lock)
         self._woken = False
         self._ended = False
         # How often the thread has looked since it was woken, or told to stay, and has found nothing.
         self._idle_looks = 0
         self._thread: threading.Thread | None = None
-        self._one_at_a_time = threading.Lock()
+        self._one_at_a_time = threading.RLock()
         _workers.add(self)
 
     @property
@@ -48,7 +49,7 @@ class Worker:
 
     def wake(self) -> None:
         """Make sure that the function is called after now. Cheap; from any thread."""
-        with self._changed:
+        with self._lock:
             if self._ended:
                 return
             self._woken = True
@@ -63,7 +64,7 @@ class Worker:
 
     def stay(self) -> None:
         """Make sure that the thread is there and looks after what is outstanding. Cheaper than waking it."""
-        with self._changed:
+        with self._lock:
             self._idle_looks = 0
             is_there = self._thread is not None
         if not is_there:
@@ -74,19 +75,23 @@ class Worker:
 
         :return: False if a call that another thread made did not end in time.
         """
-        if not within(timeout_sec, lambda seconds: self._one_at_a_time.acquire(timeout=seconds)):
-            return False
         try:
+            if not within(timeout_sec, lambda seconds: self._one_at_a_time.acquire(timeout=seconds)):
+                return False
             again_sec = self._step()
         finally:
-            self._one_at_a_time.release()
+            # Only here is nothing left locked if Ctrl+C comes just as the lock is taken.
+            try:  # noqa: SIM105 - suppress() is written in Python, and Ctrl+C may come in it
+                self._one_at_a_time.release()
+            except RuntimeError:  # another thread has it
+                pass
         if again_sec is not None:
             self.stay()
         return True
 
     def end(self) -> None:
         """Call no more; the thread ends soon."""
-        with self._changed:
+        with self._lock:
             self._ended = True
             self._changed.notify()
 
@@ -94,14 +99,14 @@ class Worker:
         try:
             self._work()
         finally:
-            with self._changed:
+            with self._lock:
                 if self._thread is threading.current_thread():  # the function raised an exception
                     self._thread = None
 
     def _work(self) -> None:
         pause_sec = _LOOK_PERIOD_SEC
         while True:
-            with self._changed:
+            with self._lock:
                 if not (self._woken or self._ended):
                     self._changed.wait(pause_sec)
                 # Not what wait() returned: much may happen between the end of its time and this line.
