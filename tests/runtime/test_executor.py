@@ -15,9 +15,10 @@ import rclpy
 from rcl_interfaces.msg import ParameterEvent, SetParametersResult
 from rcl_interfaces.srv import GetParameters
 from rclpy.client import Client
-from rclpy.exceptions import InvalidHandle
+from rclpy.exceptions import InvalidHandle, InvalidParameterTypeException
 from rclpy.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions, get_current_signal_handlers_options
 
 import param_tutorial
 from param_tutorial import ParameterClient
@@ -92,6 +93,14 @@ def test_a_class_may_call_the_constructor_of_node_by_its_name(ros):
     assert ros.nodes == (second,)
 
 
+@pytest.mark.parametrize('parameter', ['use_sim_time', 'start_type_description_service'])
+def test_a_constructor_that_fails_in_rclpy_says_why_and_leaves_nothing_behind(ros, parameter):
+    with pytest.raises(InvalidParameterTypeException, match=f"'{parameter}' to '7' of type 'INTEGER'"):
+        ros.add(Speed, ros_args=['-p', f'{parameter}:=7'])
+    assert ros.nodes == ()
+    assert ros.services.node_names() == []
+
+
 def test_a_constructor_that_fails_leaves_nothing_behind(ros):
     class Broken(Speed):
         def __init__(self):
@@ -154,7 +163,9 @@ def test_an_rclpy_that_somebody_else_initialised_is_left_alone():
     try:
         with pytest.raises(ExecutorError, match=r'rclpy\.shutdown'):
             param_tutorial.start()
+        param_tutorial.stop()
         assert rclpy.ok()
+        assert get_current_signal_handlers_options() == SignalHandlerOptions.ALL
     finally:
         rclpy.shutdown()
 

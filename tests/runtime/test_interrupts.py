@@ -1,8 +1,10 @@
 """interrupts: a Ctrl+C that Python has only printed comes again, and none leaves anything locked."""
 
+import functools
 import itertools
 import queue
 import signal
+import subprocess
 import sys
 import threading
 
@@ -10,13 +12,15 @@ import pytest
 from rcl_interfaces.msg import Log
 
 import param_tutorial
-from param_tutorial import Terminal
+from param_tutorial import ParameterClient, Terminal
 from param_tutorial.errors import WaitTimeoutError
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.runtime.backlog import Backlog
-from param_tutorial.runtime.interrupts import Latch
+from param_tutorial.runtime.interrupts import Latch, held_back
 from param_tutorial.runtime.node_log import NodeLog
 from param_tutorial.runtime.waiting import within
 from param_tutorial.runtime.worker import Worker
+from tests.support.paths import ROOT
 
 
 class Swallows:
@@ -59,12 +63,12 @@ def test_whoever_wants_to_hear_of_other_exceptions_in_finalizers_does(monkeypatc
 
 
 class InterruptedEverywhere:
-    """Calls a function again and again, with a KeyboardInterrupt at the end of one call that it makes: of the first,
-    then of the second, until it makes no more."""
+    """Calls a function again and again, with a Ctrl+C at the end of one call that it makes: of the first, then of the
+    second, or of the one that is ``stride`` further, until it makes no more."""
 
-    def __init__(self, act, check):
+    def __init__(self, act, check, stride=1):
         self.interrupts = 0
-        for number in itertools.count(1):
+        for number in itertools.count(1, stride):
             self._left = number
             sys.setprofile(self._look)
             try:
@@ -82,7 +86,7 @@ class InterruptedEverywhere:
         if event in ('return', 'c_return') and self._left:
             self._left -= 1
             if not self._left:
-                raise KeyboardInterrupt
+                press()
 
 
 def in_another_thread(act, timeout_sec=5.0):
@@ -95,11 +99,71 @@ def in_another_thread(act, timeout_sec=5.0):
     return call
 
 
-def test_an_event_of_python_stays_locked():
-    """If this fails, a Python has come that needs no Latch."""
+def interrupt_an_event():
     event = threading.Event()
     with pytest.raises(AssertionError, match='locked'):
         InterruptedEverywhere(lambda: event.wait(0.001), in_another_thread(event.set, 0.5))
+
+
+def interrupt_starting_workers():
+    calls = queue.SimpleQueue()
+    workers = [Worker(functools.partial(calls.put, 0), 'interrupted', 0.0)]
+
+    def wake_another():
+        workers.append(Worker(functools.partial(calls.put, len(workers)), 'interrupted', 0.0))
+        workers[-1].wake()
+
+    def work():
+        workers[-1].wake()
+        while calls.get() != len(workers) - 1:
+            pass
+
+    assert InterruptedEverywhere(wake_another, in_another_thread(work)).interrupts > 5
+
+
+@pytest.mark.parametrize('act', [
+    interrupt_an_event,  # if this one fails, a Python has come that needs no Latch
+    interrupt_starting_workers,
+])
+def test_in_a_process_that_keeps_a_locked_thread(act):
+    """Python's own Event, and with it Thread.start(), may leave a thread that waits until the process ends."""
+    done = subprocess.run([sys.executable, '-c', f'from {__name__} import {act.__name__}; {act.__name__}()'],
+                          cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, '')
+
+
+@pytest.mark.parametrize('act', ['start', 'stop'])
+def test_the_stage_is_there_after_each_interrupt_of_its_beginning_and_its_end(act):
+    def ask():
+        ros = param_tutorial.start()
+        assert ros.services.node_names() == []
+        ros.add(SimpleParamNode)
+        assert ParameterClient('simple_param_node').list_parameters()
+        if act == 'start':
+            param_tutorial.stop()
+
+    ask()
+    assert InterruptedEverywhere(getattr(param_tutorial, act), ask, stride=5).interrupts > 5
+
+
+def test_what_is_held_back_comes_behind_the_block():
+    done = []
+    with pytest.raises(KeyboardInterrupt), held_back():
+        with held_back():
+            press()
+        done.append(True)
+    assert done
+
+
+def test_another_thread_holds_nothing_back():
+    before = signal.getsignal(signal.SIGINT)
+    found = []
+
+    def look():
+        with held_back():
+            found.append(signal.getsignal(signal.SIGINT))
+    in_another_thread(look)()
+    assert found == [before]
 
 
 @pytest.mark.parametrize('waiters', [1, 2])

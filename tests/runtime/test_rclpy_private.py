@@ -296,9 +296,8 @@ def test_every_class_of_nodes_gets_to_one_constructor_and_passes_its_arguments_b
     after.destroy_node()
 
 
-def test_an_attribute_of_a_node_says_whether_it_is_in_the_graph(ros):
-    assert not rclpy_private.is_in_graph(Node.__new__(Node))
-    assert rclpy_private.is_in_graph(ros.tool_node)
+def test_a_node_that_never_came_to_be_is_no_trouble_to_destroy():
+    rclpy_private.destroy_unfinished(Node.__new__(Node))
 
 
 def test_a_handle_is_destroyed_when_its_last_user_has_left(other_context):

@@ -95,6 +95,12 @@ def test_a_flood_in_the_executors_thread_is_cut_and_told_of(ros, capsys):
     assert text.count('from the cell') == 1
 
 
+def test_a_flood_is_not_held_against_the_nodes_that_come_after_a_new_start(ros, capsys):
+    ros.run(lambda: [print('flood', number) for number in range(5000)], 'print')
+    param_tutorial.start().run(lambda: print('from a new node'), 'print')
+    assert 'from a new node' in capsys.readouterr().out
+
+
 def test_what_the_executor_says_is_not_left_out_after_a_flood(ros, capsys):
     def flood_and_fail():
         for number in range(5000):

@@ -116,9 +116,6 @@ class BackgroundExecutor:
     """Spins nodes in a thread of its own until it is stopped. Get it from ``start()``."""
 
     def __init__(self) -> None:
-        if utilities.ok():
-            raise ExecutorError('other code has initialized rclpy in this process: call rclpy.shutdown() first, then '
-                                'start() again')
         self.domain_id = domain.choose()
         import_messages()
         # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
@@ -194,10 +191,7 @@ class BackgroundExecutor:
             node.__init__(*args, **kwargs)  # type: ignore[misc]
         except BaseException:
             # Half a node still has services on the network that nobody would ever serve.
-            if rclpy_private.is_in_graph(node):
-                end_service = rclpy_private.keep_type_description_service(node)
-                node.destroy_node()
-                end_service()
+            rclpy_private.destroy_unfinished(node)
             raise
         what = f'add {_full_name(node)}'
         # Known before it is spun: its first callback, and listeners to the graph, may look for it.
@@ -232,6 +226,7 @@ class BackgroundExecutor:
         """
         self.remove_all()
         self.run(self.node_log.clear, 'clear the log')
+        self._guard.renew()  # what those nodes printed is not held against the next
         self.failures.clear()
 
     def destroy(self, node: Node, destroy: Callable[[], None]) -> None:
@@ -490,8 +485,13 @@ class BackgroundExecutor:
     def stop(self) -> None:
         """Stop spinning, destroy all nodes and shut the context down; safe to call more than once.
 
-        A callback that never returns is left behind in its thread, asleep, with its context shut down.
+        A callback that never returns is left behind in its thread, asleep, with its context shut down. Ctrl+C comes
+        through when all is done: nobody could use half an executor, and nobody else could have rclpy.
         """
+        with interrupts.held_back():
+            self._stop()
+
+    def _stop(self) -> None:
         # This order is not free: shutting down without joining the thread aborts the interpreter at its exit.
         self._stopping = True
         self._allow_waiting()

@@ -3,16 +3,18 @@
 Python raises KeyboardInterrupt in the main thread, at the end of any call. A ``with lock:`` is one step. But
 ``Condition.__enter__`` is written in Python, and calls another function to take its lock: an interrupt between the two
 leaves it locked, as nobody has come as far as the ``with`` that would let go of it. Event is built on Condition. So
-code that the main thread may run enters the condition's lock, and has a Latch in place of an Event.
+code that the main thread may run enters the condition's lock, and has a Latch in place of an Event. What must not be
+left half done is ``held_back``.
 """
 
 import _thread
+import contextlib
 import queue
 import signal
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from types import CodeType
 from typing import Any
 
@@ -44,6 +46,26 @@ class Latch:
         except queue.Empty:
             pass
         return self._is_set
+
+
+@contextlib.contextmanager
+def held_back() -> Iterator[None]:
+    """Raise no KeyboardInterrupt in this block, but behind it: for what nobody could use half done, and soon is done.
+
+    Only the main thread is ever interrupted; in any other, this does nothing. Not for where rclpy handles SIGINT, as it
+    does after a plain ``rclpy.init()``: Python could not give it back to a handler in C.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    came: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, _: came.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if came:
+            signal.raise_signal(signal.SIGINT)
 
 
 def raise_again() -> Callable[[], None]:

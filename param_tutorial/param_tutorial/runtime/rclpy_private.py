@@ -8,6 +8,7 @@ import contextlib
 import ctypes
 import functools
 import time
+import types
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
@@ -248,9 +249,19 @@ def call_before_node_init(before: Callable[[Node, str, dict[str, Any]], None]) -
     return leave
 
 
-def is_in_graph(node: Node) -> bool:
-    """True if a node has got so far in its constructor that it exists for others, and has to be destroyed."""
-    return hasattr(node, '_Node__node')
+def destroy_unfinished(node: Node) -> None:
+    """Destroy a node whose constructor has raised an exception, if it got so far that it exists for others.
+
+    rclpy's own ``destroy_node`` takes for granted that the constructor of Node came to its end. Where a value for
+    ``use_sim_time`` is no bool, say, it did not, and an AttributeError would hide why.
+    """
+    if not hasattr(node, '_Node__node'):
+        return
+    end_service = keep_type_description_service(node)
+    node.__dict__.setdefault('_type_description_service', types.SimpleNamespace(destroy=lambda: None))
+    node.__dict__.setdefault('_Node__executor_weakref', None)
+    node.destroy_node()
+    end_service()
 
 
 def take_from_dead_executor(node: Node) -> None:

@@ -9,9 +9,11 @@ import contextlib
 import threading
 from collections.abc import Callable, Iterator
 
+from rclpy import utilities
+
 from param_tutorial.errors import ExecutorError
 from param_tutorial.pictures.diagrams import NodeGraph
-from param_tutorial.runtime import graph, surroundings
+from param_tutorial.runtime import graph, interrupts, surroundings
 from param_tutorial.runtime.executor import BackgroundExecutor
 from param_tutorial.runtime.listeners import Listeners
 
@@ -44,8 +46,15 @@ def start() -> BackgroundExecutor:
         if _current is not None:
             _current.stop()
         surroundings.drop_old_builds()
-        started = _current = BackgroundExecutor()
-    _change_listeners.call()
+        if utilities.ok():
+            raise ExecutorError('other code has initialized rclpy in this process: call rclpy.shutdown() first, then '
+                                'start() again')
+    with interrupts.held_back():  # half an executor would keep rclpy to itself, and nobody could stop it
+        with _lifecycle_lock:
+            if _current is None or not _current.is_running:  # no other thread was quicker
+                _current = BackgroundExecutor()
+            started = _current
+        _change_listeners.call()
     return started
 
 
@@ -63,12 +72,14 @@ def stop() -> None:
     """Stop the process's BackgroundExecutor, if there is one; safe to call more than once."""
     global _current
     _require_free()
-    with _lifecycle_lock:
-        if _current is None:
-            return
-        _current.stop()
-        _current = None
-    _change_listeners.call()
+    if _current is None:
+        return
+    with interrupts.held_back():
+        with _lifecycle_lock:
+            if _current is not None:  # no other thread was quicker
+                _current.stop()
+            _current = None
+        _change_listeners.call()
 
 
 @contextlib.contextmanager

@@ -112,14 +112,18 @@ class Guard:
     def look(self) -> None:
         """Be in place: a callback is about to begin. Within one, however long it prints, nothing is renewed."""
         if time.monotonic() >= self._renewed + _PERIOD_SEC:
-            self._renewed = time.monotonic()
-            self._allowance.renew()
+            self.renew()
         for name in ('stdout', 'stderr'):
             stream = getattr(sys, name)
             if not isinstance(stream, _Output):
                 setattr(sys, name, _Output(stream, self._applies_here, self._allowance))
         if not isinstance(builtins.input, _Input):
             builtins.input = _Input(builtins.input, self._forbidden_here)
+
+    def renew(self) -> None:
+        """Begin anew to count what is printed."""
+        self._renewed = time.monotonic()
+        self._allowance.renew()
 
     def left_out(self) -> int:
         """Return how many lines were left out and not told of yet; at most once a second more than 0."""

@@ -1,6 +1,7 @@
 """A thread that exists only while there is work. No ROS, no Jupyter."""
 
 import atexit
+import contextlib
 import threading
 import time
 import weakref
@@ -56,11 +57,10 @@ class Worker:
             if self._thread is not None:
                 self._changed.notify()
                 return
-            self._thread = threading.Thread(target=self._run, name=f'{THREAD_NAME_PREFIX}{self._name}', daemon=True)
-        try:
-            self._thread.start()
-        except RuntimeError:  # the interpreter is ending: nobody will look any more
-            self._thread = None
+            thread = threading.Thread(target=self._run, name=f'{THREAD_NAME_PREFIX}{self._name}', daemon=True)
+            with contextlib.suppress(RuntimeError):  # the interpreter is ending: nobody will look any more
+                thread.start()
+                self._thread = thread  # not before: one that Ctrl+C kept from starting would never look
 
     def stay(self) -> None:
         """Make sure that the thread is there and looks after what is outstanding. Cheaper than waking it."""
@@ -96,6 +96,9 @@ class Worker:
             self._changed.notify()
 
     def _run(self) -> None:
+        with self._lock:
+            if self._thread is not threading.current_thread():  # Ctrl+C came while it was being started
+                return
         try:
             self._work()
         finally:
@@ -139,4 +142,5 @@ def _end_all() -> None:
         worker.end()
     for thread in threading.enumerate():
         if thread.name.startswith(THREAD_NAME_PREFIX):
-            thread.join(max(0.0, deadline - time.monotonic()))
+            with contextlib.suppress(RuntimeError):  # Ctrl+C kept it from starting
+                thread.join(max(0.0, deadline - time.monotonic()))
