@@ -23,7 +23,7 @@ from rclpy.signals import SignalHandlerOptions, get_current_signal_handlers_opti
 import param_tutorial
 from param_tutorial import ParameterClient
 from param_tutorial.errors import ExecutorError, WaitTimeoutError
-from param_tutorial.runtime import domain, executor, rclpy_private, stage
+from param_tutorial.runtime import domain, executor, interrupts, rclpy_private, stage
 
 
 class Speed(Node):
@@ -168,6 +168,23 @@ def test_an_rclpy_that_somebody_else_initialised_is_left_alone():
         assert get_current_signal_handlers_options() == SignalHandlerOptions.ALL
     finally:
         rclpy.shutdown()
+
+
+@pytest.mark.parametrize(('owner', 'name'), [
+    (rclpy_private, 'new_executor'), (executor, 'Services'), (interrupts, 'raise_again')])
+def test_a_start_that_fails_leaves_rclpy_to_the_next(monkeypatch, owner, name):
+    def fail(*_):
+        raise OSError('Too many open files')
+
+    param_tutorial.stop()
+    before = Node.__init__, rclpy.init
+    with monkeypatch.context() as patched:
+        patched.setattr(owner, name, fail)
+        with pytest.raises(OSError, match='Too many open files'):
+            param_tutorial.start()
+    assert (Node.__init__, rclpy.init) == before
+    assert not rclpy.ok()
+    assert param_tutorial.start().services.node_names() == []
 
 
 def test_only_classes_of_nodes_are_added(ros):

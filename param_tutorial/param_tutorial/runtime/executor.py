@@ -5,6 +5,7 @@ of its own, survives exceptions in their callbacks, and offers the feeds that to
 /parameter_events, nodes coming and going. ``stage`` holds the one executor of a process.
 """
 
+import contextlib
 import ctypes
 import sys
 import threading
@@ -118,11 +119,6 @@ class BackgroundExecutor:
     def __init__(self) -> None:
         self.domain_id = domain.choose()
         import_messages()
-        # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
-        # are off because a thread's output lands in whichever cell is running: node_log reads /rosout instead.
-        rclpy.init(args=['--ros-args', '--disable-stdout-logs', '--disable-external-lib-logs'],
-                   domain_id=self.domain_id, signal_handler_options=SignalHandlerOptions.NO)
-        self.context = utilities.get_default_context()
         self.node_log = NodeLog()
         self.failures: deque[Failure] = deque(maxlen=100)
         """The exceptions that callbacks raised, oldest first; those that repeat are counted in one."""
@@ -134,23 +130,34 @@ class BackgroundExecutor:
         self._incarnations: Incarnations = frozenset()
         self._names: list[tuple[str, str]] = []
         self._stopping = False
-        self._executor = rclpy_private.new_executor(self.context)
-        self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
-        note_arrival(self.tool_node)
-        self.tool_node.create_subscription(
-            Log, '/rosout', self.node_log.receive,
-            QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL))
-        self.tool_node.create_subscription(
-            ParameterEvent, '/parameter_events', self._event_listeners.call, qos_profile_parameter_events)
-        self._executor.add_node(self.tool_node)
-        self.services = Services(self.tool_node, self._in_thread, self._free_thread)
-        self._thread = self._new_thread()
-        self._allow_waiting = rclpy_private.forbid_waiting(self._error_if_in_callback, rclpy_private.WaitLimit(
-            self._in_main_thread, WAIT_LIMIT_SEC, self._error_if_endless, self._error_if_in_vain))
-        self._let_go_of_context = rclpy_private.keep_context(self.context, self._tell_who_keeps_rclpy)
-        self._let_go_of_nodes = rclpy_private.call_before_node_init(before_node_init)
-        self._let_go_of_interrupts = interrupts.raise_again()
-        self._thread.start()
+        with contextlib.ExitStack() as undo:  # a process that may open no more files, say, gets no participant of DDS
+            # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
+            # are off because a thread's output lands in whichever cell is running: node_log reads /rosout instead.
+            rclpy.init(args=['--ros-args', '--disable-stdout-logs', '--disable-external-lib-logs'],
+                       domain_id=self.domain_id, signal_handler_options=SignalHandlerOptions.NO)
+            undo.callback(utilities.try_shutdown)
+            self.context = utilities.get_default_context()
+            self._executor = rclpy_private.new_executor(self.context)
+            self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
+            undo.callback(self.tool_node.destroy_node)
+            note_arrival(self.tool_node)
+            self.tool_node.create_subscription(
+                Log, '/rosout', self.node_log.receive,
+                QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL))
+            self.tool_node.create_subscription(
+                ParameterEvent, '/parameter_events', self._event_listeners.call, qos_profile_parameter_events)
+            self._executor.add_node(self.tool_node)
+            self.services = Services(self.tool_node, self._in_thread, self._free_thread)
+            self._thread = self._new_thread()
+            self._let_go_of_rclpy = undo.enter_context(contextlib.ExitStack())
+            keep = self._let_go_of_rclpy.callback
+            keep(rclpy_private.forbid_waiting(self._error_if_in_callback, rclpy_private.WaitLimit(
+                self._in_main_thread, WAIT_LIMIT_SEC, self._error_if_endless, self._error_if_in_vain)))
+            keep(rclpy_private.keep_context(self.context, self._tell_who_keeps_rclpy))
+            keep(rclpy_private.call_before_node_init(before_node_init))
+            keep(interrupts.raise_again())
+            self._thread.start()
+            undo.pop_all()
 
     @property
     def is_running(self) -> bool:
@@ -494,10 +501,7 @@ class BackgroundExecutor:
     def _stop(self) -> None:
         # This order is not free: shutting down without joining the thread aborts the interpreter at its exit.
         self._stopping = True
-        self._allow_waiting()
-        self._let_go_of_context()
-        self._let_go_of_nodes()
-        self._let_go_of_interrupts()
+        self._let_go_of_rclpy.close()
         if not self._ended.is_set() and self.context.ok():
             self._executor.create_task(lambda: None)
         has_ended = within(STOP_TIMEOUT_SEC, self._ends_within) or self._interrupt(self._ends_within)
