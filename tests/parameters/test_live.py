@@ -48,6 +48,21 @@ def test_the_first_look_reads_and_shows_everything(ros, follow):
     assert live.parameters['max_speed_rpm'].descriptor.name == 'max_speed_rpm'
 
 
+def test_a_first_look_that_is_interrupted_leaves_nobody_following(ros, follow):
+    counter = ParameterClient(ros.add(Counter))
+    shown = []
+
+    def press_ctrl_c():
+        shown.append(1)
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        LiveParameters('counter', press_ctrl_c).first_look()
+    counter.set_parameter('x', 2)
+    assert follow('counter').parameters['x'].value == 2
+    assert shown == [1]
+
+
 def test_only_some_names_in_their_order(ros, follow):
     ros.add(Counter)
     assert list(follow('counter', names=['use_sim_time', 'x', 'no_such']).parameters) == ['use_sim_time', 'x']

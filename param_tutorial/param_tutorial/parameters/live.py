@@ -65,7 +65,7 @@ class LiveParameter(ParameterState):
 
 
 class LiveParameters:
-    """Follows the parameters of one node through changes, restarts and absence, until it is closed."""
+    """Follows the parameters of one node through changes, restarts and absence, from ``first_look`` to ``close``."""
 
     def __init__(self, node: str, show: Callable[[], None], *, names: Iterable[str] | None = None,
                  executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
@@ -88,9 +88,7 @@ class LiveParameters:
         self._stop_listening: list[Callable[[], None]] = []
         self._reader = Worker(self._read_step, f'panel of {self.node}: read', _READ_PERIOD_SEC)
         self._shower = Worker(self._show_step, f'panel of {self.node}: show', _SHOW_PERIOD_SEC)
-        self._stop_following = stage.on_change(self._on_executor_change)
-        with self._lock:
-            self._listen()  # first_look does what remains to be done
+        self._stop_following: Callable[[], None] = lambda: None
 
     @property
     def parameters(self) -> dict[str, LiveParameter]:
@@ -116,17 +114,27 @@ class LiveParameters:
         return ParameterClient(self.node, executor=self._require_executor(), timeout_sec=self._timeout_sec)
 
     def first_look(self, timeout_sec: float = FIRST_LOOK_TIMEOUT_SEC) -> None:
-        """Read everything from the node and show it; waits for a node that is just starting.
+        """Begin to follow: read everything from the node and show it. Waits for a node that is just starting.
+
+        If that fails, or Ctrl+C ends it, the node is not followed: the view that it was for has left its constructor.
 
         :param timeout_sec: How long to wait for each of the two; 0 to go on at once, and show what comes.
+        :raises ExecutorError: called in a callback, where waiting would block the executor forever.
         """
-        if not timeout_sec:
-            self._reader.wake()
-            self._shower.wake()
-            return
-        self._require_other_thread()
-        self._reader.call_now(timeout_sec)
-        self._shower.call_now(timeout_sec)
+        try:
+            self._stop_following = stage.on_change(self._on_executor_change)
+            with self._lock:
+                self._listen()  # what remains to be done is done below
+            if not timeout_sec:
+                self._reader.wake()
+                self._shower.wake()
+                return
+            self._require_other_thread()
+            self._reader.call_now(timeout_sec)
+            self._shower.call_now(timeout_sec)
+        except BaseException:
+            self.close()
+            raise
 
     def settle(self, timeout_sec: float) -> None:
         """Wait until all that was asked so far is answered, then read everything from the node and show it.

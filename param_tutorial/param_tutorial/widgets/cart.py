@@ -60,10 +60,10 @@ class CartView(DrivingView):
         self._node = node_name(node)
         self._settings: Settings | None = None
         self._motion, self._begin_sec, self._before_sec = _READY, 0.0, 0.0
-        super().__init__()
         # It comes back when the cart begins to do something else.
         self._clock = Worker(self._show, 'cart view', _SHOW_PERIOD_SEC)
         self._live = LiveParameters(self._node, self._follow, executor=executor, timeout_sec=timeout_sec)
+        super().__init__()
         self._live.first_look()
         close_with_cell(self)
 

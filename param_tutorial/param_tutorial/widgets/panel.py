@@ -113,8 +113,8 @@ class ParameterPanel(View):
         self._overtaken_looks = 0
         self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
-        super().__init__([self._front], 'param-panel')
         self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
+        super().__init__([self._front], 'param-panel')
         self._live.first_look(patience_sec)
         close_with_cell(self)
 

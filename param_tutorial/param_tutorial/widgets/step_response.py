@@ -86,8 +86,8 @@ class StepResponseView(View):
         self._plain = ''
         self._drawn_sec = 0.0
         self._picture, self._figures = widgets.HTML(), widgets.HTML()
-        super().__init__([widgets.HTML(_STYLE), self._picture, self._figures], 'step-view')
         self._live = LiveParameters(self._node, self._show, executor=executor, timeout_sec=timeout_sec)
+        super().__init__([widgets.HTML(_STYLE), self._picture, self._figures], 'step-view')
         self._live.first_look()
         close_with_cell(self)
 
