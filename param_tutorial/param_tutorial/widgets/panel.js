@@ -20,7 +20,7 @@ class Elements {
     button.hidden = false;
     button.addEventListener('click', () => this.open(this.element.hidden));
     this.element.addEventListener('keydown', event => {
-      event.stopPropagation();
+      row.panel.keep(event);
       if (event.key === 'Enter' && event.target.tagName === 'INPUT') this.commit();
       if (event.key === 'Escape') { this.isTyping = false; this.open(false); button.focus(); }
     });
@@ -102,8 +102,7 @@ class PanelRow {
       this.box.addEventListener('input', () => { this.isTyping = true; });
       this.box.addEventListener('blur', () => this.commit());
       this.box.addEventListener('keydown', event => {
-        // JupyterLab has meanings of its own for keys.
-        event.stopPropagation();
+        panel.keep(event);
         if (event.key === 'Enter' && this.box.tagName === 'INPUT') this.commit();
         if (event.key === 'Escape') { this.isTyping = false; this.draw(); }
       });
@@ -112,7 +111,7 @@ class PanelRow {
       for (const kind of ['pointerdown', 'keydown', 'focus']) {
         this.slider.addEventListener(kind, () => { this.grip += 1; });
       }
-      this.slider.addEventListener('keydown', event => event.stopPropagation());
+      this.slider.addEventListener('keydown', event => panel.keep(event));
       this.slider.addEventListener('input', () => this.enter('position', Number(this.slider.value)));
     }
     const items = element.querySelector('.param-items');
@@ -246,10 +245,16 @@ class ParameterPanel {
     }
   }
 
+  /** Keep a key in the panel: JupyterLab has meanings of its own for keys. */
+  keep(event) {
+    event.stopPropagation();
+    if (this.buttons.undo) this.onKey(event);
+  }
+
   onKey(event) {
     const isUndo = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z';
     // In a text that is being typed these keys are the browser's.
-    if (!isUndo || [...this.rows.values()].some(row => row.isTyping)) return;
+    if (!isUndo || [...this.rows.values()].some(row => row.isTyping || row.elements?.isTyping)) return;
     event.preventDefault();
     if (event.shiftKey) this.wire.redo(); else this.wire.undo();
   }
