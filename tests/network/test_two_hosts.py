@@ -79,8 +79,8 @@ def wait_until_given_up(robot: Python, laptop: Python) -> None:
     """Wait until DDS on each host has nothing of the other any more.
 
     The panel says that the node is gone when that begins. Where the cable was back within milliseconds, and the machine
-    starved, Fast DDS sometimes never found the other host again (2 of some 60 times): its announcements came, all with the
-    sequence number that the first one had, and were not heeded.
+    starved, Fast DDS sometimes never found the other host again (2 of some 60 times): its announcements came, all with
+    the sequence number that the first one had, and were not heeded.
     """
     for host, own in (laptop, ['/_param_tutorial']), (robot, ['/_param_tutorial', '/simple_param_node']):
         wait_for(lambda host=host, own=own: host.run('ros.services.node_names(hidden=True)') == own,
