@@ -27,7 +27,6 @@ from rclpy.signals import SignalHandlerOptions
 from param_tutorial.errors import ExecutorError, StuckError, WaitTimeoutError
 from param_tutorial.runtime import domain, interrupts, rclpy_private
 from param_tutorial.runtime.graph import Incarnations, incarnations, nodes_in_graph, note_arrival
-from param_tutorial.runtime.interrupts import Latch
 from param_tutorial.runtime.lean_messages import import_messages
 from param_tutorial.runtime.listeners import Listeners
 from param_tutorial.runtime.managed import Callback, CallbackWatch, before_node_init, is_managed, prepare
@@ -73,7 +72,7 @@ class _Parked(BaseException):
     asleep in a lock lets the interpreter end; one that still runs Python aborts it with status 134.
     """
 
-    is_parked = Latch()
+    is_parked = interrupts.Latch()
 
     def __init__(self) -> None:
         self.is_parked.set()
@@ -276,7 +275,7 @@ class BackgroundExecutor:
             return function()
         values: list[T] = []
         errors: list[BaseException] = []
-        begun, finished = Latch(), Latch()
+        begun, finished = interrupts.Latch(), interrupts.Latch()
 
         def work() -> None:
             begun.set()
@@ -303,11 +302,11 @@ class BackgroundExecutor:
     def _new_thread(self) -> threading.Thread:
         # Thread.is_alive() and join() take a thread that runs for one that has ended, for good, if Ctrl+C comes while
         # they look (CPython 3.10 to 3.12).
-        self._ended = Latch()
+        self._ended = interrupts.Latch()
         return threading.Thread(target=self._spin_until_the_end, args=(self._ended,), name='ros-background-executor',
                                 daemon=True)
 
-    def _spin_until_the_end(self, ended: Latch) -> None:
+    def _spin_until_the_end(self, ended: interrupts.Latch) -> None:
         try:
             self._spin()
         finally:
@@ -390,7 +389,7 @@ class BackgroundExecutor:
 
     def _park_thread(self) -> None:
         """Keep the thread from ever running Python again: it sleeps until the process ends."""
-        _Parked.is_parked = Latch()
+        _Parked.is_parked = interrupts.Latch()
         self._raise_in_thread(_Parked)
         if _CallbackInterrupted.is_noticed:  # otherwise it is asleep already, which is as good
             within(_NOTICE_TIMEOUT_SEC, _Parked.is_parked.wait)
@@ -489,16 +488,13 @@ class BackgroundExecutor:
 
     # -- the end ----------------------------------------------------------------------------------------
 
+    @interrupts.held_back()
     def stop(self) -> None:
         """Stop spinning, destroy all nodes and shut the context down; safe to call more than once.
 
         A callback that never returns is left behind in its thread, asleep, with its context shut down. Ctrl+C comes
         through when all is done: nobody could use half an executor, and nobody else could have rclpy.
         """
-        with interrupts.held_back():
-            self._stop()
-
-    def _stop(self) -> None:
         # This order is not free: shutting down without joining the thread aborts the interpreter at its exit.
         self._stopping = True
         self._let_go_of_rclpy.close()
