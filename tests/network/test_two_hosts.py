@@ -78,9 +78,10 @@ def agree(robot: Python, laptop: Python, value: int | None = None) -> bool:
 def wait_until_given_up(robot: Python, laptop: Python) -> None:
     """Wait until DDS on each host has nothing of the other any more.
 
-    The panel says that the node is gone when that begins. Where the cable was back within milliseconds, and the machine
-    starved, Fast DDS sometimes never found the other host again (2 of some 60 times): its announcements came, all with
-    the sequence number that the first one had, and were not heeded.
+    The panel reports that the node is gone when that begins. If the cable was back within milliseconds of it, on a
+    starved machine, Fast DDS sometimes never found the other host again (2 of about 60 times). Its source, which we
+    only read, shows how that may happen: an announcement that comes while `PDP::remove_remote_participant` runs can be
+    dropped after it was noted as received, and `StatelessReader` ignores all later ones, as they have the same number.
     """
     for host, own in (laptop, ['/_param_tutorial']), (robot, ['/_param_tutorial', '/simple_param_node']):
         wait_for(lambda host=host, own=own: host.run('ros.services.node_names(hidden=True)') == own,
