@@ -11,6 +11,7 @@ import threading
 
 import pytest
 from rcl_interfaces.msg import Log
+from rcl_interfaces.srv import ListParameters
 
 import param_tutorial
 from param_tutorial import ParameterClient, Terminal
@@ -19,7 +20,7 @@ from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.runtime.backlog import Backlog
 from param_tutorial.runtime.interrupts import Latch, held_back
 from param_tutorial.runtime.node_log import NodeLog
-from param_tutorial.runtime.waiting import within
+from param_tutorial.runtime.waiting import wait_until, within
 from param_tutorial.runtime.worker import Worker
 from tests.support.paths import ROOT
 
@@ -150,6 +151,31 @@ def test_the_stage_is_there_after_each_interrupt_of_its_beginning_and_its_end(ac
 
     ask()
     assert InterruptedEverywhere(getattr(param_tutorial, act), ask, stride=5).interrupts > 5
+
+
+def test_a_call_is_forgotten_after_each_interrupt(ros):
+    client = ParameterClient(ros.add(SimpleParamNode))
+
+    def look():
+        assert ros.services._pending == {}
+
+    client.list_parameters()
+    assert InterruptedEverywhere(client.list_parameters, look).interrupts > 20
+    assert client.list_parameters()
+
+
+def test_so_is_one_without_waiting_when_its_time_is_over(ros):
+    ros.add(SimpleParamNode)
+    ros.services.greet('/simple_param_node')
+
+    def ask():
+        ros.services.call_async('/simple_param_node', 'list_parameters', ListParameters.Request(), lambda _: None,
+                                timeout_sec=0.1)
+
+    def look():
+        wait_until(lambda: ros.services._pending == {}, 'the call to be forgotten', timeout_sec=30)
+
+    assert InterruptedEverywhere(ask, look).interrupts > 5
 
 
 def test_what_is_held_back_comes_behind_the_block():

@@ -144,8 +144,7 @@ class Services:
         try:
             while True:
                 if not sent or (repeat and machine_time() > began + len(sent) * _REPEAT_PERIOD_SEC):
-                    sent.append(self._send(client, node, service, request))
-                    sent[-1].add_done_callback(lambda _: finished.set())
+                    self._send(client, node, service, request, sent).add_done_callback(lambda _: finished.set())
                 if finished.wait(_LOOK_PERIOD_SEC):
                     break
                 gone = self._is_gone(node, client)
@@ -215,7 +214,7 @@ class Services:
             finally:
                 self._forget(future, client)
 
-        self._send(client, node, service, request, timeout_sec).add_done_callback(finish)
+        self._send(client, node, service, request, [], timeout_sec).add_done_callback(finish)
 
     def is_ready(self, node: str, service: str = 'set_parameters') -> bool:
         """True if the node is there, so that a call now would reach it."""
@@ -311,11 +310,13 @@ class Services:
             raise DiscoveryTimeoutError(node, error) from None
         return client
 
-    def _send(self, client: Client, node: str, service: str, request: Any,
+    def _send(self, client: Client, node: str, service: str, request: Any, sent: list[Future],
               timeout_sec: float | None = None) -> Future:
-        # The lock is held over both steps: the answer, or the error of a callback, may come in between.
+        """Send a request, and add its future to ``sent``: a caller that is interrupted in here must forget it."""
+        # The lock is held over all steps: the answer, or the error of a callback, may come in between.
         with self._lock:
             future = client.call_async(request)
+            sent.append(future)  # before it is pending
             self._pending[future] = _PendingCall(node, service, request, client, timeout_sec, machine_time())
         return future
 
@@ -327,8 +328,7 @@ class Services:
 
     def _fail(self, future: Future, error: BaseException) -> None:
         with self._lock:
-            if future not in self._pending or future.done():
+            if self._pending.pop(future, None) is None or future.done():
                 return
-            del self._pending[future]
         future.set_exception(error)
 
