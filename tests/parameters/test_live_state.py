@@ -278,7 +278,16 @@ def test_a_node_that_does_not_answer_to_a_change_is_silent_until_it_answers_anyt
     assert state.begin_reading(17.0).describe
     state.described(['x'], {'x': descriptor('x')}, {'x': 1})
     # The person who asked should still see that there was no answer.
-    assert (state.status, x.message) == ('', str(silent))
+    assert (state.status, x.message, x.is_unanswered) == ('', str(silent), True)
+    # Until the node has done what it was asked to, or the person asks for something else.
+    state.changed([changed('x', 3)], others=False)
+    assert state.begin_reading(18.0).names == ['x']
+    state.have_read({'x': 3})
+    assert x.message
+    state.changed([changed('x', 2)], others=False)
+    state.begin_reading(19.0)
+    state.have_read({'x': 2})
+    assert (x.value, x.message, x.is_unanswered) == (2, '', False)
 
 
 def test_a_node_that_is_not_found_though_the_graph_shows_it_is_asked_again_later(state):

@@ -300,6 +300,7 @@ def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote):
     wait_until(lambda: not panel.status, 'the panel to hear from the node', 20)
     wait_until(lambda: not is_locked(panel, 'x'), 'the control to be free', 20)
     wait_until(lambda: shows(panel, 'x') == ('5',), 'the node to do, late, what it was asked to', 20)
+    wait_until(lambda: not says(panel, 'x'), 'the word that it did not answer to go', 20)
     panel.close()
 
 

@@ -51,8 +51,8 @@ class ParameterState:
         """What the node confirmed last; None if it is declared without a value."""
         self.message = ''
         """Why the last value that was asked for did not become the parameter's; empty if it did."""
-        self.is_unanswered = False
-        """True if the message is that the node was not asked, or did not answer: it has rejected nothing."""
+        self.unanswered: Any = ...
+        """What was asked for last, if the node was not asked, or did not answer: it may do it late. Else ``...``."""
         self.asked_at = 0.0
         """On the clock of ``runtime.waiting.machine_time``."""
         self.request: Request | None = None
@@ -73,6 +73,11 @@ class ParameterState:
     def busy(self) -> bool:
         """True if the node has been asked for another value and has not answered yet."""
         return self.request is not None
+
+    @property
+    def is_unanswered(self) -> bool:
+        """True if the message is that the node was not asked, or did not answer: it has rejected nothing."""
+        return self.unanswered is not ...
 
     def is_late(self, now: float) -> bool:
         """True if the answer takes so long that a person should be told."""
@@ -199,7 +204,7 @@ class LiveState(Generic[ParameterT]):
         """A hand entered something that is no value, so the node is not asked."""
         parameter.waiting = None
         if not parameter.busy:
-            parameter.message, parameter.is_unanswered = reason, False
+            parameter.message, parameter.unanswered = reason, ...
         self._must_show = True
         return Todo(show=True)
 
@@ -428,7 +433,7 @@ class LiveState(Generic[ParameterT]):
         following, parameter.request, parameter.waiting = parameter.waiting, None, None
         if following is not None:
             return self._begin(following, now)._replace(read=self._must_describe)
-        parameter.message, parameter.is_unanswered = reason, bool(reason) and not doubtful
+        parameter.message, parameter.unanswered = reason, request.value if reason and not doubtful else ...
         if doubtful and self.parameters.get(parameter.name) is parameter:  # and not deleted meanwhile
             self._must_read.add(parameter.name)
         self._must_show = True
@@ -441,8 +446,10 @@ class LiveState(Generic[ParameterT]):
                 self._give_up(parameter, reason)
 
     def _give_up(self, parameter: ParameterState, reason: str) -> None:
+        newest = parameter.waiting or parameter.request
+        assert newest is not None, 'nothing has been asked for'
         parameter.request = parameter.waiting = None
-        parameter.message, parameter.is_unanswered = reason, True
+        parameter.message, parameter.unanswered = reason, newest.value
 
     def _fall_silent(self, error: Exception, ask_again_at: float) -> None:
         """Take note that the node is there and does not answer; everything is read when it does."""
@@ -477,6 +484,8 @@ class LiveState(Generic[ParameterT]):
             elif not values.same(value, parameter.value):
                 parameter.adjusted = ...
             parameter.value = value
+            if parameter.is_unanswered and values.same(value, parameter.unanswered):
+                parameter.message, parameter.unanswered = '', ...  # it did what it was asked to, late
 
     def _have_news(self) -> Todo:
         self._must_show = True
@@ -484,5 +493,5 @@ class LiveState(Generic[ParameterT]):
 
     def _clear_messages(self) -> None:
         for parameter in self.parameters.values():
-            parameter.message = ''
+            parameter.message, parameter.unanswered = '', ...
             parameter.accepted = parameter.adjusted = ...
