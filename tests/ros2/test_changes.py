@@ -1,12 +1,15 @@
 """The commands watch and history, and going back to a time."""
 
 import re
-import threading
+import signal
+import subprocess
+import sys
 
 import pytest
 
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.parameters.change_log import ChangeLog
 from tests.ros2.test_ros2 import run
 
@@ -16,21 +19,23 @@ def log(ros, tmp_path):
     """Return the path of a log in which a robot gets another name, and then another."""
     ros.add(SimpleParamNode)
     path = tmp_path / 'changes.jsonl'
-    thread = threading.Thread(target=lambda: told.append(run('watch', '--log', path, '--duration', '20')))
-    told = []
-    thread.start()
-    wait_until(lambda: path.exists() and 'robot_name' in path.read_text(), 'the log to begin')
-    for name in ('Berta', 'Carla'):
-        ParameterClient('/simple_param_node').set_parameter('robot_name', name)
-    wait_until(lambda: 'Carla' in path.read_text(), 'the changes to be written')
-    ros.remove_all()
-    wait_until(lambda: 'gone' in path.read_text(), 'the node to be missed')
-    yield path
-    thread.join(70)
-    stdout, stderr, status = told[0]
+    with interruptible():
+        process = subprocess.Popen([sys.executable, '-m', 'param_tutorial', 'watch', '--log', str(path)], text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    try:
+        wait_until(lambda: path.exists() and 'robot_name' in path.read_text(), 'the log to begin', 60)
+        for name in ('Berta', 'Carla'):
+            ParameterClient('/simple_param_node').set_parameter('robot_name', name)
+        wait_until(lambda: 'Carla' in path.read_text(), 'the changes to be written', 60)
+        ros.remove_all()
+        wait_until(lambda: 'gone' in path.read_text(), 'the node to be missed', 60)
+    finally:
+        process.send_signal(signal.SIGINT)
+        stdout, stderr = process.communicate()
     assert stdout.startswith('Watching 9 parameters of 1 node\n')
     assert "/simple_param_node robot_name: 'Clawbot' → 'Berta'\n" in stdout
-    assert (stderr, status) == ('', 0)
+    assert (stderr, process.returncode) == ('', 0)
+    return path
 
 
 @pytest.mark.slow
