@@ -1,6 +1,5 @@
 """The commands watch and history, and going back to a time."""
 
-import ctypes
 import re
 import threading
 
@@ -9,6 +8,7 @@ import pytest
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters.change_log import ChangeLog
+from param_tutorial.runtime.interrupts import raise_in
 from tests.ros2.test_ros2 import run
 
 
@@ -29,7 +29,7 @@ def log(ros, tmp_path):
         wait_until(lambda: 'gone' in path.read_text(), 'the node to be missed')
     finally:
         # What Ctrl+C would raise. A duration would be over too early on a busy machine.
-        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(KeyboardInterrupt))
+        raise_in(thread, KeyboardInterrupt)
         thread.join()
     stdout, stderr, status = told[0]
     assert stdout.startswith('Watching 9 parameters of 1 node\n')

@@ -19,7 +19,7 @@ from param_tutorial.errors import WaitTimeoutError
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.runtime import interrupts
 from param_tutorial.runtime.backlog import Backlog
-from param_tutorial.runtime.interrupts import Latch, held_back
+from param_tutorial.runtime.interrupts import Latch, held_back, raise_in
 from param_tutorial.runtime.node_log import NodeLog
 from param_tutorial.runtime.waiting import wait_until, within
 from param_tutorial.runtime.worker import Worker
@@ -205,6 +205,29 @@ def test_another_thread_holds_nothing_back():
             found.append(signal.getsignal(signal.SIGINT))
     in_another_thread(look)()
     assert found == [before]
+
+
+def test_what_is_raised_in_a_sleeping_thread_waits_for_it_and_holds_up_no_other():
+    """In CPython 3.11, a function that is profiled would never begin."""
+    awake, heard = threading.Lock(), []
+
+    def sleep():
+        try:
+            awake.acquire()
+        except ValueError:
+            heard.append('an error')
+
+    with awake:
+        sleeper = threading.Thread(target=sleep)
+        sleeper.start()
+        raise_in(sleeper, ValueError)
+        sys.setprofile(lambda *_: None)
+        try:
+            sleeper.is_alive()
+        finally:
+            sys.setprofile(None)
+    sleeper.join()
+    assert heard == ['an error']
 
 
 @pytest.mark.parametrize('waiters', [1, 2])

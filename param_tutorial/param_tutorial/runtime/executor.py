@@ -6,7 +6,6 @@ of its own, survives exceptions in their callbacks, and offers the feeds that to
 """
 
 import contextlib
-import ctypes
 import sys
 import threading
 import time
@@ -332,9 +331,6 @@ class BackgroundExecutor:
     def _in_thread(self) -> bool:
         return threading.current_thread() is self._thread
 
-    def _raise_in_thread(self, error: type[BaseException]) -> None:
-        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread.ident or 0), ctypes.py_object(error))
-
     def _interrupt(self, has_ended_within: Callable[[float], bool]) -> bool:
         """Raise an exception in the callback that keeps the thread. Return True if that ends it.
 
@@ -343,7 +339,7 @@ class BackgroundExecutor:
         """
         kept_by = self.callback_watch.running
         _CallbackInterrupted.is_noticed = False
-        self._raise_in_thread(_CallbackInterrupted)
+        interrupts.raise_in(self._thread, _CallbackInterrupted)
         if within(_NOTICE_TIMEOUT_SEC, has_ended_within):
             return True
         if not _CallbackInterrupted.is_noticed:
@@ -351,7 +347,7 @@ class BackgroundExecutor:
         if within(INTERRUPT_TIMEOUT_SEC, has_ended_within):
             return True
         if self.callback_watch.running is kept_by:
-            self._raise_in_thread(_CallbackInterrupted)
+            interrupts.raise_in(self._thread, _CallbackInterrupted)
         return within(INTERRUPT_TIMEOUT_SEC, has_ended_within)
 
     def _ends_within(self, seconds: float) -> bool:
@@ -390,7 +386,7 @@ class BackgroundExecutor:
     def _park_thread(self) -> None:
         """Keep the thread from ever running Python again: it sleeps until the process ends."""
         _Parked.is_parked = interrupts.Latch()
-        self._raise_in_thread(_Parked)
+        interrupts.raise_in(self._thread, _Parked)
         if _CallbackInterrupted.is_noticed:  # otherwise it is asleep already, which is as good
             within(_NOTICE_TIMEOUT_SEC, _Parked.is_parked.wait)
 

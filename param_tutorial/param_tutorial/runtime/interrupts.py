@@ -4,11 +4,12 @@ Python raises KeyboardInterrupt in the main thread, at the end of any call. A ``
 ``Condition.__enter__`` is written in Python, and calls another function to take its lock: an interrupt between the two
 leaves it locked, as nobody has come as far as the ``with`` that would let go of it. Event is built on Condition. So
 code that the main thread may run enters the condition's lock, and has a Latch in place of an Event. What must not be
-left half done is ``held_back``.
+left half done is ``held_back``. And ``raise_in`` interrupts another thread.
 """
 
 import _thread
 import contextlib
+import ctypes
 import queue
 import signal
 import sys
@@ -66,6 +67,43 @@ def held_back() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
         if came:
             signal.raise_signal(signal.SIGINT)
+
+
+def raise_in(thread: threading.Thread, error: type[BaseException]) -> None:
+    """Raise an exception in another thread, once that runs Python code again.
+
+    Until then, Python would have all threads look for it in every call, and CPython 3.11 never gets past that look in
+    code that is debugged or profiled. So the thread that announces it here hears of an exception of its own at once,
+    which ends the search. A thread that wakes with one waiting for it begins it again (``take_gil`` of CPython).
+    """
+    number = thread.ident or 0
+    is_announced = _thread.allocate_lock()
+    is_announced.acquire()
+    try:
+        _thread.start_new_thread(_announce, (number, error, is_announced))
+        is_announced.acquire()
+    except RuntimeError:  # the process is about to end, and Python 3.12 starts no more threads
+        _set_async_exc(number, error)
+
+
+class _Heard(BaseException):
+    """What a thread raises in itself."""
+
+
+def _announce(thread: int, error: type[BaseException], is_announced: _thread.LockType) -> None:
+    here = threading.get_ident()
+    try:
+        # No function of Python may be called between these.
+        _set_async_exc(thread, error)
+        _set_async_exc(here, _Heard)
+        while True:
+            pass
+    except _Heard:
+        is_announced.release()
+
+
+_set_async_exc = ctypes.pythonapi.PyThreadState_SetAsyncExc
+_set_async_exc.argtypes = ctypes.c_ulong, ctypes.py_object
 
 
 def raise_again() -> Callable[[], None]:
