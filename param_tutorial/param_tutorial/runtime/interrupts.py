@@ -20,6 +20,8 @@ from types import CodeType
 from typing import Any
 
 _LOOK_PERIOD_SEC = 0.001
+_set_async_exc = ctypes.pythonapi.PyThreadState_SetAsyncExc
+_set_async_exc.argtypes = ctypes.c_ulong, ctypes.py_object
 
 
 class Latch:
@@ -100,10 +102,6 @@ def _announce(thread: int, error: type[BaseException], is_announced: _thread.Loc
             pass
     except _Heard:
         is_announced.release()
-
-
-_set_async_exc = ctypes.pythonapi.PyThreadState_SetAsyncExc
-_set_async_exc.argtypes = ctypes.c_ulong, ctypes.py_object
 
 
 def raise_again() -> Callable[[], None]:
