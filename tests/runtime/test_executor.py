@@ -847,6 +847,22 @@ def test_nodes_that_go_after_that_leave_nothing_with_the_executor():
 
 
 @pytest.mark.slow
+def test_an_alarm_does_not_wake_a_callback_that_sleeps():
+    """In CPython 3.11 no function that is profiled would begin any more."""
+    done = run_python(STUCK.format(asleep=True) + '''
+    import signal
+    asleep = next(thread for thread in threading.enumerate() if thread.name == 'ros-background-executor')
+    ros.run(lambda: None, 'work', timeout_sec=0.3)
+    client = ParameterClient(ros.add(SimpleParamNode))
+    signal.signal(signal.SIGALRM, lambda *_: None)
+    signal.pthread_kill(asleep.ident, signal.SIGALRM)
+    sys.setprofile(lambda *_: None)
+    print(client.set_parameter('max_speed_rpm', 3))
+    ''')
+    assert done.stdout == '/simple_param_node accepted max_speed_rpm = 3\n'
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize('asleep', [True, False])
 @pytest.mark.parametrize(('ending', 'status'), [('', 0), ('sys.exit(3)', 3), ('param_tutorial.stop()', 0)])
 def test_the_interpreter_ends_well_with_a_callback_that_never_returns(asleep, ending, status):

@@ -230,6 +230,15 @@ def test_what_is_raised_in_a_sleeping_thread_waits_for_it_and_holds_up_no_other(
     assert heard == ['an error']
 
 
+def test_nothing_is_raised_in_a_thread_that_has_ended():
+    """Its number may be that of the next one that begins."""
+    for _ in range(100):
+        thread = threading.Thread(target=lambda: None)
+        thread.start()
+        thread.join()
+        raise_in(thread, ValueError)
+
+
 @pytest.mark.parametrize('waiters', [1, 2])
 def test_a_latch_can_be_set_after_each_interrupt(waiters):
     latch = Latch()

@@ -101,18 +101,22 @@ def _end(item: pytest.Item) -> None:
         capture.suspend_global_capture(in_=True)
         output = ''.join(capture.read_global_capture())
         print(f'\n{item.nodeid} is still running after {item.stash[_limit_sec]:g} s, so its process ends here.\n'
-              f'{output}Its threads:', file=sys.__stderr__, flush=True)
-        faulthandler.dump_traceback(sys.__stderr__)
-        # Whether one of them has waited, or worked without end.
+              f'{output}', file=sys.__stderr__, flush=True)
+        # Parents come before their children.
+        children = psutil.Process().children(recursive=True)
+        for process in children:
+            with contextlib.suppress(psutil.NoSuchProcess):
+                print(f'Killed with it: {" ".join(process.cmdline())[:120]}', file=sys.__stderr__, flush=True)
+        # Whether a thread has waited, or worked without end.
         names = {thread.native_id: f'{thread.name} ({thread.ident:#x})' for thread in threading.enumerate()}
         for thread in psutil.Process().threads():
             worked_sec = thread.user_time + thread.system_time
             print(f'{names.get(thread.id, "not of Python")}: {worked_sec:.1f} s of processor time',
                   file=sys.__stderr__, flush=True)
-        # Parents come before their children.
-        for process in psutil.Process().children(recursive=True):
+        # The main thread comes last, and CI shows the end.
+        faulthandler.dump_traceback(sys.__stderr__)
+        for process in children:
             with contextlib.suppress(psutil.NoSuchProcess):
-                print(f'Killed with it: {" ".join(process.cmdline())[:120]}', file=sys.__stderr__, flush=True)
                 process.kill()
     finally:
         os._exit(1)

@@ -6,6 +6,7 @@ of its own, survives exceptions in their callbacks, and offers the feeds that to
 """
 
 import contextlib
+import signal
 import sys
 import threading
 import time
@@ -306,6 +307,9 @@ class BackgroundExecutor:
                                 daemon=True)
 
     def _spin_until_the_end(self, ended: interrupts.Latch) -> None:
+        # Linux may hand the alarm of an exercise's time limit to any thread, and so wake a callback that sleeps: see
+        # raise_in. Not SIGINT or SIGTERM: what a callback starts would never hear of them either.
+        signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM])
         try:
             self._spin()
         finally:

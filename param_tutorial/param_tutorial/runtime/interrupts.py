@@ -72,35 +72,40 @@ def held_back() -> Iterator[None]:
 
 
 def raise_in(thread: threading.Thread, error: type[BaseException]) -> None:
-    """Raise an exception in another thread, once that runs Python code again.
+    """Raise an exception in another thread, once that runs Python code again; in one that has ended, do nothing.
 
     Until then, Python would have all threads look for it in every call, and CPython 3.11 never gets past that look in
     code that is debugged or profiled. So the thread that announces it here hears of an exception of its own at once,
-    which ends the search. A thread that wakes with one waiting for it begins it again (``take_gil`` of CPython).
+    which ends the search. A thread that wakes with one waiting for it begins it again (``take_gil`` of CPython); if a
+    signal wakes it, it sleeps on without ending it. So block signals in a thread that may sleep.
     """
-    number = thread.ident or 0
     is_announced = _thread.allocate_lock()
     is_announced.acquire()
     try:
-        _thread.start_new_thread(_announce, (number, error, is_announced))
+        _thread.start_new_thread(_announce, (thread, error, is_announced))
         is_announced.acquire()
     except RuntimeError:  # the process is about to end, and Python 3.12 starts no more threads
-        _set_async_exc(number, error)
+        if thread.is_alive():
+            _set_async_exc(thread.ident, error)
 
 
 class _Heard(BaseException):
     """What a thread raises in itself."""
 
 
-def _announce(thread: int, error: type[BaseException], is_announced: _thread.LockType) -> None:
-    here = threading.get_ident()
+def _announce(thread: threading.Thread, error: type[BaseException], is_announced: _thread.LockType) -> None:
+    there, here = thread.ident, threading.get_ident()
     try:
-        # No function of Python may be called between these.
-        _set_async_exc(thread, error)
-        _set_async_exc(here, _Heard)
-        while True:
-            pass
+        # The number of one that has ended may be this one's.
+        if thread.is_alive():
+            # No function of Python may be called between these.
+            _set_async_exc(there, error)
+            _set_async_exc(here, _Heard)
+            while True:
+                pass
     except _Heard:
+        pass
+    finally:
         is_announced.release()
 
 
