@@ -848,7 +848,7 @@ def test_nodes_that_go_after_that_leave_nothing_with_the_executor():
 
 @pytest.mark.slow
 def test_an_alarm_does_not_wake_a_callback_that_sleeps():
-    """In CPython 3.11 no function that is profiled would begin any more."""
+    """If it did, no profiled function would begin again in CPython 3.11."""
     done = run_python(STUCK.format(asleep=True) + '''
     import signal
     asleep = next(thread for thread in threading.enumerate() if thread.name == 'ros-background-executor')

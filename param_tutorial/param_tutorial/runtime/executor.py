@@ -307,8 +307,8 @@ class BackgroundExecutor:
                                 daemon=True)
 
     def _spin_until_the_end(self, ended: interrupts.Latch) -> None:
-        # Linux may hand the alarm of an exercise's time limit to any thread, and so wake a callback that sleeps: see
-        # raise_in. Not SIGINT or SIGTERM: what a callback starts would never hear of them either.
+        # Linux may deliver the alarm of an exercise's time limit to any thread, and so wake a callback that sleeps: see
+        # raise_in. SIGINT and SIGTERM are not blocked: a process that a callback starts would inherit that.
         signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM])
         try:
             self._spin()

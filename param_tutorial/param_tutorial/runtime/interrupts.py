@@ -72,12 +72,12 @@ def held_back() -> Iterator[None]:
 
 
 def raise_in(thread: threading.Thread, error: type[BaseException]) -> None:
-    """Raise an exception in another thread, once that runs Python code again; in one that has ended, do nothing.
+    """Raise an exception in another thread as soon as that runs Python code again. Do nothing if it has ended.
 
-    Until then, Python would have all threads look for it in every call, and CPython 3.11 never gets past that look in
-    code that is debugged or profiled. So the thread that announces it here hears of an exception of its own at once,
-    which ends the search. A thread that wakes with one waiting for it begins it again (``take_gil`` of CPython); if a
-    signal wakes it, it sleeps on without ending it. So block signals in a thread that may sleep.
+    Until then, Python would make every thread look for the exception in each call, and CPython 3.11 never gets past
+    that look in code that is debugged or profiled. So a helper thread announces the exception and raises another in
+    itself at once, which ends the search. The search begins again when the target wakes (``take_gil`` of CPython), and
+    goes on if a signal has woken it and it falls asleep again: a thread that may sleep should block signals.
     """
     is_announced = _thread.allocate_lock()
     is_announced.acquire()
@@ -96,7 +96,7 @@ class _Heard(BaseException):
 def _announce(thread: threading.Thread, error: type[BaseException], is_announced: _thread.LockType) -> None:
     there, here = thread.ident, threading.get_ident()
     try:
-        # The number of one that has ended may be this one's.
+        # A thread that has ended may have left its number to this one.
         if thread.is_alive():
             # No function of Python may be called between these.
             _set_async_exc(there, error)
