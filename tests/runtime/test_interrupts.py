@@ -209,10 +209,11 @@ def test_another_thread_holds_nothing_back():
 
 def test_what_is_raised_in_a_sleeping_thread_waits_for_it_and_holds_up_no_other():
     """In CPython 3.11, a function that is profiled would never begin."""
-    awake, heard = threading.Lock(), []
+    awake, is_ready, heard = threading.Lock(), threading.Event(), []
 
     def sleep():
         try:
+            is_ready.set()
             awake.acquire()
         except ValueError:
             heard.append('an error')
@@ -220,6 +221,7 @@ def test_what_is_raised_in_a_sleeping_thread_waits_for_it_and_holds_up_no_other(
     with awake:
         sleeper = threading.Thread(target=sleep)
         sleeper.start()
+        is_ready.wait()
         raise_in(sleeper, ValueError)
         sys.setprofile(lambda *_: None)
         try:

@@ -108,7 +108,7 @@ def _end(item: pytest.Item) -> None:
             with contextlib.suppress(psutil.NoSuchProcess):
                 print(f'Killed with it: {" ".join(process.cmdline())[:120]}', file=sys.__stderr__, flush=True)
         # Whether a thread has waited, or worked without end.
-        names = {thread.native_id: f'{thread.name} ({thread.ident:#x})' for thread in threading.enumerate()}
+        names = {thread.native_id: f'{thread.name} ({thread.ident or 0:#x})' for thread in threading.enumerate()}
         for thread in psutil.Process().threads():
             worked_sec = thread.user_time + thread.system_time
             print(f'{names.get(thread.id, "not of Python")}: {worked_sec:.1f} s of processor time',
