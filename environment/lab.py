@@ -13,8 +13,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from param_tutorial.errors import CopiesError
-from param_tutorial.learner.copies import LESSONS, Copies
+from param_tutorial.learner.copies import LESSONS, Copies, CopiesError
 from param_tutorial.progress.record import VARIABLE
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -1,5 +1,5 @@
-"""What colcon installs: the import package, its nodes as programs for `ros2 run`, the files they load, and its commands
-as extensions of `ros2`.
+"""What colcon installs: the two import packages, the nodes as programs for `ros2 run`, the files they load, and the
+commands of the tools as extensions of `ros2`.
 
 pip reads pyproject.toml one folder up instead.
 """
@@ -9,14 +9,15 @@ from glob import glob
 from setuptools import find_packages, setup
 
 PACKAGE = 'param_tutorial'
+IMPORT_PACKAGES = (PACKAGE, 'param_tools')
 NODES = ('simple_param_node', 'param_setter_node', 'param_event_monitor', 'param_query_node', 'clawbot_node',
          'pallet_lift_node', 'pid_controller_node', 'cart_node')
 
 setup(
     name=PACKAGE,
     version='0.1.0',
-    packages=find_packages(include=[PACKAGE, f'{PACKAGE}.*']),
-    package_data={PACKAGE: ['**/*.css', '**/*.js', 'runtime/*.xml', 'ros1/recording.txt']},
+    packages=find_packages(include=[f'{each}{rest}' for each in IMPORT_PACKAGES for rest in ('', '.*')]),
+    package_data={each: ['**/*.css', '**/*.js', 'ros/*.xml', 'ros1/recording.txt'] for each in IMPORT_PACKAGES},
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),
@@ -31,14 +32,15 @@ setup(
     entry_points={
         # Not each node's own main(): a signal would find it unprepared until it spins.
         'console_scripts': [f'{node} = {PACKAGE}.nodes.__main__:program' for node in NODES],
+        'param_tools.packages': [f'{PACKAGE} = {PACKAGE}.nodes'],
         'ros2cli.command': [
-            'param_check = param_tutorial.ros2.extension:CheckCommand',
-            'param_describe = param_tutorial.ros2.extension:DescribeCommand',
-            'param_diff = param_tutorial.ros2.extension:DiffCommand',
-            'param_history = param_tutorial.ros2.extension:HistoryCommand',
-            'param_restore = param_tutorial.ros2.extension:RestoreCommand',
-            'param_snapshot = param_tutorial.ros2.extension:SnapshotCommand',
-            'param_watch = param_tutorial.ros2.extension:WatchCommand',
+            'param_check = param_tools.cli.extension:CheckCommand',
+            'param_describe = param_tools.cli.extension:DescribeCommand',
+            'param_diff = param_tools.cli.extension:DiffCommand',
+            'param_history = param_tools.cli.extension:HistoryCommand',
+            'param_restore = param_tools.cli.extension:RestoreCommand',
+            'param_snapshot = param_tools.cli.extension:SnapshotCommand',
+            'param_watch = param_tools.cli.extension:WatchCommand',
         ],
     },
 )

@@ -17,9 +17,9 @@ import pytest
 from xdist.workermanage import WorkerController
 
 import param_tutorial
+from param_tools.ros import node_log, waiting
+from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.notebook import terminal
-from param_tutorial.runtime import node_log, waiting
-from param_tutorial.runtime.executor import BackgroundExecutor
 from tests.support.kernels import KernelManager
 
 if TYPE_CHECKING:

@@ -1,72 +1,20 @@
-"""``python -m param_tutorial param list`` and so on: the embedded ``ros2`` as a process of its own.
+"""``python -m param_tutorial lab``: JupyterLab on the learner's copies of the chapters, where no ``make`` is.
 
-And ``python -m param_tutorial lab``: JupyterLab on the learner's copies of the chapters, where no ``make`` is.
+Any other word goes to the embedded ``ros2``, as after ``python -m param_tools``.
 """
 
-import errno
-import io
-import os
-import signal
 import sys
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from param_tutorial.runtime.executor import BackgroundExecutor
-
-_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+from param_tools.__main__ import main as run_embedded
 
 
 def main() -> int:
-    """Run the command that the process's arguments say, in the domain that its environment says."""
-    # The program that starts this process may have held signals back until now. `run` goes on with that until it has
-    # found a program: a node of ours then takes over, and ends well whatever has come meanwhile.
-    signal.pthread_sigmask(signal.SIG_BLOCK if sys.argv[1:2] == ['run'] else signal.SIG_UNBLOCK, _SIGNALS)
-    # Where the shell has closed one (`>&-`), nothing is printed; a socket must not take its number.
-    sys.stdout, sys.stderr = (each or os.fdopen(os.open(os.devnull, os.O_WRONLY), 'w')
-                              for each in (sys.stdout, sys.stderr))
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        # Of a terminal that knows no more than ASCII; names and descriptions may hold any letter.
-        sys.stdout.reconfigure(errors='backslashreplace')
+    """Run the command that the process's arguments say."""
     if sys.argv[1:2] == ['lab']:
         from param_tutorial.learner.command import open_lab
 
         open_lab(sys.argv[2:])
-    # A terminal of its own joins the domain where everybody is, like the genuine command; a notebook's kernel,
-    # which chooses a domain for itself, passes it on to the processes that it starts.
-    if not os.environ.get('ROS_DOMAIN_ID'):
-        os.environ['ROS_DOMAIN_ID'] = '0'
-    try:
-        from param_tutorial.ros2 import command
-
-        status = command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=_start)
-        sys.stdout.flush()  # at the interpreter's end a broken pipe could only be complained of
-        return status
-    except KeyboardInterrupt:
-        return signal.SIGINT
-    except BrokenPipeError:  # e.g. `| head -1`
-        _print_no_more()
-        return 1
-    except OSError as error:
-        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
-            raise
-        _print_no_more()
-        print(f'cannot write the output: {error.strerror}', file=sys.stderr)
-        return 2
-    finally:
-        # All that is left is to tidy up, where an interrupt would only be complained of.
-        for number in _SIGNALS:
-            signal.signal(number, signal.SIG_IGN)
-
-
-def _print_no_more() -> None:
-    """Send the rest of the output nowhere."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-def _start() -> 'BackgroundExecutor':
-    from param_tutorial.runtime import stage
-
-    return stage.start()
+    return run_embedded()
 
 
 if __name__ == '__main__':

@@ -13,8 +13,8 @@ from playwright.sync_api import expect
 from param_tutorial.exercises import EXERCISES
 from param_tutorial.exercises.forms import Blanks, Order, Settings
 from param_tutorial.exercises.results import markup
-from param_tutorial.lessons.pages import forms
-from param_tutorial.lessons.recording import answers
+from param_tutorial.site.pages import forms
+from param_tutorial.site.recording import answers
 from tests.support.paths import NOTEBOOKS, ROOT
 
 pytestmark = [

@@ -334,7 +334,7 @@ def test_a_node_is_found_by_its_parameters_and_opened(planner):
 def slow_script(opened):
     """Let the script of a panel take longer to load than the two seconds that anywidget waits for it."""
     lab, _ = opened
-    lab.ask_kernel('exec("from param_tutorial.widgets.panel import _Front; _Front.quick = _Front._esm; '
+    lab.ask_kernel('exec("from param_tools.panel.panel import _Front; _Front.quick = _Front._esm; '
                    '_Front._esm = \'await new Promise(go => setTimeout(go, 3000));\' + str(_Front.quick)")')
     yield
     lab.ask_kernel('exec("_Front._esm = _Front.quick; del _Front.quick")')

@@ -13,7 +13,7 @@ import psutil
 import pytest
 from playwright.sync_api import expect
 
-from param_tutorial.runtime import domain
+from param_tools.ros import domain
 from tests.support.lab import wait_for
 from tests.support.processes import wait_or_kill
 

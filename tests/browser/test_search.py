@@ -6,8 +6,8 @@ import re
 import nbformat
 import pytest
 
-from param_tutorial.lessons.pages import chapter, writing
-from param_tutorial.lessons.recording.run import WIDGET, cells_with_widgets, read_notebook
+from param_tutorial.site.pages import chapter, writing
+from param_tutorial.site.recording.run import WIDGET, cells_with_widgets, read_notebook
 from tests.support.paths import NOTEBOOKS
 from tests.tools.site_rules import open_page
 

@@ -18,10 +18,10 @@ import pytest
 from nbclient import NotebookClient
 from playwright.sync_api import expect
 
-from param_tutorial.lessons import archive, single
-from param_tutorial.lessons.build import Site
-from param_tutorial.lessons.pages import writing
-from param_tutorial.lessons.recording import run
+from param_tutorial.site import archive, single
+from param_tutorial.site.build import Site
+from param_tutorial.site.pages import writing
+from param_tutorial.site.recording import run
 from tests.support import lesson, missing
 from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import ROOT, wait_for

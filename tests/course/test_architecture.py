@@ -7,14 +7,16 @@ from pathlib import Path
 
 import pytest
 
+import param_tools
 import param_tutorial
-from tests.support.paths import NOTEBOOKS, PACKAGE, ROOT
+from tests.support.paths import NOTEBOOKS, PACKAGE, ROOT, ROS_PACKAGE, TOOLS
 
 README = (ROOT / 'README.md').read_text()
-FILES = {'.'.join(('param_tutorial', *path.relative_to(PACKAGE).with_suffix('').parts)).removesuffix('.__init__'): path
-         for path in sorted(PACKAGE.rglob('*.py'))}
-# The facade: it imports what a name needs when the name is first used, and stands above every room.
-ABOVE = ('param_tutorial', 'param_tutorial.__main__')
+FILES = {'.'.join(path.relative_to(ROS_PACKAGE).with_suffix('').parts).removesuffix('.__init__'): path
+         for package in (TOOLS, PACKAGE) for path in sorted(package.rglob('*.py'))}
+# The facades import what a name needs when the name is first used, and stand above every room of their package.
+FACADES = ('param_tools', 'param_tutorial')
+ABOVE = (*FACADES, 'param_tools.__main__', 'param_tutorial.__main__')
 
 
 def room_of(module: str) -> str:
@@ -53,8 +55,9 @@ def arrows() -> dict[str, list[str]]:
     return {module: sorted(set(imports_of(module))) for module in FILES}
 
 
-def test_readme_and_package_name_the_same_rooms():
-    drawn = re.findall(r'^    (\w+)$', param_tutorial.__doc__, re.MULTILINE)
+def test_readme_and_packages_name_the_same_rooms():
+    drawn = [room for package in (param_tutorial, param_tools)
+             for room in re.findall(r'^    (\w+)$', package.__doc__, re.MULTILINE)]
     assert drawn == rooms_of_the_readme()
     assert sorted(drawn) == sorted({room_of(module) for module in FILES if module not in ABOVE})
 
@@ -63,7 +66,7 @@ def test_readme_draws_the_arrows_that_there_are(arrows):
     drawn = {room: set() for room in picture_of_the_readme()}
     for module, others in arrows.items():
         if module not in ABOVE:
-            drawn[room_of(module)] |= {room_of(other) for other in others if other not in ABOVE} - {room_of(module)}
+            drawn[room_of(module)] |= {room_of(other) for other in others if other not in FACADES} - {room_of(module)}
     assert {room: set(imported) for room, imported in picture_of_the_readme().items()} == drawn
 
 
@@ -89,22 +92,20 @@ def test_no_chapter_of_the_exercises_imports_another(arrows):
     assert [(module, other) for module in chapters for other in arrows[module] if other in chapters] == []
 
 
-def test_pictures_need_neither_ros_nor_widgets():
-    """Data in, text out: so that a page without a kernel could draw them too."""
-    for module, path in FILES.items():
-        if room_of_or_none(module) in ('pictures', 'errors'):
-            assert not outside_imports(path) & {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}, module
+def test_the_tools_know_nothing_of_the_course(arrows):
+    assert [(module, other) for module, others in arrows.items() for other in others
+            if module.startswith('param_tools') and other.startswith('param_tutorial')] == []
 
 
-@pytest.mark.slow
-def test_only_rooms_about_notebooks_need_jupyter():
-    for module, path in FILES.items():
-        if room_of_or_none(module) in ('runtime', 'parameters', 'ros2', 'ros1', 'nodes'):
-            assert not outside_imports(path) & {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'}, module
-
-
-def room_of_or_none(module: str) -> str | None:
-    return None if module in ABOVE else room_of(module)
+@pytest.mark.parametrize('rooms, forbidden', [
+    (('pictures',), {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
+    (('files', 'markup', 'values', 'errors', 'lazy'), {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
+    (('ros', 'node', 'systems', 'cli', 'ros1', 'nodes'), {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'})])
+def test_what_a_room_does_not_need(rooms, forbidden):
+    modules = [module for module in FILES if module not in ABOVE and room_of(module) in rooms]
+    assert len(modules) >= len(rooms)
+    for module in modules:
+        assert not outside_imports(FILES[module]) & forbidden, module
 
 
 def outside_imports(path: Path) -> set[str]:

@@ -25,8 +25,8 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 
+from param_tools.errors import NoAnswerError, NodeGoneError
 from param_tutorial import ParameterClient, Terminal, wait_until
-from param_tutorial.errors import NoAnswerError, NodeGoneError
 from param_tutorial.nodes.param_setter_node import ParamSetterNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 

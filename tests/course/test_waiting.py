@@ -20,8 +20,8 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.task import Future
 
+from param_tools.ros import domain
 from param_tutorial import wait_until
-from param_tutorial.runtime import domain
 
 LIMIT_SEC = {True: 60.0, False: 1.5}
 """How long an answer may take: where one is expected, and where none is."""

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from param_tutorial.ros2.run import node_programs
+from param_tools.cli.run import node_programs
 from tests.support.paths import PACKAGE, ROOT, ROS_PACKAGE
 
 if sys.version_info >= (3, 11):

@@ -13,14 +13,14 @@ import rclpy
 from rclpy.node import Node
 
 import param_tutorial
+from param_tools.errors import ExecutorError
+from param_tools.ros import graph, stage
+from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial import ParameterClient, exercises
-from param_tutorial.errors import ExecutorError
 from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06_2, ch07_3, ch11
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.progress import record
-from param_tutorial.runtime import graph, stage
-from param_tutorial.runtime.executor import BackgroundExecutor
 from tests.support.answers import answer, blank, cell, not_yet, notebook, solution
 from tests.support.paths import NOTEBOOKS
 

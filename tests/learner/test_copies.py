@@ -18,10 +18,9 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, rule
 from nbformat.sign import NotebookNotary
 
-from param_tutorial.errors import CopiesError
 from param_tutorial.exercises import CHAPTERS
 from param_tutorial.learner import command
-from param_tutorial.learner.copies import Copies
+from param_tutorial.learner.copies import Copies, CopiesError
 from param_tutorial.learner.merging import NOTE
 from param_tutorial.progress import ticks
 from tests.support.lab import wait_for

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from param_tutorial.parameters.live_state import LATE_SEC
+from param_tools.node.live_state import LATE_SEC
 from tests.support import missing
 from tests.support.lab import CourseLab, wait_for
 from tests.support.network import Host, Network, Python, why_no_hosts
@@ -47,7 +47,7 @@ SAYS = '(says(panel, "max_speed_rpm") or ("", ""))'
 SAID = f'{SAYS}[1]'
 IS_UNANSWERED = f'{SAYS}[0] == "failed"'
 ENTER_AND_LISTEN = f'''
-from param_tutorial.runtime.waiting import machine_time, wait_until
+from param_tools.ros.waiting import machine_time, wait_until
 words, began = set(), machine_time()
 enter(panel, "max_speed_rpm", "140")
 wait_until(lambda: words.add({SAID}) or ({ON_PANEL} == 140 and not panel._live.is_busy), 'the answer', 60)

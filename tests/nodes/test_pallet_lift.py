@@ -5,10 +5,10 @@ import hypothesis
 import pytest
 from hypothesis import strategies as st
 
+from param_tools.cli.launch.reading import load_description
+from param_tools.files import parameter_files
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.pallet_lift_node import MOTOR_POWER_W, PalletLiftNode, Settings
-from param_tutorial.parameters import files
-from param_tutorial.ros2.launch.reading import load_description
 from tests.support.paths import CONFIG, ROS_PACKAGE
 
 FILES = sorted(CONFIG.glob('pallet_lift_*.yaml'))
@@ -78,7 +78,7 @@ def test_the_callback_checks_start_values_too(ros):
 def test_a_file_reaches_the_lift_in_any_namespace_and_sets_each_of_its_values(ros, path, namespace):
     node = ros.add(PalletLiftNode, ros_args=['-r', f'__ns:={namespace}', '--params-file', str(path)])
     present = ParameterClient(node).get_parameters()
-    wanted = files.read(path, node.get_fully_qualified_name())
+    wanted = parameter_files.read(path, node.get_fully_qualified_name())
     assert len(wanted) >= 4
     assert {name: present.get(name) for name in wanted} == wanted
 
@@ -86,7 +86,7 @@ def test_a_file_reaches_the_lift_in_any_namespace_and_sets_each_of_its_values(ro
 @pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
 def test_a_file_holds_nothing_but_what_differs_from_the_defaults(client, path):
     defaults = client.get_parameters()
-    assert [name for name, value in files.read(path, client.node).items() if value == defaults[name]] == []
+    assert [name for name, value in parameter_files.read(path, client.node).items() if value == defaults[name]] == []
 
 
 def test_the_launch_file_offers_each_of_the_files():

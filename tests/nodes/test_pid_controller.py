@@ -10,10 +10,10 @@ from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValu
 from rclpy.node import Node
 
 import param_tutorial
+from param_tools.files import parameter_files
 from param_tutorial import ParameterClient
 from param_tutorial.exercises.chapters import ch10_3
 from param_tutorial.nodes.pid_controller_node import STRATEGIES, Gains, Motor, PidControllerNode, simulate
-from param_tutorial.parameters import files
 from tests.support.paths import CONFIG
 
 CONTROLLERS = CONFIG / 'clawbot_controllers.yaml'
@@ -251,7 +251,7 @@ def test_the_installed_file_starts_the_manager_and_each_controller_that_it_lists
     assert names == ['wheel_controller', 'claw_controller']
     for name in names:
         controller = start(ros, name, CONTROLLERS)
-        held = files.read(CONTROLLERS, f'/{name}')
+        held = parameter_files.read(CONTROLLERS, f'/{name}')
         assert held.items() <= ParameterClient(controller).get_parameters().items(), 'and nothing is misspelt'
         assert f'gains.{controller.joints[0]}.p' in held
 

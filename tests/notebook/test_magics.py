@@ -14,11 +14,11 @@ import pytest
 from IPython.utils.capture import capture_output
 
 import param_tutorial
+from param_tools.cli import genuine
+from param_tools.ros import domain, environment
 from param_tutorial import ParameterClient, Terminal, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook import magics
-from param_tutorial.ros2 import genuine
-from param_tutorial.runtime import domain, surroundings
 from tests.support.ipython import ipython_with_extension
 
 
@@ -31,7 +31,7 @@ def shell():
 @pytest.fixture
 def cell(shell, monkeypatch):
     """Run a cell; return what it printed on standard output and standard error, and the exit status."""
-    monkeypatch.setenv('PARAM_TUTORIAL_ROS2', 'embedded')
+    monkeypatch.setenv('PARAM_TOOLS_ROS2', 'embedded')
 
     def run(text):
         with capture_output() as captured:
@@ -206,7 +206,7 @@ def fake_ros2(tmp_path, monkeypatch):
 
 @pytest.fixture
 def cell_with_genuine(cell, monkeypatch, fake_ros2):
-    monkeypatch.delenv('PARAM_TUTORIAL_ROS2')
+    monkeypatch.delenv('PARAM_TOOLS_ROS2')
     return cell
 
 
@@ -263,7 +263,7 @@ def test_an_old_build_of_the_course_is_not_found(tmp_path, monkeypatch, fake_ros
         marker.touch()
     monkeypatch.setenv('AMENT_PREFIX_PATH', os.pathsep.join([*map(str, spaces), str(fake_ros2.parents[1])]))
     monkeypatch.setenv('COLCON_PREFIX_PATH', os.pathsep.join([str(tmp_path / 'isolated'), str(tmp_path / 'other')]))
-    surroundings.drop_old_builds()
+    environment.drop_old_builds()
     assert os.environ['AMENT_PREFIX_PATH'] == str(fake_ros2.parents[1])
     assert os.environ['COLCON_PREFIX_PATH'] == str(tmp_path / 'other')
 
@@ -279,10 +279,10 @@ def test_a_terminal_starts_them_too(ros, cell_with_genuine):
 @pytest.mark.parametrize(('chosen', 'said'), [('', 'genuine daemon stop\n'), ('7', '')], ids=['claimed', 'chosen'])
 def test_the_daemon_of_a_claimed_domain_ends_with_the_kernel(fake_ros2, tmp_path, chosen, said):
     fake_ros2.write_text(f'#!/bin/sh\necho genuine "$@" >> {tmp_path}/log\n')
-    source = ('from param_tutorial.ros2 import genuine; from param_tutorial.runtime import domain; domain.choose(); '
+    source = ('from param_tools.cli import genuine; from param_tools.ros import domain; domain.choose(); '
               'genuine.command(["param", "list"])')
     environment = {**domain.environment_without_domain(), **({'ROS_DOMAIN_ID': chosen} if chosen else {})}
-    environment.pop('PARAM_TUTORIAL_ROS2', None)
+    environment.pop('PARAM_TOOLS_ROS2', None)
     subprocess.run([sys.executable, '-c', source], env=environment, check=True)
     log = tmp_path / 'log'
     assert (log.read_text() if log.exists() else '') == said
@@ -349,7 +349,7 @@ def test_the_hint_shows_the_line_and_is_the_same_in_every_stored_output(shell, c
     hint = shell.run_line_magic('ros2_terminal', '')
     assert f'ROS_DOMAIN_ID={domain.choose()}' in hint.value
     assert str(domain.choose()) not in repr(hint)
-    monkeypatch.delenv('PARAM_TUTORIAL_ROS2')
+    monkeypatch.delenv('PARAM_TOOLS_ROS2')
     assert 'alias' not in magics.terminal_line()
 
 

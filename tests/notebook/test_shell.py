@@ -8,9 +8,9 @@ import sys
 import pytest
 from IPython.core.error import UsageError
 
+from param_tools.cli import command
 from param_tutorial import Shell
-from param_tutorial.errors import ShellError
-from param_tutorial.ros2 import command
+from param_tutorial.notebook.shell import ShellError
 
 
 @pytest.fixture

@@ -7,9 +7,9 @@ import sys
 import psutil
 import pytest
 
+from param_tools.errors import WaitTimeoutError
+from param_tools.ros import domain, stage
 from param_tutorial import ParameterClient, Terminal, wait_until
-from param_tutorial.errors import WaitTimeoutError
-from param_tutorial.runtime import domain, stage
 from tests.support.kernels import Kernel
 
 pytestmark = pytest.mark.slow
@@ -126,7 +126,7 @@ def end_by_killing(kernel, cell, ready):
 def test_a_killed_kernel_leaves_no_process_behind(tmp_path, cell):
     ready, programs = tmp_path / 'ready', tmp_path / 'programs'
     environment = {name: value for name, value in domain.environment_without_domain().items()
-                   if name != 'PARAM_TUTORIAL_ROS2'}
+                   if name != 'PARAM_TOOLS_ROS2'}
     if cell.startswith('%ros2'):
         programs.mkdir()
         (programs / 'ros2').write_text(f'#!/bin/sh\n{SLEEPS.format(ready=ready)}\n')

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from param_tutorial import plot_responses
 from param_tutorial.nodes.pid_controller_node import Gains, Motor, simulate
 from param_tutorial.pictures.plots import Band, LinePlot, _scale
+from param_tutorial.views import plot_responses
 
 RAMP = [(0.0, 0.0), (2.0, 1.0)]
 

@@ -6,29 +6,30 @@ import sys
 
 import pytest
 
-from param_tutorial.pictures.styles import sheet, style
-from tests.support.paths import PACKAGE
+from param_tools.markup.styles import sheet, style
+from tests.support.paths import PACKAGE, ROS_PACKAGE, TOOLS
 
-SITE = PACKAGE / 'lessons' / 'site'
-SHEETS = {str(path.relative_to(PACKAGE)) for path in PACKAGE.rglob('*.css') if SITE not in path.parents}
-MODULES = {path: path.read_text() for path in PACKAGE.rglob('*.py')}
+THEME = PACKAGE / 'site' / 'theme'
+SHEETS = {str(path.relative_to(ROS_PACKAGE)) for room in (PACKAGE, TOOLS) for path in room.rglob('*.css')
+          if THEME not in path.parents}
+MODULES = {path: path.read_text() for room in (PACKAGE, TOOLS) for path in room.rglob('*.py')}
 
 
 def test_a_style_is_an_element_with_the_text_of_its_sheet():
-    text = (PACKAGE / 'widgets' / 'log.css').read_text()
-    assert sheet('widgets/log.css') == text
-    assert style('widgets/log.css') == f'<style>\n{text}</style>'
+    text = (PACKAGE / 'views' / 'log.css').read_text()
+    assert sheet('param_tutorial/views/log.css') == text
+    assert style('param_tutorial/views/log.css') == f'<style>\n{text}</style>'
 
 
 def test_a_sheet_that_is_not_there_is_named():
     with pytest.raises(FileNotFoundError, match=r'nothing\.css'):
-        style('widgets/nothing.css')
+        style('param_tutorial/views/nothing.css')
 
 
 def test_each_sheet_is_used_and_stands_beside_the_module_that_uses_it_or_writes_its_markup():
     used = {path: re.findall(r"\b(?:style|sheet)\('(.*?\.css)'\)", text) for path, text in MODULES.items()}
     beside = {name for path, names in used.items() for name in names
-              if PACKAGE / name in path.parent.iterdir() or (PACKAGE / name).with_suffix('.py') in MODULES}
+              if ROS_PACKAGE / name in path.parent.iterdir() or (ROS_PACKAGE / name).with_suffix('.py') in MODULES}
     assert len(SHEETS) >= 10
     assert beside == SHEETS == {name for names in used.values() for name in names}
 

@@ -4,7 +4,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from param_tutorial.pictures.tables import Markup, grouped_table, table, with_code
+from param_tools.markup.tables import Markup, grouped_table, table, with_code
 
 
 def parsed(markup):

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from param_tutorial.errors import ProgressError
 from param_tutorial.progress import record, storage
-from param_tutorial.progress.record import ProgressFile, parse
+from param_tutorial.progress.record import ProgressError, ProgressFile, parse
 
 EACH = 20
 

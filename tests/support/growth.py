@@ -29,7 +29,7 @@ _forget()
 _COUNT = '''
 def _count():
     import collections, gc, threading
-    from param_tutorial.runtime import stage
+    from param_tools.ros import stage
     executor = stage.current()
     # It holds the lines of one run. How many of them came from processes that end at once is luck.
     executor.node_log.clear()
@@ -47,7 +47,7 @@ print(_count())
 _RESIDENT = '''
 def _resident():
     import ctypes, gc, psutil, time
-    from param_tutorial.runtime.services import _RetiredClient
+    from param_tools.ros.services import _RetiredClient
     # The clients of a node that has left are kept for some seconds, 0.1 MiB each: how many just now is luck.
     while any(type(each) is _RetiredClient for each in gc.get_objects()):
         time.sleep(0.1)

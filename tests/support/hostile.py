@@ -4,7 +4,7 @@ import re
 import time
 from typing import NamedTuple
 
-from param_tutorial.runtime.waiting import machine_time
+from param_tools.ros.waiting import machine_time
 from tests.support.kernels import DEADLINE_SEC, Kernel
 
 # Runs first: the stage with a node of the learner's, a right answer to an exercise, and the names that lines use.

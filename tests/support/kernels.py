@@ -16,9 +16,9 @@ from jupyter_client.blocking import BlockingKernelClient
 from jupyter_client.manager import KernelManager as KernelManagerOnPorts
 from traitlets import default
 
-from param_tutorial.errors import WaitTimeoutError
-from param_tutorial.runtime import domain
-from param_tutorial.runtime.waiting import machine_time, wait_until, within
+from param_tools.errors import WaitTimeoutError
+from param_tools.ros import domain
+from param_tools.ros.waiting import machine_time, wait_until, within
 
 # In machine time, and less than a test may take.
 DEADLINE_SEC = 170

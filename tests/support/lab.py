@@ -23,7 +23,7 @@ from pathlib import Path
 from jupyter_client import BlockingKernelClient
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
-from param_tutorial.runtime.waiting import wait_until
+from param_tools.ros.waiting import wait_until
 from tests.support.paths import ROOT
 from tests.support.processes import wait_or_kill
 
@@ -42,7 +42,7 @@ KNOWN_ERRORS = (
     r"Failed to execute 'removeChild' on 'Node'",
     # It asks each kernel for its debugger, which the course leaves out, when a page is loaded again.
     r'Could not restore the debugger state',
-    # anywidget gives a script two seconds to load. Our views go on without: see widgets/front.js.
+    # anywidget gives a script two seconds to load. Our views go on without: see panel/front.js.
     r'\[anywidget\] Failed to initialize model',
 )
 

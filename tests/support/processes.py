@@ -6,8 +6,8 @@ import subprocess
 from collections.abc import Iterator
 from typing import Any
 
-from param_tutorial.runtime.processes import ends
-from param_tutorial.runtime.waiting import within
+from param_tools.ros.processes import ends
+from param_tools.ros.waiting import within
 
 # The first lines of a program that stands still when it is told to, before it has a second thread.
 CAN_STAND_STILL = '''

@@ -2,7 +2,7 @@
 
 import hypothesis.strategies as st
 
-from param_tutorial.parameters import values
+from param_tools import values
 
 INT64 = st.integers(values.INT64_MIN, values.INT64_MAX)
 TEXT = st.text(st.characters(exclude_categories=['Cs'], exclude_characters='\0'))

@@ -19,7 +19,7 @@ from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 from xdist.workermanage import WorkerController
 
-from param_tutorial.runtime.waiting import within
+from param_tools.ros.waiting import within
 
 _limit_sec = pytest.StashKey[float]()
 # Set when this process is about to end.

@@ -33,7 +33,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
-from param_tutorial.parameters.live import LiveParameters
+from param_tools.node.live import LiveParameters
 
 class Target(Node):
     def __init__(self, **options):

@@ -12,12 +12,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-from param_tutorial.ros2 import genuine
+from param_tools.cli import genuine
 from tests.support.paths import ROOT, ROS_PACKAGE
 
 # What the user has sourced stays on PYTHONPATH, as the nodes of a workspace need it.
 ROS2 = """#!/bin/sh
-PARAM_TUTORIAL_OWN_NODES=0 exec {command} "$@"
+PARAM_TOOLS_PROVIDED=0 exec {command} "$@"
 """
 OLD_BUILD = """#!/bin/sh
 echo 'this is the old build, for another Python'

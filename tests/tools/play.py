@@ -12,7 +12,7 @@ from pathlib import Path
 
 import nbformat
 
-from param_tutorial.lessons.recording import run
+from param_tutorial.site.recording import run
 from tests.support.paths import NOTEBOOKS
 
 PRESENT_STATE = 'present-state'
@@ -22,8 +22,8 @@ def _play(seed):
     import random
     from ipywidgets.widgets.widget import _instances
     from param_tutorial.parameters import values
-    from param_tutorial.widgets.driving import DrivingView
-    from param_tutorial.widgets.panel import ParameterPanel
+    from param_tutorial.views.driving import DrivingView
+    from param_tools.panel.panel import ParameterPanel
     chance = random.Random(seed)
     for view in [each for each in list(_instances.values()) if isinstance(each, (ParameterPanel, DrivingView))]:
         if isinstance(view, DrivingView):

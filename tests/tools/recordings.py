@@ -16,7 +16,7 @@ from pathlib import Path
 
 from playwright.sync_api import Locator, expect
 
-from param_tutorial.runtime import domain
+from param_tools.ros import domain
 from tests.support.animation import Command, animated_webp, terminal_svg
 from tests.support.lab import chromium, wait_for
 from tests.support.paths import ROOT

@@ -19,11 +19,11 @@ from collections.abc import Callable
 
 import psutil
 
+from param_tools.cli.run import signals_held
+from param_tools.ros import domain
+from param_tools.ros.processes import ends
+from param_tools.ros.waiting import within
 from param_tutorial.notebook.interrupts import interruptible
-from param_tutorial.ros2.run import signals_held
-from param_tutorial.runtime import domain
-from param_tutorial.runtime.processes import ends
-from param_tutorial.runtime.waiting import within
 from tests.tools.steady import EMBEDDED
 
 WAYS = {'alone': [sys.executable, '-m', 'param_tutorial.nodes', 'simple_param_node'],

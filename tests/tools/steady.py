@@ -19,8 +19,8 @@ import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 
-from param_tutorial.runtime import domain
-from param_tutorial.runtime.waiting import wait_until
+from param_tools.ros import domain
+from param_tools.ros.waiting import wait_until
 from tests.support.kernels import Kernel
 
 EMBEDDED = [sys.executable, '-m', 'param_tutorial']
@@ -43,8 +43,8 @@ CALLS: dict[str, Answer] = {
 # What `%ros2` calls, with streams that can be looked at.
 IN_KERNEL = '''
 import io
-from param_tutorial.ros2 import command
-from param_tutorial.runtime import stage
+from param_tools.cli import command
+from param_tools.ros import stage
 
 def ask(words):
     out, error = io.StringIO(), io.StringIO()

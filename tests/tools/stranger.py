@@ -35,7 +35,7 @@ import nbformat
 from nbformat import NotebookNode
 from playwright.sync_api import Error as BrowserError
 
-from param_tutorial.lessons.recording import comparison
+from param_tutorial.site.recording import comparison
 from tests.support.lab import CourseLab, LabPage, chromium
 from tests.support.paths import NOTEBOOKS
 from tests.tools.play import PRESENT_STATE
@@ -119,7 +119,7 @@ _VALUES = """(lambda c: {{n: repr(c.get_parameter(n)) for n in c.list_parameters
 # A hand may have left a robot where it may not drive: too cold, or at most 0 turns a minute.
 _LET_DRIVE = """[__import__('param_tutorial').ParameterClient(node).set_parameters(
     {'simulation.ambient_temperature_c': 15, 'min_operating_temperature_c': -5, 'max_speed_rpm': 100})
-    for node in __import__('param_tutorial.runtime.stage').runtime.stage.current().nodes
+    for node in __import__('param_tools.ros.stage').runtime.stage.current().nodes
     if hasattr(node, 'waiting_for')]"""
 
 

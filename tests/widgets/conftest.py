@@ -7,9 +7,9 @@ import textwrap
 import pytest
 from ipywidgets.widgets.widget import _instances as widget_registry
 
-from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.widgets.panel import ParameterPanel
-from param_tutorial.widgets.view import View
+from param_tools.panel.panel import ParameterPanel
+from param_tools.panel.view import View
+from param_tools.ros.waiting import wait_until
 from tests.support.nodes import Arm
 from tests.support.processes import CAN_STAND_STILL
 from tests.support.widgets import worker_threads

@@ -3,10 +3,11 @@
 import pytest
 from rclpy.node import Node
 
-from param_tutorial import ParameterBrowser, ParameterPanel
-from param_tutorial.parameters.catalog import CatalogNode
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.runtime.waiting import wait_until
+from param_tools import ParameterBrowser
+from param_tools.node.client import ParameterClient
+from param_tools.ros.waiting import wait_until
+from param_tools.systems.catalog import CatalogNode
+from param_tutorial import ParameterPanel
 from tests.support.nodes import Arm, Gate
 from tests.support.widgets import press
 

@@ -5,9 +5,10 @@ from types import SimpleNamespace
 import pytest
 from rclpy.node import Node
 
-from param_tutorial import CartView, ParameterClient, wait_until
+from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.cart_node import CartNode
-from param_tutorial.widgets import cart as cart_module
+from param_tutorial.views import CartView
+from param_tutorial.views import cart as cart_module
 
 
 @pytest.fixture

@@ -13,10 +13,11 @@ from rcl_interfaces.msg import FloatingPointRange, IntegerRange
 from rcl_interfaces.msg import ParameterDescriptor as Describe
 from rclpy.node import Node
 
-from param_tutorial.parameters import values
-from param_tutorial.parameters.client import ParameterClient, Range
-from param_tutorial.widgets import editors
-from param_tutorial.widgets.panel import ParameterPanel
+from param_tools import values
+from param_tools.descriptor import Range
+from param_tools.node.client import ParameterClient
+from param_tools.panel import editors
+from param_tools.panel.panel import ParameterPanel
 from tests.support.nodes import INT64_MAX, Describing
 from tests.support.strategies import INT64
 from tests.support.widgets import enter, is_locked, shows, slide

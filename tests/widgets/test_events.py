@@ -5,7 +5,8 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
 import param_tutorial
-from param_tutorial import EventView, ParameterClient
+from param_tutorial import ParameterClient
+from param_tutorial.views import EventView
 
 
 class Arm(Node):

@@ -8,10 +8,10 @@ from rcl_interfaces.msg import ParameterEvent, ParameterValue
 from rclpy.node import Node
 from rclpy.qos import qos_profile_parameter_events
 
-from param_tutorial.parameters import values
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.widgets.panel import ParameterPanel
+from param_tools import values
+from param_tools.node.client import ParameterClient
+from param_tools.panel.panel import ParameterPanel
+from param_tools.ros.waiting import wait_until
 from tests.support.nodes import Counter
 from tests.support.widgets import enter, shows, wait_for_value
 
@@ -159,5 +159,5 @@ def test_a_value_beyond_any_limit_is_a_word_with_the_name_and_changes_nothing(ro
     client.set_parameter('x', 1).raise_for_reason()
     with pytest.raises(Exception, match='x') as raised:
         client.set_parameter('x', value)
-    assert type(raised.value).__module__ == 'param_tutorial.errors'
+    assert type(raised.value).__module__ == 'param_tools.errors'
     assert client.get_parameter('x') == 1

@@ -4,9 +4,9 @@ import pytest
 from rclpy.node import Node
 
 import param_tutorial
+from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.widgets.log import LogView
+from param_tutorial.views.log import LogView
 from tests.support.widgets import texts
 
 

@@ -9,10 +9,11 @@ from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
 import param_tutorial
-from param_tutorial import LadderView, MessageView, NumberLineView, ParameterClient
-from param_tutorial.errors import CallbackError, NodeNotFoundError
+from param_tools.errors import CallbackError, NodeNotFoundError
+from param_tutorial import ParameterClient
 from param_tutorial.nodes.param_event_monitor import ParamEventMonitor
-from param_tutorial.widgets.motion import MotionView
+from param_tutorial.views import LadderView, MessageView, NumberLineView
+from param_tutorial.views.motion import MotionView
 from tests.support.widgets import texts
 
 

@@ -15,14 +15,14 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 import param_tutorial
-from param_tutorial.errors import ExecutorError, ParameterNotDeclaredError, WaitTimeoutError
+from param_tools import values
+from param_tools.errors import ExecutorError, ParameterNotDeclaredError, WaitTimeoutError
+from param_tools.node.client import ParameterClient
+from param_tools.node.rules import Rules
+from param_tools.panel.panel import ParameterPanel
+from param_tools.ros import stage
+from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.parameters import values
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.parameters.rules import Rules
-from param_tutorial.runtime import stage
-from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.widgets.panel import ParameterPanel
 from tests.support.nodes import Arm, Counter, Gate
 from tests.support.processes import standing_still
 from tests.support.widgets import enter, is_locked, press, says, shows, slide, wait_for_value, worker_threads

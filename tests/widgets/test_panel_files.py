@@ -7,12 +7,13 @@ import pytest
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 
-from param_tutorial.errors import NodeNotFoundError, ParameterFileError
-from param_tutorial.parameters import files, values
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.parameters.sets import MAY_BE_TAKEN
-from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.widgets.panel import ParameterPanel
+from param_tools import values
+from param_tools.errors import NodeNotFoundError, ParameterFileError
+from param_tools.files import parameter_files
+from param_tools.node.client import ParameterClient
+from param_tools.panel.panel import ParameterPanel
+from param_tools.ros.waiting import wait_until
+from param_tools.systems.sets import MAY_BE_TAKEN
 from tests.support.widgets import enter, says
 
 NODE = '/arm'
@@ -91,7 +92,7 @@ def test_only_what_has_changed_is_saved_on_request(arm):
     assert not Path('config/arm.yaml').exists()
     enter(arm, 'gains.kp', '0.6')  # still on its way
     arm.save('config/arm.yaml', changed_only=True)
-    assert files.read('config/arm.yaml', NODE) == {'gains.kp': 0.6}
+    assert parameter_files.read('config/arm.yaml', NODE) == {'gains.kp': 0.6}
 
 
 def test_what_cannot_be_written_leaves_everything_as_it_was(arm):
@@ -200,13 +201,13 @@ def test_a_load_into_a_node_that_is_gone_says_so(ros, arm):
     assert 'there is no node /arm' in ask_form(arm, 'act', is_save=False, path=path)['said']
     # What it had last can still be saved.
     arm.save('config/last.yaml')
-    assert files.read('config/last.yaml', NODE)['tool'] == 'gripper'
+    assert parameter_files.read('config/last.yaml', NODE)['tool'] == 'gripper'
 
 
 def test_a_panel_of_some_parameters_saves_and_loads_those(ros, arm):
     some = ParameterPanel(NODE, names=['tool', 'joints'])
     some.save('config/some.yaml')
-    assert files.read('config/some.yaml', NODE) == {'tool': 'gripper', 'joints': 5}
+    assert parameter_files.read('config/some.yaml', NODE) == {'tool': 'gripper', 'joints': 5}
     row = some.preview(write('a.yaml', 'arm:\n  ros__parameters: {offset: 1.0}'))['offset']
     assert (row.verdict, row.reason.partition('.')[0]) == ('not shown', 'this panel shows no such parameter')
 
@@ -252,7 +253,7 @@ def test_the_form_says_what_saving_would_replace(arm):
     assert ask_form(arm, 'look', is_save=True, path='config/new.yaml', changed_only=True)['button'] == 'Save'
     assert 'Saved to config/new.yaml.' in ask_form(
         arm, 'act', is_save=True, path='config/new.yaml', changed_only=True)['said']
-    assert files.read('config/new.yaml', NODE) == {'tool': 'saw'}
+    assert parameter_files.read('config/new.yaml', NODE) == {'tool': 'saw'}
 
 
 @pytest.mark.parametrize('is_save', [True, False])

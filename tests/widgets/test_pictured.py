@@ -7,20 +7,20 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersR
 from rclpy.node import Node
 
 import param_tutorial
-from param_tutorial import (
+from param_tools import Rules
+from param_tools.errors import ExecutorError, InvalidValueError, NodeNotFoundError
+from param_tutorial import ParameterClient
+from param_tutorial.views import (
     CallsView,
     ChecksView,
     DeclarationsView,
     LayersView,
     LiftsView,
-    ParameterClient,
     PlaneView,
     RequestsView,
-    Rules,
     TrailView,
     WorldsView,
 )
-from param_tutorial.errors import ExecutorError, InvalidValueError, NodeNotFoundError
 from tests.support.widgets import texts
 
 DAYS = (0, 10, 20)

@@ -7,11 +7,12 @@ import pytest
 from rclpy.node import Node
 
 import param_tutorial
-from param_tutorial import ParameterClient, RobotView, wait_until
-from param_tutorial.errors import NodeNotFoundError
+from param_tools.errors import NodeNotFoundError
+from param_tools.ros import stage, worker
+from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.clawbot_node import ClawbotNode
-from param_tutorial.runtime import stage, worker
-from param_tutorial.widgets import robot as robot_module
+from param_tutorial.views import RobotView
+from param_tutorial.views import robot as robot_module
 from tests.support.widgets import press
 
 FOREVER = math.inf

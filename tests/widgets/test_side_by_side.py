@@ -2,10 +2,11 @@
 
 import pytest
 
-from param_tutorial import ParameterPanel, RobotView, SideBySide
-from param_tutorial.lessons.pages import drawing
-from param_tutorial.lessons.recording import recorder
+from param_tutorial import ParameterPanel
 from param_tutorial.nodes.clawbot_node import ClawbotNode
+from param_tutorial.site.pages import drawing
+from param_tutorial.site.recording import recorder
+from param_tutorial.views import RobotView, SideBySide
 from tests.support.albums import unpack
 
 

@@ -8,11 +8,12 @@ import time
 import pytest
 from rclpy.node import Node
 
-from param_tutorial import ParameterClient, ParameterPanel, StepResponseView, wait_until
+from param_tools.ros import stage
+from param_tutorial import ParameterClient, ParameterPanel, wait_until
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.runtime import stage
-from param_tutorial.widgets.step_response import Goals
+from param_tutorial.views import StepResponseView
+from param_tutorial.views.step_response import Goals
 
 KP, KI = 'gains.wheel_joint.p', 'gains.wheel_joint.i'
 START = ('wheel_joint with p = 0.1, i = 0, d = 0: rise time 0.26 s, overshoot 4.5 %, settling time 0.67 s, '

@@ -10,13 +10,13 @@ from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 
 import param_tutorial
-from param_tutorial import CartView, EventView, RobotView, StepResponseView
+from param_tools.panel.panel import ParameterPanel
+from param_tools.ros import stage
+from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.pid_controller_node import PidControllerNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.runtime import stage
-from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.widgets.log import LogView
-from param_tutorial.widgets.panel import ParameterPanel
+from param_tutorial.views import CartView, EventView, RobotView, StepResponseView
+from param_tutorial.views.log import LogView
 from tests.support.widgets import texts, worker_threads
 
 

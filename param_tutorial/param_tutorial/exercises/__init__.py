@@ -25,7 +25,7 @@ from collections.abc import Iterator, Mapping
 from importlib import import_module
 from typing import Any
 
-from param_tutorial.errors import nearest
+from param_tools.errors import nearest
 from param_tutorial.exercises import chapters
 from param_tutorial.exercises.achievements import Certificate, Chapter, ChapterProgress, CourseProgress
 from param_tutorial.exercises.exercise import Exercise

@@ -5,16 +5,16 @@ import html
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from param_tools.markup.styles import style
+from param_tools.markup.tables import table, with_code
 from param_tutorial.exercises.exercise import Exercise
 from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer
 from param_tutorial.pictures.medal import medal
-from param_tutorial.pictures.styles import style
-from param_tutorial.pictures.tables import table, with_code
 from param_tutorial.progress.record import Progress, ProgressFile
 from param_tutorial.progress.storage import write_whole
 
-_STYLE = style('exercises/achievements.css')
+_STYLE = style('param_tutorial/exercises/achievements.css')
 HOW = 'Start the course with `make lab`, and what you solve is remembered and ticked here.'
 CERTIFICATE = 'certificate.html'
 

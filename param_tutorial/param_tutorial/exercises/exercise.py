@@ -7,7 +7,10 @@ from typing import Any, NamedTuple
 
 from rclpy.node import Node
 
-from param_tutorial.errors import ExecutorError, NoAnswerError
+from param_tools import values
+from param_tools.errors import ExecutorError, NoAnswerError
+from param_tools.ros.output_guard import guarded
+from param_tools.ros.waiting import machine_time
 from param_tutorial.exercises.forms import Blanks, Form
 from param_tutorial.exercises.results import Answer, Finding, Hint, Result
 from param_tutorial.exercises.trial import (
@@ -22,9 +25,6 @@ from param_tutorial.exercises.trial import (
     error_if_asked,
     expect,
 )
-from param_tutorial.parameters import values
-from param_tutorial.runtime.streams import guarded
-from param_tutorial.runtime.waiting import machine_time
 
 Examine = Callable[[Trial], None]
 FindOut = Callable[[Trial], Any]

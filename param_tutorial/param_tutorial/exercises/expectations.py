@@ -14,13 +14,13 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.task import Future
 
-from param_tutorial.errors import NodeNotFoundError
+from param_tools import values
+from param_tools.errors import NodeNotFoundError
+from param_tools.node.client import ParameterClient
+from param_tools.node.declarations import describe_wrong_field
+from param_tools.ros import stage
+from param_tools.values import ParameterType
 from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
-from param_tutorial.parameters import values
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.parameters.declarations import describe_wrong_field
-from param_tutorial.parameters.values import ParameterType
-from param_tutorial.runtime import stage
 
 
 def expect_filled(trial: Trial) -> None:

@@ -11,13 +11,13 @@ from typing import Any
 
 import ipywidgets as widgets
 
+from param_tools.markup.styles import style
+from param_tools.markup.tables import with_code
+from param_tools.panel.beside_cells import answer_beside_cells
+from param_tools.panel.close_with_cell import close_looks, close_with_cell
 from param_tutorial.exercises.prediction import MIME_TYPE, Prediction
-from param_tutorial.pictures.styles import style
-from param_tutorial.pictures.tables import with_code
-from param_tutorial.widgets.beside_cells import answer_beside_cells
-from param_tutorial.widgets.cells import close_looks, close_with_cell
 
-STYLE = style('exercises/prediction.css')
+STYLE = style('param_tutorial/exercises/prediction.css')
 COMMIT, COMMITTED = 'Commit', 'Committed'
 
 Remember = Callable[[str, str, bool], str]

@@ -3,12 +3,12 @@
 import textwrap
 from dataclasses import dataclass
 
-from param_tutorial.pictures.styles import style
-from param_tutorial.pictures.tables import with_code
+from param_tools.markup.styles import style
+from param_tools.markup.tables import with_code
 
 _WIDTH = 110
 # Its colors follow the page's theme, and none says anything that no word says.
-STYLE = style('exercises/results.css')
+STYLE = style('param_tutorial/exercises/results.css')
 
 
 class Answer:

@@ -18,7 +18,8 @@ import yaml
 from rclpy.node import Node
 from rclpy.serialization import serialize_message
 
-from param_tutorial.errors import (
+from param_tools.cli import command
+from param_tools.errors import (
     CallbackError,
     ExecutorError,
     NoAnswerError,
@@ -26,14 +27,13 @@ from param_tutorial.errors import (
     StuckError,
     WaitTimeoutError,
 )
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.parameters.declarations import describe_wrong_field
-from param_tutorial.parameters.parsing import LOADER
-from param_tutorial.ros2 import command
-from param_tutorial.runtime import stage
-from param_tutorial.runtime.executor import BackgroundExecutor, Failure
-from param_tutorial.runtime.service_types import SERVICE_TYPES
-from param_tutorial.runtime.waiting import machine_time, wait_until
+from param_tools.files.parsing import LOADER
+from param_tools.node.client import ParameterClient
+from param_tools.node.declarations import describe_wrong_field
+from param_tools.ros import stage
+from param_tools.ros.executor import BackgroundExecutor, Failure
+from param_tools.ros.service_types import SERVICE_TYPES
+from param_tools.ros.waiting import machine_time, wait_until
 
 NodeT = TypeVar('NodeT', bound=Node)
 

@@ -5,10 +5,9 @@ import io
 from pathlib import Path
 from typing import NamedTuple
 
-from param_tutorial.errors import ProgressError
 from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.learner.copies import COPIES
-from param_tutorial.progress.record import FILE, Progress, parse
+from param_tutorial.progress.record import FILE, Progress, ProgressError, parse
 
 
 class Student(NamedTuple):

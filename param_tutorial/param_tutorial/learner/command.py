@@ -6,8 +6,7 @@ import sys
 from pathlib import Path
 from typing import NoReturn
 
-from param_tutorial.errors import CopiesError
-from param_tutorial.learner.copies import COPIES, LESSONS, Copies
+from param_tutorial.learner.copies import COPIES, LESSONS, Copies, CopiesError
 
 ROOT = Path(__file__).resolve().parents[3]
 

@@ -21,7 +21,7 @@ import nbformat
 from nbformat.notebooknode import NotebookNode
 from nbformat.sign import NotebookNotary
 
-from param_tutorial.errors import CopiesError
+from param_tools.errors import ParameterToolError
 from param_tutorial.learner.merging import merge
 from param_tutorial.progress import ticks
 from param_tutorial.progress.record import FILE, ProgressFile
@@ -38,6 +38,10 @@ TRUST = '.trust'
 _KEY = 'param_tutorial'
 # The cell that checks an exercise. The room ``exercises`` knows them too, but importing it loads rclpy.
 _CHECK = re.compile(r'"id": "check-([\w-]+)"')
+
+
+class CopiesError(ParameterToolError):
+    """The learner's copies of the chapters cannot be read or written; the message is for the learner."""
 
 
 class Copies:

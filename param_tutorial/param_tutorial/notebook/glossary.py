@@ -10,10 +10,10 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from param_tutorial.pictures.styles import style
-from param_tutorial.pictures.tables import Markup, table, with_code
+from param_tools.markup.styles import style
+from param_tools.markup.tables import Markup, table, with_code
 
-_STYLE = style('notebook/glossary.css')
+_STYLE = style('param_tutorial/notebook/glossary.css')
 _TITLE = re.compile(r'^# (\S+) · ', re.MULTILINE)
 _TABLE = re.compile(r'^\| word \| meaning \|\n\|[ |:-]+\|\n((?:\|.*(?:\n|$))+)', re.MULTILINE)
 

@@ -13,7 +13,7 @@ import shlex
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -23,19 +23,18 @@ from IPython.core.getipython import get_ipython
 from IPython.core.interactiveshell import ExecutionInfo, InteractiveShell
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
-from param_tutorial.errors import ExecutorError
+from param_tools.cli import command as embedded
+from param_tools.cli import genuine
+from param_tools.cli.session import TextStream
+from param_tools.errors import ExecutorError
+from param_tools.panel.pending_clicks import from_pages
+from param_tools.ros import domain, stage
+from param_tools.ros.processes import Guard
 from param_tutorial.notebook.interrupts import handed_to, interruptible
 from param_tutorial.notebook.shell import Shell
-from param_tutorial.ros2 import command as embedded
-from param_tutorial.ros2 import genuine
-from param_tutorial.ros2.run import keeps_busy
-from param_tutorial.ros2.session import TextStream
-from param_tutorial.runtime import domain, stage
-from param_tutorial.runtime.backlog import from_pages
-from param_tutorial.runtime.processes import Guard
 
 if TYPE_CHECKING:
-    from param_tutorial.widgets.hint import Hint
+    from param_tutorial.notebook.hint import Hint
 
 
 def load_ipython_extension(ipython: InteractiveShell) -> None:
@@ -221,6 +220,14 @@ _ENDS_BY_ITSELF = frozenset({'-h', '--help', '-s', '--show-args', '--show-argume
                              '--print-description'})
 
 
+def _instead_of(words: Sequence[str]) -> str:
+    """Return a sentence on what to do instead of a command that would not let the cell end."""
+    # Not param_tutorial.start(), which would first remove the nodes that are there.
+    return (f'This would keep the cell busy until you interrupt it. Run it beside the notebook: '
+            f'terminal = param_tutorial.Terminal({shlex.join(["ros2", *words])!r}); or add its node to the executor '
+            f'in the notebook: ros.add(...)')
+
+
 def _run(command: _Command) -> int:
     """Run a command and return its exit status."""
     with interruptible(), ExitStack() as stack:
@@ -232,9 +239,9 @@ def _run(command: _Command) -> int:
             installed = genuine.path_for(command.words)
             if installed is None:
                 return embedded.main(command.words, stdout=streams.stdout, stderr=streams.stderr,
-                                 get_executor=stage.current, in_notebook=True)
+                                 get_executor=stage.current, in_notebook=True, instead_of=_instead_of)
             if command.words[0] in ('run', 'launch') and _ENDS_BY_ITSELF.isdisjoint(command.words):
-                streams.stderr.write(f'{keeps_busy(command.words)}\n')
+                streams.stderr.write(f'{_instead_of(command.words)}\n')
                 return 1
             return _run_genuine(installed, command.words, streams)
         finally:
@@ -308,7 +315,7 @@ def _run_genuine(installed: str, words: list[str], streams: _Streams) -> int:
 
 def terminal_hint() -> 'Hint':
     """Return a widget with the line that makes a terminal join the ROS domain of this notebook."""
-    from param_tutorial.widgets.hint import Hint
+    from param_tutorial.notebook.hint import Hint
 
     return Hint(f'Paste this line into a terminal, and <code>ros2</code> there finds the nodes of this notebook:'
                 f'<pre style="user-select: all; white-space: pre-wrap">{html.escape(terminal_line())}</pre>',

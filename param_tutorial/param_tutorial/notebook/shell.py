@@ -17,12 +17,12 @@ import weakref
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from param_tutorial.errors import ShellError
+from param_tools.cli import genuine
+from param_tools.errors import ParameterToolError
+from param_tools.ros import domain, environment
+from param_tools.ros.processes import Guard
+from param_tools.ros.waiting import machine_time
 from param_tutorial.notebook.interrupts import handed_to, interruptible
-from param_tutorial.ros2 import genuine
-from param_tutorial.runtime import domain, surroundings
-from param_tutorial.runtime.processes import Guard
-from param_tutorial.runtime.waiting import machine_time
 
 # The learner's own settings would change what commands do and print: git's name and address, colcon's defaults, how
 # nodes log.
@@ -32,6 +32,10 @@ _LOOK_PERIOD_SEC = 0.1
 # [0.52s] after a package, [0.523s] before a warning (on 3.13 a negative number), and [0.52s, exited with code 1].
 _SECONDS = r'-?(?:\d+min )?\d+(?:\.\d+)?s'
 _TIME_TAKEN = re.compile(rf'^\[{_SECONDS}\] | \[{_SECONDS}\]$|(?<=\[){_SECONDS}, ', re.MULTILINE)
+
+
+class ShellError(ParameterToolError):
+    """A shell is closed, or what was typed into it ended it or did not end in time."""
 
 
 class Shell:
@@ -53,7 +57,7 @@ class Shell:
         :raises FileNotFoundError: there is no bash.
         """
         domain.choose()
-        surroundings.drop_old_builds()
+        environment.drop_old_builds()
         self._beside = beside  # so that the home folder stays as long as anybody lives in it
         if beside:
             folder = None
@@ -96,7 +100,7 @@ class Shell:
         if has_genuine and 'PYTHONPATH' in outer:
             passed_on['PYTHONPATH'] = outer['PYTHONPATH']
         # As on a machine on which nothing has been built yet, `ros2 run` finds no package.
-        return {**passed_on, 'PARAM_TUTORIAL_OWN_NODES': '0', 'HOME': str(self.home), 'USER': 'learner',
+        return {**passed_on, 'PARAM_TOOLS_PROVIDED': '0', 'HOME': str(self.home), 'USER': 'learner',
                 'LOGNAME': 'learner', 'LC_ALL': 'C.UTF-8', 'GIT_CONFIG_NOSYSTEM': '1', 'PYTHONUNBUFFERED': '1'}
 
     def __repr__(self) -> str:

@@ -16,15 +16,15 @@ import time
 import weakref
 from pathlib import Path
 
-from param_tutorial.errors import WaitTimeoutError
+from param_tools.cli import genuine
+from param_tools.cli.run import signals_held
+from param_tools.errors import WaitTimeoutError
+from param_tools.ros import domain, environment, stage
+from param_tools.ros.interrupts import Latch
+from param_tools.ros.processes import Guard, ends
+from param_tools.ros.waiting import machine_time, within
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
-from param_tutorial.ros2 import genuine
-from param_tutorial.ros2.run import signals_held
-from param_tutorial.runtime import domain, stage, surroundings
-from param_tutorial.runtime.interrupts import Latch
-from param_tutorial.runtime.processes import Guard, ends
-from param_tutorial.runtime.waiting import machine_time, within
 
 # As in the console of a node, less the time stamp: what a lesson shows must be the same tomorrow.
 _LOG_FORMAT = '[{severity}] [{name}]: {message}'
@@ -59,7 +59,7 @@ class Terminal:
         :raises FileNotFoundError: there is no such command.
         """
         domain.choose()
-        surroundings.drop_old_builds()
+        environment.drop_old_builds()
         self.command = command
         for earlier in list(_open):
             if earlier.command == command and earlier.is_running:
@@ -69,20 +69,20 @@ class Terminal:
         self._lock = threading.RLock()
         self._changed = threading.Condition(self._lock)
         arguments = shlex.split(command)
-        environment, folder = dict(os.environ), None
+        variables, folder = dict(os.environ), None
         if shell is not None:
-            environment, folder = shell.environment(), shell.folder()
+            variables, folder = shell.environment(), shell.folder()
             if arguments[0] == 'ros2':
                 installed = genuine.path()
                 arguments[:1] = [installed] if installed else genuine.embedded_words()
         elif arguments[0] == 'ros2':
-            arguments, environment = genuine.command(arguments[1:])
+            arguments, variables = genuine.command(arguments[1:])
         is_embedded = arguments[:len(genuine.embedded_words())] == genuine.embedded_words()
         with interruptible(), signals_held(hears_of_it=is_embedded):
             self._process = subprocess.Popen(
                 arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, text=True, errors='replace', start_new_session=True, cwd=folder,
-                env={**{name: value for name, value in environment.items() if not name.startswith('RCUTILS_')},
+                env={**{name: value for name, value in variables.items() if not name.startswith('RCUTILS_')},
                      'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
                      'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
         # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.

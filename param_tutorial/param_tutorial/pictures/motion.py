@@ -9,13 +9,13 @@ import html
 import itertools
 from collections.abc import Iterable, Sequence
 
-from param_tutorial.pictures.styles import style
+from param_tools.markup.styles import style
 
 # An estimate, since only the browser knows it.
 LETTER_WIDTH = 7.6
 _FADE_SEC, _BLINK_SEC = 0.25, 0.05
 
-STYLE = style('pictures/motion.css')
+STYLE = style('param_tutorial/pictures/motion.css')
 
 
 class Reel:

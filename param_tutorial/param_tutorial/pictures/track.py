@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from param_tutorial.pictures.styles import sheet, style
+from param_tools.markup.styles import sheet, style
 
 if TYPE_CHECKING:
     from param_tutorial.nodes.clawbot_node import Motion, Phase, Settings, State
@@ -39,7 +39,7 @@ _PAINTS = 8
 # of its own there.
 _NAME = 'robot-NAME'
 
-STYLE = style('pictures/track.css')
+STYLE = style('param_tutorial/pictures/track.css')
 
 
 @dataclass(frozen=True)

@@ -11,13 +11,17 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
-from param_tutorial.errors import ProgressError
+from param_tools.errors import ParameterToolError
 from param_tutorial.progress.renumbered import RENUMBERED
 from param_tutorial.progress.storage import only_one, write_whole
 
 VARIABLE = 'PARAM_TUTORIAL_PROGRESS'
 FILE = 'progress.json'
 _VERSION = 1
+
+
+class ProgressError(ParameterToolError):
+    """A file of a learner's progress is damaged, or is none."""
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,9 @@ import textwrap
 from itertools import zip_longest
 from typing import Any
 
-from param_tutorial.errors import nearest
-from param_tutorial.pictures.styles import style
-from param_tutorial.pictures.tables import Markup, table
+from param_tools.errors import nearest
+from param_tools.markup.styles import style
+from param_tools.markup.tables import Markup, table
 from param_tutorial.ros1.record import RECORDING, Scene, Step, parse
 
 _LEFT, _RIGHT = 'ROS 1, recorded', 'ROS 2, now'
@@ -23,7 +23,7 @@ _NO_COUNTERPART = '—'
 _WIDTH = 58
 _CSS_CLASS = 'param-ros1'
 # JupyterLab's own rules for tables and <pre> are as specific as these, so some of these have to be important.
-_STYLE = style('ros1/recorded.css')
+_STYLE = style('param_tutorial/ros1/recorded.css')
 
 
 def scene(name: str) -> 'Recorded':

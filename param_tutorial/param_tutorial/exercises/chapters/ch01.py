@@ -6,20 +6,14 @@ from typing import Any, NamedTuple
 
 from rclpy.parameter import Parameter
 
+from param_tools.node.client import ParameterClient
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import (
-    ClientInCorner,
-    WithSecondJudge,
-    derive,
-    expect_fixed_type,
-    run_lines,
-)
+from param_tutorial.exercises.expectations import ClientInCorner, WithSecondJudge, derive, expect_fixed_type, run_lines
 from param_tutorial.exercises.forms import Order, Settings
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
-from param_tutorial.parameters.client import ParameterClient
 from param_tutorial.pictures import track
-from param_tutorial.widgets.robot import vehicle_of
+from param_tutorial.views.robot import vehicle_of
 
 CHAPTER = '01_what_are_parameters'
 WORDS = 'The words'

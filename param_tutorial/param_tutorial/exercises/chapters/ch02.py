@@ -12,14 +12,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from param_tutorial.errors import ParameterToolError
+from param_tools.cli.run import find_program
+from param_tools.cli.session import CommandFailed
+from param_tools.errors import ParameterToolError
+from param_tools.ros.waiting import within
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
 from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.notebook.shell import Shell
-from param_tutorial.ros2.run import find_program
-from param_tutorial.ros2.session import CommandFailed
-from param_tutorial.runtime.waiting import within
 
 CHAPTER = '02_workspace'
 BUILD = 'Build it'

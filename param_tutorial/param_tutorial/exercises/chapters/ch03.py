@@ -5,11 +5,11 @@ from typing import Any
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
+from param_tools.node.client import ParameterClient
+from param_tools.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import expect_declared, expect_fixed_type, expect_range_fields, expect_result
 from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.parameters.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
 
 CHAPTER = '03_declaring'
 TYPE = 'Build it: one declaration, one type'

@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
+from param_tools import values
 from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import WithSecondJudge, derive
 from param_tutorial.exercises.trial import NotTried, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.parameters import values
 
 CHAPTER = '04_retrieving'
 OBJECT = 'An object and its value'

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 
 from rclpy.node import Node
 
+from param_tools import values
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.forms import Blanks
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.parameters import values
 
 CHAPTER = '05_1_from_the_command_line'
 SPELLING = 'Break it: which type did you mean?'

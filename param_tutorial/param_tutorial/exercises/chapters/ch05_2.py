@@ -8,7 +8,8 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersR
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.errors import CallbackError
+from param_tools.errors import CallbackError
+from param_tools.values import INTEGER
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise, Kind
 from param_tutorial.exercises.expectations import (
     expect_accepted,
@@ -19,7 +20,6 @@ from param_tutorial.exercises.expectations import (
 )
 from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
-from param_tutorial.parameters.values import INTEGER
 
 CHAPTER = '05_2_with_a_callback'
 JUDGE = 'Build it: a callback that judges'

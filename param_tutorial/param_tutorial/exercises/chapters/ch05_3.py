@@ -13,12 +13,12 @@ from rclpy.client import Client
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
+from param_tools.node.client import ParameterValues
+from param_tools.ros import stage
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import NotesQuestions, is_settled, run_lines, start_asking
 from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
-from param_tutorial.parameters.client import ParameterValues
-from param_tutorial.runtime import stage
 
 CHAPTER = '05_3_from_another_node'
 HOW = 'How it works'

@@ -1,5 +1,7 @@
 """Exercises of chapter 6.1: fill the gaps of two ranges, mend descriptors that nobody checks, and write your own."""
 
+from param_tools.node.client import ParameterClient
+from param_tools.values import DOUBLE, INTEGER
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import (
     expect_answers,
@@ -9,8 +11,6 @@ from param_tutorial.exercises.expectations import (
     expect_range_fields,
 )
 from param_tutorial.exercises.trial import NoUse, Trial, expect
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.parameters.values import DOUBLE, INTEGER
 
 CHAPTER = '06_1_descriptors_and_ranges'
 LIMITS = 'Change it: limits and steps'

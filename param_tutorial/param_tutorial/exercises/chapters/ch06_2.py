@@ -9,6 +9,7 @@ from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescri
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
+from param_tools.values import DOUBLE_ARRAY, INTEGER_ARRAY, STRING
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import (
     client_for,
@@ -19,7 +20,6 @@ from param_tutorial.exercises.expectations import (
     expect_override,
 )
 from param_tutorial.exercises.trial import Trial, expect
-from param_tutorial.parameters.values import DOUBLE_ARRAY, INTEGER_ARRAY, STRING
 
 CHAPTER = '06_2_locks_types_and_order'
 LOCK = 'Change it: the lock'

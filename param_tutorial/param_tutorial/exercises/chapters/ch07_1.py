@@ -10,11 +10,11 @@ from typing import Any
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
+from param_tools import values
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_text
 from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
-from param_tutorial.parameters import values
 
 CHAPTER = '07_1_saving'
 FORMAT = 'The format'

@@ -12,19 +12,19 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from param_tutorial.errors import WaitTimeoutError
+from param_tools.cli import genuine
+from param_tools.cli.index import share_folder_of
+from param_tools.cli.launch.description import DeclareLaunchArgument, LaunchDescription
+from param_tools.cli.launch.processes import Program
+from param_tools.cli.launch.reading import load_description
+from param_tools.cli.launch.substitutions import Context, LaunchFailed
+from param_tools.cli.launch.verb import programs
+from param_tools.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_no_gap
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect, take_for_granted
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.terminal import Terminal
-from param_tutorial.ros2 import genuine
-from param_tutorial.ros2.index import share_folder_of
-from param_tutorial.ros2.launch.description import DeclareLaunchArgument, LaunchDescription
-from param_tutorial.ros2.launch.processes import Program
-from param_tutorial.ros2.launch.reading import load_description
-from param_tutorial.ros2.launch.substitutions import Context, LaunchFailed
-from param_tutorial.ros2.launch.verb import programs
 
 CHAPTER = '07_2_launch_files'
 SEE = 'See it'

@@ -9,7 +9,9 @@ from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParam
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.errors import CallbackError
+from param_tools.descriptor import is_housekeeping
+from param_tools.errors import CallbackError
+from param_tools.values import DOUBLE
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import (
     expect_accepted,
@@ -23,8 +25,6 @@ from param_tutorial.exercises.expectations import (
     format_found,
 )
 from param_tutorial.exercises.trial import NotTried, NoUse, Trial, expect, take_for_granted
-from param_tutorial.parameters.client import is_housekeeping
-from param_tutorial.parameters.values import DOUBLE
 
 CHAPTER = '08_best_practices'
 DECLARE = 'Practice 1: declare everything, with a default that works'

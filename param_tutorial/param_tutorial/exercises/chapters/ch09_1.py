@@ -10,7 +10,9 @@ from typing import Any
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.errors import ParameterFileError
+from param_tools import values
+from param_tools.errors import ParameterFileError
+from param_tools.files import parameter_files
 from param_tutorial.exercises.exercise import NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import (
     expect_declared,
@@ -20,7 +22,6 @@ from param_tutorial.exercises.expectations import (
     format_found,
 )
 from param_tutorial.exercises.trial import CORNER, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
-from param_tutorial.parameters import files, values
 
 CHAPTER = '09_1_moving_from_ros1'
 TRANSLATE = 'Build it: translate a node'
@@ -223,7 +224,7 @@ def started(trial: Trial, node_class: type[Node]) -> Node:
         file.write_text(trial.work, encoding='utf-8')
         try:
             # In the trial's corner the node has a longer name, for which the file is written anew.
-            files.render(f'{CORNER}{name}', files.read(file, name)).save(file)
+            parameter_files.render(f'{CORNER}{name}', parameter_files.read(file, name)).save(file)
         except ParameterFileError as error:
             raise NoUse(f'a file that rcl reads, with values for `{name}`',
                         str(error).replace(f'{folder}/', '')) from None

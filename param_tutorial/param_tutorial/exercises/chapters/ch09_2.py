@@ -8,7 +8,9 @@ from typing import Any
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 
-from param_tutorial.errors import CallbackError
+from param_tools import values
+from param_tools.descriptor import is_housekeeping
+from param_tools.errors import CallbackError
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import (
     expect_accepted,
@@ -22,8 +24,6 @@ from param_tutorial.exercises.expectations import (
     format_found,
 )
 from param_tutorial.exercises.trial import NoUse, Trial, expect, take_for_granted
-from param_tutorial.parameters import values
-from param_tutorial.parameters.client import is_housekeeping
 
 CHAPTER = '09_2_ros1_and_ros2'
 STORE = 'Who keeps the values?'

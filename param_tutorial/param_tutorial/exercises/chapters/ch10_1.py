@@ -13,13 +13,13 @@ from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
 from rclpy.subscription import Subscription
 
-from param_tutorial.errors import NoAnswerError, WaitTimeoutError
+from param_tools import values
+from param_tools.errors import NoAnswerError, WaitTimeoutError
+from param_tools.ros.node_hooks import function_name
+from param_tools.ros.waiting import machine_time, wait_until
 from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import derive
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
-from param_tutorial.parameters import values
-from param_tutorial.runtime.managed import function_name
-from param_tutorial.runtime.waiting import machine_time, wait_until
 
 CHAPTER = '10_1_parameter_events'
 LISTENER = 'Build it: a listener'

@@ -8,13 +8,13 @@ from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.errors import NoAnswerError
+from param_tools import values
+from param_tools.errors import NoAnswerError
+from param_tools.node.client import ParameterValues
+from param_tools.systems.snapshot import Snapshot
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import NotesQuestions, asks_no_more, expect_no_gap, is_settled, start_asking
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
-from param_tutorial.parameters import values
-from param_tutorial.parameters.client import ParameterValues
-from param_tutorial.parameters.snapshot import Snapshot
 
 CHAPTER = '10_2_asking_another_node'
 BY_NAME = 'Ask by name'

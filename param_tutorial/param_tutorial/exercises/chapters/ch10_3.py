@@ -11,13 +11,14 @@ from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.errors import InvalidValueError, ParameterFileError
+from param_tools import values
+from param_tools.errors import InvalidValueError, ParameterFileError
+from param_tools.files import parameter_files
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, expect_no_gap, run_lines
 from param_tutorial.exercises.forms import Order, Settings
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
-from param_tutorial.parameters import files, values
 
 CHAPTER = '10_3_ros2_control'
 GAINS = 'Change it: what each gain does'
@@ -140,7 +141,7 @@ def held_for(trial: Trial, name: str, namespace: str) -> Mapping[str, Any]:
     """
     with _file(trial.work) as path:
         try:
-            return files.read(path, f'{namespace}/{name}')
+            return parameter_files.read(path, f'{namespace}/{name}')
         except ParameterFileError as error:
             words = str(error).replace(str(path), 'the file')
             if 'holds nothing for' in words:
@@ -165,7 +166,7 @@ def start(trial: Trial, node_class: type[Node], name: str) -> Mapping[str, Any]:
     """Start a node under a name with what the file holds for it, and return the parameters that it has then."""
     parameters = held(trial, name)
     expect(parameters, f'a block for `{name}`', 'there is none')
-    with _file(str(files.render(f'{CORNER}/{name}', parameters))) as path:
+    with _file(str(parameter_files.render(f'{CORNER}/{name}', parameters))) as path:
         try:
             node = trial.start(node_class, ros_args=['-r', f'__node:={name}', '--params-file', str(path)])
         except NoStart as error:

@@ -7,10 +7,10 @@ from textwrap import shorten
 
 from rclpy.node import Node
 
+from param_tools.ros.node_log import LogLine
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import expect_accepted, expect_rejected
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
-from param_tutorial.runtime.node_log import LogLine
 
 CHAPTER = '10_4_beyond_today'
 STATE = 'Build it: a rule in a dozen lines'

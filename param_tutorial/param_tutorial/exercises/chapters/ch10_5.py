@@ -7,13 +7,13 @@ from typing import Any
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
+from param_tools import values
+from param_tools.node.rules import Rules
+from param_tools.systems.sets import Difference, ParameterSet, compare, restore
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, run_lines
 from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
-from param_tutorial.parameters import values
-from param_tutorial.parameters.rules import Rules
-from param_tutorial.parameters.sets import Difference, ParameterSet, compare, restore
 
 CHAPTER = '10_5_whole_sets'
 DIFFERS = 'What differs?'

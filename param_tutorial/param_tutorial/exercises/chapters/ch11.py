@@ -18,7 +18,12 @@ from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tutorial.errors import NodeError, WaitTimeoutError
+from param_tools.errors import NodeError, WaitTimeoutError
+from param_tools.node.client import ParameterClient
+from param_tools.ros import stage
+from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.waiting import wait_until
+from param_tools.values import DOUBLE, STRING
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import (
     WithSecondJudge,
@@ -37,13 +42,8 @@ from param_tutorial.exercises.forms import Settings
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.notebook.terminal import Terminal
-from param_tutorial.parameters.client import ParameterClient
-from param_tutorial.parameters.values import DOUBLE, STRING
 from param_tutorial.pictures import track
-from param_tutorial.runtime import stage
-from param_tutorial.runtime.executor import BackgroundExecutor
-from param_tutorial.runtime.waiting import wait_until
-from param_tutorial.widgets.cart import cart_on_trip
+from param_tutorial.views.cart import cart_on_trip
 
 CHAPTER = '11_conclusion'
 DECLARE = 'Declare'

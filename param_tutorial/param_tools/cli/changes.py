@@ -1,0 +1,155 @@
+"""watch and history: every change of parameters as it happens, and as a log has kept it."""
+
+import argparse
+import contextlib
+import datetime
+import math
+import queue
+import re
+import time
+from pathlib import Path
+
+from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
+from param_tools.cli.system_arguments import pattern
+from param_tools.errors import ParameterToolError
+from param_tools.files.parsing import matches
+from param_tools.markup.wording import format_count
+from param_tools.systems.change_log import KINDS, ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
+from param_tools.systems.snapshot import Snapshot
+
+_LOOK_PERIOD_SEC = 0.5
+
+
+def add_to(commands: Commands) -> None:
+    """Add the commands ``watch`` and ``history``."""
+    add_watch_arguments(commands.add_parser('watch', help='print every change of parameters, and keep a log of them'))
+    add_history_arguments(commands.add_parser('history', help='print what a log holds, or the values at a time'))
+
+
+def add_watch_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what ``watch`` takes."""
+    add_graph_options(parser)
+    parser.add_argument('nodes', nargs='*', metavar='NODE',
+                        help='a node, or a pattern such as /robot1/** (default: all)')
+    parser.add_argument('--filter', metavar='REGEX', default='', help='print only parameters whose name matches')
+    parser.add_argument('--log', metavar='FILE', help='append every change to this file, one JSON object in each line')
+    parser.add_argument('--duration', type=float, metavar='N', help='end after N seconds (default: with Ctrl+C)')
+    parser.set_defaults(verb=watch)
+
+
+def watch(session: Session, args: argparse.Namespace) -> int:
+    """Print changes until somebody ends it."""
+    if session.in_notebook and args.duration is None:
+        raise CommandFailed(session.instead_of(['watch', *args.nodes]) + ' Or say how long: --duration 10')
+    wanted = _compiled(args.filter)
+    session.wait_for_graph(args)
+    patterns = list(map(pattern, args.nodes))
+    happened: queue.SimpleQueue[list[LoggedChange] | ParameterToolError] = queue.SimpleQueue()
+    end = math.inf if args.duration is None else time.monotonic() + args.duration
+    # Ctrl+C is how it ends, whenever it comes.
+    with contextlib.suppress(KeyboardInterrupt), _writer(args.log) as writer:
+        with contextlib.suppress(KeyboardInterrupt), ChangeFollower(
+                happened.put, nodes=patterns, trouble=happened.put, timeout_sec=args.timeout,
+                executor=session.executor):
+            while (left := end - time.monotonic()) > 0:
+                with contextlib.suppress(queue.Empty):
+                    _tell(session, happened.get(timeout=min(_LOOK_PERIOD_SEC, left)), wanted, writer)
+        while not happened.empty():  # what was heard of before the end
+            _tell(session, happened.get(), wanted, writer)
+    return 0
+
+
+def _writer(path: str | None) -> 'contextlib.AbstractContextManager[ChangeLogWriter | None]':
+    try:
+        return contextlib.nullcontext() if path is None else ChangeLogWriter(path)
+    except OSError as error:
+        raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
+
+
+def _tell(session: Session, what: list[LoggedChange] | ParameterToolError, wanted: re.Pattern[str],
+          writer: ChangeLogWriter | None) -> None:
+    if isinstance(what, ParameterToolError):
+        session.complain(what)
+        return
+    if writer is not None:
+        try:
+            writer.write(what)
+        except OSError as error:
+            raise CommandFailed(f'the log cannot be continued: {error.strerror}') from None
+    shown = [each for each in what if each.kind not in ('begin', 'seen') and wanted.search(each.name)]
+    if what and what[0].kind == 'begin':
+        nodes = len({each.node for each in what[1:]})
+        session.print(f'Watching {format_count(len(what) - 1, "parameter")} of {format_count(nodes, "node")}')
+    for each in shown:
+        session.print(each)
+    session.stdout.flush()
+
+
+def _compiled(text: str) -> re.Pattern[str]:
+    try:
+        return re.compile(text)
+    except re.error as error:
+        raise CommandFailed(f'{text!r} is not a regular expression: {error}') from None
+
+
+def add_history_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what ``history`` takes."""
+    parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
+    parser.add_argument('nodes', nargs='*', metavar='NODE',
+                        help='a node, or a pattern such as /robot1/** (default: all)')
+    parser.add_argument('--filter', metavar='REGEX', default='', help='only parameters whose name matches')
+    parser.add_argument('--since', metavar='TIME', help='14:05, 14:05:30 or 2026-11-22T14:05')
+    parser.add_argument('--until', metavar='TIME', help='likewise')
+    parser.add_argument('--all', action='store_true', help='also the values that were there when watching began')
+    parser.add_argument('--at', metavar='TIME', help='write the values of that time as a parameter file')
+    parser.add_argument('--format', choices=('text', 'json'), default='text',
+                        help='json is the lines of the log (default: text)')
+    parser.set_defaults(verb=history)
+
+
+def history(session: Session, args: argparse.Namespace) -> int:
+    """Print changes of the past, or the values that nodes had at a time."""
+    log = ChangeLog.read(args.log)
+    if log.damaged:
+        session.complain(f'{args.log}: line {", ".join(map(str, log.damaged))} cannot be read, and was passed over')
+    patterns = list(map(pattern, args.nodes))
+    _compiled(args.filter)
+    if args.at is not None:
+        then = _state(log, args.log, args.at)
+        session.stdout.write(Snapshot({node: each for node, each in then.items() if not patterns or any(
+            matches(each, node) for each in patterns)}, {}, then.taken).dump().text)
+        return 0
+    selected = log.select(
+        nodes=patterns, names=args.filter, kinds=KINDS if args.all else set(KINDS) - {'begin', 'seen'},
+        since=_time(log, args.since), until=_time(log, args.until))
+    if args.format == 'json':
+        for change in selected:
+            session.print(change.as_line())
+    else:
+        session.print(selected)
+    return 0
+
+
+def _time(log: ChangeLog, text: str | None) -> datetime.datetime | None:
+    return None if text is None else log.parse_time(text)
+
+
+def past(word: str) -> Snapshot | None:
+    """Return the values that a word like ``changes.jsonl@14:05`` names; None if it names no log.
+
+    :raises ParameterFileError: the file is no log.
+    :raises InvalidValueError: there is no time in the word.
+    :raises CommandFailed: the log does not reach back so far.
+    """
+    path, at, text = word.rpartition('@')
+    if not at or not Path(path).is_file():
+        return None
+    return _state(ChangeLog.read(path), path, text)
+
+
+def _state(log: ChangeLog, path: str, text: str) -> Snapshot:
+    when = log.parse_time(text)
+    if not log.changes or when < log.changes[0].time:
+        raise CommandFailed(f'{path} does not reach back to {text}'
+                            + (f': it begins at {log.changes[0].time:%Y-%m-%d %H:%M:%S}' if log.changes else ''))
+    return log.at(when)

@@ -1,0 +1,93 @@
+"""check and describe: check parameter files against what nodes declare, and save what they declare.
+
+The exit status is made for scripts: 0 if nothing was found, 1 if something was, 2 if nothing could be checked.
+"""
+
+import argparse
+
+from param_tools.cli import system_arguments
+from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
+from param_tools.errors import ParameterToolError
+from param_tools.files.checking import Findings, check_files
+from param_tools.files.descriptions import Descriptions
+from param_tools.files.parameter_files import Dump
+from param_tools.markup.wording import format_count
+
+_FORMATS = {'text': Findings.text, 'json': Findings.as_json, 'github': Findings.as_github}
+
+
+def add_to(commands: Commands) -> None:
+    """Add the commands ``check`` and ``describe``."""
+    add_check_arguments(commands.add_parser('check', help='find the mistakes in parameter files'))
+    add_describe_arguments(commands.add_parser('describe', help='save what nodes declare, to check files without them'))
+
+
+def add_check_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what ``check`` takes."""
+    add_graph_options(parser)
+    parser.add_argument('files', nargs='+', metavar='FILE',
+                        help='parameter files, in the order in which the nodes get them')
+    parser.add_argument('--against', action='append', default=[], metavar='[NODE=]SOURCE',
+                        help=f'what the files are for: {system_arguments.HELP}: a description saved by `describe`, '
+                             f'or a schema of generate_parameter_library. May be given several times')
+    parser.add_argument('--complete', action='store_true',
+                        help='these are all nodes: a block for another one is a mistake')
+    parser.add_argument('--separately', action='store_true',
+                        help='judge each file alone: a node gets one of them, and not all')
+    parser.add_argument('--load', action='store_true',
+                        help='the files are for `ros2 param load`, and not for the start of the nodes')
+    parser.add_argument('--format', choices=_FORMATS, default='text', help='default: text')
+    parser.set_defaults(verb=check)
+
+
+def check(session: Session, args: argparse.Namespace) -> int:
+    """Print what is wrong with files."""
+    try:
+        against = Descriptions(complete=args.complete)
+        for word in args.against:
+            found = system_arguments.describe(session, word, args)
+            if not found:
+                raise CommandFailed(f'nothing can be checked against {word}: no node of it was described')
+            against.update(found)
+            against.complete = against.complete or found.complete
+        sets = [[file] for file in args.files] if args.separately else [args.files]
+        results = [check_files(files, against, loading=args.load) for files in sets]
+    except (ParameterToolError, CommandFailed) as error:
+        session.complain(error)
+        return 2
+    findings = Findings(each for result in results for each in result)
+    if text := _FORMATS[args.format](findings):
+        session.print(text)
+    if passed_over := dict.fromkeys(name for result in results for name in result.passed_over):
+        session.complain(f'Not checked, because nothing is known of these nodes: {", ".join(passed_over)}')
+    if left := [place for result in results for place in result.left_to_launch]:
+        session.complain(f'Not checked, because launch fills them in: {", ".join(left)}')
+    return 1 if findings else 0
+
+
+def add_describe_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what ``describe`` takes."""
+    add_graph_options(parser)
+    parser.add_argument('sources', nargs='+', metavar='SOURCE', help=system_arguments.HELP)
+    parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
+    parser.add_argument('--format', choices=('yaml', 'markdown'), default='yaml',
+                        help='markdown is a table for a README (default: yaml)')
+    parser.set_defaults(verb=describe)
+
+
+def describe(session: Session, args: argparse.Namespace) -> int:
+    """Write down what nodes declare."""
+    found = Descriptions()
+    for word in args.sources:
+        each = system_arguments.describe(session, word, args)
+        found.update(each)
+        found.unanswered.update(each.unanswered)
+        found.complete = found.complete or each.complete
+    dump = found.dump() if args.format == 'yaml' else Dump(found.reference().text, {})
+    if args.save is None:
+        session.stdout.write(dump.text)
+    else:
+        system_arguments.save(session, dump, args.save)
+        total = sum(len(each.parameters) for each in found.values())
+        session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
+    return 1 if found.unanswered else 0

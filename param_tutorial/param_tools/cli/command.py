@@ -1,0 +1,62 @@
+"""The embedded ``ros2`` as a function: read the words of one command, and run its verb."""
+
+import functools
+import importlib
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from param_tools.cli.session import (
+    MORE_ELSEWHERE,
+    CommandFailed,
+    Parser,
+    Printed,
+    Session,
+    TextStream,
+    what_else_to_type,
+)
+from param_tools.errors import ParameterToolError
+
+if TYPE_CHECKING:
+    from param_tools.ros.executor import BackgroundExecutor
+
+# The commands of each module. Imported when used: a process that runs one command need not pay for the others.
+_MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run'], 'service': ['service'],
+            'topic': ['topic'], 'launch.verb': ['launch'], 'check': ['check', 'describe'],
+            'system': ['snapshot', 'diff', 'restore'], 'changes': ['watch', 'history'], 'panel': ['panel']}
+
+
+@functools.cache
+def _parser(command: str) -> Parser:
+    """Return a parser for one command, or for all if it is none."""
+    parser = Parser(prog='ros2', description=MORE_ELSEWHERE)
+    commands = parser.add_subparsers(metavar='command', title='commands')
+    wanted = [module for module, names in _MODULES.items() if command in names] or _MODULES
+    for module in wanted:
+        importlib.import_module(f'param_tools.cli.{module}').add_to(commands)
+    return parser
+
+
+def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream,
+         get_executor: 'Callable[[], BackgroundExecutor]', in_notebook: bool = False,
+         instead_of: Callable[[Sequence[str]], str] = what_else_to_type) -> int:
+    """Run one command.
+
+    :param argv: The words after ``ros2``.
+    :param get_executor: Gives the executor that carries the calls; called only by verbs that need one.
+    :param in_notebook: Reject what would keep the cell busy forever.
+    :param instead_of: See ``Session``.
+    :return: The exit status.
+    """
+    session = Session(stdout, stderr, get_executor, in_notebook, instead_of)
+    try:
+        parser = _parser(argv[0] if argv else '')
+        args = parser.parse_args(argv)
+        if not hasattr(args, 'verb'):
+            getattr(args, 'help_of', parser).print_help()
+        return args.verb(session, args) or 0
+    except Printed as printed:
+        (stderr if printed.status else stdout).write(str(printed))
+        return printed.status
+    except (CommandFailed, ParameterToolError) as error:
+        session.complain(error)
+        return 1

@@ -1,0 +1,272 @@
+"""ros2 pkg create, executables, list and prefix.
+
+``create`` writes a new Python package (ament_python) into a workspace. The files do what those of ros2pkg's templates
+do; their text is the course's own. The other verbs tell what has been built and sourced.
+"""
+
+import argparse
+import getpass
+import keyword
+import os
+import re
+import shutil
+import subprocess
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+
+from param_tools.cli import index
+from param_tools.cli.run import installed_programs
+from param_tools.cli.session import CommandFailed, Commands, Session
+
+BUILD_TYPE = 'ament_python'
+# The names for which the genuine command writes a LICENSE file.
+LICENSES = ('Apache-2.0', 'BSL-1.0', 'BSD-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 'GPL-3.0-only', 'LGPL-3.0-only',
+            'MIT', 'MIT-0')
+# The linters that a new package brings along as tests, and that check it under `colcon test`.
+_LINTERS = ('copyright', 'flake8', 'pep257')
+
+
+@dataclass(frozen=True)
+class _Package:
+    name: str
+    description: str
+    license: str
+    maintainer: str
+    email: str
+    dependencies: tuple[str, ...]
+    node: str | None
+
+
+def add_to(commands: Commands) -> None:
+    """Add the command ``pkg`` and its verbs."""
+    pkg = commands.add_parser('pkg', help='packages')
+    pkg.set_defaults(help_of=pkg)
+    verbs = pkg.add_subparsers(metavar='verb', title='verbs')
+    create = verbs.add_parser('create', help='write a new Python package')
+    create.add_argument('package_name', help='name of the package')
+    create.add_argument('--package-format', '--package_format', type=int, default=3, choices=[3],
+                        help='format of package.xml')
+    create.add_argument('--description', default='TODO: Package description', help='what the package is for')
+    create.add_argument('--license', default='TODO: License declaration',
+                        help='e.g. Apache-2.0; ? lists those that are known')
+    create.add_argument('--destination-directory', default=os.curdir, help='where to make its folder')
+    create.add_argument('--build-type', default='ament_cmake', choices=['cmake', 'ament_cmake', BUILD_TYPE],
+                        help=f'here always {BUILD_TYPE}')
+    create.add_argument('--dependencies', nargs='+', default=[], metavar='PACKAGE', help='packages that it needs')
+    create.add_argument('--maintainer-email', help="default: what git's user.email says")
+    create.add_argument('--maintainer-name', help='default: the name of the user')
+    create.add_argument('--node-name', help='name of a first executable, which only greets')
+    create.set_defaults(verb=create_package)
+    executables = verbs.add_parser('executables', help='list the programs of a package, or of all packages')
+    executables.add_argument('package_name', nargs='?', help='name of the package')
+    executables.set_defaults(verb=list_executables)
+    verbs.add_parser('list', help='list the packages that have been sourced').set_defaults(verb=list_packages)
+    prefix = verbs.add_parser('prefix', help='print where a package is installed')
+    prefix.add_argument('package_name', help='name of the package')
+    prefix.add_argument('--share', action='store_true', help='print its share folder')
+    prefix.set_defaults(verb=print_prefix)
+
+
+def list_executables(session: Session, args: argparse.Namespace) -> None:
+    """Print the paths of programs."""
+    for package in index.sourced_packages() if args.package_name is None else [args.package_name]:
+        try:
+            paths = installed_programs(package)
+        except index.PackageNotFound:
+            raise CommandFailed(f"Package '{package}' not found{_note_on_own(package)}") from None
+        for path in sorted(map(str, paths)):
+            session.print(path)
+
+
+def list_packages(session: Session, _args: argparse.Namespace) -> None:
+    """Print the names of the packages that have been sourced."""
+    for package in index.sourced_packages():
+        session.print(package)
+
+
+def print_prefix(session: Session, args: argparse.Namespace) -> None:
+    """Print the install space that holds a package, or the package's share folder in it."""
+    try:
+        prefix = index.prefix_of(args.package_name, os.environ.get('AMENT_PREFIX_PATH', ''))
+    except index.PackageNotFound:
+        raise CommandFailed(f'Package not found{_note_on_own(args.package_name)}') from None
+    session.print(prefix / 'share' / args.package_name if args.share else prefix)
+
+
+def _note_on_own(package: str) -> str:
+    """Return why ``ros2 run`` finds a package that has not been built."""
+    if package not in index.provided():
+        return ''
+    return f': {package} has not been built and sourced. The embedded ros2 runs its nodes all the same'
+
+
+def create_package(session: Session, args: argparse.Namespace) -> None:
+    """Write the package, and print each file."""
+    if args.license == '?':
+        session.print('Supported licenses:', *LICENSES, sep='\n')
+        return
+    _check(args)
+    maintainer = args.maintainer_name or getpass.getuser()
+    package = _Package(
+        args.package_name, args.description, args.license, maintainer,
+        args.maintainer_email or _email_of_git() or f'{maintainer}@todo.todo', tuple(args.dependencies), args.node_name)
+    folder = Path(args.destination_directory) / package.name
+    if folder.exists():
+        raise CommandFailed(
+            f'\nAborted!\nThe directory already exists: {_path(args, package.name)}\nEither remove the directory or '
+            f'choose a different destination directory or package name')
+    _print_properties(session, args, package)
+    session.print('creating folder', _path(args, package.name))
+    folder.mkdir(parents=True)
+    for name, text in _files(package).items():
+        if text is None:
+            if name == package.name:
+                session.print('creating source folder')
+            session.print('creating folder', _path(args, package.name, name))
+            (folder / name).mkdir()
+        else:
+            session.print('creating', _path(args, package.name, name))
+            (folder / name).write_text(text, encoding='utf-8')
+    _print_note_on_license(session, package)
+
+
+def _check(args: argparse.Namespace) -> None:
+    if args.build_type != BUILD_TYPE:
+        raise CommandFailed(
+            f"The course's own ros2 writes packages of --build-type {BUILD_TYPE} only, not {args.build_type}, which is "
+            f'what the genuine command writes unless told otherwise. environment/README.md says how to get that one')
+    if args.package_name == 'test':
+        raise CommandFailed("Aborted since 'ament_python' packages can't be named 'test'. Please choose a different "
+                            'package name.')
+    for what, name in (('package', args.package_name), ('executable', args.node_name)):
+        # Both become modules of Python, and a package's name also a folder, a topic and a name in XML.
+        if name is not None and (not re.fullmatch(r'[a-z][a-z0-9_]*', name) or keyword.iskeyword(name)):
+            raise CommandFailed(f'{name!r} cannot be the name of a Python {what}: it takes lower-case letters, digits '
+                                f'and underscores, starts with a letter, and is no word of the language')
+
+
+def _email_of_git() -> str:
+    if shutil.which('git') is None:
+        return ''
+    return subprocess.run(['git', 'config', 'user.email'], stdout=subprocess.PIPE, text=True).stdout.strip()
+
+
+def _path(args: argparse.Namespace, *parts: str) -> str:
+    return os.path.join(args.destination_directory, *parts)
+
+
+def _print_properties(session: Session, args: argparse.Namespace, package: _Package) -> None:
+    session.print('going to create a new package')
+    session.print('package name:', package.name)
+    session.print('destination directory:', os.path.abspath(args.destination_directory))
+    session.print('package format:', args.package_format)
+    session.print('version:', '0.0.0')
+    session.print('description:', package.description)
+    session.print('maintainer:', [f'{package.maintainer} <{package.email}>'])
+    session.print('licenses:', [package.license])
+    session.print('build type:', BUILD_TYPE)
+    session.print('dependencies:', list(package.dependencies))
+    if package.node:
+        session.print('node_name:', package.node)
+
+
+def _print_note_on_license(session: Session, package: _Package) -> None:
+    if package.license in LICENSES:
+        session.print(f'\n[WARNING]: No LICENSE file has been created: the text of {package.license} is not at hand '
+                      f'here. The genuine command writes it.')
+        return
+    session.print(f"\n[WARNING]: Unknown license '{package.license}'.  This has been set in the package.xml, but no "
+                  f'LICENSE file has been created.\nIt is recommended to use one of the ament license identifiers:')
+    session.print(*LICENSES, sep='\n')
+
+
+def _files(package: _Package) -> dict[str, str | None]:
+    """Return the text of each file, and None for a folder, by path and in the order in which they are made."""
+    files = {
+        'package.xml': _package_xml(package),
+        package.name: None,
+        'setup.py': _setup_py(package),
+        'setup.cfg': (f'[develop]\nscript_dir=$base/lib/{package.name}\n'
+                      f'[install]\ninstall_scripts=$base/lib/{package.name}\n'),
+        'resource': None,
+        f'resource/{package.name}': '',
+        f'{package.name}/__init__.py': '',
+        'test': None,
+        **{f'test/test_{linter}.py': _linter_test(linter) for linter in _LINTERS},
+    }
+    if package.node:
+        files[f'{package.name}/{package.node}.py'] = _node(package)
+    return files
+
+
+def _package_xml(package: _Package) -> str:
+    depends = ''.join(f'  <depend>{escape(name)}</depend>\n' for name in package.dependencies)
+    tests = ''.join(f'  <test_depend>{name}</test_depend>\n' for name in (
+        *(f'ament_{linter}' for linter in _LINTERS), 'python3-pytest'))
+    return f'''<?xml version="1.0"?>
+<?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
+<package format="3">
+  <name>{package.name}</name>
+  <version>0.0.0</version>
+  <description>{escape(package.description)}</description>
+  <maintainer email="{escape(package.email)}">{escape(package.maintainer)}</maintainer>
+  <license>{escape(package.license)}</license>
+
+{depends}{chr(10) if depends else ''}{tests}
+  <export>
+    <build_type>{BUILD_TYPE}</build_type>
+  </export>
+</package>
+'''
+
+
+def _setup_py(package: _Package) -> str:
+    entry = f"            '{package.node} = {package.name}.{package.node}:main',\n" if package.node else ''
+    return f'''from setuptools import find_packages, setup
+
+package_name = {package.name!r}
+
+setup(
+    name=package_name,
+    version='0.0.0',
+    packages=find_packages(exclude=['test']),
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=True,
+    maintainer={package.maintainer!r},
+    maintainer_email={package.email!r},
+    description={package.description!r},
+    license={package.license!r},
+    extras_require={{'test': ['pytest']}},
+    entry_points={{
+        'console_scripts': [
+{entry}        ],
+    }},
+)
+'''
+
+
+def _linter_test(linter: str) -> str:
+    return f'''from ament_{linter}.main import main
+import pytest
+
+
+@pytest.mark.{linter}
+@pytest.mark.linter
+def test_{linter}():
+    assert main(argv=[]) == 0, 'ament_{linter} has found something'
+'''
+
+
+def _node(package: _Package) -> str:
+    return f'''def main():
+    print('Hi from {package.name}.')
+
+
+if __name__ == '__main__':
+    main()
+'''

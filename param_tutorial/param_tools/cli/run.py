@@ -1,0 +1,155 @@
+"""ros2 run: start a program of a package, as a process of its own."""
+
+import argparse
+import contextlib
+import importlib.util
+import os
+import pkgutil
+import shlex
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from param_tools.cli import index
+from param_tools.cli.session import CommandFailed, Commands, Session
+from param_tools.ros.environment import provided_packages
+
+_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+
+
+def add_to(commands: Commands) -> None:
+    """Add the command ``run``."""
+    run = commands.add_parser('run', help='run a program of a package')
+    run.add_argument('--prefix', help="what goes before the program, e.g. --prefix 'gdb -ex run --args'")
+    run.add_argument('package_name', help='name of the package')
+    run.add_argument('executable_name', help='name of the program')
+    run.add_argument('argv', nargs=argparse.REMAINDER, help='everything after it is passed to the program')
+    run.set_defaults(verb=run_program)
+
+
+def node_programs(package: str) -> list[str]:
+    """Return the names of a provided package's nodes: one for each module of its Python package of nodes."""
+    found = importlib.util.find_spec(provided_packages()[package])
+    folders = found.submodule_search_locations if found else None
+    return sorted(module.name for module in pkgutil.iter_modules(folders or ()) if not module.name.startswith('_'))
+
+
+def run_program(session: Session, args: argparse.Namespace) -> int:
+    """Run the program, say if it failed, and return its exit status; negative if a signal ended it."""
+    command = find_program(args.package_name, args.executable_name)
+    if session.in_notebook:
+        raise CommandFailed(session.instead_of(['run', args.package_name, args.executable_name, *args.argv]))
+    command = [*shlex.split(args.prefix or ''), *command, *args.argv]
+    session.stdout.flush()
+    session.stderr.flush()
+    try:
+        status = _wait_for_end(command)
+    except OSError as error:
+        raise CommandFailed(f'cannot run {command[0]}: {error.strerror}') from None
+    if status:
+        session.print('[ros2run]:', signal.strsignal(-status) if -status in signal.valid_signals()
+                      else f'Process exited with failure {status}')
+    return status
+
+
+def _wait_for_end(command: Sequence[str]) -> int:
+    """Run a command, and return its exit status, as ``subprocess`` has it.
+
+    Ctrl+C reaches this process and the program alike, and the program decides what comes of it. SIGTERM is passed on;
+    the genuine command ends and leaves the program running. SIGINT to this process alone is passed on to a node of
+    ours, which doesn't mind hearing of Ctrl+C twice. Others might, so for them it does nothing, as in the genuine
+    command.
+    """
+    passed_on = _SIGNALS if is_our_node(command) else (signal.SIGTERM,)
+    came: list[int] = []
+    program: subprocess.Popen[bytes] | None = None
+
+    def pass_on(number: int, _frame: object) -> None:
+        if program is None:
+            came.append(number)
+        elif number in passed_on:
+            program.send_signal(number)
+
+    # What a shell has started with & ignores Ctrl+C, and so does the program then.
+    before = {number: signal.signal(number, pass_on) for number in (signal.SIGINT, signal.SIGTERM)
+              if signal.getsignal(number) is not signal.SIG_IGN}
+    try:
+        with signals_held(hears_of_it=is_our_node(command)):
+            started = subprocess.Popen(command)
+        # Another process may have held them back when it started this one, for the sake of the program.
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, _SIGNALS)
+        program = started
+        for number in came:  # before there was a program that they could reach
+            program.send_signal(number)
+        return program.wait()
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ, *,
+                 sub_folders: bool = True) -> list[str]:
+    """Find a program: in the install spaces that have been sourced, else among the nodes of provided packages.
+
+    :param environment: Tells what has been sourced.
+    :param sub_folders: Look below the package's folder of programs, too.
+    :return: The words that start it.
+    :raises CommandFailed: there is no such package, no such program in it, or more than one.
+    """
+    try:
+        paths = [path for path in installed_programs(package, environment, sub_folders=sub_folders)
+                 if path.name == program]
+    except index.PackageNotFound:
+        return _provided_program(package, program, environment)
+    if not paths:
+        raise CommandFailed('No executable found')
+    if len(paths) > 1:
+        raise CommandFailed('\n- '.join(['Multiple executables found:', *map(str, paths)]))
+    return [str(paths[0])]
+
+
+def installed_programs(package: str, environment: Mapping[str, str] = os.environ, *,
+                       sub_folders: bool = True) -> list[Path]:
+    """Return the programs that a package has in the install spaces that have been sourced.
+
+    :param environment: Tells what has been sourced.
+    :param sub_folders: Look below the package's folder of programs, too.
+    :raises index.PackageNotFound: none of them holds the package.
+    """
+    found = []
+    prefix = index.prefix_of(package, environment.get('AMENT_PREFIX_PATH', ''))
+    for folder, below, names in os.walk(prefix / 'lib' / package):
+        below[:] = sorted(name for name in below if sub_folders and not name.startswith('.'))
+        found += [Path(folder, name) for name in sorted(names) if os.access(Path(folder, name), os.X_OK)]
+    return found
+
+
+def _provided_program(package: str, program: str, environment: Mapping[str, str]) -> list[str]:
+    nodes = index.provided(environment).get(package)
+    if nodes is None:
+        raise CommandFailed(f"Package '{package}' not found")
+    if program not in node_programs(package):
+        raise CommandFailed('No executable found')
+    return [sys.executable, '-m', nodes, program]
+
+
+@contextlib.contextmanager
+def signals_held(*, hears_of_it: bool) -> Iterator[None]:
+    """Hold SIGINT and SIGTERM back in this thread while it starts or becomes a program that lets them through itself.
+
+    A signal that comes before the first line of a Python program has run would end it as one that knows of no signals.
+
+    :param hears_of_it: Whether the program does. Nothing is held back from any other program.
+    """
+    before = signal.pthread_sigmask(signal.SIG_BLOCK if hears_of_it else signal.SIG_UNBLOCK, _SIGNALS)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def is_our_node(command: Sequence[str]) -> bool:
+    """True if these words start a node of a provided package in a Python of its own."""
+    return any(list(command[:3]) == [sys.executable, '-m', nodes] for nodes in provided_packages().values())

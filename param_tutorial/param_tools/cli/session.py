@@ -1,0 +1,259 @@
+"""What the verbs of the embedded ``ros2`` share: arguments, streams, finding a node, calling its services.
+
+ROS is imported where it is used: ``ros2 run`` starts a program, which imports it once more.
+"""
+
+import argparse
+import functools
+import shlex
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
+
+from param_tools.errors import NodeNotFoundError, ParameterToolError, WaitTimeoutError
+from param_tools.ros import domain
+
+if TYPE_CHECKING:
+    from param_tools.ros.executor import BackgroundExecutor
+
+# As rclpy.node has it.
+HIDDEN_NODE_PREFIX = '_'
+SERVICE_TIMEOUT_SEC = 5.0
+MORE_ELSEWHERE = ("This is the course's own ros2, with the commands and options that the lessons use. The genuine one "
+                  'has more: environment/README.md says how to get it.')
+# What add_subparsers() returns; argparse has no public name for it.
+Commands: TypeAlias = 'argparse._SubParsersAction[Parser]'
+
+
+class NodeName(NamedTuple):
+    """The name of a node; sorted as the genuine command sorts, by the last part first."""
+
+    name: str
+    namespace: str
+    full_name: str
+
+    @classmethod
+    def parse(cls, full_name: str) -> 'NodeName':
+        """Split a fully qualified name."""
+        namespace, _, name = full_name.rpartition('/')
+        return cls(name, namespace or '/', full_name)
+
+
+class CommandFailed(Exception):
+    """The command cannot be done; the message goes to standard error, and the exit status is 1."""
+
+
+class TextStream(Protocol):
+    """Where text can be written: a file, a notebook's cell, a StringIO."""
+
+    def write(self, text: str, /) -> int:
+        """Write a text, and return its length."""
+
+    def flush(self) -> None:
+        """Pass on what was written so far."""
+
+
+def what_else_to_type(words: Sequence[str]) -> str:
+    """Return a sentence on what to do instead of a command that would not let a notebook's cell end."""
+    return (f'This would keep the cell busy until you interrupt it. Type it in a terminal: '
+            f'{shlex.join(["ros2", *words])}; or add its node to the executor in the notebook: ros.add(...)')
+
+
+@dataclass
+class Session:
+    """Where a command writes, and what carries its calls."""
+
+    stdout: TextStream
+    stderr: TextStream
+    get_executor: 'Callable[[], BackgroundExecutor]'
+    in_notebook: bool
+    """True if the executor stays, and the command must not block forever."""
+    instead_of: Callable[[Sequence[str]], str] = what_else_to_type
+    """Returns what to tell who types such a command in a notebook."""
+
+    @functools.cached_property
+    def executor(self) -> 'BackgroundExecutor':
+        return self.get_executor()
+
+    def print(self, *words: Any, sep: str = ' ', end: str = '\n') -> None:
+        """Print to standard output."""
+        print(*words, sep=sep, end=end, file=self.stdout)
+
+    def complain(self, *words: Any) -> None:
+        """Print to standard error."""
+        print(*words, file=self.stderr)
+
+    def print_names_and_types(self, entries: Sequence[tuple[str, Sequence[str]]], *, only_count: bool,
+                              show_types: bool) -> None:
+        """Print topics or services, one to a line, or how many there are."""
+        if only_count:
+            self.print(len(entries))
+            return
+        for name, types in entries:
+            self.print(f'{name} [{", ".join(types)}]' if show_types else name)
+
+    def node_names(self, *, hidden: bool) -> list[NodeName]:
+        """Return the nodes in the graph as far as it is known; a name twice if two nodes have it."""
+        from param_tools.ros.graph import nodes_in_graph
+
+        tool = self.executor.tool_node
+        # Ghosts gather in a process that lives long. One that has just joined has none, and hears of a node's name
+        # before it hears of what shows that it is not a ghost.
+        known = nodes_in_graph(tool) if self.in_notebook else tool.get_node_names_and_namespaces()
+        names = (NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}') for name, namespace in known)
+        return [each for each in names if hidden or not each.name.startswith(HIDDEN_NODE_PREFIX)]
+
+    def wait_for_graph(self, args: argparse.Namespace) -> None:
+        """Wait until all nodes are known; if that takes too long, say so."""
+        from param_tools.ros import graph
+
+        try:
+            graph.wait_for(lambda: False, self.executor.tool_node, self.patience(args))
+        except WaitTimeoutError as error:
+            self.complain(f'WARNING: nodes may be missing here: {error}')
+
+    def find(self, args: argparse.Namespace) -> str:
+        """Return the fully qualified name of the node that was named, once it is there.
+
+        :raises CommandFailed: there is no such node.
+        :raises WaitTimeoutError: it is not known whether there is.
+        """
+        node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
+        # A hidden node is not looked at without the option; nothing can be waited for then.
+        hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
+        at_least = max(self.patience(args), getattr(args, 'timeout', None) or 0.0)
+        if (hidden and not args.include_hidden_nodes) or not self.is_there(node, at_least):
+            if self.in_notebook or domain.is_limited_to_this_host():
+                raise CommandFailed('Node not found')
+            raise CommandFailed(f'Node not found on this machine, nor within {at_least:g} s on the network')
+        return node
+
+    def is_there(self, node: str, at_least_sec: float) -> bool:
+        """True if there is a node of this name, once that is known.
+
+        :param node: Fully qualified.
+        :param at_least_sec: How long to look for it at least.
+        :raises WaitTimeoutError: it is not known whether there is.
+        """
+        def is_known() -> bool:
+            # A node's services may be known before its name.
+            try:
+                return self.executor.services.is_ready(node) or node in {
+                    each.full_name for each in self.node_names(hidden=True)}
+            except NodeNotFoundError:  # this cannot be the name of any node
+                return False
+
+        from param_tools.ros import graph
+
+        return graph.wait_for(is_known, self.executor.tool_node, at_least_sec)
+
+    def patience(self, args: argparse.Namespace) -> float:
+        """Return how long to look for nodes at least, in seconds."""
+        if args.spin_time is not None:
+            return float(args.spin_time)
+        from param_tools.ros import graph
+
+        return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
+
+    def call(self, node: str, service: str, request: Any) -> Any:
+        """Call a parameter service of a node that has been found.
+
+        :raises CommandFailed: the node has no such service.
+        """
+        if not self.has_service(node, service):
+            raise CommandFailed(without_services(node))
+        return self.executor.services.call(
+            node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC, discovery_timeout_sec=0.0)
+
+    def has_service(self, node: str, service: str, patience_sec: float | None = None) -> bool:
+        """Wait until a service of a node that has been found can be called; return False if the node has none.
+
+        :raises WaitTimeoutError: it is not known whether it has.
+        """
+        from param_tools.ros import graph
+
+        return graph.wait_for_service(
+            lambda: self.executor.services.is_ready(node, service), node, service, self.executor.tool_node,
+            patience_sec)
+
+    def call_all(self, nodes: Sequence[str], service: str, request: Any) -> dict[str, Any]:
+        """Call the same service of several nodes at once.
+
+        :return: For each node its answer, or the ParameterToolError that came instead.
+        """
+        answers: dict[str, Any] = {}
+        finished = threading.Semaphore(0)
+
+        def take(node: str, future: Any) -> None:
+            answers[node] = future.exception() or future.result()
+            finished.release()
+
+        for node in nodes:
+            try:
+                self.executor.services.call_async(node, service, request, functools.partial(take, node),
+                                                  timeout_sec=SERVICE_TIMEOUT_SEC)
+            except ParameterToolError as error:
+                answers[node] = error
+                finished.release()
+        # Each call has a time limit of its own, so each finishes.
+        for _ in nodes:
+            finished.acquire()
+        return answers
+
+
+def without_services(node: str | NodeName) -> str:
+    """Return what the genuine command says of a node that has no parameter services."""
+    return f'Wait for service timed out waiting for parameter services for node {node}'
+
+
+class Printed(Exception):
+    """argparse has something to say and no more to do."""
+
+    def __init__(self, text: str, status: int):
+        super().__init__(text)
+        self.status = status
+
+
+class Parser(argparse.ArgumentParser):
+    """Raise what argparse would print: the streams of a command are not always those of the process."""
+
+    def error(self, message: str) -> NoReturn:
+        text = self.format_usage()
+        # Somebody may know it from the genuine ros2.
+        if message.startswith(('argument command: invalid choice', 'argument verb: invalid choice',
+                               'unrecognized arguments: -')):
+            text += f'{MORE_ELSEWHERE}\n'
+        raise Printed(f'{text}{self.prog}: error: {message}\n', 2)
+
+    def print_help(self, file: Any = None) -> NoReturn:
+        raise Printed(self.format_help(), 0)
+
+
+def add_discovery_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that all verbs about nodes have."""
+    parser.add_argument(
+        '--spin-time', type=float, metavar='N',
+        help='look for nodes for at least N seconds (default: until all on this machine are known)')
+    parser.add_argument('-s', '--use-sim-time', action='store_true', help='accepted; makes no difference here')
+    parser.add_argument('--no-daemon', action='store_true', help='accepted; there is no daemon here')
+
+
+def add_graph_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that all verbs about several nodes have."""
+    add_discovery_options(parser)
+    parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
+    parser.add_argument('--timeout', type=float, metavar='N', default=SERVICE_TIMEOUT_SEC,
+                        help=f'wait up to N seconds for each answer of a node (default: {SERVICE_TIMEOUT_SEC:g})')
+
+
+def add_node_options(parser: argparse.ArgumentParser, one: str | None = None) -> None:
+    """Add the options and the argument that all verbs about one node have.
+
+    :param one: '?' if the node need not be named.
+    """
+    add_discovery_options(parser)
+    parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
+    # The genuine one takes whole seconds, too.
+    parser.add_argument('--timeout', type=int, metavar='N', help='wait up to N seconds for the node to appear')
+    parser.add_argument('node_name', nargs=one, help='name of the node')

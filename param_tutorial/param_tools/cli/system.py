@@ -1,0 +1,273 @@
+"""snapshot, diff and restore: the parameters of whole systems saved, compared and brought back.
+
+``diff`` has the exit status of the command of that name: 0 if there is no difference, 1 if there is one, 2 if it
+could not be found out.
+"""
+
+import argparse
+from collections.abc import Mapping, Sized
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from param_tools import values
+from param_tools.cli import system_arguments
+from param_tools.cli.changes import past
+from param_tools.cli.run_isolated import describe_program
+from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
+from param_tools.errors import ParameterToolError
+from param_tools.files import descriptions, parameter_files
+from param_tools.files.editing import update_file
+from param_tools.markup.wording import format_count
+from param_tools.systems.sets import Difference, ParameterSet, WordTable, compare, preview
+from param_tools.systems.sets import restore as restore_node
+from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all, read_saved
+from param_tools.systems.systems import (
+    SystemDifference,
+    SystemPreview,
+    SystemRestored,
+    compare_systems,
+    defaults_of,
+    of_robot,
+)
+
+
+def add_to(commands: Commands) -> None:
+    """Add the commands ``snapshot``, ``diff`` and ``restore``."""
+    add_snapshot_arguments(commands.add_parser('snapshot', help='save the parameters of many nodes'))
+    add_diff_arguments(commands.add_parser('diff', help='compare nodes, files, defaults and robots'))
+    add_restore_arguments(commands.add_parser('restore', help='bring saved parameters back'))
+
+
+# -- snapshot -----------------------------------------------------------------------------------------------
+
+
+def add_snapshot_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what ``snapshot`` takes."""
+    add_graph_options(parser)
+    parser.add_argument('nodes', nargs='*', metavar='NODE', default=['/**'],
+                        help='a node, or a pattern such as /robot1/** (default: all nodes)')
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')
+    where.add_argument('--update', metavar='FILE',
+                       help='change the values in this file, which was written by hand: comments and order stay')
+    parser.set_defaults(verb=snapshot)
+
+
+def snapshot(session: Session, args: argparse.Namespace) -> int:
+    """Write the parameters of nodes as one parameter file."""
+    found = take(session, args.nodes, args)
+    if args.update is not None:
+        _update(session, found, args.update)
+    elif args.save is None:
+        session.stdout.write(found.dump().text)
+    else:
+        dump = found.dump()
+        system_arguments.save(session, dump, args.save)
+        total = sum(map(len, found.values())) - len(dump.left_out)
+        session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
+    return 1 if found.unanswered else 0
+
+
+def _update(session: Session, found: Snapshot, path: str) -> None:
+    held = parameter_files.read_all(path, found)
+    for node, parameters in read_saved(path, found).items():
+        for name in parameters.keys() - held[node].keys() if node in found else ():
+            if not values.same(found[node].get(name, []), []):
+                raise CommandFailed(f'{path} says at its head that {name} of {node} is empty, and it is not any more; '
+                                    f'nothing was changed. Save a new snapshot with --save')
+    for node, parameters in found.items():
+        new = {name: parameters[name] for name in held.get(node, {}) if name in parameters}
+        try:
+            changed = update_file(path, node, new)
+        except OSError as error:
+            raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
+        for name in changed:
+            before, after = values.format_change(held[node][name], parameters[name])
+            session.print(f'{node} {name}: {before} → {after}')
+
+
+def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapshot:
+    """Return the parameters of running nodes; say which did not answer.
+
+    :raises CommandFailed: there is no such node.
+    """
+    nodes = [node for word in words for node in system_arguments.nodes_of(session, word, args)]
+    found = all_parameters(nodes, timeout_sec=args.timeout, executor=session.executor)
+    system_arguments.report_unanswered(session, found.unanswered)
+    return found
+
+
+# -- diff ---------------------------------------------------------------------------------------------------
+
+
+def add_diff_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what ``diff`` takes."""
+    add_graph_options(parser)
+    parser.add_argument('before', metavar='BEFORE', help=f'{system_arguments.HELP}: a snapshot, another parameter '
+                                                         f'file, or saved descriptions, for the defaults')
+    parser.add_argument('after', metavar='AFTER', help='likewise')
+    parser.add_argument('--format', choices=('text', 'json', 'html'), default='text', help='default: text')
+    parser.set_defaults(verb=diff)
+
+
+@dataclass
+class _Side:
+    """One of two systems."""
+
+    word: str
+    nodes: Mapping[str, Mapping[str, Any]]
+    partial: bool = False
+    """It does not hold all that there is."""
+    is_snapshot: bool = False
+    """It is a file, and held all that a file can hold."""
+    lacking: bool = False
+    """A node did not answer."""
+
+
+def diff(session: Session, args: argparse.Namespace) -> int:
+    """Print how one system differs from another."""
+    try:
+        before, after = _sides(session, args)
+        for snapshot_side, other in ((before, after), (after, before)):
+            if snapshot_side.is_snapshot:
+                _leave_out(session, snapshot_side, other)
+        labels = (before.word, after.word)
+        partial = before.partial or after.partial
+        found: SystemDifference | Difference
+        if len(before.nodes) == len(after.nodes) == 1:
+            # One node with another, whatever they are called.
+            first, second = (next(iter(side.nodes.values())) for side in (before, after))
+            found = compare(ParameterSet(first, labels[0]), ParameterSet(second, labels[1]),
+                            names=[name for name in first if name in second] if partial else None)
+        else:
+            found = compare_systems(before.nodes, after.nodes, labels=labels, partial=partial)
+    except (ParameterToolError, CommandFailed) as error:
+        session.complain(error)
+        return 2
+    if args.format == 'html':
+        session.print(f'<!DOCTYPE html><meta charset="utf-8"><title>{len(found)} differences</title>'
+                      f'{found._repr_html_()}')
+    elif args.format == 'json':
+        if isinstance(found, Difference):
+            found = SystemDifference(*labels, {next(iter(after.nodes)): found})
+        session.print(found.as_json())
+    else:
+        session.print(found)
+    return 2 if before.lacking or after.lacking else 1 if found else 0
+
+
+def _leave_out(session: Session, saved: _Side, other: _Side) -> None:
+    """Take out of the other side what no snapshot could have saved, and say so: it is not there, and no difference."""
+    one_each = len(saved.nodes) == len(other.nodes) == 1
+    kept: dict[str, dict[str, Any]] = {}
+    for node, parameters in other.nodes.items():
+        kept[node] = dict(parameters)
+        held = next(iter(saved.nodes.values())) if one_each else saved.nodes.get(node, {})
+        for name, value in parameters.items():
+            reason = parameter_files.why_not_expressible(name, value)
+            if reason and name not in held:
+                session.complain(f'not compared: {node}: {name}: {reason}')
+                del kept[node][name]
+    other.nodes = kept
+
+
+def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
+    words = (args.before, args.after)
+    sides = [None if system_arguments.is_file(word) else _running(session, word, args) for word in words]
+    names = [node for side in sides if side for node in side.nodes]
+    # The names in one file tell which of the blocks for many nodes in the other count.
+    names = names or [node for word in words for node in _named_in(word)]
+    before, after = (side or _in_file(word, names) for side, word in zip(sides, words))
+    if all(word.endswith('/**') and word.strip('/*') for word in words):
+        before.nodes, after.nodes = (of_robot(side.nodes, side.word.strip('/*')) for side in (before, after))
+    return before, after
+
+
+def _running(session: Session, word: str, args: argparse.Namespace) -> _Side:
+    if system_arguments.is_program(word):
+        return _Side(word, defaults_of(describe_program(*word.split('/'))))
+    found = take(session, [word], args)
+    if not found:
+        raise CommandFailed(f'no node of {word} has answered')
+    return _Side(word, found, lacking=bool(found.unanswered))
+
+
+def _named_in(path: str) -> list[str]:
+    if (then := past(path)) is not None:
+        return list(then)
+    content = descriptions.load_yaml(path)
+    return list(descriptions.read(path) if descriptions.is_description(content) else read_saved(path))
+
+
+def _in_file(path: str, names: list[str]) -> _Side:
+    if (then := past(path)) is not None:
+        return _Side(path, then)
+    if descriptions.is_description(descriptions.load_yaml(path)):
+        return _Side(path, defaults_of(descriptions.read(path)), partial=True)
+    is_snapshot = Path(path).read_text(encoding='utf-8', errors='replace').startswith(FIRST_WORDS)
+    return _Side(path, read_saved(path, names), partial=not is_snapshot, is_snapshot=is_snapshot)
+
+
+# -- restore ------------------------------------------------------------------------------------------------
+
+
+def add_restore_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what ``restore`` takes."""
+    add_graph_options(parser)
+    parser.add_argument('file', metavar='FILE',
+                        help='a snapshot, another parameter file, or a log and a time: changes.jsonl@14:05')
+    parser.add_argument('nodes', nargs='*', metavar='NODE',
+                        help='only these nodes, or patterns such as /robot1/** (default: those that the file names)')
+    parser.add_argument('--dry-run', action='store_true', help='only say what would be set')
+    parser.add_argument('--one-by-one', action='store_true',
+                        help='if a node rejects all together, try each parameter for itself')
+    parser.add_argument('--skip-read-only', action='store_true', help='pass over read-only parameters')
+    parser.add_argument('--backup', metavar='FILE', help='save the parameters that the nodes have now first')
+    parser.set_defaults(verb=restore)
+
+
+def restore(session: Session, args: argparse.Namespace) -> int:
+    """Give nodes the values of a file."""
+    then = past(args.file)
+    wanted: Mapping[str, Mapping[str, Any]] = read_saved(args.file) if then is None else then
+    if args.nodes:
+        nodes = [node for word in args.nodes for node in system_arguments.nodes_of(session, word, args)]
+        given = wanted if then is not None else read_saved(args.file, nodes)
+        wanted = {node: given[node] for node in nodes if node in given}
+    if not wanted:
+        raise CommandFailed(f'{args.file} holds nothing for these nodes' if args.nodes else
+                            f'{args.file} names no node: say for which nodes it is')
+    return bring_back(session, wanted, args.file, args)
+
+
+def bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], label: str, args: argparse.Namespace) -> int:
+    """Give nodes values, and say what became of each; return the exit status.
+
+    :param wanted: Names and values, by node.
+    :param label: Where they come from.
+    """
+    session.wait_for_graph(args)
+    if args.dry_run:
+        previews, unanswered = ask_all(wanted, lambda client: preview(client, ParameterSet(wanted[client.node], label)),
+                                       timeout_sec=args.timeout, executor=session.executor)
+        _print(session, wanted, previews, SystemPreview(label, previews, unanswered))
+        system_arguments.report_unanswered(session, unanswered)
+        return 1 if unanswered else 0
+    if args.backup:
+        present = all_parameters(wanted, timeout_sec=args.timeout, executor=session.executor)
+        system_arguments.save(session, present.dump(), args.backup)
+    outcomes, unanswered = ask_all(
+        wanted, lambda client: restore_node(client, ParameterSet(wanted[client.node], label),
+                                            one_by_one=args.one_by_one, skip_read_only=args.skip_read_only),
+        timeout_sec=args.timeout, executor=session.executor)
+    result = SystemRestored(label, outcomes, unanswered)
+    _print(session, wanted, outcomes, result)
+    system_arguments.report_unanswered(session, unanswered)
+    return 0 if result.complete else 1
+
+
+def _print(session: Session, wanted: Sized, each: Mapping[str, WordTable], together: WordTable) -> None:
+    """Print one table of all nodes; what there is to say of one node alone does not need its name in each row."""
+    for table in each.values() if len(wanted) == 1 else [together]:
+        session.print(table)

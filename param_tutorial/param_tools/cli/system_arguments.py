@@ -1,0 +1,107 @@
+"""What the commands about whole systems take as an argument, and the files that they write."""
+
+import argparse
+from collections import Counter
+from pathlib import Path
+
+from param_tools.cli.run_isolated import describe_program
+from param_tools.cli.session import CommandFailed, Session
+from param_tools.errors import NodeError, NodeNotFoundError
+from param_tools.files import descriptions
+from param_tools.files.descriptions import Descriptions
+from param_tools.files.parameter_files import Dump
+from param_tools.files.parsing import matches
+from param_tools.ros.executor import TOOL_NODE_NAME
+from param_tools.systems.describe import describe as describe_nodes
+
+HELP = 'a running node (/talker), several (/robot1/**, /**), a program (package/executable), or a file'
+
+
+def is_file(word: str) -> bool:
+    """True if a word is the path of a file, or can be nothing else."""
+    return Path(word).is_file() or '.' in word or '@' in word
+
+
+def is_program(word: str) -> bool:
+    """True if a word names a package and a program in it."""
+    return not is_file(word) and word.count('/') == 1 and all(word.split('/'))
+
+
+def pattern(word: str) -> str:
+    """Return a node's name, or a pattern of names, with the slash that one may leave out."""
+    return '/' + word.strip('/')
+
+
+def save(session: Session, dump: Dump, path: str) -> None:
+    """Write a file, and say what it could not hold.
+
+    :raises CommandFailed: it cannot be written.
+    """
+    try:
+        dump.save(path)
+    except OSError as error:
+        raise CommandFailed(f'cannot write {path}: {error.strerror}') from None
+    for name, reason in dump.left_out.items():
+        session.complain(f'left out: {name}: {reason}')
+
+
+def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]:
+    """Return the running nodes that a word names, once they are known.
+
+    :param word: The name of a node, or a pattern as in a parameter file.
+    :param args: Has the options of ``add_graph_options``.
+    :raises CommandFailed: there is none.
+    """
+    name = pattern(word)
+    if '*' not in name:
+        if not session.is_there(name, session.patience(args)):
+            session.wait_for_graph(args)
+            raise CommandFailed(str(NodeNotFoundError(name, session.executor.services.node_names())))
+        _report_twins(session, [name], args)
+        return [name]
+    session.wait_for_graph(args)
+    # A process that has just joined hears of names before it hears of what else a node has: see Session.node_names.
+    names = {each.full_name for each in session.node_names(hidden=args.include_hidden_nodes)}
+    found = sorted(node for node in names if matches(name, node) and node != f'/{TOOL_NODE_NAME}'
+                   and (args.include_hidden_nodes or '/_' not in node))
+    if not found:
+        raise CommandFailed(f'no running node matches {name}')
+    _report_twins(session, found, args)
+    return found
+
+
+def _report_twins(session: Session, nodes: list[str], args: argparse.Namespace) -> None:
+    """Say which of the nodes share their name: ROS carries a call to any of them."""
+    counts = Counter(each.full_name for each in session.node_names(hidden=args.include_hidden_nodes))
+    for node in nodes:
+        if counts[node] > 1:
+            session.complain(f'WARNING: {counts[node]} nodes are called {node}. What is said or done here is about one '
+                             f'of them, and ROS does not tell which.')
+
+
+def describe(session: Session, word: str, args: argparse.Namespace) -> Descriptions:
+    """Return the descriptions that a word names.
+
+    :param word: As in HELP; for a file, ``/node=`` may stand before it.
+    :param args: Has the options of ``add_graph_options``.
+    :raises CommandFailed: there is no such node or program, or a node does not answer.
+    :raises ParameterFileError: the file cannot be read.
+    """
+    node, equals, rest = word.partition('=')
+    if equals:
+        return descriptions.read(rest, node)
+    if is_file(word):
+        return descriptions.read(word)
+    if is_program(word):
+        return describe_program(*word.split('/'))
+    found = describe_nodes(nodes_of(session, word, args), timeout_sec=args.timeout, executor=session.executor)
+    report_unanswered(session, found.unanswered)
+    if pattern(word) == '/**' and not found.unanswered:
+        found.complete = True
+    return found
+
+
+def report_unanswered(session: Session, unanswered: dict[str, NodeError]) -> None:
+    """Say which nodes did not answer, and why."""
+    for error in unanswered.values():
+        session.complain(error)

@@ -1,0 +1,193 @@
+"""Every exception that the tools raise on purpose. No ROS, no Jupyter.
+
+    ParameterToolError
+    ├── ExecutorError               the background executor cannot do what was asked
+    │   └── StuckError              because it does not return
+    ├── WaitTimeoutError            a condition did not come true in time           (also TimeoutError)
+    ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
+    ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
+    ├── RuleError                   a rule for parameters makes no sense, or cannot be judged (also ValueError)
+    ├── DeclarationError            a node declares parameters in a way that contradicts itself (also ValueError)
+    ├── AliasError                  names of parameters cannot stand for one another (also ValueError)
+    └── NodeError                   about one node; carries ``.node``
+        ├── NodeNotFoundError       there is no node of that name                   (also LookupError)
+        ├── DiscoveryTimeoutError   nor is it known that there is none              (also TimeoutError)
+        ├── NoAnswerError           the node is there and did not answer in time    (also TimeoutError)
+        ├── NodeGoneError           the node went away in mid-call                  (also ConnectionError)
+        ├── CallbackError           the node's own callback raised instead of answering
+        ├── ParameterNotDeclaredError  the node has no parameter of that name       (also LookupError)
+        └── ParameterRejectedError   the node said no; carries ``.result``
+
+A rejected value is not an exception by itself: it is a result with a reason (see ``client.SetResult``), and
+becomes a ParameterRejectedError on request.
+"""
+
+import copyreg
+import difflib
+from collections.abc import Sequence
+from typing import Any, Protocol
+
+
+class ParameterToolError(Exception):
+    """Base of everything below: ``except ParameterToolError`` catches whatever these tools raise."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Let errors be copied and pickled, as those in a snapshot are: by default, Python would pass the finished
+        message to ``__init__``, which takes what the message is made of."""
+        return copyreg.__newobj__, (type(self),), {**self.__dict__, 'args': self.args}  # type: ignore[attr-defined]
+
+
+class ExecutorError(ParameterToolError):
+    """The background executor cannot do what was asked; the message says what to do."""
+
+
+class StuckError(ExecutorError):
+    """What the background executor was to do does not return, and cannot be interrupted."""
+
+
+class WaitTimeoutError(ParameterToolError, TimeoutError):
+    """A condition did not come true before its deadline; the message says which."""
+
+
+class InvalidValueError(ParameterToolError, ValueError):
+    """This Python value cannot be stored in a ROS parameter."""
+
+
+class ParameterFileError(ParameterToolError, ValueError):
+    """A parameter file cannot be read, or a value cannot be written so that rcl reads it back."""
+
+
+class RuleError(ParameterToolError, ValueError):
+    """A rule makes no sense for its parameters, or raised an exception instead of saying yes or no."""
+
+
+class DeclarationError(ParameterToolError, ValueError):
+    """A node declares parameters with descriptors that rclpy ignores in part; the message says which."""
+
+
+class AliasError(ParameterToolError, ValueError):
+    """A name of a parameter cannot stand for another, or two of one parameter were given two values."""
+
+
+class NodeError(ParameterToolError):
+    """Something about one node, whose fully qualified name is in ``.node``."""
+
+    def __init__(self, node: str, message: str):
+        super().__init__(message)
+        self.node = node
+
+
+class DiscoveryTimeoutError(NodeError, TimeoutError):
+    """Whether there is such a node, or service of a node, could not be found out in time."""
+
+    def __init__(self, node: str, cause: WaitTimeoutError):
+        super().__init__(node, f'cannot say whether {node} is there: {cause}')
+        self.__cause__ = cause
+
+
+class NodeNotFoundError(NodeError, LookupError):
+    """There is no node of that name."""
+
+    def __init__(self, node: str, existing: Sequence[str], network_sec: float | None = None):
+        """:param network_sec: For how long it was looked for on other machines, if it was."""
+        self.existing = existing
+        where = '' if network_sec is None else f' on this machine, nor within {network_sec:g} s on the network'
+        super().__init__(node, f'there is no node {node}{where}{nearest(node, existing, "No node is running")}')
+
+
+class NoAnswerError(NodeError, TimeoutError):
+    """The node is there but did not answer in time: it is busy, stopped, or nobody spins it."""
+
+    def __init__(self, node: str, service: str, timeout_sec: float, *, on_network: bool = False):
+        """:param on_network: True if the node may live on another machine."""
+        super().__init__(node, (
+            f'{node} did not answer {service} within {timeout_sec:g} s. It is there, but busy in a callback, '
+            f'stopped in a debugger, or not spun by any executor'
+            f'{", or the network to its machine is slow or down" if on_network else ""}'))
+
+
+class NodeGoneError(NodeError, ConnectionError):
+    """The node was there when the call began and left before it answered."""
+
+    def __init__(self, node: str, service: str):
+        super().__init__(node, f'{node} went away before it answered {service}: whether it did what was '
+                               f'asked is not known')
+
+
+class CallbackError(NodeError):
+    """A callback of the node raised an exception, so the caller will never get an answer.
+
+    The original exception, with its traceback, is the ``__cause__``.
+    """
+
+    def __init__(self, node: str, service: str, cause: BaseException):
+        super().__init__(node, (
+            f'{node} raised {type(cause).__name__} while it served {service}: {cause}. In a node of its own '
+            f'this would have ended executor.spin(), and the caller would have waited forever'))
+        self.__cause__ = cause
+
+
+class ParameterNotDeclaredError(NodeError, LookupError):
+    """The node has no parameter of that name."""
+
+    def __init__(self, node: str, name: str, existing: Sequence[str]):
+        self.name = name
+        super().__init__(
+            node, f'{node} has no parameter {name!r}{nearest(name, existing, "It has no parameters at all")}')
+
+
+class Rejection(Protocol):
+    """What a node said no to; a ``client.SetResult`` is one."""
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node."""
+
+    @property
+    def name(self) -> str:
+        """The name of the parameter."""
+
+    @property
+    def value(self) -> Any:
+        """What it was to be set to."""
+
+    @property
+    def kind(self) -> str:
+        """Which of the node's checks said no."""
+
+    @property
+    def reason(self) -> str:
+        """The node's own words."""
+
+
+class ParameterRejectedError(NodeError):
+    """The node rejected a value; ``.result`` holds the parameter, the value and the reason."""
+
+    def __init__(self, result: Rejection):
+        super().__init__(result.node, str(result))
+        self.result = result
+
+
+def describe_error(error: BaseException) -> str:
+    """Return an error as a sentence for learners; one that is not ours keeps its class, since its text may be terse."""
+    return str(error) if isinstance(error, ParameterToolError) else f'{type(error).__name__}: {error}'
+
+
+def nearest(name: str, existing: Sequence[str], none_at_all: str) -> str:
+    """End the sentence "there is no NAME" with the likeliest names that do exist.
+
+    :param name: The name that was asked for.
+    :param existing: The names that there are.
+    :param none_at_all: What to say when there are none, without a full stop.
+    """
+    existing = list(dict.fromkeys(existing))  # two nodes may have one name
+    if not existing:
+        return f'. {none_at_all}'
+    # difflib compares whole strings; a learner who forgets the namespace or types a part is helped too.
+    bare = name.strip('/')
+    near = difflib.get_close_matches(name, existing, n=3, cutoff=0.6)
+    near += [other for other in existing if bare and bare in other and other not in near]
+    if near:
+        return '. Did you mean ' + ' or '.join(near[:3]) + '?'
+    shown = ', '.join(existing[:8])
+    return f'. There is: {shown}' + (f' and {len(existing) - 8} more' if len(existing) > 8 else '')

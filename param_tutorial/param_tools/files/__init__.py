@@ -1,0 +1,1 @@
+"""Parameter files, and descriptions of what nodes declare: read, checked, written, edited. PyYAML alone, no ROS."""

@@ -1,0 +1,556 @@
+"""rcl's parser of parameter files, event by event, with the place of everything it reads. No ROS, no Jupyter.
+
+What it makes of a file is what a node gets from ``--params-file``. It follows rcl, oddities included: of two blocks
+that match the node the one whose name appeared later wins, however specific the other, and a second file adds to the
+blocks of the first where they stand; a name given twice with two types keeps the first of boolean, integer, double,
+string. A tolerant parser notes what rcl would reject and reads on, where that is possible, so that one look at a file
+finds all that is wrong with it.
+"""
+
+import codecs
+import math
+import re
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import yaml
+
+from param_tools import values
+
+KEY = 'ros__parameters'
+# libyaml is what rcl uses; PyYAML's own parser differs from it in corners, but is always there.
+LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
+
+# -- how rcl types a scalar (rcl_yaml_param_parser/src/parse.c, get_value) ---------------------------------
+
+_TRUE = {'Y', 'y', 'yes', 'Yes', 'YES', 'true', 'True', 'TRUE', 'on', 'On', 'ON'}
+_FALSE = {'N', 'n', 'no', 'No', 'NO', 'false', 'False', 'FALSE', 'off', 'Off', 'OFF'}
+_SPECIAL = {'.nan', '.NaN', '.NAN', '.inf', '.Inf', '.INF', '+.inf', '+.Inf', '+.INF', '-.inf', '-.Inf', '-.INF'}
+_BLANK = r'[ \t\n\v\f\r]*'
+# What strtol with base 0 and strtod of the C library take as a whole.
+_INTEGER = re.compile(_BLANK + r'([+-]?)(?:0[xX]([0-9a-fA-F]+)|(0[0-7]*)|([1-9][0-9]*))')
+_REAL = re.compile(_BLANK + r'([+-]?)(?:(inf(?:inity)?)|(nan(?:\([0-9a-z_]*\))?)|'
+                   r'(0x(?:[0-9a-f]+\.?[0-9a-f]*|\.[0-9a-f]+)(?:p[+-]?[0-9]+)?)|'
+                   r'((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?))', re.IGNORECASE)
+
+
+def typed(text: str, quoted: bool) -> bool | int | float | str:
+    """Return the value that rcl makes of a scalar."""
+    if not quoted:
+        if text in _TRUE:
+            return True
+        if text in _FALSE:
+            return False
+        for number in (_strtol(text), _strtod(text.replace('.', '', 1) if text in _SPECIAL else text)):
+            if number is not None:
+                return number
+    return text
+
+
+def _strtol(text: str) -> int | None:
+    """Read a whole number as C does: 0x10 is 16 and 010 is 8. None if it is none, or exceeds 64 bits."""
+    match = _INTEGER.fullmatch(text)
+    if match is None:
+        return None
+    sign, hexadecimal, octal, decimal = match.groups()
+    # A number of thousands of digits exceeds 64 bits anyway, and Python raises an exception for it.
+    digits = hexadecimal or octal or decimal
+    if len(digits.lstrip('0')) > 22:
+        return None
+    number = int(digits, 16 if hexadecimal else 8 if octal else 10) * (-1 if sign == '-' else 1)
+    return number if values.INT64_MIN <= number <= values.INT64_MAX else None
+
+
+def _strtod(text: str) -> float | None:
+    """Read a real number as C does. None if it is none, or does not fit: C then reports a range error."""
+    match = _REAL.fullmatch(text)
+    if match is None:
+        return None
+    sign, infinite, nan, hexadecimal, decimal = match.groups()
+    if nan:
+        return float('nan')
+    if infinite:
+        return float(f'{sign}inf')
+    try:
+        number = float.fromhex(hexadecimal) if hexadecimal else float(decimal)
+    except OverflowError:
+        return None
+    if math.isinf(number):
+        return None
+    if number < sys.float_info.min and _is_inexact(number, hexadecimal, decimal):
+        return None
+    return -number if sign == '-' else number
+
+
+def _is_inexact(number: float, hexadecimal: str | None, decimal: str | None) -> bool:
+    """True if a number below the smallest normal double differs from its text: C calls that an underflow."""
+    mantissa, _, exponent = (hexadecimal[2:].lower().partition('p') if hexadecimal
+                             else (decimal or '').lower().partition('e'))
+    if number == 0.0:  # decided without arithmetic: the exponent may have a million digits
+        return any(digit not in '0.' for digit in mantissa)
+    if decimal:
+        return Fraction(Decimal(decimal)) != Fraction(number)
+    whole, _, part = mantissa.partition('.')
+    exact = Fraction(int(whole + part, 16)) * Fraction(2) ** (int(exponent or 0) - 4 * len(part))
+    return exact != Fraction(number)
+
+
+# -- what is read ---------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, order=True)
+class Place:
+    """Where something stands in a file. Lines and columns count from 1."""
+
+    line: int = 1
+    column: int = 1
+    start: int = 0
+    """Characters before it, as YAML counts them."""
+    end: int = 0
+    """Characters before its end."""
+
+
+@dataclass(frozen=True)
+class Scalar:
+    """One value as it is written."""
+
+    text: str
+    is_plain: bool
+    """False for a text in quotes, in a block, or tagged as a string, which rcl takes as it is."""
+    value: bool | int | float | str
+    """What rcl makes of it."""
+    place: Place
+    tag: str = ''
+    """The tag before it, such as ``!!float``, written out; rcl ignores all but ``!!str``."""
+
+
+@dataclass(eq=False)
+class Assignment:
+    """A name and a value in a file."""
+
+    file: str
+    block: str
+    name: str
+    """The full name, with dots."""
+    name_place: Place
+    place: Place
+    """Where the value stands."""
+    is_array: bool = False
+    scalars: list[Scalar] = field(default_factory=list)
+    is_damaged: bool = False
+    """rcl rejects a part of it."""
+
+    @property
+    def value(self) -> Any:
+        """What rcl makes of it."""
+        return [each.value for each in self.scalars] if self.is_array else self.scalars[0].value
+
+    @property
+    def kind(self) -> type | None:
+        """The Python type of the value, or of the elements of an array; None if it has no elements."""
+        return type(self.scalars[0].value) if self.scalars else None
+
+
+@dataclass(frozen=True)
+class BlockStart:
+    """The head of a block: a node's name, or a pattern for such names, and ``ros__parameters`` below it."""
+
+    file: str
+    name: str
+    place: Place
+    end: Place
+    """Where ``ros__parameters`` stands."""
+
+
+class Entry:
+    """One parameter of a block. It may come to hold values of several types; rclpy takes the first."""
+
+    def __init__(self, name: str, place: Place):
+        self.name = name
+        self.place = place
+        self.scalars: dict[type, Any] = {}
+        self.arrays: dict[type, list[Any]] = {}
+        self.is_empty_array = False
+        self.assignments: list[Assignment] = []
+        """All that the files say about it, in their order."""
+
+    def value(self) -> Any:
+        """Return what a node gets: ``[]`` for an empty array, None for nothing."""
+        for held in (self.scalars, self.arrays):
+            for kind in _KINDS:
+                if kind in held:
+                    return held[kind]
+        return [] if self.is_empty_array else None
+
+    def winner(self) -> Assignment | None:
+        """Return the assignment that the value comes from."""
+        for is_array, held in ((False, self.scalars), (True, self.arrays)):
+            for kind in _KINDS:
+                if kind in held:
+                    return next((each for each in reversed(self.assignments)
+                                 if (each.is_array, each.kind) == (is_array, kind)), None)
+        return self.assignments[-1] if self.assignments else None
+
+
+_KINDS = (bool, int, float, str)
+
+
+class Rejected(Exception):
+    """rcl would reject the file at this place."""
+
+    def __init__(self, place: Place, reason: str, keys: Sequence[tuple[str, Place]] = ()):
+        super().__init__(reason)
+        self.place = place
+        self.keys = tuple(keys)
+        """The keys above a value that stands before ``ros__parameters``, each with its place."""
+
+
+def matches(block: str, node: str) -> bool:
+    """True if a block of this name is for the node: ``*`` is one name, ``**`` any number of them, also none.
+
+    :param block: May also be what somebody typed; what is no pattern matches nothing.
+    """
+    parts = re.split(r'(/\*\*|\*)', block if block.startswith('/') else '/' + block)
+    pattern = ''.join({'/**': r'(/\w+)*', '*': r'\w+'}.get(part) or re.escape(part) for part in parts)
+    return re.fullmatch(pattern, node, re.ASCII) is not None
+
+
+class Parser:
+    """rcl's state machine over the events of the YAML library (parse.c, parse_file_events).
+
+    It is not the obvious recursive reading of a tree: rcl tracks the namespace of the node and of the
+    parameter in two strings, and what it accepts beyond the obvious follows from that.
+    """
+
+    def __init__(self, *, tolerant: bool = False):
+        """:param tolerant: Note what rcl would reject in ``rejected``, and read on as far as that is possible."""
+        self.blocks: dict[str, list[Entry]] = {}
+        """What was read so far, by the names of the blocks, in the order in which the names first appeared."""
+        # Where in each block the entries of a name are.
+        self.places: dict[str, dict[str, set[int]]] = {}
+        self.starts: list[BlockStart] = []
+        self.assignments: list[Assignment] = []
+        self.rejected: list[Rejected] = []
+        self._tolerant = tolerant
+        self._begin('')
+
+    def _begin(self, file: str) -> None:
+        self.file = file
+        self.block: list[Entry] = []
+        self.places_here: dict[str, set[int]] = {}
+        self.block_name = ''
+        self.entry = -1
+        self.in_parameters = False
+        self.depth = 0
+        self.node_path, self.node_parts = '', 0
+        self.node_keys: list[tuple[str, Place]] = []
+        self.parameter_path, self.parameter_parts = '', 0
+        self.name_place = Place()
+        self.expects_key = True
+        self.is_new_map = False
+        self.in_sequence = False
+        self.assignment: Assignment | None = None
+        self.item_type: type | None = None
+
+    def parse(self, content: bytes, file: str = '') -> dict[str, list[Entry]]:
+        """Read a file, in addition to those that were read before; return the blocks of all.
+
+        :param file: Its name, for the assignments.
+        :raises Rejected: rcl would reject it here; a tolerant parser notes that, and returns what it has read.
+        """
+        self._begin(file)
+        try:
+            self._parse(content)
+        except Rejected as rejected:
+            if not self._tolerant:
+                raise
+            self.rejected.append(rejected)
+        return self.blocks
+
+    def _parse(self, content: bytes) -> None:
+        held: yaml.Event | None = None
+        try:
+            for event in yaml.parse(content, Loader=LOADER):
+                if held is not None:
+                    self._handle(held, _place(held))
+                # A scalar before the place where the file ceases to be YAML has often swallowed the next line.
+                held = event if self._tolerant and isinstance(event, yaml.ScalarEvent) else None
+                if held is None:
+                    self._handle(event, _place(event))
+        except yaml.YAMLError as error:
+            raise not_yaml(error, content) from None
+        except RecursionError:
+            raise Rejected(Place(), 'this is nested too deeply') from None
+
+    def _object(self, place: Place, reason: str, keys: Sequence[tuple[str, Place]] = ()) -> None:
+        """Reject what stands here, unless the parser is tolerant and can leave it out."""
+        rejected = Rejected(place, reason, keys)
+        if not self._tolerant:
+            raise rejected
+        self.rejected.append(rejected)
+
+    def _handle(self, event: yaml.Event, place: Place) -> None:
+        if isinstance(event, yaml.AliasEvent):
+            reason = f'ROS reads no aliases: write the value itself instead of *{event.anchor}'
+            if self.expects_key:
+                raise Rejected(place, reason)
+            self._object(place, reason)
+            self.expects_key = not self.in_sequence
+        elif isinstance(event, yaml.ScalarEvent):
+            if self.expects_key:
+                self._key(event, place)
+                self.expects_key = False
+            else:
+                self._value(event, place)
+                self.expects_key = not self.in_sequence
+        elif isinstance(event, yaml.SequenceStartEvent):
+            self._begin_sequence(place)
+        elif isinstance(event, yaml.SequenceEndEvent):
+            self.in_sequence, self.expects_key = False, True
+            if not self.in_parameters:
+                self._leave_node_key()
+            elif self.assignment is not None:
+                # A list in the block form ends where the next thing begins.
+                inner = self.assignment.scalars[-1].place.end if self.assignment.scalars else 0
+                end = max(place.end if place.end > place.start else 0, inner)
+                start = self.assignment.place
+                self.assignment.place = Place(start.line, start.column, start.start, end)
+                self.assignment = None
+        elif isinstance(event, yaml.MappingStartEvent):
+            self.depth += 1
+            self.expects_key = True
+            self.is_new_map = not (self.in_parameters and self.depth - self.node_parts == 3)
+        elif isinstance(event, yaml.MappingEndEvent):
+            self._leave_mapping()
+
+    def _begin_sequence(self, place: Place) -> None:
+        if self.expects_key:
+            raise Rejected(place, 'a list cannot stand here; a parameter is a value or a list of values, never a list '
+                                  'of lists')
+        is_inner, self.in_sequence = self.in_sequence, True
+        if not self.in_parameters:
+            self._object(place, f'a list cannot stand before {KEY}', self.node_keys)
+            return
+        self.item_type = None
+        if is_inner and self.assignment is not None:  # which rcl reads as if it began the outer list anew
+            self.assignment.scalars.clear()
+        elif self.block:
+            self.block[self.entry].is_empty_array = True
+            self._assign(place, is_array=True)
+
+    def _leave_mapping(self) -> None:
+        if not self.in_parameters:
+            if self.depth == self.node_parts + 1:
+                self._leave_node_key()
+        elif self.parameter_parts:
+            self.parameter_path, self.parameter_parts = _shortened(self.parameter_path, self.parameter_parts, '.')
+        else:
+            self.in_parameters = False
+        self.depth -= 1
+
+    def _leave_node_key(self) -> None:
+        self.node_path, self.node_parts = _shortened(self.node_path, self.node_parts, '/')
+        del self.node_keys[self.node_parts:]
+
+    def _key(self, event: yaml.ScalarEvent, place: Place) -> None:
+        if not event.value:
+            raise Rejected(place, 'there is a value without a name')
+        name = _c_string(event.value)
+        if not self.in_parameters:
+            self._node_key(name, place)
+            return
+        if self.is_new_map:
+            if not self.block or self.entry >= len(self.block):
+                raise Rejected(place, f'cannot tell which parameter {name} belongs to; an empty map before it may '
+                                      f'be the cause')
+            self.parameter_path = self.block[self.entry].name
+            self.parameter_parts += 1
+            self.is_new_map = False
+        self.name_place = place
+        if not self.parameter_parts:
+            self._select(name, place)
+        else:
+            self._select(self.parameter_path, place)
+            self._rename(f'{self.parameter_path}.{name}')
+            self.block[self.entry].place = place
+
+    def _node_key(self, name: str, place: Place) -> None:
+        if not name.startswith(KEY):
+            if not name:
+                raise Rejected(place, 'there is a block without a name')
+            separator = '/' if self.node_parts and not self.node_path.endswith('/') else ''
+            self.node_path = (self.node_path if self.node_parts else '') + separator + name
+            self.node_parts += 1
+            self.node_keys.append((name, place))
+            return
+        if not self.node_parts:
+            raise Rejected(place, f'there is no node name before {KEY}; start with "/name_of_the_node:" or "/**:"')
+        if wrong := wrong_block_name(self.node_path):
+            self._object(place, wrong)
+        self.block_name = self.node_path
+        self.block = self.blocks.setdefault(self.node_path, [])
+        self.places_here = self.places.setdefault(self.node_path, {})
+        self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
+        self._leave_node_key()
+        self.in_parameters = True
+
+    def _select(self, name: str, place: Place) -> None:
+        places = self.places_here.setdefault(name, set())
+        if not places:
+            places.add(len(self.block))
+            self.block.append(Entry(name, place))
+        self.entry = min(places)
+
+    def _rename(self, name: str) -> None:
+        entry = self.block[self.entry]
+        self.places_here[entry.name].remove(self.entry)
+        self.places_here.setdefault(name, set()).add(self.entry)
+        entry.name = name
+
+    def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
+        if not self.in_parameters or not self.block:
+            glued = re.match(r'[\w.]+:\S+', event.value)
+            reason = (f'a space must follow the colon in {glued[0]}' if glued else
+                      f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters')
+            self._object(place, reason, self.node_keys)
+            if not self.in_sequence:
+                self._leave_node_key()
+            return
+        if self.entry >= len(self.block):
+            raise Rejected(place, 'there is a value without a name')
+        quoted = event.style in ("'", '"')
+        entry = self.block[self.entry]
+        if not event.value and not quoted:
+            self._object(place, f"{entry.name} has no value; for an empty string write ''")
+            return
+        is_text = quoted or event.tag == 'tag:yaml.org,2002:str'
+        text = _c_string(event.value)
+        scalar = Scalar(text, not is_text and event.style not in ('|', '>'), typed(text, is_text), place,
+                        event.tag or '')
+        kind = type(scalar.value)
+        if not self.in_sequence:
+            entry.scalars[kind] = scalar.value
+            self._assign(place, is_array=False).scalars.append(scalar)
+            return
+        if self.item_type is None:
+            self.item_type = kind
+            entry.arrays[kind] = []
+        elif self.item_type is not kind or kind not in entry.arrays:
+            self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is not like '
+                                f'those before it')
+            if self.assignment is not None:
+                self.assignment.is_damaged = True
+            return
+        entry.arrays[kind].append(scalar.value)
+        if self.assignment is not None:
+            self.assignment.scalars.append(scalar)
+
+    def _assign(self, place: Place, *, is_array: bool) -> Assignment:
+        entry = self.block[self.entry]
+        assignment = Assignment(self.file, self.block_name, entry.name, self.name_place, place, is_array)
+        entry.assignments.append(assignment)
+        self.assignments.append(assignment)
+        self.assignment = assignment if is_array else None
+        return assignment
+
+
+def effective(parser: Parser, node: str) -> dict[str, Entry]:
+    """Return the parameters that what was read holds for a node, in the order of the files.
+
+    :param node: Fully qualified name.
+    """
+    return {entry.name: entry for name, block in parser.blocks.items() if matches(name, node) for entry in block}
+
+
+def _place(event: yaml.Event) -> Place:
+    # Each event of a parser has its place; only one that a program makes may lack it.
+    start, end = event.start_mark, event.end_mark
+    if start is None or end is None:
+        return Place()
+    return Place(start.line + 1, start.column + 1, start.index, end.index)
+
+
+def not_yaml(error: yaml.YAMLError, content: bytes) -> Rejected:
+    """Return where a file is not YAML, and why, with the usual cause where there is one."""
+    if isinstance(error, yaml.reader.ReaderError):
+        return _not_text(error, content)
+    mark, begun = getattr(error, 'problem_mark', None), getattr(error, 'context_mark', None)
+    if mark is None:
+        return Rejected(Place(), f'this is not YAML: {str(error).splitlines()[0]}')
+    what, context = getattr(error, 'problem', ''), getattr(error, 'context', '')
+    if begun is not None and context in ('while scanning a simple key', 'while scanning a quoted scalar'):
+        mark = begun  # libyaml notices only later that something is missing
+    elif begun is not None and begun.line != mark.line:
+        what += f', in what begins in line {begun.line + 1}'
+    lines = content.decode('utf-8-sig', 'replace').splitlines()
+    line = lines[mark.line] if mark.line < len(lines) else ''
+    cause = _likely_cause(what, line[:mark.column], line[mark.column:])
+    return Rejected(Place(mark.line + 1, mark.column + 1), f'this is not YAML: {what}{cause and ". "}{cause}')
+
+
+def _not_text(error: yaml.reader.ReaderError, content: bytes) -> Rejected:
+    """Return which bytes of a file are no text, or none that YAML allows."""
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return Rejected(Place(), f'this is not UTF-16, as its first bytes say: {error.reason}')
+    try:
+        before, reason = content.decode().partition(chr(error.character))[0], f'this is not YAML: {error.reason}'
+    except UnicodeDecodeError as wrong:
+        byte = content[wrong.start:wrong.start + 1]
+        before = content[:wrong.start].decode()
+        reason = f'this is not UTF-8: the byte 0x{byte.hex()}'
+        if meant := byte.decode('cp1252', 'ignore'):
+            reason += f' would be {meant!r} in Windows-1252'
+    before = before.removeprefix('\ufeff')
+    return Rejected(Place(before.count('\n') + 1, len(before) - before.rfind('\n')), reason)
+
+
+def _likely_cause(what: str, before: str, after: str) -> str:
+    """Return what is probably wrong where libyaml stopped; nothing if that cannot be told.
+
+    :param before: What stands before the place in its line.
+    """
+    if before.strip(' ').startswith('\t') or (not before.strip(' ') and after.startswith('\t')):
+        return 'Indent with spaces: YAML allows no tab there'
+    if what.startswith('found character that cannot start') and after:
+        return f'A text that begins with {after[0]} needs quotes'
+    if what.startswith('did not find expected alphabetic') and before:
+        return f'A text that begins with {before[-1]} needs quotes'
+    if what.startswith("could not find expected ':'"):
+        return 'A name ends with a colon and a space'
+    if what.startswith('mapping values'):
+        return ("A text with ': ' in it needs quotes" if ': ' in before else
+                'It goes on with the line above: a name ends with a colon and a space, and the names of one block '
+                'begin in the same column')
+    if what.startswith('did not find expected key'):
+        return ('The text before it has ended: a quote inside quotes is written twice' if before.strip() else
+                'The names of one block begin in the same column')
+    if what.startswith('found unexpected end of stream'):
+        return 'The quote that begins here is not closed'
+    if what.startswith('found unknown escape character'):
+        return 'A text with a backslash needs single quotes'
+    return ''
+
+
+def _c_string(text: str) -> str:
+    """Return a text cut where C would cut it: at the first NUL."""
+    return text.partition('\0')[0]
+
+
+def _shortened(path: str, parts: int, separator: str) -> tuple[str, int]:
+    """Return a path without its last part, and how many parts remain."""
+    if parts <= 1:
+        return '', 0
+    return path.rpartition(separator)[0] if separator in path else path, parts - 1
+
+
+def wrong_block_name(name: str) -> str:
+    """Return what is wrong with the name of a block; nothing if it can be that of a node or a pattern for some."""
+    for part in ('/' + name).replace('//', '/', 1).split('/')[1:]:
+        if not re.fullmatch(r'\*\*?|[A-Za-z_][A-Za-z0-9_]*', part):
+            return (f'{name!r} is not a node name: it takes letters, digits and underscores between slashes, or * and '
+                    f'** for any')
+    return ''

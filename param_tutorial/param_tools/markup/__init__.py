@@ -1,0 +1,1 @@
+"""Text for a page or a terminal: tables, style sheets, numbers with their nouns. No ROS, no Jupyter."""

@@ -1,0 +1,132 @@
+"""Record what a node declares when it starts, and find what contradicts itself there."""
+
+import copy
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from textwrap import shorten
+from typing import Any
+
+from rcl_interfaces.msg import ParameterDescriptor, ParameterType
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tools import values
+from param_tools.descriptor import is_housekeeping
+from param_tools.errors import DeclarationError
+from param_tools.ros import stage
+from param_tools.ros.executor import BackgroundExecutor
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """One parameter, as it was declared."""
+
+    name: str
+    default: Any
+    """None if there is a type in the place of a default."""
+    value: Any
+    """What the node has afterwards; None if nothing."""
+    contradictions: tuple[str, ...] = ()
+    """What its descriptor says in vain, in words, each with the remedy."""
+
+
+def record_declarations(node_class: type[Node], overrides: Mapping[str, Any] | None = None, *,
+                        executor: BackgroundExecutor | None = None) -> tuple[Node, list[Declaration]]:
+    """Start a node on the stage, and record each of its declarations, in their order.
+
+    :param node_class: As for ``ros.add()``; its constructor takes no arguments.
+    :param overrides: Values from outside, by name, as after ``-p``.
+    :return: The node, and its declarations without those that every node has.
+    :raises ExecutorError: no executor is running, or node_class is not a class of nodes.
+    """
+    declared: list[Declaration] = []
+    used: list[tuple[ParameterDescriptor, str]] = []
+
+    class Recorded(node_class):  # type: ignore[misc, valid-type]
+        def declare_parameters(self, namespace: str, parameters: Any, *args: Any, **others: Any) -> list[Parameter]:
+            # declare_parameter() comes here too.
+            entries = [tuple(each) for each in parameters]
+            # rclpy writes into the descriptors.
+            meant = [copy.copy(entry[2]) if len(entry) > 2 else None for entry in entries]
+            answers: list[Parameter] = super().declare_parameters(namespace, entries, *args, **others)
+            for (_, *rest), descriptor, answer in zip(entries, meant, answers, strict=True):
+                default = rest[0] if rest and not isinstance(rest[0], (Parameter.Type, type(None))) else None
+                found: list[str] = []
+                if descriptor is not None:
+                    first = next((name for each, name in used if each is rest[1]), None)
+                    used.append((rest[1], answer.name))
+                    found = _contradictions(answer.name, self.describe_parameter(answer.name), descriptor, first)
+                declared.append(Declaration(answer.name, default, answer.value, tuple(found)))
+            return answers
+
+    Recorded.__name__ = Recorded.__qualname__ = node_class.__name__
+    arguments = [part for name, value in (overrides or {}).items() for part in ('-p', f'{name}:={json.dumps(value)}')]
+    node = (executor or stage.current()).add(Recorded, ros_args=arguments)
+    return node, [each for each in declared if not is_housekeeping(each.name)]
+
+
+def check_declarations(node_class: type[Node], overrides: Mapping[str, Any] | None = None, *,
+                       executor: BackgroundExecutor | None = None) -> None:
+    """Start a node on the stage, and stop it; raise an error if rclpy ignores some of what its descriptors say.
+
+    rclpy 7.1 keeps the descriptor object that it is given, writes the parameter's name and the type of its value into
+    it, and looks at a range only where it is of the value's own kind. None of that makes it complain (ros2/rclpy#879).
+
+    :param node_class: As for ``record_declarations``; so are the others.
+    :raises DeclarationError: a descriptor says something else than its declaration does.
+    :raises ExecutorError: no executor is running, or node_class is not a class of nodes.
+    """
+    ros = executor or stage.current()
+    node, declared = record_declarations(node_class, overrides, executor=ros)
+    ros.remove(node)
+    found = [f'{each.name}: {words}' for each in declared for words in each.contradictions]
+    if found:
+        raise DeclarationError('\n'.join([f'{node_class.__name__} declares what rclpy ignores:', *found]))
+
+
+def describe_wrong_field(message: Any) -> str:
+    """Return which field of a message, or of a message in it, has a value of the wrong type; nothing if none has.
+
+    rclpy looks at no field, unless a message is made with ``check_fields=True``. It sends an integer in place of a
+    double as another number, which depends on the version of Python, and most other values not at all.
+    """
+    for name in message.get_fields_and_field_types():
+        value = getattr(message, name)
+        for each in value if isinstance(value, (list, tuple)) else ():
+            if hasattr(each, 'get_fields_and_field_types') and (found := describe_wrong_field(each)):
+                return found
+        try:
+            type(message)(**{name: value}, check_fields=True)
+        except AssertionError as error:
+            return f'{error}, and it is `{shorten(repr(value), 100)}`'
+    return ''
+
+
+def _contradictions(name: str, kept: ParameterDescriptor, meant: ParameterDescriptor, first: str | None) -> list[str]:
+    """Return what a descriptor says in vain.
+
+    :param kept: What the node has made of it.
+    :param meant: What it was before.
+    :param first: The parameter that was declared with the same object before, if there is one.
+    """
+    if first is not None:
+        return [f'its descriptor is the object of {first}, which now describes {name} too. Make one for each']
+    found = []
+    kind = values.TYPES[kept.type]
+    if wrong := describe_wrong_field(meant):
+        found.append(f'its descriptor holds what its message has no room for: {wrong}')
+    if meant.type not in (ParameterType.PARAMETER_NOT_SET, kept.type):
+        said = values.TYPES[meant.type].label if meant.type < len(values.TYPES) else meant.type
+        found.append(f'its descriptor says type {said}, and it is declared as {kind.label}. Leave `type` out: '
+                     'the value decides')
+    if meant.name not in ('', name):
+        found.append(f'its descriptor says name {meant.name}. Leave `name` out')
+    for ranges, own, words in ((meant.integer_range, values.INTEGER, 'an integer_range'),
+                               (meant.floating_point_range, values.DOUBLE, 'a floating_point_range')):
+        if ranges and kind is not own and not meant.dynamic_typing:
+            is_number = kind in (values.INTEGER, values.DOUBLE)
+            remedy = ('Judge the elements in an on-set callback' if kind.is_array else
+                      'Give it the range of its own type' if is_number else 'Leave it out')
+            found.append(f'it has {words} and is declared as {kind.label}, so it has no limits. {remedy}')
+    return found

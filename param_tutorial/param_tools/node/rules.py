@@ -1,0 +1,280 @@
+"""Rules for parameters beyond type and range: patterns, choices, multiples, lengths, and rules across several.
+
+Declare first, then state the rules:
+
+    Rules(self).matches('serial', r'[A-Z]{2}[0-9]{4}').check(
+        ['low_c', 'high_c'], lambda low, high: low < high, 'low_c must be below high_c')
+
+A rule is judged twice. When it is stated, on what the node holds by then, be it default or override: a node that is
+started with bad values does not start. And in an on-set callback, on the values as they would be after the whole
+change. It is also written into the parameters' ``additional_constraints``, where ``ros2 param describe`` and panels
+show it. Needs rclpy and three modules of this package: errors, values, rclpy_private.
+"""
+
+import math
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.exceptions import InvalidParameterValueException
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tools import values
+from param_tools.errors import InvalidValueError, ParameterNotDeclaredError, RuleError
+from param_tools.ros import rclpy_private
+
+_NUMBERS = (values.INTEGER, values.DOUBLE, values.INTEGER_ARRAY, values.DOUBLE_ARRAY)
+_TEXTS = (values.STRING, values.STRING_ARRAY)
+_ARRAYS = tuple(each for each in values.TYPES if each.is_array)
+# Of a step. 3 * 0.1 is 0.30000000000000004, and the sender means 0.3.
+_TOLERANCE = Fraction(1, 10**6)
+_NUMBER = r'[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?'
+# How much of a value a reason repeats.
+_LETTERS = 60
+# By these words ``text.choices_of`` knows the rule again.
+ONE_OF = 'must be one of '
+# By these, ``locks.conditions_of``.
+ONLY_WHILE, IS = 'can change only while ', ' is '
+
+
+@dataclass(frozen=True)
+class Rule:
+    """Something that has to hold for the values of one or several parameters."""
+
+    names: tuple[str, ...]
+    sentence: str
+    """What has to hold, for the one who broke it, e.g. 'must match [A-Z]{2}'."""
+    holds: Callable[..., Any]
+    """Called with one value for each name, says yes or no."""
+
+    def __str__(self) -> str:
+        return f'{", ".join(self.names)}: {self.sentence}'
+
+    def judge(self, known: Mapping[str, Any]) -> str:
+        """Say how these values break the rule; nothing if they don't, or if one of them is not set.
+
+        :param known: The values by name. The rule gets copies, so it cannot change them.
+        :raises RuleError: the rule raised an exception, or said neither yes nor no.
+        """
+        present = [values.normalize(known.get(name)) for name in self.names]
+        if any(value is None for value in present):
+            return ''
+        shown = ', '.join(f'{name} = {values.format_value(value, _LETTERS)}'
+                          for name, value in zip(self.names, present))
+        try:
+            held = self.holds(*present)
+            if held is None:
+                raise TypeError('it returned None; a rule has to return True or False')
+            broken = not held
+        except Exception as error:
+            # Whatever comes out of a callback would end the node's executor.
+            raise RuleError(f'{shown}: the rule "{self.sentence}" could not be judged: '
+                            f'{type(error).__name__}: {error}') from error
+        return f'{shown}: {self.sentence}' if broken else ''
+
+
+class Rules:
+    """The rules of one node. Every method that states a rule gives the object itself, so they can be chained.
+
+    They all raise:
+
+    - ParameterNotDeclaredError: the node has not declared a parameter of that name (yet);
+    - RuleError: the rule makes no sense for the parameter's type, or raises an exception for what it holds now;
+    - rclpy's InvalidParameterValueException: what the parameter holds now, by default or override, breaks the rule.
+    """
+
+    def __init__(self, node: Node):
+        """Register an on-set callback. Several Rules on one node, and further callbacks, are all asked.
+
+        :raises RuleError: it is not a node.
+        """
+        if not isinstance(node, Node):
+            raise RuleError(f'Rules takes the node whose parameters they are for, usually self, not {node!r}')
+        self._node = node
+        self._rules: list[Rule] = []
+        node.add_on_set_parameters_callback(self._validate)
+
+    def __repr__(self) -> str:
+        return '\n'.join(map(str, self._rules)) or '(no rules)'
+
+    def matches(self, name: str, pattern: str | re.Pattern[str]) -> 'Rules':
+        """State that a text, or each text of an array, matches a regular expression from end to end.
+
+        Python's matcher has no time limit: a pattern such as ``(a+)+b`` can keep the node busy for hours.
+        """
+        try:
+            compiled = re.compile(pattern)
+            compiled.fullmatch('')  # which one made of bytes rejects
+        except (re.error, TypeError) as error:
+            raise RuleError(
+                f'cannot state a rule for {name}: {pattern!r} is not a regular expression: {error}') from None
+        return self._state_for_each(name, f'must match {compiled.pattern}', compiled.fullmatch, _TEXTS, 'texts')
+
+    def one_of(self, name: str, choices: Iterable[Any]) -> 'Rules':
+        """State that a value, or each element of an array, is one of several, of the same type."""
+        listed = [values.normalize(choice) for choice in _listed(choices)]
+        if not listed:
+            raise RuleError(f'cannot state a rule for {name}: give a list of at least one choice, not {choices!r}')
+        wanted = self._type_of(name)
+        for choice in listed:
+            try:
+                found = values.type_of(choice)
+            except InvalidValueError as error:
+                raise RuleError(f'cannot state a rule for {name}: {error}') from None
+            if wanted not in (None, found) and wanted.name != f'{found.name}_ARRAY':
+                raise RuleError(f'cannot state a rule for {name}: it is a parameter of type {wanted.label} and can '
+                                f'never be {choice!r}, of type {found.label}')
+        return self._state_for_each(name, f'{ONE_OF}{", ".join(map(repr, listed))}',
+                                    lambda value: any(values.same(value, choice) for choice in listed))
+
+    def multiple_of(self, name: str, step: float, unit: str = '') -> 'Rules':
+        """State that a number, or each of an array, is a multiple of a step, to a millionth of it.
+
+        :param unit: Of the step, to be shown.
+        """
+        if isinstance(step, bool) or not isinstance(step, (int, float)) or not 0 < step < math.inf:
+            raise RuleError(f'cannot state a rule for {name}: a step is a number above 0, not {step!r}')
+
+        def is_multiple(value: float) -> bool:
+            if not math.isfinite(value):
+                return False
+            # Fractions of the decimal text, as people count; floats would be off for large values.
+            steps = Fraction(str(value)) / Fraction(str(step))
+            return abs(steps - round(steps)) <= _TOLERANCE
+
+        return self._state_for_each(name, f'must be a multiple of {step} {unit}'.rstrip(), is_multiple,
+                                    _NUMBERS, 'numbers')
+
+    def quantity(self, name: str, units: Iterable[str]) -> 'Rules':
+        """State that a text is a number with one of several units behind it, such as '250 ms'."""
+        listed = _listed(units)
+        if not listed or not all(isinstance(unit, str) and unit.strip() for unit in listed):
+            raise RuleError(f'cannot state a rule for {name}: give a list of at least one unit, not {units!r}')
+        pattern = re.compile(f'{_NUMBER} ?({"|".join(map(re.escape, listed))})')
+        return self._state_for_each(
+            name, f'must be a number with the unit {" or ".join(listed)}, such as "1.5 {listed[0]}"',
+            pattern.fullmatch, _TEXTS, 'texts')
+
+    def length(self, name: str, at_least: int, at_most: int | None = None) -> 'Rules':
+        """State how many elements an array has, or how many characters a text.
+
+        :param at_most: By default as many as ``at_least``, so that it is exactly those.
+        """
+        last = at_least if at_most is None else at_most
+        if not all(type(count) is int for count in (at_least, last)) or not 0 <= at_least <= last:
+            raise RuleError(f'cannot state a rule for {name}: nothing has a length of {at_least!r} to {last!r}')
+        kind = self._require_type(name, (*_ARRAYS, values.STRING), 'arrays and texts')
+        counted = 'characters' if kind is values.STRING else 'elements'
+        count = f'{at_least}' if at_least == last else f'{at_least} to {last}'
+        return self._state(Rule((name,), f'must have {count} {counted}',
+                                lambda value: at_least <= len(value) <= last))
+
+    def only_while(self, names: str | Iterable[str], other: str, value: Any) -> 'Rules':
+        """State that parameters can change only while another one has a value, and are locked until then.
+
+        The other one is a mode, or a state that the node tells in a parameter of its own. ``locks`` and panels know the
+        rule by its words in the descriptor. A request that changes both at once is judged by what the other one would
+        be then.
+        """
+        wanted, expected = self._type_of(other), values.normalize(value)
+        try:
+            found = values.type_of(expected)
+        except InvalidValueError as error:
+            raise RuleError(f'cannot state a rule about {other}: {error}') from None
+        if wanted not in (None, found):
+            raise RuleError(f'cannot state a rule about {other}: it is a parameter of type {wanted.label} and can '
+                            f'never be {value!r}, of type {found.label}')
+        listed = [names] if isinstance(names, str) else _listed(names)
+        if not listed or other in listed:
+            raise RuleError(f'a rule about {other} takes the names of other parameters, not {names!r}')
+        for name in listed:
+            def holds(new: Any, state: Any, name: str = name) -> bool:
+                return values.same(state, expected) or values.same(new, values.normalize(self._stored(name)))
+
+            self._state(Rule((name, other), f'{ONLY_WHILE}{other}{IS}{expected!r}', holds), told=(name,))
+        return self
+
+    def check(self, names: str | Iterable[str], holds: Callable[..., Any], sentence: str) -> 'Rules':
+        """State a rule of your own for one parameter, or across several.
+
+        :param names: Of the parameters; the rule is judged whenever one of them is to change.
+        :param holds: Called with their values in this order, says whether they go together. It must change
+            nothing: the change may still be rejected by others.
+        :param sentence: What has to hold, for the one who broke it.
+        """
+        listed = (names,) if isinstance(names, str) else tuple(_listed(names))
+        if not listed or not callable(holds) or not isinstance(sentence, str) or not sentence.strip():
+            raise RuleError(f'a rule takes names, a function and a sentence; got {names!r}, {holds!r}, {sentence!r}')
+        return self._state(Rule(listed, sentence, holds))
+
+    # ---------------------------------------------------------------------------------------------------
+
+    def _type_of(self, name: str) -> values.ParameterType | None:
+        """Return the type of a parameter, None if it may be any."""
+        if not isinstance(name, str):
+            raise RuleError(f'cannot state a rule for {name!r}, which is not a parameter name')
+        if not self._node.has_parameter(name):
+            raise ParameterNotDeclaredError(self._node.get_fully_qualified_name(), name,
+                                            list(self._node.list_parameters([], 0).names))
+        descriptor = self._node.describe_parameter(name)
+        return None if descriptor.dynamic_typing else values.TYPES[descriptor.type]
+
+    def _require_type(self, name: str, types: Iterable[values.ParameterType], words: str
+                      ) -> values.ParameterType | None:
+        found = self._type_of(name)
+        if found is not None and found not in types:
+            raise RuleError(f'cannot state a rule for {name}: it is for {words}, and {name} is of type {found.label}')
+        return found
+
+    def _state_for_each(self, name: str, sentence: str, holds: Callable[[Any], Any],
+                        types: Iterable[values.ParameterType] = values.TYPES, words: str = '') -> 'Rules':
+        """State a rule for a value, or for each element of an array."""
+        kind = self._require_type(name, types, words)
+        if kind is not None and kind.is_array:
+            sentence = f'each {sentence}'
+        return self._state(Rule((name,), sentence, lambda value: all(
+            map(holds, value)) if isinstance(value, list) else bool(holds(value))))
+
+    def _state(self, rule: Rule, told: Iterable[str] = ()) -> 'Rules':
+        """Take a rule over, and write it into descriptors: those of ``told``, by default all that it is about."""
+        for name in rule.names:
+            self._type_of(name)
+        known = {name: self._stored(name) for name in rule.names}
+        if reason := rule.judge(known):
+            raise InvalidParameterValueException(rule.names[-1], known[rule.names[-1]], reason)
+        self._rules.append(rule)
+        # On its own it is a sentence; one that begins with a parameter keeps that as it is spelled.
+        words = rule.sentence
+        if not words.startswith(rule.names):
+            words = words[0].upper() + words[1:]
+        for name in told or rule.names:
+            descriptor = rclpy_private.own_descriptor(self._node, name)
+            descriptor.additional_constraints = '; '.join(
+                filter(None, (descriptor.additional_constraints, words)))
+        return self
+
+    def _stored(self, name: str) -> Any:
+        return self._node.get_parameter_or(name).value
+
+    def _validate(self, parameters: list[Parameter]) -> SetParametersResult:
+        """Judge the values as they would be after the whole change. Changes nothing, raises nothing."""
+        proposed = {parameter.name: parameter.value for parameter in parameters}
+        reasons = []
+        for rule in self._rules:
+            if proposed.keys() & set(rule.names):
+                known = {name: proposed[name] if name in proposed else self._stored(name) for name in rule.names}
+                try:
+                    reasons.append(rule.judge(known))
+                except RuleError as error:
+                    reasons.append(str(error))
+        reason = '; '.join(filter(None, reasons))
+        return SetParametersResult(successful=not reason, reason=reason)
+
+
+def _listed(things: Any) -> list[Any]:
+    """Return several things as a list, an empty one where they are none; a text is one thing and not its letters."""
+    return list(things) if isinstance(things, Iterable) and not isinstance(things, (str, bytes)) else []

@@ -1,0 +1,55 @@
+"""The unit of a parameter, where its texts or its name say one in a known way. Where unsure, there is none."""
+
+import re
+
+from param_tools import values
+from param_tools.descriptor import Descriptor
+
+_NUMBERS = (values.INTEGER, values.DOUBLE, values.INTEGER_ARRAY, values.DOUBLE_ARRAY)
+
+# How a text writes a unit, and how it is shown. Capital letters alone are names of things too often.
+_SYMBOLS = {each: each for each in (
+    'm', 'mm', 'cm', 'km', 'm/s', 'mm/s', 'cm/s', 'km/h', 'm/s²', 'rad', 'rad/s', 'rad/s²', 'deg', 'deg/s', 's', 'ms',
+    'Hz', 'kHz', 'rpm', '°C', 'mV', 'mA', 'Nm', 'N/m', 'kg', 'Pa', '%', '1/s', '1/m')} | {
+    'm/s^2': 'm/s²', 'm/s2': 'm/s²', 'm/s/s': 'm/s²', 'rad/s^2': 'rad/s²', 'rad/s2': 'rad/s²', 'N*m': 'Nm', 'N m': 'Nm',
+    'RPM': 'rpm', 'sec': 's', 'hz': 'Hz', '°': 'deg', 'µs': 'µs', 'us': 'µs'}
+_WORDS = {
+    'meters': 'm', 'metres': 'm', 'centimeters': 'cm', 'millimeters': 'mm', 'meters per second': 'm/s',
+    'metres per second': 'm/s', 'radians': 'rad', 'radians per second': 'rad/s', 'degrees': 'deg',
+    'degrees per second': 'deg/s', 'degrees celsius': '°C', 'seconds': 's', 'milliseconds': 'ms', 'hertz': 'Hz',
+    'revolutions per minute': 'rpm', 'volts': 'V', 'amperes': 'A', 'watts': 'W', 'newtons': 'N', 'kilograms': 'kg',
+    'percent': '%'}
+# How a name ends. `_c` alone may be many things, `_m` and `_ms` too.
+_ENDINGS = {
+    '_mps': 'm/s', '_mps2': 'm/s²', '_meters': 'm', '_rpm': 'rpm', '_hz': 'Hz', '_sec': 's', '_secs': 's',
+    '_seconds': 's', '_rad': 'rad', '_radps': 'rad/s', '_deg': 'deg', '_kg': 'kg', '_percent': '%',
+    'temperature_c': '°C', 'temp_c': '°C'}
+
+
+def _any_of(words: dict[str, str]) -> str:
+    return '|'.join(map(re.escape, sorted(words, key=len, reverse=True)))
+
+
+# A symbol stands in brackets after a blank, since "joint(s)" has no unit, or after "in" where a part of a sentence
+# ends, since "in m steps" has none.
+_IN_BRACKETS = re.compile(rf'(?<!\S)[\[(]\s*(?:in )?({_any_of(_SYMBOLS | _WORDS)})\s*[\])]')
+_AFTER_IN = re.compile(rf'\bin ({_any_of(_SYMBOLS | _WORDS)})(?=[.,;:)]?(?:\s*$|[.,;:)]\s))')
+_WORD_AFTER_IN = re.compile(rf'\bin ({_any_of(_WORDS)})\b(?! per\b|/)', re.IGNORECASE)
+
+
+def unit_of(descriptor: Descriptor) -> str:
+    """Return the unit of a number or of an array of numbers, e.g. ``'m/s'``; empty if none is known for sure.
+
+    The texts of the descriptor come before the end of the name. If they name two different ones, there is none.
+    """
+    if descriptor.type not in _NUMBERS:
+        return ''
+    text = f'{descriptor.description}\n{descriptor.additional_constraints}'
+    known = _SYMBOLS | _WORDS
+    found = {known[match[1]] for pattern in (_IN_BRACKETS, _AFTER_IN)
+             for line in text.splitlines() for match in pattern.finditer(line)}
+    found |= {_WORDS[match[1].lower()] for match in _WORD_AFTER_IN.finditer(text)}
+    if found:
+        return found.pop() if len(found) == 1 else ''
+    ends = {unit for ending, unit in _ENDINGS.items() if descriptor.name.lower().endswith(ending)}
+    return ends.pop() if len(ends) == 1 else ''

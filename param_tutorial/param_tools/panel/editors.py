@@ -1,0 +1,115 @@
+"""The controls of a panel: which editor a parameter gets, and the values at which its slider can stand.
+
+``parameters.text`` formats and parses what is typed; ``pictures.panel`` draws the controls.
+"""
+
+import math
+import re
+from decimal import Decimal
+from typing import Any
+
+from param_tools import values
+from param_tools.descriptor import Descriptor, Range, is_housekeeping
+from param_tools.node.text import choices_of, format_value
+from param_tools.node.units import unit_of
+from param_tools.panel.drawing import CHECK, CHOICE, LINES, TEXT, PanelRow
+from param_tools.panel.recordable import Scale
+
+# JavaScript's numbers are exact up to here.
+_JS_SAFE = 2**53
+# Positions of a slider whose range has no step: enough to feel smooth, few enough to land on round numbers.
+_FINE_POSITIONS = 100
+
+
+class WholePositions:
+    """The values at which a slider of integers can stand, counted from 0."""
+
+    def __init__(self, limits: Range):
+        self._first, self._end = int(limits.from_value), int(limits.to_value)
+        self._step = max(1, int(limits.step))
+        self.last = -((self._first - self._end) // self._step)
+
+    def value(self, position: int) -> int:
+        """Return the value at a position. Both ends are valid even off the step, as the node sees it too."""
+        return min(self._first + position * self._step, self._end)
+
+    def nearest(self, value: int) -> int:
+        """Return the position next to a value."""
+        return _nearest(self, value, (int(value) - self._first) // self._step)
+
+
+class Positions:
+    """The values at which a slider of doubles can stand, counted from 0, free of the noise of binary fractions."""
+
+    def __init__(self, limits: Range):
+        self._limits = limits
+        self._low, self._high = Decimal(str(limits.from_value)), Decimal(str(limits.to_value))
+        # Without a step in the range, one that gives round numbers. The hundredth part of the smallest double is 0.0,
+        # but not that of the smallest Decimal.
+        self._step = Decimal(str(limits.step)) if limits.step > 0 else Decimal(1).scaleb(
+            ((self._high - self._low) / _FINE_POSITIONS).adjusted())
+        self.last = math.ceil((self._high - self._low) / self._step)
+
+    def value(self, position: int) -> float:
+        """Return the value at a position. Both ends are valid even off the step, as the node sees it too."""
+        if position >= self.last:
+            return self._limits.to_value
+        return float(self._low + position * self._step)
+
+    def nearest(self, value: float) -> int:
+        """Return the position next to a value."""
+        return _nearest(self, value, math.floor((Decimal(str(value)) - self._low) / self._step))
+
+
+def _nearest(scale: Scale, value: float, below: int) -> int:
+    """Return which position is next to a value that lies above one of them, or out of the range."""
+    if below < 0:
+        return 0
+    if below >= scale.last:
+        return scale.last
+    return min((below, below + 1), key=lambda each: abs(scale.value(each) - value))
+
+
+def scale_of(descriptor: Descriptor, value: Any) -> Scale | None:
+    """Return where the slider of a parameter can stand; None if the parameter has no slider."""
+    if descriptor.dynamic_typing or value is None or descriptor.range is None or not _fits_slider(descriptor.range):
+        return None
+    return (WholePositions if descriptor.type is values.INTEGER else Positions)(descriptor.range)
+
+
+def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
+    """Return what a panel's row says of a parameter, but for its value.
+
+    :param value: What the parameter has, which decides about its editor.
+    """
+    facts = []
+    if descriptor.range:
+        facts.append(f'{descriptor.range.from_value} to {descriptor.range.to_value}'
+                     + (f' in steps of {descriptor.range.step}' if descriptor.range.step else ''))
+    facts += ['any type'] * descriptor.dynamic_typing
+    choices = tuple(format_value(descriptor, each) for each in choices_of(descriptor))
+    return PanelRow(
+        name=descriptor.name, editor=_editor_of(descriptor, value, choices), kind=descriptor.type.label,
+        description=descriptor.description, constraints=descriptor.additional_constraints, facts=tuple(facts),
+        choices=choices, last=scale.last if scale else None, is_read_only=descriptor.read_only,
+        is_quiet=is_housekeeping(descriptor.name), unit=unit_of(descriptor))
+
+
+def _editor_of(descriptor: Descriptor, value: Any, choices: tuple[str, ...]) -> str:
+    if descriptor.dynamic_typing or value is None:
+        return TEXT
+    if isinstance(value, str) and re.search(r'[\n\r]', value):
+        return LINES
+    if descriptor.type is values.BOOL:
+        return CHECK
+    return CHOICE if choices else TEXT
+
+
+def _fits_slider(limits: Range) -> bool:
+    """True if a browser's slider can express this range: it cannot stand still, be endless, or count beyond 2**53."""
+    if not (limits.from_value < limits.to_value and math.isfinite(limits.to_value - limits.from_value)):
+        return False
+    if isinstance(limits.from_value, int):
+        return max(abs(limits.from_value), abs(limits.to_value)) <= _JS_SAFE
+    return not limits.step > 0 or (math.isfinite(limits.step)
+                                   and (limits.to_value - limits.from_value) / limits.step <= _JS_SAFE)

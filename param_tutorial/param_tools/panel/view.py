@@ -1,0 +1,208 @@
+"""What the live views have in common: they follow something until they are closed, and are closed with their cell.
+
+What each of them shows is in ``panel``, ``robot``, ``step_response``, ``events`` and ``log``.
+"""
+
+import html
+import threading
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+import ipywidgets as widgets
+
+from param_tools.errors import ExecutorError
+from param_tools.panel import recordable
+from param_tools.panel.beside_cells import answer_beside_cells
+from param_tools.panel.close_with_cell import close_looks, close_with_cell
+from param_tools.panel.front import Front
+from param_tools.ros import stage
+from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.services import full_name
+from param_tools.ros.worker import Worker
+
+
+def nothing() -> None:
+    """End a subscription that there is not."""
+
+
+class View(widgets.VBox):
+    """A box of widgets that follows something as long as it is not closed."""
+
+    children: tuple[widgets.Widget, ...]
+    """The widgets in the box; a trait of ipywidgets."""
+    # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
+    _closed = True
+    # See ``recordable``.
+    follows: frozenset[str] = frozenset()
+
+    def __init__(self, parts: Iterable[widgets.Widget], css_class: str):
+        self._closed = False
+        # Held by the thread that writes to the widgets.
+        self._drawing = threading.RLock()
+        self._on_close: list[Callable[[View], object]] = []
+        super().__init__(list(parts))
+        self.add_class(css_class)
+        for widget in (self, *_all_within(self)):
+            answer_beside_cells(widget)
+            if isinstance(widget, Front):
+                widget.drawing = self._drawing
+        recordable.register(self.model_id, self)
+
+    def on_close(self, listener: Callable[['View'], object]) -> Callable[[], None]:
+        """Call a listener with the view when it is about to be closed.
+
+        :return: Call it to stop listening.
+        """
+        self._on_close.append(listener)
+
+        def unregister() -> None:
+            if listener in self._on_close:
+                self._on_close.remove(listener)
+        return unregister
+
+    def close(self) -> None:
+        """Stop following, and remove the view from the page. Safe to call more than once."""
+        if self._closed:
+            return
+        for listener in list(self._on_close):
+            listener(self)
+        with self._drawing:
+            self._closed = True
+            self._end()
+            parts = _all_within(self)
+            # Emptied first: a browser cannot take a widget out of a box that is gone, and says so.
+            for box in (self, *parts):
+                if isinstance(box, widgets.Box):
+                    box.children = ()
+            super().close()
+            close_looks(self)
+            for part in parts:
+                part.close()
+                close_looks(part)
+
+    def _end(self) -> None:
+        """Stop following."""
+        raise NotImplementedError
+
+    # -- recording: see ``recordable`` -------------------------------------------------------------------
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node that it shows, or what it says in the place of one."""
+        raise NotImplementedError
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw it as it stands."""
+        return {'kind': 'still', 'html': recordable.html_of(self), 'text': repr(self)}
+
+    def controls(self) -> Mapping[str, recordable.ControlFacts]:
+        """Return what a hand can change in it, by the parameters' names."""
+        return {}
+
+
+def _all_within(box: widgets.Box) -> list[widgets.Widget]:
+    parts = []
+    for each in box.children:
+        parts += [each, *(_all_within(each) if isinstance(each, widgets.Box) else ())]
+    return parts
+
+
+class FollowingView(View):
+    """A view that listens to an executor until it is closed. A constructor calls ``_begin`` when all else is there."""
+
+    # What happens more often than this is shown once: nobody could follow it.
+    _show_period_sec = 0.1
+
+    def _begin(self, executor: BackgroundExecutor | None) -> None:
+        """Listen, show what there is to show, and close with the cell.
+
+        :param executor: None for whichever runs in the background, also after a stop and a new start.
+        """
+        self._chosen_executor = executor
+        self._executor: BackgroundExecutor | None = None
+        self._stop_listening: Callable[[], object] = nothing
+        self._worker = Worker(self._step, type(self).__name__, self._show_period_sec)
+        self._stop_following = stage.on_change(self._on_executor_change)
+        self._listen()
+        self._worker.call_now(1.0)
+        close_with_cell(self)
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], object]:
+        """Wake the worker whenever there is something to show.
+
+        :return: Ends that.
+        """
+        raise NotImplementedError
+
+    def _lose(self) -> None:
+        """Take note that there is no executor any more; what was shown before stays."""
+
+    def _show(self) -> float | None:
+        """Draw what there is to show; called with the lock held, in any thread.
+
+        :return: In how many seconds to draw again, even if nothing happens; None if only what happens counts.
+        """
+        raise NotImplementedError
+
+    def _step(self) -> float | None:
+        with self._drawing:
+            return None if self._closed else self._show()
+
+    def _stop(self) -> None:
+        """Stop following; what is shown stays."""
+        self._stop_following()
+        self._stop_listening()
+
+    def _end(self) -> None:
+        self._stop()
+        self._worker.end()
+
+    def _on_executor_change(self) -> None:
+        if self._chosen_executor is None:
+            self._listen()
+            self._worker.wake()
+
+    def _listen(self) -> None:
+        self._stop_listening()
+        self._stop_listening = nothing
+        try:
+            self._executor = self._chosen_executor or stage.current()
+        except ExecutorError:
+            self._executor = None
+            self._lose()
+        else:
+            self._stop_listening = self._subscribe(self._executor)
+
+
+class FeedView(FollowingView):
+    """What one node or all nodes report, as text under a title."""
+
+    def __init__(self, node: str | None, executor: BackgroundExecutor | None, *, subject: str,
+                 css_class: str, content_class: str, style: str):
+        """
+        :param node: Only what this one reports; None for all.
+        :param executor: None for whichever runs in the background, also after a stop and a new start.
+        """
+        self._node = None if node is None else full_name(node)
+        self._title = f'{subject} of {self._node or "all nodes"}'
+        self._content = widgets.HTML()
+        self._content.add_class(content_class)
+        heading = widgets.HTML(f'{style}<b>{html.escape(self._title)}</b>')
+        heading.add_class(f'{css_class}-title')
+        super().__init__([heading, self._content], css_class)
+        self._begin(executor)
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__}: {self._node or "all nodes"}>'
+
+    def _markup(self) -> str:
+        """Return all that there is to show, as HTML."""
+        raise NotImplementedError
+
+    def _show(self) -> None:
+        self._content.value = self._markup()
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node that it listens to, or 'all nodes'."""
+        return self._node or 'all nodes'

@@ -1,0 +1,438 @@
+"""Every change of every parameter, as it happens, kept in a file that survives a crash, and read back.
+
+A log is a text file with one JSON object in each line: time, node, parameter, kind, old and new value. Each line is on
+the disk before the next is written. A line that a crash has torn is passed over, and so is whatever else is none.
+
+Kinds: ``begin`` when somebody begins to watch, ``seen`` for each value that is there then or in a node that comes
+later, ``declared``, ``changed``, ``deleted``, and ``gone`` for a node that has left. So the state at any time can be
+told from the lines before it.
+"""
+
+import contextlib
+import datetime
+import itertools
+import json
+import math
+import os
+import queue
+import re
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rcl_interfaces.msg import ParameterEvent
+
+from param_tools import values
+from param_tools.errors import (
+    ExecutorError,
+    InvalidValueError,
+    NodeError,
+    NodeGoneError,
+    NodeNotFoundError,
+    ParameterFileError,
+)
+from param_tools.files.parameter_files import as_path, read_bytes
+from param_tools.files.parsing import matches
+from param_tools.markup.wording import format_count
+from param_tools.node.client import ParameterClient, ParameterValues
+from param_tools.ros import stage
+from param_tools.ros.executor import TOOL_NODE_NAME, BackgroundExecutor
+from param_tools.ros.services import TIMEOUT_SEC
+from param_tools.ros.waiting import machine_time
+from param_tools.systems.sets import WordTable
+from param_tools.systems.snapshot import Snapshot, ask_all
+
+KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
+# How many letters of a value stand in the text of a change.
+_LETTERS = 60
+_CLOSE_TIMEOUT_SEC = 10.0
+# When a node that is new is read again, each after so long. On a busy machine its publisher may know of this reader
+# only after a heartbeat of Fast DDS, which comes every three seconds.
+_READ_AGAIN_SEC = (0.5, 1.0, 2.0, 4.0)
+# When a node that has not answered is asked again, each after so long, and then as often as the last one says: what
+# happens has to wait while one is asked.
+_ASK_AGAIN_SEC = (1.0, 2.0, 5.0, 10.0, 30.0)
+# Where machine time is slow, what is left of it would be halved again and again.
+_LEAST_WAIT_SEC = 0.01
+
+
+@dataclass(frozen=True)
+class LoggedChange:
+    """One line of a log."""
+
+    time: datetime.datetime
+    """When it was heard of, with a time zone."""
+    kind: str
+    """One of KINDS."""
+    node: str = ''
+    """Fully qualified name; empty for ``begin``."""
+    name: str = ''
+    """The parameter; empty for ``begin`` and ``gone``."""
+    old: Any = None
+    """None if it was not known, or there was none."""
+    new: Any = None
+
+    def as_line(self) -> str:
+        """Return the line of a log, without its end."""
+        return json.dumps({'time': self.time.isoformat(), 'kind': self.kind, 'node': self.node, 'parameter': self.name,
+                           'old': _encode(self.old), 'new': _encode(self.new)})
+
+    @classmethod
+    def from_line(cls, line: str) -> 'LoggedChange':
+        """Read a line of a log.
+
+        :raises ValueError: it is none.
+        """
+        try:
+            found = json.loads(line)
+            time = datetime.datetime.fromisoformat(found['time'])
+            time.astimezone()  # the first and the last day of the calendar may not have a local time
+            kind, node, name = found['kind'], found['node'], found['parameter']
+            if time.tzinfo is None or kind not in KINDS or not (isinstance(node, str) and isinstance(name, str)):
+                raise ValueError('it lacks a time zone, a kind or a name')
+            return cls(time, kind, node, name, _decode(found['old']), _decode(found['new']))
+        except (KeyError, TypeError, AttributeError, RecursionError, OverflowError) as error:
+            raise ValueError(f'it is not a line of a log: {error}') from None
+
+    def __str__(self) -> str:
+        time = f'{self.time.astimezone():%H:%M:%S.%f}'[:-3]
+        if self.kind == 'begin':
+            return f'{time} began to watch'
+        if self.kind == 'gone':
+            return f'{time} {self.node} is gone'
+        old, new = values.format_change(self.old, self.new, _LETTERS)
+        what = {'changed': f'{old} → {new}', 'deleted': f'{old} → deleted'}.get(self.kind, f'{new} ({self.kind})')
+        return f'{time} {self.node} {self.name}: {what}'
+
+
+def _encode(value: Any) -> Any:
+    """Return a value as JSON has it; where that has no word for it, as a map from its type."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return {'double': repr(value)}
+    if isinstance(value, list) and value and isinstance(value[0], bytes):
+        return {'byte array': [byte[0] for byte in value]}
+    if isinstance(value, list) and any(isinstance(item, float) and not math.isfinite(item) for item in value):
+        return {'double array': [repr(item) for item in value]}
+    return value
+
+
+def _decode(found: Any) -> Any:
+    if isinstance(found, dict):
+        (label, content), = found.items()
+        found = {'double': lambda: float(content), 'double array': lambda: [float(item) for item in content],
+                 'byte array': lambda: [bytes([item]) for item in content]}[label]()
+    values.type_of(found)
+    return found
+
+
+# -- writing --------------------------------------------------------------------------------------------------
+
+
+class ChangeLogWriter:
+    """Appends to a log. A context manager."""
+
+    def __init__(self, path: str | Path):
+        """
+        :param path: The file; what is in it stays.
+        :raises OSError: it cannot be written.
+        """
+        # Without a buffer: what found no room on a full disk would be written, and fail, once more in the end.
+        self._file = as_path(path).open('ab+', buffering=0)
+        self._is_torn = False
+        if self._file.seekable() and self._file.seek(0, os.SEEK_END):
+            self._file.seek(-1, os.SEEK_END)
+            self._is_torn = self._file.read(1) != b'\n'  # by a crash
+
+    def __enter__(self) -> 'ChangeLogWriter':
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._file.close()
+
+    def write(self, changes: Iterable[LoggedChange]) -> None:
+        """Append lines, and return when they are on the disk.
+
+        :raises OSError: they could not be written.
+        """
+        lines = ''.join(f'{change.as_line()}\n' for change in changes)
+        left = (f'\n{lines}' if self._is_torn else lines).encode()
+        self._is_torn = True
+        while left:
+            left = left[self._file.write(left):]
+        self._is_torn = False
+        # A pipe or a terminal has no disk.
+        with contextlib.suppress(OSError):
+            os.fsync(self._file.fileno())
+
+
+# -- reading --------------------------------------------------------------------------------------------------
+
+
+class ChangeLog(WordTable):
+    """The changes that a log holds, in their order. Shown as a table."""
+
+    columns = ('time', 'node', 'parameter', 'kind', 'old', 'new')
+
+    def __init__(self, changes: Iterable[LoggedChange], damaged: Iterable[int] = ()):
+        """:param damaged: The numbers of the lines that could not be read."""
+        self.changes = tuple(changes)
+        self.damaged = tuple(damaged)
+        self.heading = format_count(len(self.changes), 'change')
+        if self.damaged:
+            self.heading += f'; unreadable: line {", ".join(map(str, self.damaged))}'
+
+    @classmethod
+    def read(cls, path: str | Path) -> 'ChangeLog':
+        """Read a log, as far as it can be read.
+
+        :raises ParameterFileError: it cannot be opened, or no line of it is one of a log.
+        """
+        lines = read_bytes(path).split(b'\n')
+        changes, damaged = [], []
+        for number, line in enumerate(lines, 1):
+            if not line.strip():
+                continue
+            try:
+                changes.append(LoggedChange.from_line(line.decode()))
+            except ValueError:  # a UnicodeDecodeError and an InvalidValueError are ones, too
+                damaged.append(number)
+        if damaged and not changes:
+            raise ParameterFileError(f'{path}, line {damaged[0]}: this is no log of parameter changes')
+        return cls(changes, damaged)
+
+    def __len__(self) -> int:
+        return len(self.changes)
+
+    def __iter__(self) -> Iterator[LoggedChange]:
+        return iter(self.changes)
+
+    def select(self, *, nodes: Iterable[str] = (), names: str = '', kinds: Iterable[str] = (),
+               since: datetime.datetime | None = None, until: datetime.datetime | None = None) -> 'ChangeLog':
+        """Return only some of the changes.
+
+        :param nodes: Names of nodes, or patterns such as ``/robot1/**``; by default all.
+        :param names: A regular expression that is searched in the parameter's name.
+        :param kinds: Some of KINDS; by default all.
+        :param since: Without a time zone, a local time, like ``until``.
+        :raises re.error: names is no regular expression.
+        """
+        wanted, patterns, kinds = re.compile(names), list(nodes), set(kinds)
+        since, until = since and since.astimezone(), until and until.astimezone()
+        return ChangeLog((each for each in self.changes
+                          if (not patterns or any(matches(pattern, each.node) for pattern in patterns))
+                          and (not names or (each.name and wanted.search(each.name)))
+                          and (not kinds or each.kind in kinds)
+                          and (since is None or each.time >= since) and (until is None or each.time <= until)),
+                         self.damaged)
+
+    def at(self, time: datetime.datetime | None = None) -> Snapshot:
+        """Return the parameters that the nodes had at a time; by default at the end of the log.
+
+        :param time: Without a time zone, a local time.
+        """
+        if time is not None:
+            time = time.astimezone()
+        elif self.changes:
+            time = self.changes[-1].time
+        state: dict[str, dict[str, Any]] = {}
+        for each in self.changes:
+            if time is not None and each.time > time:
+                break
+            if each.kind == 'begin':
+                state.clear()
+            elif each.kind == 'gone':
+                state.pop(each.node, None)
+            elif each.kind == 'deleted':
+                state.setdefault(each.node, {}).pop(each.name, None)
+            else:
+                state.setdefault(each.node, {})[each.name] = each.new
+        return Snapshot({node: ParameterValues(parameters) for node, parameters in sorted(state.items())}, {}, time)
+
+    def parse_time(self, text: str) -> datetime.datetime:
+        """Return the time that a person names: ``14:05``, ``14:05:30``, or a date and a time as in ISO 8601.
+
+        A time of day is the last one that the log has reached; without a time zone, it is a local one.
+
+        :raises InvalidValueError: it is not a time.
+        """
+        with contextlib.suppress(ValueError, OverflowError):
+            day = datetime.time.fromisoformat(text)
+            last = self.changes[-1].time if self.changes else datetime.datetime.now().astimezone()
+            found = datetime.datetime.combine(last.astimezone(day.tzinfo), day).astimezone()
+            first = self.changes[0].time if self.changes else last
+            day_before = found - datetime.timedelta(days=1)
+            return day_before if found > last and day_before >= first else found
+        try:
+            return datetime.datetime.fromisoformat(text).astimezone()
+        except (ValueError, OverflowError):
+            raise InvalidValueError(f'{text!r} is not a time: write 14:05, 14:05:30 or 2026-11-22T14:05') from None
+
+    def rows(self) -> list[tuple[str, ...]]:
+        return [(f'{each.time.astimezone():%Y-%m-%d %H:%M:%S.%f}'[:-3], each.node, each.name, each.kind,
+                 *values.format_change(each.old, each.new, _LETTERS, nothing='')) for each in self.changes]
+
+
+# -- following ------------------------------------------------------------------------------------------------
+
+
+class ChangeFollower:
+    """Hears of every change of every parameter, and remembers what was there before. A context manager.
+
+    The events only tell new values, and a node that has just been discovered may have sent some already; so each node
+    is read when it is first seen, and again when it has been restarted.
+    """
+
+    def __init__(self, listener: Callable[[list[LoggedChange]], None], *, nodes: Iterable[str] = (),
+                 trouble: Callable[[NodeError], None] | None = None, timeout_sec: float = TIMEOUT_SEC,
+                 executor: BackgroundExecutor | None = None):
+        """Begin: the listener has been called with all that is there when this returns.
+
+        :param listener: Called with changes that have happened together, in their order; in a thread of its own, and
+            never twice at once.
+        :param nodes: Names of nodes, or patterns such as ``/robot1/**``; by default all but hidden ones.
+        :param trouble: Called likewise when a node did not answer; what it had is then not known. It is asked again now
+            and then.
+        :param timeout_sec: How long a node may take for each answer.
+        """
+        self._listener = listener
+        self._trouble = trouble
+        self._patterns = list(nodes)
+        self._timeout_sec = timeout_sec
+        self._executor = executor or stage.current()
+        self._known: dict[str, dict[str, Any]] = {}
+        self._incarnations: dict[str, frozenset[bytes]] = {}
+        self._new: dict[str, list[float]] = {}
+        """When a node is to be read again, in machine time."""
+        self._silent: dict[str, list[float]] = {}
+        """The nodes that have not answered, and how long to wait before each is asked again."""
+        self._look_again_at: float | None = None
+        self._happened: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
+        self._stop_listening = [self._executor.on_parameter_event(self._on_event),
+                                self._executor.on_graph_change(self._on_graph_change)]
+        began = LoggedChange(_now(), 'begin')
+        self._listener([began, *self._look()])
+        self._thread = threading.Thread(target=self._run, name='parameter changes', daemon=True)
+        self._thread.start()
+
+    def __enter__(self) -> 'ChangeFollower':
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Stop following, after all that has happened so far was told. Safe to call more than once."""
+        for stop in self._stop_listening:
+            with contextlib.suppress(ExecutorError):
+                stop()
+        self._happened.put(None)
+        if threading.current_thread() is not self._thread:
+            self._thread.join(_CLOSE_TIMEOUT_SEC)
+
+    def _is_wanted(self, node: str) -> bool:
+        if self._patterns:
+            return any(matches(pattern, node) for pattern in self._patterns)
+        return '/_' not in node
+
+    # In the executor's thread: note, and return at once.
+
+    def _on_event(self, event: ParameterEvent) -> None:
+        if self._is_wanted(event.node):
+            time = _now()
+            self._happened.put(lambda: self._changes_of(event, time))
+
+    def _on_graph_change(self) -> None:
+        self._happened.put(self._look)
+
+    # In the follower's own thread.
+
+    def _run(self) -> None:
+        while (happened := self._next()) is not None:
+            with contextlib.suppress(ExecutorError):  # it has been stopped: nothing more will happen
+                if changes := happened():
+                    self._listener(changes)
+
+    def _next(self) -> Callable[[], list[LoggedChange]] | None:
+        """Wait for what happens next, and no longer than until a node is to be read again, or asked again."""
+        dues = [times[0] for times in self._new.values()]
+        due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=None)
+        if due is not None and due <= machine_time():  # however much happens
+            return self._read_again
+        try:
+            return self._happened.get(timeout=None if due is None else max(_LEAST_WAIT_SEC, due - machine_time()))
+        except queue.Empty:
+            return self._read_again
+
+    def _read_again(self) -> list[LoggedChange]:
+        """Read the nodes that are new: the first events of one may come before its publisher knows of this reader."""
+        now = machine_time()
+        if self._look_again_at is not None and self._look_again_at <= now:
+            return self._look()
+        due = {node: times[1:] for node, times in self._new.items() if times[0] <= now}
+        self._new = {node: times for node, times in self._new.items() if node not in due}
+        answers, _ = ask_all(sorted(self._known.keys() & due), ParameterClient.get_parameters,
+                             timeout_sec=self._timeout_sec, executor=self._executor)
+        # One that did not answer isn't asked again: meanwhile nothing else would be told.
+        self._new |= {node: later for node, later in due.items() if later and node in answers}
+        return [change for node, parameters in answers.items() for change in self._seen(node, parameters)]
+
+    def _changes_of(self, event: ParameterEvent, time: datetime.datetime) -> list[LoggedChange]:
+        known = self._known.setdefault(event.node, {})
+        changes = []
+        for kind, parameters in (('declared', event.new_parameters), ('changed', event.changed_parameters)):
+            for each in parameters:
+                new = values.to_python_or_none(each.value)
+                if each.name in known and values.same(known[each.name], new):
+                    continue  # it was read meanwhile, or set to what it was
+                old = known.get(each.name)
+                kind_now = 'changed' if each.name in known else kind
+                changes.append(LoggedChange(time, kind_now, event.node, each.name, old, new))
+                known[each.name] = new
+        changes += [LoggedChange(time, 'deleted', event.node, each.name, known.pop(each.name, None))
+                    for each in event.deleted_parameters]
+        return changes
+
+    def _look(self) -> list[LoggedChange]:
+        """Read the nodes that have come, and note those that have gone."""
+        names = set(filter(self._is_wanted, self._executor.services.node_names(hidden=True))) - {f'/{TOOL_NODE_NAME}'}
+        now = {node: self._executor.node_incarnations(node) for node in names}
+        came = [node for node in now if self._incarnations.get(node) != now[node]]
+        time = _now()
+        changes = [LoggedChange(time, 'gone', node) for node in self._known
+                   if node not in now or (node in came and self._incarnations.get(node))]
+        for change in changes:
+            self._known.pop(change.node, None)
+        answers, unanswered = ask_all(came, ParameterClient.get_parameters, timeout_sec=self._timeout_sec,
+                                      executor=self._executor) if came else ({}, {})
+        for node, parameters in answers.items():
+            changes += self._seen(node, parameters)
+        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=machine_time()))[1:]
+        self._new |= dict.fromkeys(answers, again)
+        self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
+        self._note_silence(unanswered)
+        return changes
+
+    def _note_silence(self, unanswered: Mapping[str, NodeError]) -> None:
+        """Tell of the nodes that have just not answered, each once, and see to it that they are asked again."""
+        for node, error in unanswered.items():
+            # One that has left meanwhile is told as gone.
+            has_left = isinstance(error, (NodeGoneError, NodeNotFoundError))
+            if self._trouble is not None and node not in self._silent and not has_left:
+                self._trouble(error)
+        waits = {node: self._silent.get(node, list(_ASK_AGAIN_SEC)) for node in unanswered}
+        self._look_again_at = machine_time() + min(each[0] for each in waits.values()) if waits else None
+        self._silent = {node: each[1:] or each for node, each in waits.items()}
+
+    def _seen(self, node: str, parameters: Mapping[str, Any]) -> list[LoggedChange]:
+        known, time = self._known.setdefault(node, {}), _now()
+        # What was known already has changed since, before its event was handled.
+        changes = [LoggedChange(time, 'changed' if name in known else 'seen', node, name, known.get(name), value)
+                   for name, value in parameters.items() if not (name in known and values.same(known[name], value))]
+        known.update(parameters)
+        return changes
+
+
+def _now() -> datetime.datetime:
+    return datetime.datetime.now().astimezone()

@@ -1,0 +1,56 @@
+"""Snapshots of a node to go back and forth between."""
+
+from param_tools.systems.sets import NodeLike, ParameterSet, Restored, as_client, compare, restore
+
+
+class ParameterHistory:
+    """Snapshots of a node, to go back and forth: ``keep`` before you try something, then ``undo`` and ``redo``."""
+
+    def __init__(self, node: NodeLike):
+        """Take the first snapshot."""
+        self._client = as_client(node)
+        self._snapshots = [ParameterSet.of(self._client, 'snapshot 1')]
+        self._at = 0
+
+    def __repr__(self) -> str:
+        return f'<ParameterHistory: {self._client.node}, snapshot {self._at + 1} of {len(self._snapshots)}>'
+
+    def keep(self) -> ParameterSet:
+        """Take a snapshot, if anything has changed since the last one. Then there is nothing to redo any more."""
+        now = ParameterSet.of(self._client, f'snapshot {self._at + 2}')
+        if now != self._snapshots[self._at]:
+            self._snapshots[self._at + 1:] = [now]
+            self._at += 1
+        return self._snapshots[self._at]
+
+    def undo(self) -> Restored:
+        """Go back to the last snapshot that differs from what the node has; that is kept for ``redo``.
+
+        :raises LookupError: there is none.
+        """
+        if self._has_moved_on():
+            self.keep()
+        return self._go(-1, 'undo')
+
+    def redo(self) -> Restored:
+        """Take the last undo back.
+
+        :raises LookupError: nothing was undone, or something has changed since.
+        """
+        if self._has_moved_on():
+            self.keep()
+        return self._go(+1, 'redo')
+
+    def _has_moved_on(self) -> bool:
+        # A parameter that has come since does not count: no undo can take it away.
+        here = self._snapshots[self._at]
+        return bool(compare(here, self._client, names=here))
+
+    def _go(self, step: int, word: str) -> Restored:
+        goal = self._at + step
+        if not 0 <= goal < len(self._snapshots):
+            raise LookupError(f'there is nothing to {word} for {self._client.node}')
+        restored = restore(self._client, self._snapshots[goal])
+        if restored.complete:
+            self._at = goal
+        return restored

@@ -1,0 +1,167 @@
+"""The parameters of all nodes in one call, with a word on each node that did not answer; saved and read back."""
+
+import contextlib
+import datetime
+import json
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
+from itertools import takewhile
+from pathlib import Path
+from typing import Any, TypeVar
+
+from rclpy.node import Node
+
+from param_tools import values
+from param_tools.errors import ExecutorError, NodeError, NodeNotFoundError, ParameterFileError
+from param_tools.files import parameter_files
+from param_tools.markup.styles import style
+from param_tools.markup.tables import Row, grouped_table
+from param_tools.markup.wording import format_count
+from param_tools.node.client import ParameterClient, ParameterValues
+from param_tools.ros import stage
+from param_tools.ros.executor import TOOL_NODE_NAME, BackgroundExecutor
+from param_tools.ros.services import TIMEOUT_SEC, full_name
+
+_STYLE = style('param_tools/systems/snapshot.css')
+
+T = TypeVar('T')
+
+FIRST_WORDS = '# Snapshot of'
+"""How a saved snapshot begins: a file that holds all that there was, and not some overrides."""
+# A parameter file can't hold them: they have no type there, and a node of rclpy would not start. So the head of a
+# snapshot names them, in a comment, which rcl and ``ros2 param load`` pass over.
+_EMPTY_ARRAYS = '# Empty arrays: '
+_KNOWN_FROM_HEAD = '; only restore and diff know it, from the head of the snapshot'
+
+
+class Snapshot(dict[str, ParameterValues]):
+    """Node names, sorted, and for each its ParameterValues. A plain dictionary, but for how it is shown."""
+
+    def __init__(self, nodes: dict[str, ParameterValues], unanswered: dict[str, NodeError],
+                 taken: datetime.datetime | None = None):
+        super().__init__(nodes)
+        self.unanswered = unanswered
+        """The nodes that are not in it, and why: each an error of Services.call."""
+        self.taken = taken or datetime.datetime.now().astimezone()
+        """When the nodes had these values; by default now."""
+
+    def __missing__(self, node: str) -> ParameterValues:
+        raise self.unanswered.get(node) or NodeNotFoundError(node, list(self))
+
+    @classmethod
+    def from_file(cls, path: str | Path) -> 'Snapshot':
+        """Read a snapshot that was saved, or the blocks of another parameter file that name their node.
+
+        :raises ParameterFileError: the file cannot be read.
+        """
+        return cls({node: ParameterValues(parameters) for node, parameters in read_saved(path).items()}, {})
+
+    def dump(self) -> parameter_files.Dump:
+        """Return the text of one parameter file for all nodes, which ``--params-file`` and ``restore`` read back."""
+        dumps = {node: parameter_files.render(node, parameters) for node, parameters in self.items()}
+        lines = [f'{FIRST_WORDS} {format_count(len(self), "node")}, {self.taken.isoformat(timespec="seconds")}\n']
+        lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
+        empty = {node: names for node, each in dumps.items()
+                 if (names := [name for name, reason in each.left_out.items() if reason == parameter_files.NO_TYPE])}
+        lines += [f'{_EMPTY_ARRAYS}{json.dumps(empty)}\n'] * bool(empty)
+        left_out = {f'{node}: {name}': f'{reason}{_KNOWN_FROM_HEAD if name in empty.get(node, ()) else ""}'
+                    for node, dump in dumps.items() for name, reason in dump.left_out.items()}
+        return parameter_files.Dump(''.join(lines) + '\n'.join(dump.text for dump in dumps.values()), left_out)
+
+    def __repr__(self) -> str:
+        lines = []
+        for node, parameters in self.items():
+            lines += [node, *(f'  {line}' for line in repr(parameters).splitlines())]
+        lines += [f'{node}\n  no answer: {error}' for node, error in self.unanswered.items()]
+        return '\n'.join(lines) or '(no nodes)'
+
+    def _repr_html_(self) -> str:
+        groups: dict[str, list[Row]] = {
+            node: [(name, values.format_value(value)) for name, value in parameters.items()] or [('no parameters', '')]
+            for node, parameters in self.items()}
+        groups |= {node: [('no answer', str(error))] for node, error in self.unanswered.items()}
+        if not groups:
+            return '<p>There are no nodes.</p>'
+        return f'{_STYLE}<div class="param-snapshot">{grouped_table(("node", "parameter", "value"), groups)}</div>'
+
+
+def read_saved(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[str, Any]]:
+    """Return what a saved snapshot or another parameter file holds, by node, with the arrays that were empty.
+
+    :param nodes: As for ``parameter_files.read_all``.
+    :raises ParameterFileError: the file cannot be read, or rcl would reject it.
+    """
+    found = parameter_files.read_all(path, nodes)
+    lines = parameter_files.read_bytes(path).decode('utf-8', 'replace').splitlines()
+    if not (lines and lines[0].startswith(FIRST_WORDS)):
+        return found
+    for number, line in enumerate(takewhile(lambda line: line.startswith('#'), lines), 1):
+        if line.startswith(_EMPTY_ARRAYS):
+            for node, names in _empty_arrays(path, number, line.removeprefix(_EMPTY_ARRAYS)).items():
+                for name in names if node in found else ():
+                    # Somebody may have written a value since.
+                    found[node].setdefault(name, [])
+    return found
+
+
+def _empty_arrays(path: str | Path, number: int, text: str) -> dict[str, list[str]]:
+    with contextlib.suppress(ValueError, RecursionError):
+        content = json.loads(text)
+        if isinstance(content, dict) and all(isinstance(names, list) and all(isinstance(name, str) and name for name in
+                                                                             names) for names in content.values()):
+            return content
+    raise ParameterFileError(f'{path}, line {number}: this comment must name the arrays that are empty, as in '
+                             f'{_EMPTY_ARRAYS}{{"/node": ["name"]}}; remove it to leave them as they are')
+
+
+def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,
+                   executor: BackgroundExecutor | None = None) -> Snapshot:
+    """Read all parameters of all nodes, each at the same time as the others.
+
+    Not one moment in the life of the system: while one node is read, another may change.
+
+    :param nodes: Only these, or this one; by default all in the graph but those whose name begins with an underscore.
+        A node in another process is in the graph when it has been discovered.
+    :param timeout_sec: How long a node may take for each answer. One that takes longer, has no parameter services,
+        or leaves meanwhile is in ``unanswered``; it does not keep the others.
+    :raises ExecutorError: no executor is running, or this is called from a callback.
+    """
+    answers, unanswered = ask_all(nodes, ParameterClient.get_parameters, timeout_sec=timeout_sec, executor=executor)
+    return Snapshot(answers, unanswered)
+
+
+def ask_all(nodes: Iterable[str | Node] | str | Node | None, question: Callable[[ParameterClient], T], *,
+            hidden: bool = False, timeout_sec: float = TIMEOUT_SEC,
+            executor: BackgroundExecutor | None = None) -> tuple[dict[str, T], dict[str, NodeError]]:
+    """Ask many nodes something, each at the same time as the others.
+
+    :param nodes: Which; by default all in the graph.
+    :param question: Asks one node through its client.
+    :param hidden: Of all nodes, also those with a part that starts with an underscore.
+    :return: The answers by node, sorted; and the nodes that did not answer, with the reason.
+    :raises ExecutorError: no executor is running, or this is called from a callback.
+    """
+    ros = executor or stage.current()
+    if ros.services.in_executor_thread():
+        raise ExecutorError('a callback cannot wait for the answers of nodes: the executor that would have to bring '
+                            'them is busy with the callback. Ask in a cell')
+    if isinstance(nodes, (str, Node)):
+        nodes = [nodes]
+    names = sorted(set(ros.services.node_names(hidden=hidden) if nodes is None else map(full_name, nodes))
+                   - {f'/{TOOL_NODE_NAME}'})
+
+    def ask(node: str) -> tuple[T | None, NodeError | None]:
+        try:
+            return question(ParameterClient(node, timeout_sec=timeout_sec, executor=ros)), None
+        except NodeError as error:
+            return None, error
+
+    answers: dict[str, T] = {}
+    unanswered: dict[str, NodeError] = {}
+    with ThreadPoolExecutor(max(len(names), 1), 'ask_all') as threads:
+        for node, (answer, error) in zip(names, threads.map(ask, names)):
+            if error is None:
+                answers[node] = answer  # type: ignore[assignment]
+            else:
+                unanswered[node] = error
+    return answers, unanswered

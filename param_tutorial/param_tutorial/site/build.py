@@ -1,0 +1,174 @@
+"""Makes the website: has what has changed run and recorded, has the pages written, and puts the site in its place.
+
+    .venv/bin/python -m param_tutorial.site                          the site, in build/html/
+    .venv/bin/python -m param_tutorial.site --lesson 06              one chapter as one file, in build/
+
+The site is written beside the old one and takes its place when it is whole; whatever goes wrong before leaves the old
+one as it was.
+"""
+
+import ctypes
+import html
+import os
+import shutil
+from pathlib import Path
+
+import nbformat
+
+from param_tutorial.notebook.glossary import Glossary
+from param_tutorial.site.archive import Archive, course_archive, provenance
+from param_tutorial.site.console import format_path, say
+from param_tutorial.site.pages.chapter import COURSE, chapter_source
+from param_tutorial.site.pages.front_page import front_page_source
+from param_tutorial.site.pages.links import NOTEBOOKS
+from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
+from param_tutorial.site.recording.recorded import Recordings
+
+_NOT_FOUND = '''---
+orphan: true
+---
+# There is no such page
+
+The lesson may have another name now. [The first page](index.md) lists all lessons, and the search finds their words.
+'''
+# Of Linux: see renameat2(2).
+_AT_FDCWD, _RENAME_EXCHANGE = -100, 2
+
+
+class Site:
+    """One build: which notebooks, and where everything goes."""
+
+    def __init__(self, notebooks: Path, target: Path, work: Path, names: list[str] | None = None, *,
+                 processes: int = 0, address: str = ''):
+        """
+        :param notebooks: The folder of the chapters.
+        :param target: Where the site will be.
+        :param work: Where recordings and Sphinx's memory are kept from one build to the next.
+        :param names: What the names of the wanted chapters begin with; by default all.
+        :param processes: How many kernels run at once; by default one for each processor.
+        :param address: Where the site will be on the web, for search engines; by default nobody knows.
+        :raises BuildError: there is no such chapter.
+        """
+        self.address = f'{address.rstrip("/")}/' if address else ''
+        found = sorted(notebooks.glob('[0-9]*.ipynb'))
+        self.chapters = [path for path in found
+                         if names is None or any(path.stem.startswith(name) for name in names)]
+        if not self.chapters:
+            raise BuildError(f'there is no chapter {" or ".join(names or [])} in {notebooks}: '
+                             f'there are {", ".join(path.stem for path in found) or "none"}')
+        self.notebooks, self.target, self.work = notebooks, target, work
+        self._processes = processes or os.cpu_count() or 1
+
+    def build(self) -> None:
+        """Make the site.
+
+        :raises ChapterError: a chapter fails, or does not do what is stored in it.
+        :raises BuildError: Sphinx is not content.
+        """
+        recover(self.target)
+        self._write_sources(self.record())
+        say('Writing the pages')
+        settings = {'html_baseurl': self.address} if self.address else {}
+        write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', processes=self._processes,
+                    settings=settings)
+        self._remove_strangers()
+        self._write_sitemap()
+        replace(self.work / 'html', self.target)
+        say(f'The lessons are in {format_path(self.target / "index.html")}')
+
+    def _remove_strangers(self) -> None:
+        """Remove the pages of chapters that an earlier build had and this one has not: Sphinx leaves them there."""
+        sources = {path.stem for path in (self.work / 'source').iterdir()} | {'search'}
+        for page in (self.work / 'html').glob('*.html'):
+            if page.stem not in sources:
+                page.unlink()
+
+    def _write_sitemap(self) -> None:
+        """Tell search engines the pages, if the site's address is known."""
+        path = self.work / 'html' / 'sitemap.xml'
+        path.unlink(missing_ok=True)
+        if self.address:
+            pages = ''.join(f'<url><loc>{html.escape(self.address)}{name}.html</loc></url>\n'
+                            for name in ('index', *(chapter.stem for chapter in self.chapters)))
+            path.write_text('<?xml version="1.0" encoding="UTF-8"?>\n'
+                            f'<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n{pages}</urlset>\n',
+                            encoding='utf-8')
+
+    def record(self) -> dict[Path, Recordings]:
+        """Run every chapter that has changed, and return the recordings of all.
+
+        :raises ChapterError: a chapter fails, or does not do what is stored in it.
+        """
+        return Archive(self.notebooks, self.work, self._processes).recordings(self.chapters)
+
+    def _write_sources(self, recordings: dict[Path, Recordings]) -> None:
+        """Write what Sphinx reads; files that stay the same are not touched, so that Sphinx need not read them."""
+        folder = self.work / 'source'
+        wanted = {folder / name: text.encode() if isinstance(text, str) else text
+                  for name, text in self._sources(recordings).items()}
+        for path in folder.rglob('*'):
+            if path.is_file() and path not in wanted:
+                path.unlink()
+        for path, content in wanted.items():
+            if not path.exists() or path.read_bytes() != content:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(content)
+        write_static(folder)
+
+    def _sources(self, recordings: dict[Path, Recordings]) -> dict[Path, str | bytes]:
+        """Return what Sphinx reads, by the names of the files."""
+        pages = {path.stem for path in self.chapters} | {'index', 'claims'}
+        download = Path('extra', NOTEBOOKS)
+        sources: dict[Path, str | bytes] = {
+            Path('index.md'): front_page_source(self.notebooks / 'index.md', recordings, provenance()),
+            Path('404.md'): _NOT_FOUND,
+            Path('extra', f'{COURSE}.zip'): course_archive(COURSE)}
+        claims = self.notebooks / 'claims.md'
+        if claims.exists():
+            sources[Path(claims.name)] = f'---\norphan: true\n---\n{claims.read_text(encoding="utf-8")}'
+        glossary = Glossary.of(self.notebooks)
+        for path in self.chapters:
+            page = chapter_source(path, recordings[path], pages, glossary=glossary)
+            sources[Path(path.name)] = nbformat.writes(page) + '\n'
+            sources[download / path.name] = path.read_text(encoding='utf-8')
+        for path in sorted((self.notebooks / 'solutions').glob('*.ipynb')):
+            if path.stem in pages:
+                sources[download / 'solutions' / path.name] = path.read_text(encoding='utf-8')
+        return sources
+
+
+def replace(new: Path, target: Path) -> None:
+    """Put a copy of a folder in the place of another, as a whole: at no moment is there none, or a part of one."""
+    recover(target)
+    beside, old = _beside(target)
+    shutil.rmtree(beside, ignore_errors=True)
+    shutil.copytree(new, beside, ignore=shutil.ignore_patterns('.buildinfo*', '_sources', '*.map'))
+    if not target.exists():
+        beside.rename(target)
+    elif not _exchange(beside, target):
+        target.rename(old)
+        beside.rename(target)
+    for folder in (beside, old):
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def recover(target: Path) -> None:
+    """Bring back the site that a build had put aside when it was ended."""
+    _, old = _beside(target)
+    if old.exists() and not target.exists():
+        old.rename(target)
+    shutil.rmtree(old, ignore_errors=True)
+
+
+def _beside(target: Path) -> tuple[Path, Path]:
+    """Return where a new site is written, and where the old one goes if it cannot be exchanged in one step."""
+    return target.with_name(f'{target.name}.new'), target.with_name(f'{target.name}.old')
+
+
+def _exchange(one: Path, other: Path) -> bool:
+    """Let two folders change their names in one step, and return True; False where the system can't do that."""
+    try:
+        renameat2 = ctypes.CDLL(None, use_errno=True).renameat2
+    except AttributeError:
+        return False
+    return bool(renameat2(_AT_FDCWD, os.fsencode(one), _AT_FDCWD, os.fsencode(other), _RENAME_EXCHANGE) == 0)

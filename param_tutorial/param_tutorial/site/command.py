@@ -1,0 +1,42 @@
+"""The command line of the HTML lessons: which chapters, where to, and one page for each or one file for one."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from param_tutorial.site import single
+from param_tutorial.site.archive import ROOT
+from param_tutorial.site.build import Site
+from param_tutorial.site.pages.writing import BuildError
+from param_tutorial.site.recording.run import ChapterError
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Read the command line, and build.
+
+    :return: The exit status.
+    """
+    parser = argparse.ArgumentParser(prog='python -m param_tutorial.site', description='Make the HTML lessons.')
+    parser.add_argument('--notebooks', type=Path, default=ROOT / 'notebooks', help='the folder of the chapters')
+    parser.add_argument('--only', nargs='+', metavar='CHAPTER', help='chapters, by what their names begin with')
+    parser.add_argument('--target', type=Path, default=ROOT / 'build' / 'html', help='where the site will be')
+    parser.add_argument('--work', type=Path, default=ROOT / 'build' / 'lessons',
+                        help='what is kept between builds')
+    parser.add_argument('--lesson', metavar='CHAPTER', help='make one file of one chapter instead')
+    parser.add_argument('--address', default='', help='where the site will be on the web, for search engines')
+    options = parser.parse_args(arguments)
+    try:
+        names = [options.lesson] if options.lesson else options.only
+        site = Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names,
+                    address=options.address)
+        if options.lesson:
+            single.build(site)
+        else:
+            site.build()
+    except (ChapterError, BuildError) as error:
+        print(f'{error}\nNo site was made; the previous one is kept.', file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print('\nStopped; the previous site is kept.', file=sys.stderr)
+        return 130
+    return 0

@@ -1,0 +1,159 @@
+"""A chapter with its recordings, as a source for Sphinx: outputs drawn, exercises with hints and solutions."""
+
+import itertools
+import re
+from pathlib import Path
+
+import nbformat
+
+from param_tools.markup.tables import with_code
+from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
+from param_tutorial.exercises.achievements import HOW
+from param_tutorial.exercises.prediction import MIME_TYPE
+from param_tutorial.notebook.glossary import Glossary
+from param_tutorial.site.pages import drawing, forms
+from param_tutorial.site.pages.links import NOTEBOOKS, Links
+from param_tutorial.site.pages.terms import terms_script
+from param_tutorial.site.recording.recorded import Recordings
+from param_tutorial.site.recording.run import WIDGET, cells_with_widgets
+
+# The folder and the archive of the course that the site offers.
+COURSE = 'param-course'
+_BOTH_WORDINGS = re.compile(r'<!-- notebook -->.*?<!-- page:\s*(.*?)\s*-->', re.DOTALL)
+
+# What checks and ticks say, as HTML, and what a page says in its place: all hints stand below a check.
+_WORDINGS_OF_OUTPUTS = {
+    r' \(the next: <code>exercises\.hint\([^)]*\)</code>\)': '',
+    re.escape(str(with_code(HOW))): 'In the notebook, what you solve is remembered and ticked here. This page '
+                                    'remembers the questions that you answer on it.'}
+
+
+def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
+                   glossary: Glossary | None = None, alone: dict[str, str] | None = None,
+                   address: str = '') -> nbformat.NotebookNode:
+    """Return what Sphinx reads in place of a chapter.
+
+    :param recordings: For the id of each cell that shows widgets, their recordings in order.
+    :param pages: The names, without ending, of all pages of the site; links to others become words.
+    :param glossary: The words that the page explains where they stand.
+    :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
+        ran, and on what; see ``archive.provenance``.
+    :param address: Where the whole site is on the web, for links to what is not beside that file.
+    :raises BuildError: a link leads to a file that is not there.
+    """
+    notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
+    links = Links(path, notebook, pages, is_alone=alone is not None, address=address)
+    _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())), links)
+    for cell in notebook.cells:
+        for output in cell.get('outputs', ()):
+            if 'text/html' in output.get('data', {}):
+                output.data['text/html'] = links.in_output(output_for_page(output.data['text/html']))
+    cells = []
+    for cell in notebook.cells:
+        if cell.cell_type == 'markdown':
+            cell.source = links.in_markdown(for_page(cell.source))
+        cells.append(cell)
+        if len(cells) == 1:
+            note = _download_note(path) if alone is None else _provenance_note(alone)
+            words = terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
+            cells.append(_html_cell('to-run', note + words))
+        if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
+            cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
+    notebook.cells = cells
+    notebook.metadata['language_info'] = {'name': 'python', 'pygments_lexer': 'ipython3'}
+    return notebook
+
+
+def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer, links: Links) -> None:
+    """Put what a page can show in the place of each widget."""
+    for _, cell in cells_with_widgets(notebook):
+        remaining = iter(recordings[cell.id])
+        for output in cell.outputs:
+            if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
+                output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
+    _draw_forms(notebook, recordings, links)
+    for cell in notebook.cells:
+        for output in cell.get('outputs', ()):
+            if MIME_TYPE in output.get('data', {}):
+                number = output.data[MIME_TYPE]['number']
+                prediction = PREDICTIONS.get(number) or RECALLS[number]
+                output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction, links.in_verdict)})
+                cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
+
+
+def _draw_forms(notebook: nbformat.NotebookNode, recordings: Recordings, links: Links) -> None:
+    """Put a form in the place of each check whose answers were recorded, and of the cell that is to be filled in."""
+    cells = {cell.id: cell for cell in notebook.cells}
+    for name, cell in cells.items():
+        for recording in recordings.get(name, ()) if name.startswith('check-') else ():
+            drawn = forms.draw(recording, EXERCISES[recording['number']].title, links.in_check)
+            cell.outputs = [nbformat.v4.new_output('display_data', {'text/html': drawn})]
+            cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
+            exercise = cells[name.replace('check', 'exercise', 1)]
+            exercise.metadata.tags = [*exercise.metadata.get('tags', ()), 'remove-cell']
+
+
+def title(path: Path) -> str:
+    """Return the title of a chapter."""
+    source: str = nbformat.read(path, as_version=4).cells[0].source
+    return source.splitlines()[0].removeprefix('# ')
+
+
+def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
+    """Make a cell of which the page shows the output alone; without any source myst-nb would leave it out."""
+    cell: nbformat.NotebookNode = nbformat.v4.new_code_cell(
+        '...', id=name, execution_count=None, metadata={'tags': ['remove-input']},
+        outputs=[nbformat.v4.new_output('display_data', {'text/html': content})])
+    return cell
+
+
+def _download_note(path: Path) -> str:
+    return (f'<p class="lesson-download">Every cell on this page has been run, and what it put out stands below it. '
+            f'To run it yourself, with a node that is alive, <a href="{COURSE}.zip" download>download the course</a>, '
+            f'unpack it on a Linux machine with Python, and type <code>make lab</code> in its folder. This lesson is '
+            f'<a href="{NOTEBOOKS}/{path.name}" download><code>{path.name}</code></a> there.</p>')
+
+
+def _provenance_note(facts: dict[str, str]) -> str:
+    state = f', as of {facts["date"]} ({facts["commit"]}{" " + facts["changed"] if facts["changed"] else ""})' \
+        if 'commit' in facts else ''
+    return (f'<p class="lesson-download">This file is one lesson of the course <em>Mastering ROS 2 Parameters with '
+            f'Python</em>{state}. It ran on Python {facts["Python"]} with rclpy {facts["rclpy"]} of ROS 2 Jazzy; what '
+            f'each cell put out stands below it.</p>')
+
+
+def for_page(text: str) -> str:
+    """Return a chapter's text as a page has it, which can't do all that a notebook can.
+
+    Where the two differ, the chapter says both: ``<!-- notebook -->Run this cell.<!-- page: Here it is. -->``.
+    """
+    return _BOTH_WORDINGS.sub(lambda found: found[1], text)
+
+
+def output_for_page(text: str) -> str:
+    """Return what a cell has put out, as HTML, with the page's wording where it orders what only a notebook can do."""
+    for notebook, page in _WORDINGS_OF_OUTPUTS.items():
+        text = re.sub(notebook, page, text)
+    return text
+
+
+def _help_html(number: str, path: Path) -> str:
+    """Return the hints and the solution of an exercise, each closed."""
+    exercise = next((each for each in EXERCISES.values() if each.number.replace('.', '-') == number), None)
+    if exercise is None:
+        return ''
+    count = len(exercise.hints)
+    parts = [drawing.details(f'Exercise {exercise.number}: hint {position} of {count}',
+                             f'<p>{drawing.inline(hint)}</p>')
+             for position, hint in enumerate(exercise.hints, 1)]
+    solved = path.parent / exercise.solutions
+    if solved.exists():
+        cells = nbformat.read(solved, as_version=4).cells
+        at = next(index for index, cell in enumerate(cells) if cell.id == f'solution-{number}')
+        words = re.sub(r'^#+ .*\n+', '', cells[at - 1].source) if cells[at - 1].cell_type == 'markdown' else ''
+        said = ''.join(output.data.get('text/html', '') for cell in cells[at:at + 2]
+                       for output in cell.get('outputs', ()) if 'data' in output)
+        paragraphs = ''.join(f'<p>{drawing.inline(each)}</p>' for each in words.split('\n\n') if each.strip())
+        parts.append(drawing.details(f'Exercise {exercise.number}: a worked solution',
+                                     f'{paragraphs}{drawing.code(cells[at].source)}{said}'))
+    return f'<div class="lesson-help">{"".join(parts)}</div>'

@@ -1,0 +1,129 @@
+"""The first page of the site: a robot to try at once, the chapters, and what the lessons ran on."""
+
+import html
+import itertools
+import re
+from pathlib import Path
+
+import nbformat
+
+from param_tutorial.site.pages import drawing
+from param_tutorial.site.pages.chapter import for_page
+from param_tutorial.site.pages.links import Links
+from param_tutorial.site.recording.recorded import Recordings
+
+_ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|'
+                  r'(?: *([^|\n]+?) *\|)?')
+
+_TEXT = '''# Mastering ROS 2 Parameters with Python
+
+<p class="front-lead">A robot's behavior depends on numbers: how fast, how far, how careful. In ROS 2 they are
+<em>parameters</em>, and you can change them while the robot runs.</p>
+
+{try_it}
+
+{ways}
+
+## The lessons
+
+Each lesson asks one question and lets a real ROS 2 Jazzy node answer it. Everything it says, it shows.
+
+<p class="lesson-progress" hidden></p>
+
+{chapters}
+
+## How to read them
+
+**Here, without installing anything.** No node runs in these pages. Every answer of a panel and every drive of a robot
+was recorded from the real one when the page was built. If something was not recorded, the page says so. Your
+predictions are kept in this browser; other changes are gone when you close the page.
+
+**In JupyterLab, with a live robot.** Each lesson starts with a link to its notebook. The course brings a panel, a
+terminal and the real rclpy to any Linux machine with Python. `make lab` starts it; you don't need to install ROS.
+
+## When they ran
+
+{provenance}
+
+```{{toctree}}
+:hidden:
+
+{names}
+```
+'''
+
+
+def front_page_source(index: Path, recordings: dict[Path, Recordings], facts: dict[str, str]) -> str:
+    """Return the first page, as Markdown.
+
+    :param index: The start page of the notebooks, whose table names the chapters.
+    :param facts: From which state of the course the lessons ran, and on what; see ``archive.provenance``.
+    """
+    names = [path.stem for path in recordings]
+    text = for_page(index.read_text(encoding='utf-8'))
+    links = Links(index, nbformat.v4.new_notebook(), {*names, 'claims'})
+    return _TEXT.format(try_it=_robot_to_try(recordings), ways=_ways(links.in_markdown(text)),
+                        chapters=_groups(text, names), provenance=_provenance_text(facts), names='\n'.join(names))
+
+
+def _robot_to_try(recordings: dict[Path, Recordings]) -> str:
+    """Return a robot and its panel, if a chapter begins with them."""
+    for path, recorded in recordings.items():
+        views = [part for found in recorded.values() for each in found for part in each.get('parts', [each])]
+        robot = next((each for each in views if each['kind'] == 'robot'), None)
+        panel = next((each for each in views if robot and each['kind'] == 'panel' and each['node'] == robot['node']),
+                     None)
+        if robot and panel:
+            drawer = drawing.Drawer('front', itertools.chain(*recorded.values()))
+            both = drawer.draw({'kind': 'side by side', 'parts': [robot, panel]})
+            markup = f'<div class="front-robot">{both}</div>'
+            return (f'{_one_block(markup)}\n\n'
+                    'Move a slider, and press **Drive**. What happens without the safety mode? '
+                    f'That is where [the first lesson]({path.name}) begins.')
+    return ''
+
+
+def _one_block(markup: str) -> str:
+    """Keep Markdown from reading what is HTML: a block of it ends at an empty line."""
+    return '```{raw} html\n' + re.sub(r'\n\s*\n', '\n', markup) + '\n```'
+
+
+def _section(text: str, heading: str) -> str:
+    """Return what stands below a heading of the notebooks' start page; nothing if it has no such heading."""
+    found = re.search(rf'^## {heading}\n(.*?)(?=^## |\Z)', text, re.DOTALL | re.MULTILINE)
+    return found[1].strip() if found else ''
+
+
+def _ways(text: str) -> str:
+    """Return the ways through the course, for different readers."""
+    ways = _section(text, 'Where to start')
+    return f'## Where to start\n\n````{{container}} front-ways\n{ways}\n````' if ways else ''
+
+
+def _groups(text: str, names: list[str]) -> str:
+    """Return the chapters in the groups of the notebooks' start page."""
+    groups = []
+    for group in re.split(r'^(?=### )', _section(text, 'Chapters') or text, flags=re.MULTILINE):
+        if cards := _cards(group, names):
+            words = re.sub(r'^\|.*$', '', group, flags=re.MULTILINE).strip() if group.startswith('### ') else ''
+            groups.append(f'{words}\n\n{cards}'.strip())
+    return '\n\n'.join(groups)
+
+
+def _cards(text: str, names: list[str]) -> str:
+    cards = ''.join(
+        f'<li><a href="{name}.html"><span class="front-number">{number}</span> {html.escape(title)}</a>'
+        f'<p>{html.escape(question)}</p>'
+        + (f'<p class="front-after">Afterwards you can {drawing.inline(after)}.</p>' if after else '')
+        + f'<p class="front-minutes">{minutes} minutes</p></li>'
+        for number, title, name, question, minutes, after in _ROW.findall(text) if name in names)
+    return cards and f'<ul class="front-lessons">{cards}</ul>'
+
+
+def _provenance_text(facts: dict[str, str]) -> str:
+    ran = f'on Python {facts["Python"]} with rclpy {facts["rclpy"]} of ROS 2 Jazzy'
+    if 'commit' not in facts:
+        return f'The lessons of this site ran {ran}. Every output was compared with the one stored in its notebook.'
+    state = f'as of {facts["date"]} (`{facts["commit"]}`{" " + facts["changed"] if facts["changed"] else ""})'
+    return (f'The lessons of this site ran from start to end {state}, {ran}. Every output was compared with the one '
+            f'stored in its notebook; a difference would have stopped the build.')

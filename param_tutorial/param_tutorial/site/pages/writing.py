@@ -1,0 +1,55 @@
+"""Lets Sphinx write pages; its configuration, and the site's style and script, are in ``site/theme``."""
+
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+from sphinx.application import Sphinx
+from sphinx.util.docutils import docutils_namespace
+
+from param_tools.markup.styles import sheet
+
+THEME = Path(__file__).parents[1] / 'theme'
+_COLOR = re.compile(r'\x1b\[[0-9;]*m')
+
+
+class BuildError(Exception):
+    """The site cannot be made; the message is for the person who builds it."""
+
+
+def write_static(source: Path) -> None:
+    """Write, beside Sphinx's sources, the styles and scripts that the notebook's own views bring along."""
+    (source / 'static').mkdir(exist_ok=True)
+    # A page on a disk can't load a module; what a module exports is JupyterLab's affair.
+    for path in ('param_tools/panel/panel.js', 'param_tutorial/views/driving.js'):
+        script = sheet(path).partition('\n/** In JupyterLab')[0]
+        (source / 'static' / Path(path).name).write_text(script, encoding='utf-8')
+    for path in ('param_tutorial/pictures/track.css', 'param_tools/panel/panel.css', 'param_tutorial/views/driving.css',
+                 'param_tutorial/views/side_by_side.css'):
+        (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
+
+
+def write_pages(source: Path, target: Path, doctrees: Path, *, processes: int = 1,
+                settings: dict[str, Any] | None = None) -> None:
+    """Let Sphinx write pages.
+
+    :param settings: Sphinx's, in place of those in its configuration.
+    :raises BuildError: it warns of something; the message is what it says.
+    """
+    target.mkdir(parents=True, exist_ok=True)
+    extra = source / 'extra'
+    settings = {'html_static_path': [str(THEME / '_static'), str(source / 'static')],
+                'html_extra_path': [str(extra)] if extra.exists() else [], **(settings or {})}
+    warnings = Path(f'{doctrees}.warnings')
+    warnings.parent.mkdir(parents=True, exist_ok=True)
+    with warnings.open('w+', encoding='utf-8') as said, docutils_namespace():
+        app = Sphinx(str(source), str(THEME), str(target), str(doctrees), 'html', confoverrides=settings,
+                     status=None, warning=said, parallel=processes)
+        app.build()
+        said.seek(0)
+        text = _COLOR.sub('', said.read()).strip()
+    if app.statuscode or text:
+        # A page with a warning is in Sphinx's memory already and would not be warned of again.
+        shutil.rmtree(doctrees, ignore_errors=True)
+        raise BuildError(f'Sphinx is not content with the pages:\n{text}')

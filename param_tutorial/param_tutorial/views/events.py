@@ -1,0 +1,82 @@
+"""What nodes publish on /parameter_events as a live table: whose parameter, what became of it, its value."""
+
+import html
+import threading
+from collections import deque
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from rcl_interfaces.msg import ParameterEvent
+
+from param_tools import values
+from param_tools.markup.styles import style
+from param_tools.markup.tables import table
+from param_tools.panel.recordable import EVENTS, html_of
+from param_tools.panel.view import FeedView
+from param_tools.ros.executor import BackgroundExecutor
+
+# As many as fit on a few screens; older ones are dropped.
+CAPACITY = 200
+
+_STYLE = style('param_tutorial/views/events.css')
+
+
+class Change(NamedTuple):
+    """What became of one parameter, as an event reports it."""
+
+    node: str
+    kind: str
+    """'new', 'changed' or 'deleted'."""
+    name: str
+    value: Any
+    """None if it was deleted."""
+
+
+def changes_in(event: ParameterEvent) -> list[Change]:
+    """Return what an event reports, in the order of the message."""
+    return [Change(event.node, kind, each.name, values.to_python(each.value))
+            for kind, parameters in (('new', event.new_parameters), ('changed', event.changed_parameters),
+                                     ('deleted', event.deleted_parameters))
+            for each in parameters]
+
+
+class EventView(FeedView):
+    """A table of what is published on /parameter_events from now on, newest first, until it is closed."""
+
+    follows = frozenset({EVENTS})
+
+    def __init__(self, node: str | None = None, *, executor: BackgroundExecutor | None = None) -> None:
+        """
+        :param node: Only the events of this node; by default those of all nodes whose names do not begin with an
+            underscore.
+        :param executor: By default the one that runs in the background, also after a stop and a new start.
+        """
+        self._lock = threading.Lock()
+        self._changes: deque[Change] = deque(maxlen=CAPACITY)
+        super().__init__(node, executor, subject='Changes', css_class='param-events',
+                         content_class='param-events-rows', style=_STYLE)
+
+    @property
+    def changes(self) -> list[Change]:
+        """The changes in the table, oldest first."""
+        with self._lock:
+            return list(self._changes)
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
+        return executor.on_parameter_event(self._on_event)
+
+    def _on_event(self, event: ParameterEvent) -> None:
+        if event.node == self._node or (self._node is None and '/_' not in event.node):
+            with self._lock:
+                self._changes.extend(changes_in(event))
+            self._worker.wake()
+
+    def _markup(self) -> str:
+        rows = [(each.node, each.kind, each.name, '' if each.kind == 'deleted' else values.format_value(each.value))
+                for each in reversed(self.changes)]
+        return (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
+                f'{table(("node", "what", "parameter", "value"), rows)}</div>')
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw the table as it stands."""
+        return {'kind': 'events', 'node': self.node, 'html': html_of(self)}

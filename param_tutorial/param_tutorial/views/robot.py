@@ -1,0 +1,141 @@
+"""The robot of ClawbotNode on its track, as a widget that moves."""
+
+import math
+from collections.abc import Callable
+from typing import Any, TypeGuard
+
+from rclpy.exceptions import InvalidHandle
+from rclpy.node import Node
+
+from param_tools.errors import NodeNotFoundError
+from param_tools.panel.view import FollowingView, nothing
+from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.services import full_name
+from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, SENSOR_MOUNT_M, ClawbotNode, Motion, plan
+from param_tutorial.pictures.robot import Robot
+from param_tutorial.views.driving import DrivingView, Start
+
+# How long to look for a robot that is known to be coming.
+_LOOK_PERIOD_SEC = 0.1
+_LOOKS_FOR_ROBOT = 50
+
+
+class RobotView(DrivingView, FollowingView):
+    """A robot that moves as its parameters let it, until it is closed. Show it as the last line of a cell."""
+
+    _show_period_sec = 0.05
+
+    def __init__(self, robot: ClawbotNode | str, *, executor: BackgroundExecutor | None = None) -> None:
+        """
+        :param robot: The node, or its name; it has to be spun in this process, now or later.
+        :param executor: Spins it; by default the one that runs in the background, also after a stop and a new start.
+        """
+        self._name = full_name(robot)
+        self._robot: ClawbotNode | None = None
+        self._stop_motion: Callable[[], None] = nothing
+        self._looks_left = _LOOKS_FOR_ROBOT
+        super().__init__()
+        self._begin(executor)
+
+    def __repr__(self) -> str:
+        return f'<RobotView: {self._name}{", closed" if self._closed else ""}>'
+
+    def drive(self) -> None:
+        """Put the robot back to the start and let it go, as the button does.
+
+        :raises NodeNotFoundError: it is not running in this process.
+        """
+        robot = self._robot_here()
+        if robot is None:
+            raise NodeNotFoundError(self._name, [node.get_fully_qualified_name() for node in self._executor.nodes]
+                                    if self._executor else [])
+        robot.drive()
+
+    def _robot_here(self) -> ClawbotNode | None:
+        with self._drawing:
+            return self._find_robot()
+
+    # -- following the node ------------------------------------------------------------------------------
+
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
+        return executor.on_graph_change(self._on_graph_change)
+
+    def _stop(self) -> None:
+        super()._stop()
+        self._stop_motion()
+
+    def _on_executor_change(self) -> None:
+        super()._on_executor_change()
+        # Also if the executor was chosen: it may be the one that has stopped.
+        self._on_graph_change()
+
+    def _on_graph_change(self) -> None:
+        self._looks_left = _LOOKS_FOR_ROBOT
+        self._worker.wake()
+
+    def _find_robot(self) -> ClawbotNode | None:
+        """Find the node that has the name now, and listen to it."""
+        nodes = self._executor.nodes if self._executor else ()
+        robot = next((node for node in nodes if _is_robot(node, self._name)), None)
+        if robot is not self._robot:
+            self._stop_motion()
+            self._robot = robot
+            self._stop_motion = robot.on_motion(self._worker.wake) if robot else nothing
+        return robot
+
+    # -- drawing: the worker's thread -------------------------------------------------------------------
+
+    def _show(self) -> float | None:
+        robot = self._find_robot()
+        if robot is None:
+            self._draw_nothing(f'{self._name} is not running. It comes back here when it does.')
+            # The graph may tell of a node whose constructor is still running.
+            self._looks_left -= 1
+            coming = self._executor and self._looks_left > 0 and self._executor.node_incarnations(self._name)
+            return _LOOK_PERIOD_SEC if coming else None
+        motion, elapsed_sec = robot.motion
+        self._draw(vehicle_of(robot, motion), elapsed_sec)
+        return None
+
+    # -- recording: see ``recordable`` -------------------------------------------------------------------
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the robot's node."""
+        return self._name
+
+    def rest(self) -> None:
+        """Let the robot's motion come to its end at once."""
+        if robot := self._robot_here():
+            robot.step(math.inf)
+
+    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> Robot | None:
+        if (robot := self._robot_here()) is None:
+            return None
+        if start:
+            # The node would plan with the same function; but on its way no time may pass while one asks.
+            return vehicle_of(robot, plan(start.state.position_m, start.state.velocity_mps, robot.settings))
+        if driving:
+            robot.drive()
+        vehicle = vehicle_of(robot, robot.motion[0])
+        if driving:
+            robot.step(math.inf)
+        return vehicle
+
+
+def vehicle_of(robot: ClawbotNode, motion: Motion) -> Robot:
+    """Return what a picture needs to know about a robot, read from its node."""
+    def value(name: str) -> Any:
+        return robot.get_parameter(name).value
+
+    return Robot(name=value('robot_name'), serial_number=value('robot_serial_number'), length_m=ROBOT_LENGTH_M,
+                 wheel_m=value('simulation.wheel_radius_meters'), sensor_mount_m=SENSOR_MOUNT_M,
+                 temperature_c=value('simulation.ambient_temperature_c'), settings=robot.settings, motion=motion,
+                 waiting_for=robot.waiting_for() if motion.end.word == 'WAITING' else '')
+
+
+def _is_robot(node: Node, name: str) -> TypeGuard[ClawbotNode]:
+    try:
+        return isinstance(node, ClawbotNode) and node.get_fully_qualified_name() == name
+    except InvalidHandle:  # destroyed after the list of nodes was made
+        return False

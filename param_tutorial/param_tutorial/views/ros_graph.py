@@ -1,0 +1,71 @@
+"""Who talks to whom about parameters: what the ROS graph says, for ``NodeGraph`` and for the picture of messages."""
+
+import re
+from collections.abc import Iterator
+
+from rclpy.node import Node
+from rclpy.qos import QoSCompatibility, qos_check_compatible
+from rclpy.topic_endpoint_info import TopicEndpointInfo
+
+from param_tools.ros import stage
+from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.graph import name_of
+from param_tools.ros.service_types import SERVICE_TYPES
+from param_tutorial.pictures.diagrams import NodeGraph
+
+_NOTEBOOK = 'this notebook'
+# The DDS topic on which the requests for a parameter service travel (https://design.ros2.org/articles/
+# topic_and_service_names.html): a client publishes on it, the server subscribes to it.
+_REQUESTS = re.compile(rf'rq(/.+)/(?:{"|".join(SERVICE_TYPES)})Request')
+
+
+def node_graph(*, executor: BackgroundExecutor | None = None) -> NodeGraph:
+    """Find out who offers parameter services, who has clients for them, and who reports and hears of changes.
+
+    Nodes whose name begins with an underscore are left out, as ``ros2 node list`` leaves them out, except the one
+    through which this notebook asks and listens.
+
+    :raises ExecutorError: no executor is running.
+    """
+    observer = (executor or stage.current()).tool_node
+    serves: list[str] = []
+    asks: list[tuple[str, str]] = []
+    for topic, types in observer.get_topic_names_and_types(no_demangle=True):
+        requests = _REQUESTS.fullmatch(topic)
+        if requests is None or not types[0].startswith('rcl_interfaces::srv::'):
+            continue
+        # By topic, and not by node: rmw would look for the node by its name, and may find one that has ended.
+        serves += _display_names(observer.get_subscriptions_info_by_topic(topic, no_mangle=True), observer)
+        if '/_' not in requests[1]:
+            askers = _display_names(observer.get_publishers_info_by_topic(topic, no_mangle=True), observer)
+            asks += [(asker, requests[1]) for asker in askers]
+    return NodeGraph(serves=serves, asks=asks,
+                     tells=_display_names(observer.get_publishers_info_by_topic('/parameter_events'), observer),
+                     listens=_display_names(observer.get_subscriptions_info_by_topic('/parameter_events'), observer))
+
+
+def ends_of_parameter_events(observer: Node) -> tuple[list[str], dict[str, bool]]:
+    """Return who publishes on /parameter_events, and who subscribes to it.
+
+    :param observer: Whose view of the graph it is; it is called "this notebook".
+    :return: The publishers, and for each subscriber whether the messages reach it: they do not if its subscription
+        asks for more than the publishers offer.
+    """
+    publishers = observer.get_publishers_info_by_topic('/parameter_events')
+    listens: dict[str, bool] = {}
+    for subscription in observer.get_subscriptions_info_by_topic('/parameter_events'):
+        reached = any(qos_check_compatible(each.qos_profile, subscription.qos_profile)[0] != QoSCompatibility.ERROR
+                      for each in publishers)
+        for name in _display_names([subscription], observer):
+            listens[name] = listens.get(name, False) or reached
+    return sorted({*_display_names(publishers, observer)} - {_NOTEBOOK}), listens
+
+
+def _display_names(endpoints: list[TopicEndpointInfo], observer: Node) -> Iterator[str]:
+    """Yield the names under which the nodes of some endpoints are shown."""
+    for endpoint in endpoints:
+        name = name_of(endpoint)
+        if name == observer.get_fully_qualified_name():
+            yield _NOTEBOOK
+        elif '/_' not in name:  # as _NODE_NAME_UNKNOWN_ has it
+            yield name

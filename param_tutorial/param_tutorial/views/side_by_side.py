@@ -1,0 +1,60 @@
+"""Two views as one: a picture, and beside it the panel that changes it."""
+
+from typing import Any
+
+import ipywidgets as widgets
+
+from param_tools.markup.styles import style
+from param_tools.panel import recordable
+from param_tools.panel.close_with_cell import close_looks, close_with_cell
+from param_tools.panel.view import View
+
+_STYLE = style('param_tutorial/views/side_by_side.css')
+
+
+class SideBySide(widgets.VBox):
+    """A picture and a panel, side by side where there is room for both, and the picture above the panel elsewhere.
+
+    The picture stays in sight while you scroll through a long panel. Show it as the last line of a cell, and the same
+    views again wherever you need them: closing it leaves them as they are.
+    """
+
+    def __init__(self, picture: View, panel: View) -> None:
+        """
+        :param picture: What stays in sight: a RobotView, for example, or any other view.
+        :param panel: What is beside it, or below it: a ParameterPanel, for example.
+        """
+        self.parts: tuple[View, ...] = (picture, panel)
+        self._box = widgets.HBox(self.parts)
+        self._box.add_class('side-by-side-parts')
+        self._style = widgets.HTML(_STYLE)
+        super().__init__([self._style, self._box])
+        self.add_class('side-by-side')
+        self._stop_watching = [part.on_close(self._drop) for part in self.parts]
+        recordable.register(self.model_id, self)
+        close_with_cell(self)
+
+    def __repr__(self) -> str:
+        # Without what is true at this moment only, such as whether a node is there.
+        return f'<SideBySide: {" and ".join(f"{type(part).__name__} of {part.node}" for part in self.parts)}>'
+
+    def close(self) -> None:
+        """Remove it from the page, but not the views in it. Safe to call more than once."""
+        if self.comm is None:
+            return
+        for stop in self._stop_watching:
+            stop()
+        self._box.children = self.children = ()
+        for widget in (self._style, self._box):
+            widget.close()
+            close_looks(widget)
+        super().close()
+        close_looks(self)
+
+    def _drop(self, view: View) -> None:
+        """Take a view out that is about to be closed: a browser cannot do so afterwards, and says so."""
+        self._box.children = tuple(each for each in self._box.children if each is not view)
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what a page without a kernel needs to draw it, but for its parts."""
+        return {'kind': 'side by side'}

@@ -1,1 +1,0 @@
-"""What moves on a notebook's page: the parameter panel, the robot, and the other live views (ipywidgets)."""

@@ -1,0 +1,91 @@
+"""The commands watch and history, and going back to a time."""
+
+import re
+import threading
+
+import pytest
+
+from param_tools.ros.interrupts import raise_in
+from param_tools.systems.change_log import ChangeLog
+from param_tutorial import ParameterClient, wait_until
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from tests.ros2.test_ros2 import run
+
+
+@pytest.fixture
+def log(ros, tmp_path):
+    """Return the path of a log in which a robot gets another name, and then another."""
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'changes.jsonl'
+    thread = threading.Thread(target=lambda: told.append(run('watch', '--log', path, in_notebook=False)))
+    told = []
+    thread.start()
+    try:
+        wait_until(lambda: path.exists() and 'robot_name' in path.read_text(), 'the log to begin')
+        for name in ('Berta', 'Carla'):
+            ParameterClient('/simple_param_node').set_parameter('robot_name', name)
+        wait_until(lambda: 'Carla' in path.read_text(), 'the changes to be written')
+        ros.remove_all()
+        wait_until(lambda: 'gone' in path.read_text(), 'the node to be missed')
+    finally:
+        # What Ctrl+C would raise. A duration would be over too early on a busy machine.
+        raise_in(thread, KeyboardInterrupt)
+        thread.join()
+    stdout, stderr, status = told[0]
+    assert stdout.startswith('Watching 9 parameters of 1 node\n')
+    assert "/simple_param_node robot_name: 'Clawbot' → 'Berta'\n" in stdout
+    assert (stderr, status) == ('', 0)
+    return path
+
+
+@pytest.mark.slow
+def test_what_has_happened_is_told_and_brought_back(ros, log):
+    stdout, stderr, status = run('history', log, '--filter', 'name')
+    assert stdout.startswith('2 changes\n')
+    assert re.search(r"/simple_param_node  robot_name  changed  'Berta' +'Carla'\n", stdout)
+    assert (stderr, status) == ('', 0)
+    assert run('history', log, '/nobody')[0] == '0 changes\n'
+    first, second = ChangeLog.read(log).select(names='robot_name', kinds=['changed'])
+    assert first.time < second.time
+    ros.add(SimpleParamNode)
+    stdout, _, status = run('restore', f'{log}@{first.time.isoformat()}')
+    assert 'complete, 1 parameter set' in stdout
+    assert status == 0
+    assert ParameterClient('/simple_param_node').get_parameter('robot_name') == 'Berta'
+    assert run('diff', f'{log}@{first.time.isoformat()}', '/**')[2] == 0
+    stdout, _, status = run('diff', f'{log}@{first.time.isoformat()}', f'{log}@{second.time.isoformat()}')
+    assert '1 difference, 8 the same' in stdout
+    assert status == 1
+    text = run('history', log, '--at', first.time.isoformat())[0]
+    assert 'robot_name: Berta' in text
+    stdout, stderr, status = run('restore', f'{log}@2001-01-01T00:00')
+    assert 'does not reach back to' in stderr
+    assert status == 1
+
+
+def test_a_torn_log_is_read_and_the_line_is_named(tmp_path):
+    path = tmp_path / 'changes.jsonl'
+    path.write_text('{"time": "2026-11-22T14:00:00+00:00", "kind": "changed", "node": "/a", "parameter": "x", '
+                    '"old": 1, "new": 2}\n{"time": "2026-11')
+    stdout, stderr, status = run('history', path)
+    assert stdout.startswith('1 change; unreadable: line 2\n')
+    assert stderr == f'{path}: line 2 cannot be read, and was passed over\n'
+    assert status == 0
+    assert run('history', path, '--format', 'json')[0] == path.read_text().splitlines()[0] + '\n'
+
+
+@pytest.mark.parametrize(('words', 'complaint'), [
+    (['history', 'nowhere.jsonl'], 'cannot read nowhere.jsonl'),
+    (['history', 'FILE'], 'FILE, line 1: this is no log of parameter changes'),
+    (['watch'], 'This would keep the cell busy'),
+    (['watch', '--duration', '1', '--filter', '('], 'is not a regular expression'),
+    (['watch', '--duration', '1', '--log', 'no/such/folder/x'], 'cannot write no/such/folder/x'),
+    (['restore', 'FILE@soon'], 'this is no log'),
+])
+def test_nonsense_gets_a_sentence(ros, tmp_path, words, complaint):
+    path = tmp_path / 'bad.jsonl'
+    path.write_text('hello\n')
+    stdout, stderr, status = run(*(word.replace('FILE', str(path)) for word in words))
+    assert (stdout, status) == ('', 1)
+    assert complaint.replace('FILE', str(path)) in stderr
+    assert 'Traceback' not in stderr

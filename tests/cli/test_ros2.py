@@ -1,0 +1,718 @@
+"""The embedded ros2 where no recording goes: mistakes, nodes that are late, busy, gone or double, and run."""
+
+import contextlib
+import io
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+
+import psutil
+import pytest
+from rcl_interfaces.msg import Parameter as ParameterMessage
+from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.srv import GetParameters, ListParameters
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tools.cli import command, session
+from param_tools.cli.run import node_programs, signals_held
+from param_tools.errors import DiscoveryTimeoutError
+from param_tools.ros import domain, executor, graph, stage
+from param_tutorial import wait_until
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.notebook.interrupts import interruptible
+from tests.support import missing
+from tests.support.processes import CAN_STAND_STILL, standing_still
+
+EMBEDDED = [sys.executable, '-m', 'param_tutorial']
+
+
+def run(*words, in_notebook=True, get_executor=stage.current):
+    """Run a command in this process: standard output, standard error, exit status."""
+    stdout, stderr = io.StringIO(), io.StringIO()
+    status = command.main([str(word) for word in words], stdout=stdout, stderr=stderr, get_executor=get_executor,
+                       in_notebook=in_notebook)
+    return stdout.getvalue(), stderr.getvalue(), status
+
+
+@pytest.fixture
+def start_process(ros):
+    """Start processes that are ended with the test, and leave no trace in the graph."""
+    started = []
+
+    def start(*words, **options):
+        with interruptible():  # whatever has started the tests
+            started.append(subprocess.Popen(
+                [str(word) for word in words], text=True, start_new_session=True, **options))
+        return started[-1]
+
+    yield start
+    for process in started:
+        # A process that is asked to end says goodbye to the others. A killed one would count as present for a while.
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGINT)
+        try:
+            process.communicate(timeout=20)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+    ros.remove_all()
+    wait_until(lambda: ros.services.node_names(hidden=True) == [f'/{executor.TOOL_NODE_NAME}'],
+               'the processes to leave the graph', 30)
+
+
+def program_of(name):
+    """Return the command line of a program with one node. It prints a line when it is ready, and ends when asked."""
+    return sys.executable, '-c', CAN_STAND_STILL + f'''
+import rclpy
+from rclpy.node import Node
+rclpy.init(signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
+node = Node({name!r})
+told = []
+signal.signal(signal.SIGINT, lambda *_: told.append(1))
+print('ready', flush=True)
+while not told:
+    rclpy.spin_once(node, timeout_sec=0.1)
+node.destroy_node()
+rclpy.shutdown()
+'''
+
+
+@contextlib.contextmanager
+def unheard_participant(domain_id):
+    """Open the port of a participant that says nothing, in this block."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listening:
+        listening.bind(('127.0.0.1', 7400 + 250 * domain_id + 10 + 2 * 100))
+        yield
+
+
+def ready(process):
+    """Wait for the line in which a program says that it is ready."""
+    assert process.stdout.readline() == 'ready\n'
+
+
+# -- usage ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(('words', 'complaint'), [
+    (['interface', 'show'], "invalid choice: 'interface'"),
+    (['param', 'shout'], "invalid choice: 'shout'"),
+    (['param', 'get', '/n'], 'the following arguments are required: parameter_name'),
+    (['param', 'set', '/n', 'a'], 'the following arguments are required: value'),
+    (['param', 'get', '/n', 'a', 'b'], 'unrecognized arguments: b'),
+    (['param', 'get', '--timeout', '0.5', '/n', 'a'], "argument --timeout: invalid int value: '0.5'"),
+    (['run', 'param_tutorial'], 'the following arguments are required: executable_name'),
+])
+def test_a_usage_error_says_what_is_wrong_and_starts_nothing(words, complaint):
+    stdout, stderr, status = run(*words, get_executor=lambda: pytest.fail('ROS was started'))
+    assert (stdout, status) == ('', 2)
+    assert stderr.startswith('usage: ros2')
+    assert complaint in stderr
+
+
+@pytest.mark.parametrize('words', [['interface', 'show', 'x'], ['topic', 'echo', '/parameter_events'],
+                                   ['topic', 'list', '-v'], ['launch', 'param_tutorial', 'x_launch.py', '--debug']])
+def test_what_only_the_genuine_one_has_is_said_to_be_there(words):
+    assert "This is the course's own ros2" in run(*words)[1]
+    assert 'The genuine one has more: environment/README.md' in run(*words)[1]
+    assert "course's own" not in run('pkg', 'create', '--build-type', 'x', 'arm')[1]
+
+
+@pytest.mark.parametrize('words', [[], ['--help'], ['param'], ['node'], ['param', 'set', '-h'], ['run', '-h']])
+def test_help_goes_to_standard_output(words):
+    stdout, stderr, status = run(*words, get_executor=lambda: pytest.fail('ROS was started'))
+    assert stdout.startswith('usage: ros2')
+    assert (stderr, status) == ('', 0)
+
+
+@pytest.mark.parametrize(('words', 'complaint'), [
+    (['param', 'list', '--filter', '(', '/simple_param_node'], "'(' is not a regular expression"),
+    (['param', 'set', '/simple_param_node', 'max_speed_rpm', '9' * 20], 'does not fit into the 64 bits'),
+    (['param', 'get', '/not a name', 'x'], 'Node not found'),
+    (['param', 'get', '/', 'x'], 'Node not found'),
+    (['param', 'load', '/simple_param_node', '.'], 'cannot read .: Is a directory'),
+])
+def test_nonsense_gets_one_sentence(ros, words, complaint):
+    ros.add(SimpleParamNode)
+    stdout, stderr, status = run(*words)
+    assert (stdout, status) == ('', 1)
+    assert complaint in stderr
+    assert stderr.count('\n') == 1
+
+
+@pytest.mark.parametrize('content', ['[1, 2', '- a', 'a', '', '/n: 1', '/n: {ros__parameters: {a: 2024-01-01}}',
+                                     '/n: {ros__parameters: {a: "@x"}}', b'\xff\xfe\x00'])
+def test_a_file_that_is_none_gets_a_sentence_and_no_traceback(ros, tmp_path, content):
+    ros.add(SimpleParamNode)
+    (tmp_path / 'bad.yaml').write_bytes(content if isinstance(content, bytes) else content.encode())
+    stdout, stderr, status = run('param', 'load', '/simple_param_node', tmp_path / 'bad.yaml')
+    assert (stdout, status) == ('', 1)
+    assert stderr
+    assert 'Traceback' not in stderr
+
+
+def test_a_file_to_load_in_another_encoding_is_told_apart(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'wide.yaml'
+    path.write_text('/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: 7\n', encoding='utf-16')
+    _, stderr, status = run('param', 'load', '/simple_param_node', path)
+    assert status == 1
+    assert stderr.startswith(f'{path} is not in UTF-8')
+
+
+@pytest.mark.parametrize('option', [['--spin-time', '0.1'], ['-s'], ['--use-sim-time'], ['--no-daemon'],
+                                    ['--timeout', '2'], ['--include-hidden-nodes']])
+def test_options_without_effect_here_are_accepted(ros, option):
+    ros.add(SimpleParamNode)
+    assert run('param', 'get', *option, '/simple_param_node', 'robot_name') == ('String value is: Clawbot\n', '', 0)
+
+
+# -- nodes of other kinds --------------------------------------------------------------------------------------
+
+
+class Odd(Node):
+    """A hidden node with a parameter that can go away, and one without a value."""
+
+    def __init__(self, name='_odd', namespace='/', **options):
+        super().__init__(name, namespace=namespace, **options)
+        self.declare_parameter('anything', 1, ParameterDescriptor(dynamic_typing=True))
+        self.declare_parameter('unset', None, ParameterDescriptor(dynamic_typing=True))
+
+
+def test_hidden_nodes_are_shown_on_request(ros):
+    ros.add(SimpleParamNode)
+    ros.add(Odd)
+    assert run('node', 'list') == ('/simple_param_node\n', '', 0)
+    assert run('node', 'list', '-c') == ('1\n', '', 0)
+    assert '/_odd\n' in run('node', 'list', '-a')[0]
+    assert run('param', 'get', '/_odd', 'anything') == ('', 'Node not found\n', 1)
+    assert run('param', 'get', '--include-hidden-nodes', '/_odd', 'anything') == ('Integer value is: 1\n', '', 0)
+    assert '/_odd' not in run('param', 'list')[0]
+    assert run('param', 'list', '--include-hidden-nodes')[0].startswith('/_odd:\n  anything\n')
+
+
+def test_delete_and_values_that_are_not_set(ros):
+    ros.add(Odd, 'odd')
+    assert run('param', 'get', '/odd', 'unset') == ('Parameter not set.\n', '', 0)
+    assert run('param', 'get', '--hide-type', '/odd', 'unset') == ('None\n', '', 0)
+    assert run('param', 'delete', '/odd', 'anything') == ('Deleted parameter successfully\n', '', 0)
+    assert run('param', 'get', '/odd', 'anything') == ('', 'Parameter not set\n', 1)
+
+
+def test_an_empty_list_is_one_of_booleans_as_for_the_genuine_command(ros):
+    node = ros.add(Odd, 'odd')
+    assert run('param', 'set', '/odd', 'anything', '[]')[2] == 0
+    assert node.get_parameter('anything').type_ is Parameter.Type.BOOL_ARRAY
+
+
+def test_a_dump_survives_a_parameter_that_is_also_a_prefix(ros):
+    node = ros.add(Odd, 'odd')
+    node.set_parameters([Parameter('unset', value=0)])
+    for name in ('a', 'a.b', 'c.d', 'c.e'):
+        node.declare_parameter(name, 1)
+    assert '    a: 1\n    a.b: 1\n' in run('param', 'dump', '/odd')[0]
+    assert '    c:\n      d: 1\n      e: 1\n' in run('param', 'dump', '/odd')[0]
+
+
+def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(ros, monkeypatch):
+    monkeypatch.setattr(graph, 'PATIENCE_SEC', 1e9)  # it is known, and not found out by waiting
+    ros.add(Odd, 'odd')
+    ros.add(Odd, 'mute', start_parameter_services=False)
+    sentence = 'Wait for service timed out waiting for parameter services for node'
+    listed = f"{sentence} NodeName(name='mute', namespace='/', full_name='/mute')\n"
+    assert run('param', 'list', '/mute') == (listed, '', 0)
+    stdout, stderr, status = run('param', 'list')
+    assert stdout.startswith(f'{listed}/odd:\n  anything\n')
+    assert (stderr, status) == ('', 0)
+    for words in (['get', '/mute', 'x'], ['set', '/mute', 'x', '1'], ['delete', '/mute', 'x'], ['dump', '/mute'],
+                  ['describe', '/mute', 'x']):
+        assert run('param', *words) == ('', f'{sentence} /mute\n', 1)
+
+
+@pytest.mark.parametrize('option', [['--filter', 'any.*'], ['--param-prefixes', 'limits']])
+def test_a_list_of_all_nodes_names_only_those_with_something_left(ros, option):
+    ros.add(SimpleParamNode)
+    odd = ros.add(Odd, 'odd')
+    odd.declare_parameter('limits.max', 1)
+    name = {'--filter': 'anything', '--param-prefixes': 'limits.max'}[option[0]]
+    assert run('param', 'list', *option) == (f'/odd:\n  {name}\n', '', 0)
+
+
+def test_a_hidden_namespace_hides_no_node(ros):
+    ros.add(Odd, 'plain', '/_hns')
+    assert run('node', 'list') == ('/_hns/plain\n', '', 0)
+    assert run('param', 'list')[0].startswith('/_hns/plain:\n  anything\n')
+
+
+def test_a_list_of_booleans_and_integers_is_one_of_integers(ros):
+    node = ros.add(Odd, 'odd')
+    node.declare_parameter('flags', [True])
+    assert run('param', 'set', '/odd', 'flags', '[true, 1]') == ('', "Setting parameter failed: Wrong parameter type, "
+                                                                  "expected 'Type.BOOL_ARRAY' got "
+                                                                  "'Type.INTEGER_ARRAY'\n", 0)
+
+
+@pytest.mark.slow
+def test_a_busy_node_is_given_up_after_a_while(ros, monkeypatch, start_process):
+    monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
+    sleeper = start_process(*program_of('sleeper'), stdout=subprocess.PIPE)
+    ready(sleeper)
+    for service in ('get_parameters', 'list_parameters'):
+        wait_until(lambda: ros.services.is_ready('/sleeper', service), service, 30)  # noqa: B023
+    with standing_still(sleeper):
+        stdout, stderr, status = run('param', 'get', '/sleeper', 'use_sim_time')
+        assert (stdout, status) == ('', 1)
+        assert '/sleeper did not answer get_parameters within 0.3 s' in stderr
+        stdout, stderr, status = run('param', 'list', '/sleeper')
+        assert (stdout, status) == ('', 0)
+        assert "Exception while calling service of node '/sleeper'" in stderr
+
+
+def test_a_callback_that_raises_is_reported(ros):
+    node = ros.add(SimpleParamNode)
+    node.add_on_set_parameters_callback(lambda parameters: 1 / 0)
+    stdout, stderr, status = run('param', 'set', '/simple_param_node', 'max_speed_rpm', '7')
+    assert (stdout, status) == ('', 1)
+    assert 'ZeroDivisionError' in stderr
+    assert run('param', 'get', '/simple_param_node', 'max_speed_rpm') == ('Integer value is: 100\n', '', 0)
+
+
+@pytest.mark.slow
+def test_two_nodes_of_one_name_are_warned_of(ros, start_process):
+    ros.add(SimpleParamNode)
+    start_process(*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node',
+                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    wait_until(lambda: len(ros.node_incarnations('/simple_param_node')) == 2, 'the second node', 30)
+    stdout, stderr, status = run('node', 'list')
+    assert (stdout, status) == ('/simple_param_node\n' * 2, 0)
+    assert stderr == ('WARNING: Be aware that there are nodes in the graph that share an exact name, '
+                      'which can have unintended side effects.\n')
+    assert run('param', 'list', '/simple_param_node')[0].count('robot_name') == 1
+
+
+# -- discovery ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_a_node_that_has_just_been_started_is_found_at_once(ros, start_process):
+    late = start_process(*program_of('late'), stdout=subprocess.PIPE)
+    ready(late)  # its participant exists, and nothing has been waited for
+    assert run('param', 'get', '/late', 'use_sim_time') == ('Boolean value is: False\n', '', 0)
+
+
+@pytest.mark.slow
+def test_an_unknown_node_is_waited_for_as_long_as_asked(ros):
+    threading.Timer(0.3, lambda: ros.add(Odd, 'late')).start()
+    assert run('param', 'get', '--timeout', '30', '/late', 'anything') == ('Integer value is: 1\n', '', 0)
+
+
+@pytest.mark.slow
+def test_a_node_that_may_have_services_is_left_out_with_a_word(ros, monkeypatch):
+    """If the service that rclpy creates last is missing, nobody can know that no further one is coming."""
+    monkeypatch.setattr(graph, 'PATIENCE_SEC', 0.2)
+    ros.add(SimpleParamNode)
+    ros.add(Odd, 'vague', start_parameter_services=False,
+            parameter_overrides=[Parameter('start_type_description_service', value=False)])
+    stdout, stderr, status = run('param', 'list')
+    assert (stdout.count(':\n'), status) == (1, 0)
+    assert stderr == ('WARNING: /vague is left out: timed out after 0.2 s waiting for list_parameters of /vague: was '
+                      'the node created with start_parameter_services=False?\n')
+
+
+@pytest.mark.slow
+def test_that_a_node_is_not_there_is_said_only_if_it_is_known(ros, monkeypatch):
+    ros.add(SimpleParamNode)
+    assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
+    wait_until(lambda: graph.is_complete(ros.tool_node), 'the graph', 30)
+    monkeypatch.setattr(graph, 'PATIENCE_SEC', 0.2)
+    with unheard_participant(ros.domain_id):
+        assert not graph.is_complete(ros.tool_node)
+        why = 'timed out after 0.2 s waiting for 1 ROS process to announce its nodes: suspended, or in a debugger?'
+        assert run('param', 'get', '/nobody', 'x') == ('', f'{why}\n', 1)
+        assert run('node', 'list') == ('/simple_param_node\n', f'WARNING: nodes may be missing here: {why}\n', 0)
+        assert run('param', 'get', '/simple_param_node', 'max_speed_rpm') == ('Integer value is: 100\n', '', 0)
+        with pytest.raises(DiscoveryTimeoutError, match=f'cannot say whether /nobody is there: {why}'):
+            ros.services.call('/nobody', 'list_parameters', ListParameters.Request(), discovery_timeout_sec=0.0)
+    assert graph.is_complete(ros.tool_node)
+
+
+# -- topics and services -------------------------------------------------------------------------------------
+
+
+class Talker(Node):
+    """A node with something of every kind, hidden things among them."""
+
+    def __init__(self, **options):
+        super().__init__('talker', namespace='/lab', start_parameter_services=False, **options)
+        for topic in ('chatter', '_secret'):
+            self.create_publisher(ParameterMessage, topic, 1)
+        self.create_subscription(ParameterMessage, 'ear', print, 1)
+        self.create_service(GetParameters, 'ask', print)
+        self.create_service(GetParameters, '_hidden', print)
+        self.create_client(GetParameters, 'wish')
+
+
+def test_info_shows_what_a_node_has(ros, monkeypatch):
+    monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
+    ros.add(Talker)
+    assert run('node', 'info', '/lab/talker') == ("""/lab/talker
+  Subscribers:
+    /lab/ear: rcl_interfaces/msg/Parameter
+  Publishers:
+    /lab/chatter: rcl_interfaces/msg/Parameter
+    /parameter_events: rcl_interfaces/msg/ParameterEvent
+    /rosout: rcl_interfaces/msg/Log
+  Service Servers:
+    /lab/ask: rcl_interfaces/srv/GetParameters
+    /lab/talker/get_type_description: type_description_interfaces/srv/GetTypeDescription
+  Service Clients:
+    /lab/wish: rcl_interfaces/srv/GetParameters
+  Action Servers:
+
+  Action Clients:
+
+""", '', 0)
+    shown = run('node', 'info', '--include-hidden', '/lab/talker')[0]
+    assert '    /lab/_secret: ' in shown
+    assert '    /lab/_hidden: ' in shown
+    for name in ('lab/talker', '/nobody', '', '/'):
+        assert run('node', 'info', name) == ('', f"Unable to find node '{name}'\n", 1)
+
+
+def test_a_hidden_node_has_info_on_request(ros):
+    ros.add(Odd)
+    assert run('node', 'info', '/_odd') == ('', "Unable to find node '/_odd'\n", 1)
+    assert run('node', 'info', '--include-hidden', '/_odd')[0].startswith('/_odd\n')
+
+
+def test_topics_are_listed(ros):
+    ros.add(Talker)
+    assert run('topic', 'list') == ('/lab/chatter\n/lab/ear\n/parameter_events\n/rosout\n', '', 0)
+    assert run('topic', 'list', '-c') == ('4\n', '', 0)
+    assert '/lab/ear [rcl_interfaces/msg/Parameter]\n' in run('topic', 'list', '-t')[0]
+    assert '/lab/_secret\n' in run('topic', 'list', '--include-hidden-topics')[0]
+
+
+def test_services_are_listed(ros):
+    ros.add(SimpleParamNode)
+    run('param', 'get', '/simple_param_node', 'robot_name')
+    ros.remove_all()
+    ros.add(Talker)
+    stdout, stderr, status = run('service', 'list')
+    # rclpy 7.1.6 leaves a destroyed node's get_type_description behind, while its process lives.
+    names = [name for name in stdout.splitlines() if not name.endswith('get_type_description')]
+    # The clients that our commands keep for nodes that have ended show nothing.
+    assert (names, stderr, status) == (['/lab/ask', '/lab/wish'], '', 0)
+    assert run('service', 'list', '-c') == (f'{stdout.count(chr(10))}\n', '', 0)
+    assert '/lab/ask [rcl_interfaces/srv/GetParameters]\n' in run('service', 'list', '-t')[0]
+    assert '/lab/_hidden\n' in run('service', '--include-hidden-services', 'list')[0]
+
+
+@pytest.mark.slow
+def test_a_killed_process_does_not_stand_for_one_that_has_not_been_heard(ros):
+    killed = subprocess.Popen(program_of('killed'), stdout=subprocess.PIPE, text=True)
+    with killed:
+        ready(killed)
+        wait_until(lambda: '/killed' in ros.services.node_names(), 'the node', 30)
+        killed.kill()
+    assert graph.is_complete(ros.tool_node)
+    with unheard_participant(ros.domain_id):
+        assert '/killed' in ros.services.node_names()  # nobody has said that it is gone
+        assert not graph.is_complete(ros.tool_node)
+    wait_until(lambda: '/killed' not in ros.services.node_names(), 'the lease to end', 30)
+
+
+# A node whose goodbye reaches nobody, because its process has closed the sockets that send. The process goes on.
+LEAVES_SILENTLY = '''
+import os, sys, rclpy
+from rclpy.node import Node
+from param_tools.ros.udp_ports import open_sockets
+rclpy.init()
+node = Node('silent')
+print('ready', flush=True)
+sys.stdin.readline()
+senders = {f'socket:[{each.inode}]' for each in open_sockets() if each.port >= 32768}
+for descriptor in os.listdir('/proc/self/fd'):
+    if os.path.lexists(path := f'/proc/self/fd/{descriptor}') and os.readlink(path) in senders:
+        os.dup2(os.open(os.devnull, os.O_RDWR), int(descriptor))
+node.destroy_node()
+rclpy.shutdown()
+print('ready', flush=True)
+sys.stdin.readline()
+'''
+
+
+@pytest.mark.slow
+def test_a_process_whose_goodbye_was_lost_does_not_hide_one_that_has_not_been_heard(ros):
+    """As when two commands run at once: one leaves before it has heard of the other."""
+    with subprocess.Popen([sys.executable, '-c', LEAVES_SILENTLY], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          text=True) as process:
+        ready(process)
+        wait_until(lambda: '/silent' in ros.services.node_names() and graph.is_complete(ros.tool_node), 'the node', 30)
+        print(file=process.stdin, flush=True)
+        ready(process)
+        with unheard_participant(ros.domain_id):
+            is_complete = graph.is_complete(ros.tool_node)
+            assert '/silent' in ros.services.node_names()  # nobody has said that it is gone
+        assert not is_complete
+        assert graph.is_complete(ros.tool_node)
+        process.communicate()
+    wait_until(lambda: '/silent' not in ros.services.node_names(), 'the lease to end', 30)
+
+
+@pytest.mark.slow
+def test_a_process_in_a_container_of_this_machine_counts_as_heard(ros, start_process):
+    """It is on the host's network and has its own process numbers, as with `docker run --network host`."""
+    apart = ['unshare', '--pid', '--fork', '--kill-child']
+    if subprocess.run([*apart, 'true'], capture_output=True, check=False).returncode:
+        missing.skip('no namespace of processes can be made: not root, or in a container')
+    ready(start_process(*apart, *program_of('contained'), stdout=subprocess.PIPE))
+    wait_until(lambda: '/contained' in ros.services.node_names(), 'the node', 30)
+    wait_until(lambda: graph.is_complete(ros.tool_node), 'the graph', 30)
+    assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
+
+
+# -- run ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('program', node_programs())
+def test_ctrl_c_ends_a_running_node_without_a_word(program, start_process):
+    process = start_process(*EMBEDDED, 'run', 'param_tutorial', program, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    # It answers, so its constructor is done.
+    assert run('param', 'get', '--timeout', '30', f'/{program}', 'use_sim_time')[2] == 0
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+    stdout, stderr = process.communicate()
+    assert process.returncode == 0
+    assert 'Traceback' not in stderr
+    assert '[ros2run]' not in stdout
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_to_the_command_alone_ends_the_node_too(number, ros, start_process):
+    process = start_process(*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', stdout=subprocess.PIPE)
+    assert run('param', 'get', '--timeout', '30', '/simple_param_node', 'use_sim_time')[2] == 0
+    child, = psutil.Process(process.pid).children()
+    process.send_signal(number)
+    process.communicate()
+    assert process.returncode == 0
+    assert not child.is_running()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_further_signals_while_a_node_ends_change_nothing(number, start_process):
+    process = start_process(sys.executable, '-m', 'param_tutorial.nodes', 'simple_param_node', stderr=subprocess.PIPE)
+    text = next(line for line in process.stderr if 'robot_serial_number' in line)
+    while process.poll() is None:  # they come at every moment of its end
+        process.send_signal(number)
+        time.sleep(0.001)
+    _, rest = process.communicate()
+    assert process.returncode == 0
+    assert 'Traceback' not in text + rest
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize('at', ['before its first line', 'in its constructor', 'while it spins'])
+def test_a_signal_ends_a_node_well_at_any_moment(number, at, start_process):
+    with signals_held(hears_of_it=True):  # as launch and Terminal do
+        process = start_process(*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', stderr=subprocess.PIPE)
+    text = ''
+    if at != 'before its first line':
+        until = 'has been started' if at == 'in its constructor' else 'robot_serial_number'
+        text = next(line for line in process.stderr if until in line)
+    # Ctrl+C reaches the command and its node alike.
+    os.killpg(process.pid, number) if number == signal.SIGINT else process.send_signal(number)
+    _, rest = process.communicate()
+    assert process.returncode == 0
+    assert 'Traceback' not in text + rest
+
+
+LATE = """
+import os, signal, sys, threading, types
+import rclpy
+from param_tutorial.nodes.__main__ import main
+
+def run_late():
+    rclpy.init()
+    node = rclpy.create_node('late')
+    rclpy.get_default_context().shutdown()
+    threading.Timer(0.5, os.kill, [os.getpid(), signal.SIGINT]).start()
+    node.declare_parameter('speed', 1)
+
+sys.modules['param_tutorial.nodes.late'] = types.ModuleType('late')
+sys.modules['param_tutorial.nodes.late'].main = run_late
+sys.argv = ['nodes', 'late']
+sys.exit(main())
+"""
+
+
+@pytest.mark.slow
+def test_a_signal_that_rclpy_hears_of_before_python_ends_a_node_well():
+    """As on a busy machine: in its constructor the context goes, and Python's handler runs only then."""
+    done = subprocess.run([sys.executable, '-c', LATE], capture_output=True, text=True)
+    assert (done.returncode, 'Traceback' in done.stderr) == (0, False), done.stderr
+
+
+@pytest.mark.slow
+def test_no_signal_is_held_back_from_a_program_that_is_not_ours(tmp_path, monkeypatch):
+    program = tmp_path / 'lib/other/program'
+    program.parent.mkdir(parents=True)
+    program.write_text('#!/bin/sh\ngrep SigBlk /proc/self/status\n')
+    program.chmod(0o755)
+    marker = tmp_path / 'share/ament_index/resource_index/packages/other'
+    marker.parent.mkdir(parents=True)
+    marker.touch()
+    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+    done = subprocess.run([*EMBEDDED, 'run', 'other', 'program'], capture_output=True, text=True)
+    assert done.stdout.split() == ['SigBlk:', '0' * 16]
+
+
+@pytest.mark.slow
+def test_run_hands_arguments_on(ros, start_process):
+    process = start_process(
+        *EMBEDDED, 'run', 'param_tutorial', 'simple_param_node',
+        '--ros-args', '-r', '__ns:=/left', '-p', 'max_speed_rpm:=7',
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    assert run('param', 'get', '--timeout', '30', '/left/simple_param_node', 'max_speed_rpm') == (
+        'Integer value is: 7\n', '', 0)
+    assert process.poll() is None
+
+
+@pytest.mark.slow
+def test_run_gives_the_exit_status_and_takes_a_prefix():
+    done = subprocess.run(
+        [*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node', '--ros-args', '--params-file', '/nowhere'],
+        capture_output=True, text=True)
+    assert done.returncode == 1
+    assert done.stdout == '[ros2run]: Process exited with failure 1\n'
+    done = subprocess.run([*EMBEDDED, 'run', '--prefix', 'echo -n', 'param_tutorial', 'simple_param_node', 'x'],
+                          capture_output=True, text=True)
+    assert done.stdout.endswith('param_tutorial.nodes simple_param_node x')
+
+
+@pytest.mark.parametrize(('words', 'complaint'), [
+    (['param_tutorial', 'no_such_node'], 'No executable found'),
+    (['param_tutorial', '__init__'], 'No executable found'),
+    (['no_such_package', 'x'], "Package 'no_such_package' not found"),
+])
+def test_run_names_what_it_cannot_find(words, complaint):
+    assert run('run', *words) == ('', f'{complaint}\n', 1)
+
+
+@pytest.fixture
+def workspace(tmp_path, monkeypatch):
+    """Source an install space with one package, ``mine``; gives a function that puts programs into it."""
+    marker = tmp_path / 'share/ament_index/resource_index/packages/mine'
+    marker.parent.mkdir(parents=True)
+    marker.touch()
+    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+
+    def add(name, text=''):
+        path = tmp_path / 'lib/mine' / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f'#!/bin/sh\n{text}\n')
+        path.chmod(0o755)
+        return path
+
+    return add
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(('last', 'said', 'status'), [
+    ('exit 0', '', 0), ('exit 3', '[ros2run]: Process exited with failure 3\n', 3),
+    ('kill -SEGV $$', '[ros2run]: Segmentation fault\n', 256 - signal.SIGSEGV),
+    ('kill -KILL $$', '[ros2run]: Killed\n', 256 - signal.SIGKILL)])
+def test_run_starts_programs_of_a_sourced_workspace_and_says_how_they_failed(workspace, last, said, status):
+    workspace('hello', f'echo hello $1\n{last}')
+    done = subprocess.run([*EMBEDDED, 'run', 'mine', 'hello', 'you'], capture_output=True, text=True)
+    assert (done.stdout, done.stderr, done.returncode) == (f'hello you\n{said}', '', status)
+
+
+def test_run_finds_a_program_in_a_sub_folder_and_there_must_be_one(workspace):
+    only, first, second = workspace('tools/only'), workspace('twice'), workspace('tools/twice')
+    workspace('.hidden/secret')
+    (only.parent / 'notes').write_text('not a program')
+    stderr = run('run', 'mine', 'only')[1]
+    assert 'Run it beside the notebook' in stderr
+    assert run('run', 'mine', 'twice') == ('', f'Multiple executables found:\n- {first}\n- {second}\n', 1)
+    for name in ('notes', 'secret', 'bye'):
+        assert run('run', 'mine', name) == ('', 'No executable found\n', 1)
+
+
+def test_pkg_tells_what_has_been_built_and_sourced(workspace, tmp_path, monkeypatch):
+    first, second = workspace('tools/z'), workspace('y')
+    for words in ([], ['mine']):
+        assert run('pkg', 'executables', *words) == (f'{first}\n{second}\n', '', 0)
+    assert run('pkg', 'list') == ('mine\n', '', 0)
+    assert run('pkg', 'prefix', 'mine') == (f'{tmp_path}\n', '', 0)
+    assert run('pkg', 'prefix', '--share', 'mine') == (f'{tmp_path}/share/mine\n', '', 0)
+    assert run('pkg', 'prefix', 'other') == ('', 'Package not found\n', 1)
+    assert run('pkg', 'executables', 'other') == ('', "Package 'other' not found\n", 1)
+    # Ours runs without having been built, and says so.
+    for words in (['prefix', 'param_tutorial'], ['executables', 'param_tutorial']):
+        stdout, stderr, status = run('pkg', *words)
+        assert (stdout, status) == ('', 1)
+        assert 'not found: param_tutorial has not been built' in stderr
+    monkeypatch.setenv('PARAM_TOOLS_PROVIDED', '0')
+    assert run('pkg', 'prefix', 'param_tutorial') == ('', 'Package not found\n', 1)
+    monkeypatch.delenv('AMENT_PREFIX_PATH')
+    assert run('pkg', 'list') == run('pkg', 'executables') == ('', '', 0)
+
+
+# -- as a process ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_a_process_without_a_domain_is_where_everybody_is():
+    environment = domain.environment_without_domain()
+    program = ('import os, sys; sys.argv[1:] = ["-h"]; import param_tutorial.__main__ as m; m.main(); '
+               'print(os.environ["ROS_DOMAIN_ID"])')
+    done = subprocess.run([sys.executable, '-c', program], env=environment, capture_output=True, text=True)
+    assert done.stdout.splitlines()[-1] == '0'
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_while_a_command_tidies_up_says_nothing(number):
+    program = (f'import atexit, os, sys; atexit.register(lambda: os.kill(os.getpid(), {number:d})); '
+               'sys.argv[1:] = ["-h"]; import param_tutorial.__main__ as m; sys.exit(m.main())')
+    done = subprocess.run([sys.executable, '-c', program], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, '')
+    assert done.stdout.startswith('usage: ros2')
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('unbuffered', ['', '1'])
+def test_a_reader_that_goes_away_causes_no_traceback(ros, unbuffered):
+    ros.add(SimpleParamNode)
+    done = subprocess.run(['bash', '-c', f'"{sys.executable}" -m param_tutorial param dump /simple_param_node | true'],
+                          capture_output=True, text=True, env={**os.environ, 'PYTHONUNBUFFERED': unbuffered})
+    assert 'Traceback' not in done.stderr
+    assert 'Exception' not in done.stderr
+
+
+@pytest.mark.slow
+def test_ctrl_c_ends_a_command_that_waits(ros, start_process):
+    node = ros.add(Node, 'silent_node', start_parameter_services=False)
+    is_asked, may_answer = threading.Event(), threading.Event()
+
+    def answer(_, response):
+        is_asked.set()
+        may_answer.wait(60)
+        return response
+
+    node.create_service(GetParameters, 'silent_node/get_parameters', answer)
+    process = start_process(*EMBEDDED, 'param', 'get', '--timeout', '600', '/silent_node', 'x',
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert is_asked.wait(60)
+    os.killpg(process.pid, signal.SIGINT)
+    assert process.communicate() == ('', '')
+    assert process.returncode == 2
+    may_answer.set()

@@ -1,0 +1,277 @@
+"""The commands snapshot, diff and restore, and one parameter of all nodes."""
+
+import json
+
+import pytest
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tools.systems.snapshot import Snapshot
+from param_tutorial import ParameterClient
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from tests.ros2.test_ros2 import run
+
+
+class Camera(Node):
+    """Stands for any node of a robot."""
+
+    def __init__(self, robot):
+        super().__init__('camera', namespace=robot)
+        self.declare_parameter('rate', 30)
+
+
+@pytest.fixture
+def silent(ros):
+    """Return a node that exists and is not spun."""
+    node = Node('silent')
+    yield node
+    node.destroy_node()
+
+
+@pytest.mark.slow
+def test_all_nodes_are_saved_changed_compared_and_restored(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    ros.add(Camera, '/left')
+    path, backup = tmp_path / 'monday.yaml', tmp_path / 'backup.yaml'
+    assert run('snapshot', '--save', path) == (f'Saved 12 parameters of 2 nodes to {path}\n', '', 0)
+    assert run('diff', path, '/**') == (f'{path} → /**: 0 differences in 0 nodes, 2 the same\n', '', 0)
+    ParameterClient('/left/camera').set_parameter('rate', 15)
+    ParameterClient('/simple_param_node').set_parameter('robot_name', 'Berta')
+    stdout, stderr, status = run('diff', path, '/**')
+    assert stdout == f'''\
+{path} → /**: 2 differences in 2 nodes, 0 the same
+
+node                parameter   difference     {"before":9}  after
+/left/camera        rate        changed value  30         15
+/simple_param_node  robot_name  changed value  'Clawbot'  'Berta'
+'''
+    assert (stderr, status) == ('', 1)
+    stdout, stderr, status = run('restore', path, '--dry-run')
+    assert stdout == f'''\
+2 nodes from {path}: 2 differences, 2 would be set
+
+node                parameter   present  wanted     expected      reason
+/left/camera        rate        15       30         would be set
+/simple_param_node  robot_name  'Berta'  'Clawbot'  would be set
+'''
+    assert (stderr, status) == ('', 0)
+    stdout, _, status = run('restore', path, '/left/camera', '--dry-run')
+    assert stdout == f'''\
+/left/camera from {path}: 1 difference, 1 would be set
+
+parameter  present  wanted  expected      reason
+rate       15       30      would be set
+'''
+    assert status == 0
+    assert ParameterClient('/left/camera').get_parameter('rate') == 15
+    stdout, stderr, status = run('restore', path, '--backup', backup)
+    assert stdout == f'''\
+2 nodes from {path}: complete, 2 parameters set
+
+node                parameter   wanted     outcome  reason
+/left/camera        rate        30         set
+/simple_param_node  robot_name  'Clawbot'  set
+'''
+    assert (stderr, status) == ('', 0)
+    assert run('diff', path, '/**')[2] == 0
+    assert Snapshot.from_file(backup)['/left/camera']['rate'] == 15
+
+
+class Sparse(Node):
+    """Has what a parameter file cannot hold."""
+
+    def __init__(self):
+        super().__init__('sparse')
+        self.declare_parameter('gain', 1.0)
+        self.declare_parameter('raw', [b'\x01'])
+        self.declare_parameter('unset', Parameter.Type.DOUBLE)
+
+
+def test_what_a_snapshot_cannot_hold_is_no_difference_from_it(ros, tmp_path):
+    ros.add(Sparse)
+    path = tmp_path / 'monday.yaml'
+    run('snapshot', '--save', path)
+    reasons = ('not compared: /sparse: raw: a parameter file has no byte arrays\n'
+               'not compared: /sparse: unset: it has no value\n')
+    for words in ((path, '/sparse'), ('/sparse', path)):
+        stdout, stderr, status = run('diff', *words)
+        assert ': 0 differences, ' in stdout
+        assert (sorted(stderr.splitlines(keepends=True)), status) == (sorted(reasons.splitlines(keepends=True)), 0)
+    # As soon as it has a value that the file could hold, it is new.
+    ParameterClient('/sparse').set_parameter('unset', 0.5)
+    stdout, stderr, status = run('diff', path, '/sparse', '--format', 'json')
+    added, = json.loads(stdout)
+    assert (added['parameter'], added['kind'], added['after']) == ('unset', 'added', 0.5)
+    assert (stderr, status) == ('not compared: /sparse: raw: a parameter file has no byte arrays\n', 1)
+
+
+def test_an_array_that_was_empty_is_emptied_again(ros, tmp_path):
+    class Planner(Node):
+        def __init__(self):
+            super().__init__('planner')
+            self.declare_parameters('', [('zones', ['hall']), ('speed', 1.0)])
+
+    node = ros.add(Planner)
+    client = ParameterClient(node)
+    client.set_parameter('zones', [])
+    path = tmp_path / 'monday.yaml'
+    _, stderr, status = run('snapshot', '/planner', '--save', path)
+    assert (stderr, status) == ('left out: /planner: zones: an empty array in a parameter file has no type; only '
+                                'restore and diff know it, from the head of the snapshot\n', 0)
+    assert ': 0 differences, ' in run('diff', path, '/planner')[0]
+    client.set_parameter('zones', ['hall', 'lab'])
+    assert 'zones' in run('diff', path, '/planner')[0]
+    assert 'would be set' in run('restore', path, '--dry-run')[0]
+    _, stderr, status = run('restore', path)
+    assert (stderr, status) == ('', 0)
+    assert (node.get_parameter('zones').type_, list(node.get_parameter('zones').value)) == (
+        Parameter.Type.STRING_ARRAY, [])
+    # The head would say what is true no more.
+    client.set_parameters({'zones': ['yard'], 'speed': 2.0})
+    before = path.read_text()
+    _, stderr, status = run('snapshot', '/planner', '--update', path)
+    assert (stderr, status) == (f'{path} says at its head that zones of /planner is empty, and it is not any more; '
+                                'nothing was changed. Save a new snapshot with --save\n', 1)
+    assert path.read_text() == before
+
+
+def test_two_robots(ros):
+    ros.add(Camera, '/robot1')
+    ros.add(Camera, '/robot2')
+    assert run('diff', '/robot1/**', '/robot2/**')[2] == 0
+    ParameterClient('/robot2/camera').set_parameter('rate', 15)
+    stdout, _, status = run('diff', '/robot1/**', '/robot2/**', '--format', 'json')
+    assert json.loads(stdout) == [{'node': '/camera', 'parameter': 'rate', 'kind': 'changed value', 'before': 30,
+                                   'after': 15}]
+    assert status == 1
+    assert run('diff', '/robot1/camera', '/robot2/camera')[0].startswith(
+        '/robot1/camera → /robot2/camera: 1 difference, 2 the same')
+    assert '<table' in run('diff', '/robot1/**', '/robot2/**', '--format', 'html')[0]
+
+
+def test_a_node_and_a_file_of_overrides_are_compared_on_what_the_file_holds(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'overrides.yaml'
+    path.write_text('/**:\n  ros__parameters:\n    max_speed_rpm: 180\n    unheard_of: 1\n')
+    stdout, _, status = run('diff', path, '/simple_param_node')
+    assert 'max_speed_rpm' in stdout
+    assert 'unheard_of' not in stdout
+    assert status == 1
+
+
+def test_a_node_and_its_saved_defaults(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'defaults.yaml'
+    run('describe', '/simple_param_node', '--save', path)
+    assert run('diff', path, '/simple_param_node')[2] == 0
+    ParameterClient('/simple_param_node').set_parameter('robot_name', 'Berta')
+    stdout, _, status = run('diff', path, '/simple_param_node', '--format', 'json')
+    assert json.loads(stdout) == [{'node': '/simple_param_node', 'parameter': 'robot_name', 'kind': 'changed value',
+                                   'before': 'Clawbot', 'after': 'Berta'}]
+    assert status == 1
+
+
+def test_two_nodes_of_one_name_are_pointed_out(ros, silent):
+    ros.add(Camera, '/left')
+    ros.add(Node, 'silent')
+    warning = ('WARNING: 2 nodes are called /silent. What is said or done here is about one of them, and ROS does not '
+               'tell which.\n')
+    for words in (('snapshot', '/silent'), ('snapshot',), ('diff', '/silent', '/left/camera')):
+        assert run(*words)[1].startswith(warning)
+    assert run('snapshot', '/left/camera')[1] == ''
+    assert run('snapshot', '/silen')[1] == 'there is no node /silen. Did you mean /silent?\n'
+
+
+def test_what_a_snapshot_cannot_hold_is_not_counted_as_saved(ros, tmp_path):
+    node = ros.add(Camera, '/left')
+    node.declare_parameter('names', Parameter.Type.STRING_ARRAY)
+    stdout, stderr, _ = run('snapshot', '--save', tmp_path / 'camera.yaml')
+    assert stdout.startswith('Saved 3 parameters of 1 node')
+    assert stderr == 'left out: /left/camera: names: it has no value\n'
+
+
+@pytest.mark.slow
+def test_a_node_that_hangs_is_reported_and_the_rest_is_complete(ros, silent, tmp_path):
+    ros.add(Camera, '/left')
+    path = tmp_path / 'monday.yaml'
+    stdout, stderr, status = run('snapshot', '--timeout', '0.5', '--save', path)
+    assert stdout.startswith('Saved 3 parameters of 1 node')
+    assert stderr.startswith('/silent did not answer')
+    assert status == 1
+    assert list(Snapshot.from_file(path)) == ['/left/camera']
+    assert run('diff', path, '/**', '--timeout', '0.5')[2] == 2
+    path.write_text(path.read_text() + '/silent:\n  ros__parameters:\n    a: 1\n')
+    stdout, stderr, status = run('restore', path, '--timeout', '0.5', '--dry-run')
+    assert stdout == f'''\
+2 nodes from {path}: 0 differences, 0 would be set, 1 without an answer
+
+node     parameter  present  wanted  expected   reason
+/silent                              no answer
+'''
+    assert '/silent did not answer' in stderr
+    assert status == 1
+    stdout, stderr, status = run('restore', path, '--timeout', '0.5')
+    assert stdout == f'''\
+2 nodes from {path}: NOT COMPLETE, 1 without an answer
+
+node     parameter  wanted  outcome    reason
+/silent                     no answer
+'''
+    assert '/silent did not answer' in stderr
+    assert status == 1
+
+
+def test_a_rejected_value_is_reported_and_nothing_of_that_node_is_changed(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    path = tmp_path / 'bad.yaml'
+    path.write_text('/simple_param_node:\n  ros__parameters:\n    robot_name: Berta\n    max_speed_rpm: -1\n')
+    stdout, _, status = run('restore', path)
+    assert 'NOT RESTORED, nothing was changed' in stdout
+    assert status == 1
+    assert ParameterClient('/simple_param_node').get_parameter('robot_name') == 'Clawbot'
+
+
+def test_one_table_of_many_nodes_says_what_was_set_and_what_was_rejected(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    ros.add(Camera, '/left')
+    path = tmp_path / 'bad.yaml'
+    path.write_text('/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: -1\n'
+                    '/left/camera:\n  ros__parameters:\n    rate: 15\n')
+    stdout, stderr, status = run('restore', path)
+    heading, _, *rows = stdout.splitlines()
+    assert heading == f'2 nodes from {path}: NOT COMPLETE, 1 of 2 parameters set'
+    assert {tuple(row.split()[:4]) for row in rows[1:]} == {
+        ('/simple_param_node', 'max_speed_rpm', '-1', 'rejected'), ('/left/camera', 'rate', '15', 'set')}
+    assert (stderr, status) == ('', 1)
+
+
+@pytest.mark.parametrize(('words', 'complaint', 'expected'), [
+    (['diff', '/nobody', '/nobody'], 'there is no node /nobody', 2),
+    (['diff', 'nowhere.yaml', '/**'], 'no running node matches', 2),
+    (['diff', 'nowhere.yaml', 'nowhere.yaml'], 'cannot read nowhere.yaml', 2),
+    (['restore', 'nowhere.yaml'], 'cannot read nowhere.yaml', 1),
+    (['snapshot', '/nobody'], 'there is no node /nobody', 1),
+    (['snapshot', '/nobody[*'], 'no running node matches /nobody[*', 1),
+    (['diff', '/a'], 'the following arguments are required: AFTER', 2),
+])
+def test_what_is_not_there_gets_a_sentence(ros, words, complaint, expected):
+    stdout, stderr, status = run(*words)
+    assert (stdout, status) == ('', expected)
+    assert complaint in stderr
+    assert 'Traceback' not in stderr
+
+
+@pytest.mark.slow
+def test_one_parameter_of_all_nodes(ros, silent):
+    ros.add(Camera, '/left')
+    ros.add(Camera, '/right')
+    ros.add(SimpleParamNode)
+    ParameterClient('/right/camera').set_parameter('rate', 15)
+    stdout, stderr, status = run('param', 'get', '--all-nodes', 'rate')
+    assert stdout == '/left/camera: Integer value is: 30\n/right/camera: Integer value is: 15\n'
+    assert "'/silent'" in stderr or '/silent did not answer' in stderr
+    assert status == 1
+    silent.destroy_node()
+    assert run('param', 'get', '--all-nodes', '--hide-type', 'robot_name')[0] == '/simple_param_node: Clawbot\n'
+    assert run('param', 'get', '--all-nodes', 'nothing') == ('', 'Parameter not set\n', 1)
+    assert 'not allowed with a node' in run('param', 'get', '--all-nodes', '/n', 'rate')[1]

@@ -1,0 +1,105 @@
+"""The embedded ros2 against recordings of the genuine one, in this process and as processes of their own.
+
+transcripts/README.md says how the recordings were made and how closely to agree.
+"""
+
+import io
+import json
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tools.cli import command
+from param_tools.ros import stage
+
+DATA = Path(__file__).parent / 'transcripts'
+NODES = json.loads((DATA / 'nodes.json').read_text())['nodes']
+SCENARIOS = json.loads((DATA / 'transcripts.json').read_text())['scenarios']
+
+# What our own sentences must hold where the genuine command prints a usage or a traceback.
+MEANING = {
+    'ros2 param get /simple_param_node': 'the following arguments are required: parameter_name',
+    'ros2 param load /simple_param_node missing.yaml': 'cannot read missing.yaml: No such file or directory',
+}
+
+
+class RecordedNode(Node):
+    """A node as nodes.json describes it."""
+
+    def __init__(self, description):
+        super().__init__(description['name'], namespace=description['namespace'])
+        for each in description['parameters']:
+            descriptor = ParameterDescriptor(
+                description=each.get('description', ''),
+                additional_constraints=each.get('additional_constraints', ''),
+                read_only=each.get('read_only', False),
+                dynamic_typing=each.get('dynamic_typing', False))
+            if 'floating_point_range' in each:
+                descriptor.floating_point_range = [FloatingPointRange(**each['floating_point_range'])]
+            if 'integer_range' in each:
+                descriptor.integer_range = [IntegerRange(**each['integer_range'])]
+            value = each['value']
+            if each['type'] == 'byte_array':
+                value = [bytes([byte]) for byte in value]
+            self.declare_parameter(
+                each['name'], Parameter(each['name'], Parameter.Type[each['type'].upper()], value).value, descriptor)
+
+
+Answer = tuple[str, str, int]
+
+
+def in_this_process(commands: list[list[str]]) -> Iterator[Answer]:
+    """Yield standard output, standard error and exit status of each command."""
+    for words in commands:
+        stdout, stderr = io.StringIO(), io.StringIO()
+        status = command.main(words, stdout=stdout, stderr=stderr, get_executor=stage.current, in_notebook=True)
+        yield stdout.getvalue(), stderr.getvalue(), status
+
+
+def as_new_processes(commands: list[list[str]]) -> Iterator[Answer]:
+    """Yield the same, from new processes where a verb or a number of arguments comes up for the first time.
+
+    What a command prints does not depend on its process; that it starts, finds the nodes and ends well does.
+    """
+    kinds = set()
+    for words in commands:
+        kind = (*words[:2], len(words))
+        yield next(in_this_process([words])) if kind in kinds else as_new_process(words)
+        kinds.add(kind)
+
+
+def as_new_process(words: list[str]) -> Answer:
+    done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words], capture_output=True, text=True,
+                          stdin=subprocess.DEVNULL)
+    return done.stdout, done.stderr, done.returncode
+
+
+@pytest.mark.parametrize('run', [
+    in_this_process, pytest.param(as_new_processes, marks=[pytest.mark.slow, pytest.mark.thorough])])
+@pytest.mark.parametrize('scenario', SCENARIOS, ids=lambda scenario: scenario['scenario'].replace(' ', '_'))
+def test_agrees_with_the_genuine_command(scenario, run, ros, tmp_path, monkeypatch):
+    for description in NODES:
+        ros.add(RecordedNode, description)
+    for name, text in scenario['files'].items():
+        (tmp_path / name).write_text(text)
+    monkeypatch.chdir(tmp_path)
+    steps = scenario['steps']
+    for step, (stdout, stderr, status) in zip(steps, run([shlex.split(step['command'])[1:] for step in steps])):
+        assert status == step['returncode'], f"{step['command']}: {stderr}"
+        if step['match'] == 'exact':
+            assert (stdout, stderr) == (step['stdout'], step['stderr']), step['command']
+        else:
+            assert stdout == ''
+            assert MEANING[step['command']] in stderr
+            assert 'Traceback' not in stderr
+
+
+def test_all_recordings_are_there():
+    assert sum(len(scenario['steps']) for scenario in SCENARIOS) == 63

@@ -1,0 +1,158 @@
+"""Editing a file by its places: the value changes, and not one character beside it."""
+
+import difflib
+
+import hypothesis.strategies as st
+import pytest
+from hypothesis import example, given, settings
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.node import Node
+
+from param_tools import values
+from param_tools.errors import ParameterFileError
+from param_tools.files.editing import edit, update_file
+from param_tools.files.parameter_files import read_all, why_not_expressible
+from param_tutorial import ParameterClient
+from tests.parameters.test_checking import FILES
+from tests.parameters.test_files import DOCUMENTS, NAMES, same, we_read
+from tests.support.strategies import VALUES
+
+
+def changed_lines(before, after):
+    return [line for line in difflib.ndiff(before.splitlines(), after.splitlines()) if line[0] in '-+']
+
+
+@pytest.mark.parametrize(('name', 'node', 'new', 'lines'), [
+    ('lift.yaml', '/hall_3/lift', {'steps': 50}, ['-     steps: 40', '+     steps: 50']),
+    ('lift.yaml', '/hall_3/lift', {'password': 'yes'}, ["-     password: 'no'", "+     password: 'yes'"]),
+    ('lift.yaml', '/hall_3/lift', {'unit': 'mm'}, ['-     unit: "m"', '+     unit: "mm"']),
+    ('lift.yaml', '/hall_3/lift', {'name': 'no'}, ['-     name: lift', "+     name: 'no'"]),
+    ('lift.yaml', '/hall_3/lift', {'tool.length': 1.5}, [
+        '-     tool: {kind: fork, length: 1.2}', '+     tool: {kind: fork, length: 1.5}']),
+    ('lift.yaml', '/hall_3/lift', {'gains': [1.0, 2.5, 3.0]}, [
+        '-     gains: [1.0, 0.5]', '+     gains: [1.0, 2.5, 3.0]']),
+    ('lift.yaml', '/hall_3/lift', {'gains': [2.0]}, ['-     gains: [1.0, 0.5]', '+     gains: [2.0]']),
+    ('lift.yaml', '/hall_3/lift', {'gains': 2}, ['-     gains: [1.0, 0.5]', '+     gains: 2']),
+    ('lift.yaml', '/hall_3/lift', {'new': True}, ['+     new: true']),
+    ('lift.yaml', '/hall_3/lift', {'tool.kind': 'fork'}, []),
+    ('controllers.yaml', '/arm_controller', {'state_publish_rate': 60.0}, [
+        '-     state_publish_rate: 50.0 # Defaults to 50', '+     state_publish_rate: 60.0 # Defaults to 50']),
+    ('controllers.yaml', '/arm_controller', {'joints': ['shoulder', 'wrist', 'hand']}, [
+        '-       - elbow', '+       - wrist', '+       - hand']),
+    ('controllers.yaml', '/arm_controller', {'joints': ['elbow']}, ['-       - shoulder']),
+    ('controllers.yaml', '/any/controller_manager', {'update_rate': 200}, [
+        '-     update_rate: 100  # Hz', '+     update_rate: 200  # Hz']),
+    ('navigation.yaml', '/navigator', {'plugin_lib_names': ['a', 'b', 'c', 'd']}, [
+        '-     - compute_path_action', '-     - follow_path_action', '+     - a', '+     - b', '-     - wait_action',
+        '+     - c', '+     - d']),
+    ('navigation.yaml', '/local_costmap/local_costmap', {'obstacles.scan.max_range': 4.0}, [
+        '-           max_range: 3.0', '+           max_range: 4.0']),
+    ('navigation.yaml', '/elsewhere', {'use_sim_time': False}, [
+        '-     use_sim_time: True', '+     use_sim_time: false']),
+    ('controllers.yaml', '/elsewhere', {'a': 1}, ['+ /elsewhere:', '+   ros__parameters:', '+     a: 1']),
+])
+def test_only_the_value_changes(tmp_path, name, node, new, lines):
+    text = (FILES / name).read_text()
+    path = tmp_path / name
+    path.write_text(text)
+    before = read_all(path, [node])
+    assert update_file(path, node, new) == (list(new) if lines else [])
+    assert sorted(changed_lines(text, path.read_text())) == sorted(lines)
+    after = read_all(path, [node])
+    assert same(after[node], {**before.get(node, {}), **new})
+    if '/**' not in text or node != '/elsewhere':
+        assert {other: each for other, each in after.items() if other != node} == {
+            other: each for other, each in before.items() if other != node}
+
+
+@pytest.mark.slow
+@settings(max_examples=300)
+@given(DOCUMENTS, st.dictionaries(NAMES, VALUES, min_size=1, max_size=3))
+@example('/lab/reader: {ros__parameters: {a: 1}}\n', {'b.c': 'x'})
+@example('/lab/reader:\r\n  ros__parameters:\r\n    a: |\r\n      x\r\n    b: 2\r\n', {'a': 'z', 'c': [1, 2]})
+@example('\ufeff/lab/reader:\n  ros__parameters:\n    a: "ä\U0001f600"  # ö\n', {'a': 'x'})
+def test_a_node_gets_what_was_asked_for_and_all_else_or_nothing_happens(text, new):
+    before = we_read(text)
+    try:
+        after, changed = edit(text, '/lab/reader', new)
+    except ParameterFileError:
+        return
+    if changed and before is not None:
+        assert same(we_read(after), {**before, **new})
+    assert set(changed) <= set(new)
+    assert all(why_not_expressible(name, value) is None for name, value in new.items())
+
+
+@pytest.mark.parametrize('value', [False, 'x', ['a']])
+def test_an_array_in_the_column_of_its_name_can_become_any_value(value):
+    text = (FILES / 'navigation.yaml').read_text()
+    assert 'plugin_lib_names:\n    - ' in text
+    edited, _ = edit(text, '/navigator', {'plugin_lib_names': value})
+    assert same(we_read(edited, '/navigator'), {**we_read(text, '/navigator'), 'plugin_lib_names': value})
+
+
+@pytest.mark.slow
+@given(st.sampled_from(['navigation.yaml', 'controllers.yaml', 'lift.yaml']), st.data())
+def test_any_value_of_a_file_by_hand_can_be_changed(name, data):
+    text = (FILES / name).read_text()
+    node, held = data.draw(st.sampled_from(sorted(read_all(FILES / name).items(), key=str)))
+    parameter = data.draw(st.sampled_from(sorted(held)))
+    value = data.draw(VALUES.filter(lambda value: why_not_expressible('x', value) is None))
+    edited, _ = edit(text, node, {parameter: value})
+    if not isinstance(held[parameter], list) and not isinstance(value, list):
+        assert len(changed_lines(text, edited)) <= 2
+
+
+@pytest.mark.parametrize(('text', 'new', 'complaint'), [
+    ('/n:\n  a: 1\n', {'a': 1}, 'line 2: there is a value before'),
+    ('/n: {ros__parameters: {a: 1}}', {'a': []}, 'a of /n: an empty array in a parameter file has no type'),
+    ('/n: {ros__parameters: {a: 1}}', {'a': [b'x']}, 'byte arrays'),
+    ('/n: {ros__parameters: {a: 1, a: x}}', {'a': 'y'}, 'change it by hand'),
+])
+def test_what_cannot_be_done_leaves_the_file(tmp_path, text, new, complaint):
+    path = tmp_path / 'robot.yaml'
+    path.write_text(text)
+    with pytest.raises(ParameterFileError, match=r'robot\.yaml') as rejection:
+        update_file(path, '/n', new)
+    assert complaint in str(rejection.value)
+    assert path.read_text() == text
+
+
+def test_what_is_no_text_is_left(tmp_path):
+    path = tmp_path / 'robot.yaml'
+    path.write_bytes(b'\xff\xfe')
+    with pytest.raises(ParameterFileError, match='is not UTF-8'):
+        update_file(path, '/n', {'a': 1})
+    with pytest.raises(ParameterFileError, match='cannot read'):
+        update_file(tmp_path / 'nowhere.yaml', '/n', {'a': 1})
+
+
+class Locked(Node):
+    """Has a read-only parameter."""
+
+    def __init__(self):
+        super().__init__('locked')
+        self.declare_parameter('serial', 'A', ParameterDescriptor(read_only=True))
+        self.declare_parameter('speed', 1)
+
+
+def test_a_node_writes_its_values_into_a_file_of_a_person(ros, tmp_path):
+    client = ParameterClient(ros.add(Locked))
+    path = tmp_path / 'robot.yaml'
+    path.write_text('# mine\n/**:\n  ros__parameters:\n    speed: 5   # fast\n')
+    assert client.update_file(path) == ['speed']
+    assert path.read_text() == '# mine\n/**:\n  ros__parameters:\n    speed: 1   # fast\n'
+    assert client.update_file(path, ['serial']) == ['serial']
+    assert values.same(read_all(path, ['/locked'])['/locked'], {'speed': 1, 'serial': 'A'})
+
+
+@pytest.mark.parametrize('skip', [True, False])
+def test_read_only_values_are_loaded_and_dumped_as_the_user_chooses(ros, tmp_path, skip):
+    client = ParameterClient(ros.add(Locked))
+    path = tmp_path / 'robot.yaml'
+    path.write_text('/locked:\n  ros__parameters:\n    serial: B\n    speed: 2\n')
+    assert client.load(path, skip_read_only=skip).successful is skip
+    assert client.get_parameter('speed') == 2
+    dump = client.dump(skip_read_only=skip)
+    assert ('serial' in dump.left_out) is skip
+    assert ('# left out: "serial": it is read-only' in dump.text) is skip

@@ -1,0 +1,445 @@
+"""Parameter files against rcl's own parser: it must read whatever we write or read in the same way."""
+
+import os
+import re
+import stat
+import sys
+import tempfile
+from pathlib import Path
+
+import hypothesis.strategies as st
+import pytest
+import rclpy
+import yaml
+from hypothesis import HealthCheck, example, given, settings
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.context import Context
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.signals import SignalHandlerOptions
+
+from param_tools import values
+from param_tools.errors import ParameterFileError
+from param_tools.files.parameter_files import read, render
+from param_tutorial import ParameterClient
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from tests.support.strategies import TEXT, VALUES
+
+property_test = settings(deadline=None, max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+class Reader(Node):
+    """Declares whatever a parameter file holds for it."""
+
+    def __init__(self, name, namespace):
+        super().__init__(name, namespace=namespace, start_parameter_services=False, enable_rosout=False,
+                         automatically_declare_parameters_from_overrides=True)
+
+
+def rcl_reads(ros, text, node='/lab/reader'):
+    """Return the values that a real node gets from a parameter file; None if it does not start."""
+    namespace, _, name = node.rpartition('/')
+    with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
+        file.write(text if isinstance(text, bytes) else text.encode())
+        file.flush()
+        try:
+            reader = ros.add(Reader, name, namespace or '/', ros_args=['--params-file', file.name])
+        # RCLInvalidROSArgsError for a file that does not parse, ValueError for a parameter without a type.
+        except Exception:
+            return None
+    found = {name: values.normalize(parameter.value) for name, parameter in reader.get_parameters_by_prefix('').items()}
+    own = {'use_sim_time': False, 'start_type_description_service': True}
+    return {name: value for name, value in found.items() if name not in own or not values.same(value, own[name])}
+
+
+def we_read(text, node='/lab/reader'):
+    """Return what ``read`` finds in a text; None if it rejects the text."""
+    with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
+        file.write(text if isinstance(text, bytes) else text.encode())
+        file.flush()
+        try:
+            return read(file.name, node)
+        except ParameterFileError as error:
+            assert str(error).startswith(file.name) or file.name in str(error)
+            return None
+
+
+def same(left, right):
+    return left.keys() == right.keys() and all(values.same(left[name], right[name]) for name in left)
+
+
+# -- what is written comes back -----------------------------------------------------------------------------
+
+PART = st.one_of(st.sampled_from(['a', 'b', 'true', '1', '', 'x y', '/tf', '#', '1e5', '~', 'ros__parameters']), TEXT)
+NAMES = st.lists(PART, min_size=1, max_size=4).map('.'.join).filter(bool)
+PARAMETERS = st.dictionaries(NAMES, VALUES, max_size=8)
+TRICKY = [
+    '', ' ', 'y', 'n', 'Yes', 'off', '1e5', '1.0e5', 'inf', 'Infinity', 'nan', 'NaN', '0x10', '017', '0b1', '1_000',
+    '12:30', '2024-01-01', 'null', '~', '=', '<<', '- a', 'a: b', 'a #b', '@x', '`x', '!tag', '*alias', '%x', '[1]',
+    '{a: b}', "it's", '"', '\\', 'two\nlines', '\n', 'tab\t', '\x07', '\x85', '\u2028', '\ufeff', 'Größe', '😀', '.5',
+    '.', '-', '--', '---', '...', '? x', '|', '>', 'x' * 2000, '+1', '.inf', '0x', '1.', '-0', 'e5', 'true ']
+
+
+@pytest.mark.slow
+@property_test
+@given(PARAMETERS)
+@example({text or 'empty': text for text in TRICKY})
+@example({'texts': TRICKY})
+@example({'doubles': [0.0, -0.0, 1e-7, 1e22, 1e300, float('inf'), -float('inf'), float('nan'), sys.float_info.min]})
+@example({'a': 1, 'a.b': 2, 'a.b.c': 3, 'a.b.c.d': 4, 'x.a': 1, 'x.a.b': 2, 'x.y.z': 5})
+@example({'.': 1, '..': 2, 'a.': 3, 'a..b': 4, '.a': 5, 'a.b': 6, 'a.b.': 7})
+@example({'k' * 1100: 1, 'é' * 600: [1], 'long': list(range(1000))})
+def test_what_is_written_comes_back_with_the_same_types_and_values(ros, parameters):
+    dump = render('/lab/reader', parameters)
+    expected = {name: value for name, value in parameters.items() if name not in dump.left_out}
+    assert same(rcl_reads(ros, dump.text), expected)
+    assert same(we_read(dump.text) or {}, expected)
+    # Any other YAML program gets the same types, too.
+    yaml.safe_load(dump.text)
+
+
+@pytest.mark.slow
+@given(PARAMETERS)
+def test_only_what_rcl_cannot_express_is_left_out(parameters):
+    for name, reason in render('/lab/reader', parameters).left_out.items():
+        value = parameters[name]
+        assert reason
+        assert values.type_of(value) is values.BYTE_ARRAY or any(
+            isinstance(item, float) and 0 < abs(item) < sys.float_info.min
+            for item in (value if isinstance(value, list) else [value]))
+
+
+def test_what_cannot_be_written_is_named_with_its_reason_and_stands_in_the_text_as_a_comment(ros):
+    unwritable = {'empty': [], 'bytes': [b'\x01'], 'tiny': 5e-324, 'tiny_one_of_many': [1.0, -1e-310], 'unset': None,
+                  'nul': 'a\0b', 'nul\0name': 1, '': 1, 'half': '\ud800', 'new\nline': []}
+    dump = render('/lab/reader', {**unwritable, 'fine': 1})
+    assert dump.left_out.keys() == unwritable.keys()
+    assert 'no type' in dump.left_out['empty']
+    assert 'byte' in dump.left_out['bytes']
+    assert '5e-324' in dump.left_out['tiny']
+    assert 'no value' in dump.left_out['unset']
+    assert '# left out: "empty": ' in dump.text
+    assert '# left out: "new\\nline": ' in dump.text
+    assert rcl_reads(ros, dump.text) == we_read(dump.text) == {'fine': 1}
+    assert str(dump) == dump.text
+    assert repr(dump).startswith(dump.text.rstrip('\n'))
+    assert 'left out:' in repr(dump).splitlines()[-1]
+
+
+def test_without_parameters_there_is_still_a_block(ros):
+    assert rcl_reads(ros, render('/lab/reader', {}).text) == {}
+
+
+def test_a_dump_is_easy_to_read():
+    dump = render('/simple_param_node', {
+        'robot_name': 'Clawbot', 'serial': 'SN-CLAW-001', 'gains.kp': 1.5, 'gains.kd': 1e-05,
+        'joints': ['base', 'left arm'], 'on': True, 'label': 'yes'})
+    assert dump.text == '''\
+/simple_param_node:
+  ros__parameters:
+    gains:
+      kd: 1.0e-05
+      kp: 1.5
+    joints: [base, left arm]
+    label: 'yes'
+    'on': true
+    robot_name: Clawbot
+    serial: SN-CLAW-001
+'''
+
+
+# -- read agrees with rcl ------------------------------------------------------------------------------------
+
+NUMBERS = st.from_regex(r'[+-]?(0[xX])?[0-9a-fA-F_]{0,5}(\.[0-9a-f]{0,3})?([eEpP][+-]?[0-9]{1,4})?', fullmatch=True)
+# From ordinary characters only: what YAML itself makes of the others is not ours to test.
+WORDS = st.text('abnyxoeinfNOYE019.+-_~:', max_size=7)
+SCALARS = st.one_of(NUMBERS, WORDS, st.floats().map(repr), st.integers().map(str), st.sampled_from(TRICKY))
+
+
+@pytest.mark.slow
+@property_test
+@given(st.lists(SCALARS, max_size=20))
+@example(['08', '0x', '-0x10', '9223372036854775807', '9223372036854775808', '-9223372036854775809', '1e400',
+          '4.9e-324', '0x1p-1074', '0x1p-1075', '2.2250738585072011e-308', '0e999999999', '1e-999999999', 'nan(1)',
+          '-nan', '+.INF', '-.nan', '1' * 5000])
+def test_scalars_are_typed_as_rcl_types_them(ros, scalars):
+    lines = []
+    for number, text in enumerate(scalars):
+        plain = text
+        try:
+            events = list(yaml.parse(f'a: {plain}\n', Loader=yaml.CSafeLoader))
+            usable = len(events) == 8 and isinstance(events[4], yaml.ScalarEvent) and '\n' not in plain
+        except yaml.YAMLError:
+            usable = False
+        if usable:
+            lines.append(f'    p{number}: {plain}\n')
+    text = '/**:\n  ros__parameters:\n' + ''.join(lines)
+    expected, found = rcl_reads(ros, text), we_read(text)
+    assert (expected is None) == (found is None)
+    assert found is None or same(found, expected)
+
+
+VALUE = st.sampled_from([
+    '1', '1.5', 'x', 'true', "''", '"y"', '[]', '[1, 2]', '[a, b]', '[1, x]', '[1.0, 2]', '{}', '[[1]]', '[[1], [2]]',
+    '[1, [2], 3]', '[{a: 1}]', '~', '', '!!str 5', '!!float 5', '!x 5', '.inf', '1e400', '*x', '&x 3', '"a\\0b"', '-5',
+    'é', 'a: b', '[', '{a: 1, b: {c: 2}}', '? x'])
+KEY = st.sampled_from(['a', 'b', 'c.d', 'a.b', 'x.y.z', '"k l"', '1', 'ros__parameters', 'a', '"a\\0b"', '""'])
+MAPS = st.recursive(VALUE, lambda inner: st.lists(st.tuples(KEY, inner), max_size=4).map(
+    lambda items: '{' + ', '.join(f'{key}: {value}' for key, value in items) + '}'), max_leaves=6)
+BLOCK = st.one_of(st.builds('{{ros__parameters: {}}}'.format, MAPS), MAPS)
+NODE = st.sampled_from([
+    '/lab/reader', 'lab/reader', '/lab', 'reader', '/**', '**', '/*', '/*/reader', '/lab/*', '/**/reader', '/*/*',
+    '/lab/**', '/reader', '/**/**', '/lab/reader/', '//reader', '/a b', '/1', '/n*', '""'])
+DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
+    lambda items: ''.join(f'{node}: {block}\n' for node, block in items))
+
+
+@pytest.mark.slow
+@settings(property_test, max_examples=400)
+@given(DOCUMENTS)
+@example('/**: {ros__parameters: {a: 1}}\n/lab/reader: {ros__parameters: {a: 2}}\n/**: {ros__parameters: {a: 3}}')
+@example('/**: {ros__parameters: {1: b, 1: {a: 1, b: 1.5, b: {p: 3}, b: true}}}')
+@example('/lab: {reader: {ros__parameters: {a: 1}}}\n---\n/**: {ros__parameters: {a: x}}')
+@example('/**: {ros__parameters: {s: {c: {}, d: 1}, e: 2}}')
+@example('/**: {ros__parameters: [{a: 1}]}\n/lab/reader: {ros__parameters: [{a: 1}]}')
+@example('hello')
+@example('')
+def test_documents_are_read_or_rejected_as_rcl_reads_or_rejects_them(ros, text):
+    expected, found = rcl_reads(ros, text), we_read(text)
+    if found is None:
+        # We also reject a file that holds nothing for the node.
+        assert not expected
+    elif any(value == [] for value in found.values()):
+        assert expected is None  # rcl makes an untyped parameter of it, which no node can declare
+    else:
+        assert expected is not None and same(found, expected)
+
+
+@pytest.mark.slow
+@settings(property_test, max_examples=400)
+@given(DOCUMENTS)
+@example('/n:\n  ros__parameters:\n    a: [1, x]\n')
+@example('/n:\n  ros__parameters:\n    a: 1\n    b: *x\n')
+@example('/n:\n  ros__parameters:\n    a:\n    b: 1\n')
+@example('/n:\n  ros__parameters:\n    a: [[1], [2]]\n')
+@example('/n:\n  a: 1\n')
+@example('ros__parameters:\n  a: 1\n')
+def test_a_rejection_names_the_line_that_rcl_names(text):
+    ours, theirs = rejection_of(text), rcl_rejection_of(text)
+    named = re.search(r'line(?:_num)? (\d+)', theirs)
+    # rcl names no line for the name of a node, and often the wrong one for what is not YAML.
+    if named and 'Error parsing a event near line' not in theirs:
+        assert f', line {named[1]}: ' in ours
+
+
+def rejection_of(text):
+    with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
+        file.write(text.encode())
+        file.flush()
+        try:
+            read(file.name, '/lab/reader')
+        except ParameterFileError as error:
+            return str(error)
+    return ''
+
+
+def rcl_rejection_of(text):
+    """Return what rcl's parser says against a file, or nothing."""
+    context = Context()
+    with tempfile.NamedTemporaryFile('wb', suffix='.yaml') as file:
+        file.write(text if isinstance(text, bytes) else text.encode())
+        file.flush()
+        try:
+            rclpy.init(args=['--ros-args', '--params-file', file.name], context=context,
+                       signal_handler_options=SignalHandlerOptions.NO)
+        except RuntimeError as error:
+            return str(error)
+    context.try_shutdown()
+    return ''
+
+
+@pytest.mark.parametrize('block', ['/reader', 'reader', '/lab/reader', '/**', '/*', '/*/reader', '/**/reader', '/lab/*',
+                                   '/lab/**', '/a/*/reader', '/*/*', '/reader/**', '/readers', '/lab'])
+@pytest.mark.parametrize('node', ['/reader', '/lab/reader', '/a/lab/reader'])
+def test_a_block_is_for_the_nodes_that_rcl_gives_it_to(ros, block, node):
+    text = f'{block}:\n  ros__parameters:\n    a: 1\n'
+    assert (we_read(text, node) or {}) == rcl_reads(ros, text, node)
+
+
+@pytest.mark.parametrize(('text', 'complaint'), [
+    ('/n:\n  ros__parameters:\n    a: 1\n    b: *x\n', 'line 4: '),
+    ('/n:\n  ros__parameters:\n    a:\n    b: 1\n', 'line 3: a has no value; for an empty string write'),
+    ('/n:\n  ros__parameters:\n    a: {}\n', 'line 3: a has no value'),
+    ('/n:\n  ros__parameters:\n    a: [1, x]\n', 'line 3: the elements of a must all be of one type'),
+    ('/n:\n  ros__parameters:\n    a: [[1], [2]]\n', 'line 3: a list cannot stand here'),
+    ('/n:\n  a: 1\n', 'line 2: there is a value before ros__parameters'),
+    ('/n:\n  ros__parameters:\n    a:1\n    b: 2\n', 'line 3: a space must follow the colon in a:1'),
+    ('/n:\n  ros__parameters:\n    a:1\n', 'line 3: a space must follow the colon in a:1'),
+    ('ros__parameters:\n  a: 1\n', 'line 1: there is no node name before ros__parameters'),
+    ('/my node:\n  ros__parameters:\n    a: 1\n', "line 2: '/my node' is not a node name"),
+    ('/n:\n\tros__parameters:\n', 'line 2: this is not YAML'),
+    ('/other:\n  ros__parameters:\n    a: 1\n', 'holds nothing for /n; it is for /other'),
+    ('', 'holds nothing for /n; it is for no node at all'),
+])
+def test_a_rejection_says_where_and_what(tmp_path, text, complaint):
+    path = tmp_path / 'robot.yaml'
+    path.write_text(text)
+    with pytest.raises(ParameterFileError, match=r'robot\.yaml') as rejection:
+        read(path, '/n')
+    assert complaint in str(rejection.value)
+
+
+LISTS = ''.join(f'{after}: &{after} [{", ".join([f"*{before}"] * 10)}]\n'
+                for before, after in zip('abcdefgh', 'bcdefghi'))
+
+
+@pytest.mark.parametrize('text', [
+    pytest.param('/n: {ros__parameters: {a: &a [1], b: *a}}', id='an alias'),
+    pytest.param(f'/n:\n ros__parameters:\n  a: &a [1]\n  {LISTS}'.replace('\n', '\n  '), id='aliases that explode'),
+    pytest.param('/n: &n {ros__parameters: *n}', id='an alias of itself'),
+    pytest.param('/n: {ros__parameters: {a: \x07}}', id='a control character'),
+])
+def test_what_would_harm_the_reader_is_rejected(tmp_path, text):
+    path = tmp_path / 'hostile.yaml'
+    path.write_text(text)
+    with pytest.raises(ParameterFileError, match=r'hostile\.yaml, line \d'):
+        read(path, '/n')
+
+
+def test_no_tag_makes_an_object(tmp_path):
+    path = tmp_path / 'hostile.yaml'
+    path.write_text('/n: {ros__parameters: {a: !!python/object/apply:os.mkdir ["made"]}}')
+    assert read(path, '/n') == {'a': ['made']}
+    assert [each.name for each in tmp_path.iterdir()] == ['hostile.yaml']
+
+
+@pytest.mark.slow
+def test_a_deep_and_a_long_file_are_read(tmp_path):
+    path = tmp_path / 'big.yaml'
+    path.write_text('/n: {ros__parameters: ' + '{a: ' * 500 + '1' + '}' * 501)
+    assert read(path, '/n') == {'.'.join('a' * 500): 1}
+    count = 20_000  # in a time that grows with its square, this would take a minute
+    path.write_text('/n:\n  ros__parameters:\n' + ''.join(f'    p{number}: {number}\n' for number in range(count)))
+    assert read(path, '/n') == {f'p{number}': number for number in range(count)}
+
+
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(ParameterFileError, match=r'cannot read .*nowhere\.yaml: No such file'):
+        read(tmp_path / 'nowhere.yaml', '/n')
+
+
+def test_without_libyaml_the_same_is_read(monkeypatch):
+    monkeypatch.delattr(yaml, 'CSafeLoader')
+    assert we_read('/**: {ros__parameters: {a: {b: "x"}, c: [0x10]}}') == {'a.b': 'x', 'c': [16]}
+
+
+# -- saving ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize('step', [(os, 'fsync'), (Path, 'replace')], ids=['write', 'replace'])
+def test_a_failed_save_leaves_the_old_file_and_nothing_else(tmp_path, monkeypatch, step):
+    path = tmp_path / 'robot.yaml'
+    path.write_text('old')
+
+    def full(*_):
+        raise OSError(28, 'No space left on device')
+
+    monkeypatch.setattr(*step, full)
+    with pytest.raises(OSError, match=r'No space left on device; the parameters were not written.*robot\.yaml'):
+        render('/n', {'a': 1}).save(path)
+    assert path.read_text() == 'old'
+    assert [path.name for path in tmp_path.iterdir()] == ['robot.yaml']
+
+
+def test_saving_keeps_permissions_and_links(tmp_path):
+    path, link = tmp_path / 'robot.yaml', tmp_path / 'link.yaml'
+    path.write_text('old')
+    path.chmod(0o640)
+    link.symlink_to(path)
+    dump = render('/n', {'a': 1})
+    dump.save(link)
+    assert link.is_symlink()
+    assert path.read_text() == dump.text
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+
+
+@pytest.mark.parametrize('path', ['.', 'no/such/folder/robot.yaml'])
+def test_where_nothing_can_be_written_the_error_says_so(tmp_path, path):
+    with pytest.raises(OSError, match='the parameters were not written'):
+        render('/n', {}).save(tmp_path / path)
+    assert [path.name for path in tmp_path.iterdir()] == []
+
+
+# -- the client, on live nodes ------------------------------------------------------------------------------
+
+
+class Everything(Node):
+    """A parameter of every type, and those that no file can hold."""
+
+    def __init__(self):
+        super().__init__('everything', namespace='/lab')
+        for name, value in {
+                'flag': True, 'count': 3, 'ratio': 1e-7, 'text': '1e5', 'lines': 'two\nlines', 'gains.kp': 2.0,
+                'flags': [True], 'counts': [1, 2], 'ratios': [0.5, float('inf')], 'texts': ['y', ''],
+                'raw': [b'\x01']}.items():
+            self.declare_parameter(name, value)
+        self.declare_parameter('nothing_yet', Parameter.Type.INTEGER)
+        self.declare_parameter('no_counts', Parameter('no_counts', Parameter.Type.INTEGER_ARRAY, []).value,
+                               ParameterDescriptor(dynamic_typing=True))
+        self.declare_parameter('serial', 'SN-1', ParameterDescriptor(read_only=True))
+
+
+def test_a_dump_loads_back_into_a_live_node(ros, tmp_path):
+    ros.add(Everything)
+    client = ParameterClient('/lab/everything')
+    before = client.get_parameters()
+    dump = client.dump(tmp_path / 'everything.yaml')
+    assert (tmp_path / 'everything.yaml').read_text() == dump.text
+    assert dump.left_out.keys() == {'raw', 'nothing_yet', 'no_counts'}
+    changed = {'flag': False, 'count': 4, 'ratio': 2.0, 'text': 'other', 'lines': '', 'gains.kp': 9.0,
+               'flags': [False, False], 'counts': [9], 'ratios': [1.0], 'texts': ['x']}
+    assert client.set_parameters(changed).successful
+    results = client.load(tmp_path / 'everything.yaml')
+    assert results.successful
+    # Not among them are the read-only parameters, which have the file's values already.
+    assert {result.name for result in results} == {*changed, 'use_sim_time'}
+    after = client.get_parameters()
+    assert list(after) == list(before)
+    assert all(values.same(after[name], before[name]) for name in before)
+
+
+def test_a_read_only_parameter_with_another_value_is_rejected(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    client = ParameterClient('/simple_param_node')
+    path = tmp_path / 'robot.yaml'
+    text = str(client.dump())
+    path.write_text(text.replace('SN-CLAW-001', 'SN-CLAW-002').replace('max_speed_rpm: 100', 'max_speed_rpm: 7'))
+    kinds = {result.name: result.kind for result in client.load(path)}
+    assert kinds['robot_serial_number'] == 'read only'
+    assert kinds['max_speed_rpm'] == 'accepted'
+    assert client.get_parameter('max_speed_rpm') == 7
+
+
+def test_an_empty_array_in_a_file_takes_the_type_of_the_parameter(ros, tmp_path):
+    ros.add(Everything)
+    client = ParameterClient('/lab/everything')
+    (tmp_path / 'empty.yaml').write_text('/**:\n  ros__parameters:\n    counts: []\n    texts: []\n')
+    assert client.load(tmp_path / 'empty.yaml').successful
+    types = client.get_parameter_types(['counts', 'texts'])
+    assert types == {'counts': values.INTEGER_ARRAY, 'texts': values.STRING_ARRAY}
+
+
+def test_a_bad_file_sets_nothing(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    client = ParameterClient('/simple_param_node')
+    (tmp_path / 'bad.yaml').write_text('/**:\n  ros__parameters:\n    max_speed_rpm: 7\n    robot_name:\n')
+    with pytest.raises(ParameterFileError, match='line 4'):
+        client.load(tmp_path / 'bad.yaml')
+    assert client.get_parameter('max_speed_rpm') == 100
+
+
+def test_no_draft_is_left_when_saving_succeeds(ros, tmp_path):
+    ros.add(SimpleParamNode)
+    ParameterClient('/simple_param_node').dump(tmp_path / 'robot.yaml')
+    assert [path.name for path in tmp_path.iterdir()] == ['robot.yaml']
+    assert read(tmp_path / 'robot.yaml', '/simple_param_node')['robot_name'] == 'Clawbot'

@@ -1,0 +1,254 @@
+"""aliases: an old name does what the new one does, at the start and later, and says that it is old."""
+
+import pytest
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
+from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tools import Aliases, Rules
+from param_tools.errors import AliasError
+from param_tools.node.client import changes
+from param_tutorial import ParameterClient, wait_until
+
+
+class Robot(Node):
+    def __init__(self, **options):
+        super().__init__('robot')
+        self.aliases = Aliases(self, {'speed': 'max_speed', 'v': 'max_speed', 'sn': 'serial', 'free': 'any',
+                                      'start': 'unset'}, **options)
+        self.at_start = self.declare_parameter('max_speed', 100, ParameterDescriptor(
+            description='Top speed.', integer_range=[IntegerRange(from_value=0, to_value=300, step=1)])).value
+        self.declare_parameter('serial', 'S1', ParameterDescriptor(read_only=True))
+        self.declare_parameter('any', None, ParameterDescriptor(dynamic_typing=True))
+        self.declare_parameter('unset', Parameter.Type.DOUBLE_ARRAY)
+        self.declare_parameter('other', 1)
+
+
+@pytest.fixture
+def client(ros):
+    return ParameterClient(ros.add(Robot))
+
+
+def warnings(ros, node, *wanted):
+    """Expect a node's warnings; its name must be new, since a late log line of an earlier test may still come."""
+    wait_until(lambda: len(ros.node_log.lines(f'/{node}')) >= len(wanted), 'the warnings')
+    assert ros.node_log.lines(f'/{node}') == [
+        f'[WARN] [{node}]: {old} is deprecated: set {new} instead' for old, new in wanted]
+
+
+SPEEDS = ['max_speed', 'speed', 'v']
+
+
+@pytest.mark.parametrize('name', SPEEDS)
+@pytest.mark.parametrize('verb', ['set_parameters', 'set_parameters_atomically'])
+def test_every_name_sets_all_of_them(client, name, verb):
+    assert getattr(client, verb)({name: 50, 'other': 7}).successful
+    assert client.get_parameters([*SPEEDS, 'other']) == {'max_speed': 50, 'speed': 50, 'v': 50, 'other': 7}
+
+
+def test_old_names_are_listed_and_described(client):
+    assert client.list_parameters()[2:] == ['max_speed', 'speed', 'v', 'serial', 'sn', 'any', 'free', 'unset', 'start',
+                                            'other']
+    described = client.describe_parameters(SPEEDS)
+    assert {each.range for each in described.values()} == {described['max_speed'].range}
+    assert described['speed'].description == 'Deprecated, use max_speed. Top speed.'
+    assert described['max_speed'].description == 'Top speed.'
+    assert client.describe_parameter('sn').read_only
+
+
+def test_one_change_is_one_event_with_all_names(ros, client):
+    events = []
+    stop = ros.on_parameter_event(lambda event: events.append(dict(changes(event))))
+    client.set_parameter('v', 50)
+    wait_until(lambda: {'max_speed': 50, 'speed': 50, 'v': 50} in events, 'the event')
+    stop()
+    assert [event for event in events if 50 in event.values()] == [{'max_speed': 50, 'speed': 50, 'v': 50}]
+
+
+def test_the_warning_comes_once_for_each_old_name(ros):
+    client = ParameterClient(ros.add(Robot, ros_args=['-r', '__node:=warns_once']))
+    for name in ('speed', 'max_speed', 'speed', 'v', 'v'):
+        client.set_parameter(name, 50)
+    warnings(ros, 'warns_once', ('speed', 'max_speed'), ('v', 'max_speed'))
+    assert ros.nodes[0].aliases.used == ['speed', 'v']
+
+
+@pytest.mark.parametrize(('name', 'value', 'words'), [
+    ('speed', 301, 'Parameter max_speed out of range'), ('v', 'fast', 'Wrong parameter type'),
+    ('sn', 'S2', 'Trying to set a read-only parameter: serial'), ('v', None, 'Static parameter cannot be undeclared')])
+def test_a_rejection_mentions_the_new_name_and_changes_no_value(client, name, value, words):
+    before = client.get_parameters()
+    assert words in client.set_parameter(name, value).reason
+    assert client.get_parameters() == before
+
+
+def test_two_names_with_two_values_are_rejected_and_with_one_value_are_one(client):
+    rejected = client.set_parameters_atomically({'speed': 1, 'max_speed': 2, 'other': 3})
+    assert rejected[0].reason == 'speed = 1 and max_speed = 2 are one parameter: set max_speed only'
+    rejected = client.set_parameters_atomically({'speed': 1, 'v': 2})
+    assert rejected[0].reason == 'speed = 1 and v = 2 are one parameter: set max_speed only'
+    assert client.get_parameters([*SPEEDS, 'other']) == {'max_speed': 100, 'speed': 100, 'v': 100, 'other': 1}
+    assert client.set_parameters_atomically({'v': 2, 'max_speed': 2}).successful
+    assert client.get_parameter('speed') == 2
+    # One by one they are two changes.
+    assert client.set_parameters({'v': 3, 'max_speed': 4}).successful
+    assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 4)
+
+
+def test_parameters_without_a_value_and_of_any_type_follow_too(client):
+    assert client.get_parameters(['any', 'free', 'unset', 'start']) == dict.fromkeys(['any', 'free', 'unset', 'start'])
+    client.set_parameter('start', [1.5])
+    client.set_parameter('any', 'x')
+    assert client.get_parameters(['unset', 'start', 'free']) == {'unset': [1.5], 'start': [1.5], 'free': 'x'}
+    client.set_parameter('free', 2.5)
+    assert client.get_parameter('any') == 2.5
+    client.delete_parameter('free')
+    assert not {'any', 'free'} & set(client.list_parameters())
+
+
+def test_local_sets_go_the_same_way(ros):
+    node = Robot()  # not spun, so that its own setters may be called here
+    try:
+        assert all(each.successful for each in node.set_parameters([Parameter('speed', value=7)]))
+        assert [node.get_parameter(name).value for name in SPEEDS] == [7, 7, 7]
+    finally:
+        node.destroy_node()
+
+
+@pytest.mark.parametrize('name', SPEEDS)
+def test_an_override_of_any_name_reaches_the_declaration(ros, name):
+    node = ros.add(Robot, ros_args=['-r', f'__node:=starts_with_{name}', '-p', f'{name}:=200'])
+    assert node.at_start == 200
+    assert ParameterClient(node).get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 200)
+    warnings(ros, f'starts_with_{name}', *([(name, 'max_speed')] if name != 'max_speed' else []))
+
+
+def test_a_file_with_an_old_name_reaches_a_read_only_parameter(ros, tmp_path):
+    path = tmp_path / 'old.yaml'
+    path.write_text('/robot: {ros__parameters: {sn: S9, speed: 30}}')
+    client = ParameterClient(ros.add(Robot, ros_args=['--params-file', str(path)]))
+    assert client.get_parameters(['serial', 'sn', 'v']) == {'serial': 'S9', 'sn': 'S9', 'v': 30}
+
+
+def test_a_dump_starts_the_node_again_and_loads(ros, client, tmp_path):
+    client.set_parameter('max_speed', 50)
+    client.dump(tmp_path / 'dump.yaml')
+    client = ParameterClient(ros.add(Robot, ros_args=['--params-file', str(tmp_path / 'dump.yaml')]))
+    assert client.get_parameter('v') == 50
+    client.set_parameter('max_speed', 60)
+    assert client.load(tmp_path / 'dump.yaml', atomically=True).successful
+    assert client.get_parameter('v') == 50
+
+
+def test_overrides_that_disagree_keep_the_node_from_starting(ros):
+    with pytest.raises(AliasError, match='speed and max_speed are one parameter of /robot, and at its start one was '
+                                         'given 1 and the other 2: remove the one for speed'):
+        ros.add(Robot, ros_args=['-p', 'speed:=1', '-p', 'max_speed:=2'])
+    with pytest.raises(AliasError, match='v and max_speed are one'):
+        ros.add(Robot, ros_args=['-p', 'speed:=1', '-p', 'v:=2'])
+    assert not ros.nodes
+
+
+def test_an_override_that_does_not_fit_is_rejected_as_one_of_the_new_name(ros):
+    with pytest.raises(InvalidParameterTypeException, match=r"set parameter 'max_speed' to '2\.0'"):
+        ros.add(Robot, ros_args=['-p', 'v:=2.0'])
+    with pytest.raises(InvalidParameterValueException, match='Parameter max_speed out of range'):
+        ros.add(Robot, ros_args=['-p', 'v:=301'])
+
+
+@pytest.mark.parametrize(('names', 'words'), [
+    ({'a': 'a'}, 'a cannot stand for itself'),
+    ({'a': 'b', 'b': 'c'}, 'a cannot stand for b, which is an old name itself: name the newest one'),
+    ({'a': 'b', 'b': 'a'}, 'an old name itself'),
+    ({'': 'a'}, "'' cannot stand for 'a'"), ({'a': None}, "'a' cannot stand for None"),
+    ({'use_sim_time': 'a'}, '/robot has declared use_sim_time already'),
+])
+def test_nonsense_is_rejected_at_once(ros, names, words):
+    node = ros.add(Node, 'robot')
+    with pytest.raises(AliasError) as raised:
+        Aliases(node, names)
+    assert words in str(raised.value)
+    Aliases(node, {'a': 'b'})  # nothing was left behind
+
+
+@pytest.mark.parametrize(('names', 'options'), [(None, {}), (['a', 'b'], {}), ({'a': 'b'}, {'pre_set': 3})])
+def test_invalid_arguments_raise_an_error(ros, names, options):
+    node = ros.add(Node, 'robot')
+    with pytest.raises(AliasError, match='Aliases takes a node, usually self, a dictionary'):
+        Aliases(node, names, **options)
+    with pytest.raises(AliasError, match="got '/robot'"):
+        Aliases('/robot', {'a': 'b'})
+
+
+def test_a_second_object_is_rejected(client, ros):
+    with pytest.raises(AliasError, match='/robot has Aliases already: name all of them in one object'):
+        Aliases(ros.nodes[0], {'x': 'y'})
+
+
+@pytest.mark.parametrize('name', ['speed', 'v'])
+def test_an_old_name_cannot_be_declared(ros, name):
+    class Forgetful(Robot):
+        def __init__(self):
+            super().__init__()
+            self.undeclare_parameter(name)
+            self.declare_parameter(name, 1)
+
+    with pytest.raises(InvalidParameterValueException, match='is an old name of max_speed, which declares it'):
+        ros.add(Forgetful)
+
+
+def test_the_nodes_own_pre_set_callback_sees_new_names_only(ros):
+    seen = []
+
+    def halve(parameters):
+        seen.extend(parameter.name for parameter in parameters)
+        return [Parameter('max_speed', value=parameter.value // 2) if parameter.name == 'max_speed' else parameter
+                for parameter in parameters]
+
+    client = ParameterClient(ros.add(Robot, pre_set=halve))
+    assert client.set_parameters_atomically({'speed': 100, 'other': 5}).successful
+    assert seen == ['max_speed', 'other']
+    assert client.get_parameters([*SPEEDS, 'other']) == {'max_speed': 50, 'speed': 50, 'v': 50, 'other': 5}
+
+
+def test_a_second_pre_set_callback_is_told_of(ros, client):
+    ros.nodes[0].add_pre_set_parameters_callback(lambda parameters: parameters)
+    reason = 'is there twice in one change. If the request named it once, the node has another pre-set callback'
+    for name in SPEEDS:
+        assert reason in client.set_parameter(name, 50).reason
+    assert client.set_parameter('other', 2).successful
+    assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 100)
+
+
+def test_rules_and_other_callbacks_judge_old_names_too(ros, client):
+    node = ros.nodes[0]
+    Rules(node).multiple_of('max_speed', 10)
+    node.add_on_set_parameters_callback(lambda parameters: SetParametersResult(successful=True))
+    assert client.set_parameter('v', 55).reason == 'max_speed = 55: must be a multiple of 10'
+    assert client.set_parameter('v', 50).successful
+    assert client.get_parameters(SPEEDS) == dict.fromkeys(SPEEDS, 50)
+
+
+def test_what_was_never_declared_is_rejected_and_the_node_lives(ros):
+    class Unfinished(Node):
+        def __init__(self):
+            super().__init__('robot')
+            Aliases(self, {'old': 'new'})
+
+    client = ParameterClient(ros.add(Unfinished))
+    assert client.set_parameter('old', 1).kind == 'undeclared'
+    assert not ros.errors
+
+
+def test_a_mirror_by_hand_fails_for_a_read_only_parameter(ros):
+    class Mirror(Node):  # as in chapter 10.4, which says so
+        def __init__(self):
+            super().__init__('mirror')
+            old = self.declare_parameter('plate', 'none', ParameterDescriptor(read_only=True))
+            new = self.declare_parameter('plate_number', old.value, ParameterDescriptor(read_only=True))
+            self.written_back = self.set_parameters([new])[0].successful
+
+    mirror = ros.add(Mirror, ros_args=['-p', 'plate_number:=W-7'])
+    assert not mirror.written_back
+    assert ParameterClient(mirror).get_parameters(['plate', 'plate_number']) == {'plate': 'none', 'plate_number': 'W-7'}

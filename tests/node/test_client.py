@@ -1,0 +1,589 @@
+"""client and services: every verb, and every way to fail, on real nodes."""
+
+import contextlib
+import math
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+
+import hypothesis
+import pytest
+from rcl_interfaces.msg import (
+    FloatingPointRange,
+    IntegerRange,
+    ParameterDescriptor,
+    ParameterValue,
+    SetParametersResult,
+)
+from rcl_interfaces.msg import Parameter as ParameterMessage
+from rcl_interfaces.srv import ListParameters, SetParameters
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+import param_tutorial
+from param_tools import values
+from param_tools.errors import (
+    CallbackError,
+    ExecutorError,
+    InvalidValueError,
+    NoAnswerError,
+    NodeError,
+    NodeGoneError,
+    NodeNotFoundError,
+    ParameterNotDeclaredError,
+    ParameterRejectedError,
+)
+from param_tools.ros.service_types import SERVICE_TYPES
+from param_tools.ros.services import DISCOVERY_TIMEOUT_SEC
+from param_tutorial import ParameterClient
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from tests.support.processes import CAN_STAND_STILL, standing_still
+from tests.support.strategies import VALUES
+
+
+class Everything(Node):
+    """A parameter for every way to answer."""
+
+    def __init__(self):
+        super().__init__('everything', namespace='/lab')
+        self.declare_parameter('count', 3, ParameterDescriptor(
+            integer_range=[IntegerRange(from_value=0, to_value=10, step=3)]))
+        self.declare_parameter('gain', 0.5, ParameterDescriptor(
+            description='A gain.', additional_constraints='even',
+            floating_point_range=[FloatingPointRange(from_value=2.0, to_value=0.0, step=0.5)]))
+        self.declare_parameter('serial', 'S1', ParameterDescriptor(read_only=True))
+        self.declare_parameter('any', 'free', ParameterDescriptor(dynamic_typing=True))
+        self.declare_parameter('numbers', [1, 2])
+        self.declare_parameter('unset', Parameter.Type.DOUBLE)
+        self.declare_parameter('limits.low', 1)
+        self.declare_parameter('limits.high', 5)
+        self.add_on_set_parameters_callback(self.validate)
+
+    def validate(self, parameters):
+        for parameter in parameters:
+            if parameter.name == 'limits.low' and parameter.value > 5:
+                return SetParametersResult(successful=False, reason='low is too high')
+            if parameter.name == 'limits.high' and parameter.value == 13:
+                raise RuntimeError('thirteen')
+        return SetParametersResult(successful=True)
+
+
+@pytest.fixture
+def client(ros):
+    return ParameterClient(ros.add(Everything))
+
+
+def process(source, *arguments):
+    """Start a script in its own process, in this process's ROS domain."""
+    return subprocess.Popen([sys.executable, '-c', textwrap.dedent(source), *arguments],
+                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+@pytest.fixture
+def remote_node():
+    """Return a process with a SimpleParamNode called /remote, which prints a line once it spins."""
+    child = process(CAN_STAND_STILL + textwrap.dedent('''
+        import rclpy
+        from rclpy.executors import ExternalShutdownException
+        from param_tutorial.nodes.simple_param_node import SimpleParamNode
+        rclpy.init(args=['--ros-args', '-r', '__node:=remote', '--disable-stdout-logs', '--disable-external-lib-logs'])
+        node = SimpleParamNode()
+        print('ready', flush=True)
+        try:
+            rclpy.spin(node)
+        except (KeyboardInterrupt, ExternalShutdownException):
+            pass
+    '''))
+    assert child.stdout.readline() == 'ready\n'
+    yield child
+    child.send_signal(signal.SIGINT)
+    child.communicate()
+
+
+@pytest.mark.slow
+def test_a_client_with_time_waits_for_a_node_that_starts_late(ros):
+    starts = threading.Timer(DISCOVERY_TIMEOUT_SEC + 0.5, ros.add, [Everything])
+    starts.start()
+    try:
+        assert ParameterClient('/lab/everything', timeout_sec=30.0).get_parameter('count') == 3
+    finally:
+        starts.join()
+
+
+def test_list(client):
+    names = client.list_parameters()
+    assert names[-3:] == ['unset', 'limits.low', 'limits.high']
+    assert client.list_parameters(['limits']) == ['limits.low', 'limits.high']
+    assert 'limits.low' not in client.list_parameters(depth=1)
+
+
+def test_get(client):
+    assert client.get_parameter('count') == 3
+    assert client.get_parameters(['serial', 'numbers']) == {'serial': 'S1', 'numbers': [1, 2]}
+    assert client.get_parameters([]) == {}
+
+
+# rclpy answers with nothing at all if one of the names is unknown or has no value (claims A154).
+def test_get_all_in_spite_of_one_without_a_value(client):
+    everything = client.get_parameters()
+    assert list(everything) == client.list_parameters()
+    assert everything['unset'] is None
+    assert everything['count'] == 3
+    assert 'limits.high  ' in repr(everything)
+
+
+def test_get_names_the_unknown_one(client):
+    message = r"/lab/everything has no parameter 'cuont'\. Did you mean count"
+    with pytest.raises(ParameterNotDeclaredError, match=message) as caught:
+        client.get_parameters(['gain', 'cuont', 'serial'])
+    assert (caught.value.node, caught.value.name) == ('/lab/everything', 'cuont')
+    assert isinstance(caught.value, LookupError)
+
+
+def test_describe(client):
+    gain = client.describe_parameter('gain')
+    assert (gain.type, gain.range.from_value, gain.range.to_value, gain.range.step) == (values.DOUBLE, 0.0, 2.0, 0.5)
+    assert repr(gain) == 'gain: double; 0.0 to 2.0 in steps of 0.5; even; A gain.'
+    assert client.describe_parameter('serial').read_only
+    assert client.describe_parameter('any').dynamic_typing
+    assert list(client.describe_parameters()) == client.list_parameters()
+    with pytest.raises(ParameterNotDeclaredError, match='gian'):
+        client.describe_parameters(['count', 'gian'])
+
+
+def test_a_parameter_that_was_never_declared_is_described_under_its_name(ros):
+    client = ParameterClient(ros.add(Node, 'open', allow_undeclared_parameters=True))
+    client.set_parameter('free', 5).raise_for_reason()
+    assert client.describe_parameter('free').name == 'free'
+    assert client.describe_parameters()['free'].name == 'free'
+
+
+def test_types(client):
+    types = {'unset': values.NOT_SET, 'numbers': values.INTEGER_ARRAY}
+    assert client.get_parameter_types(types) == types
+    with pytest.raises(ParameterNotDeclaredError, match='nope'):
+        client.get_parameter_types(['nope'])
+
+
+@pytest.mark.parametrize(('name', 'value', 'kind', 'words'), [
+    ('count', 6, 'accepted', ''),
+    ('count', 10, 'accepted', ''),
+    ('count', 1.0, 'wrong type', 'INTEGER'),
+    ('count', 11, 'out of range', 'Max: 10'),
+    ('count', 4, 'off the step', 'step: 3'),
+    ('gain', 0.7, 'off the step', 'step: 0.5'),
+    ('gain', math.nan, 'out of range', 'nan'),
+    ('gain', 1, 'wrong type', 'DOUBLE'),
+    ('serial', 'S1', 'read only', 'read-only'),
+    ('cuont', 1, 'undeclared', 'Did you mean count'),
+    ('limits.low', 6, 'rejected by the node', 'low is too high'),
+    ('any', [1.5], 'accepted', ''),
+    ('unset', 2.5, 'accepted', ''),
+    ('numbers', [], 'accepted', ''),
+    ('numbers', (4, 5), 'accepted', ''),
+])
+def test_set(client, name, value, kind, words):
+    before = client.get_parameters()
+    result = client.set_parameter(name, value)
+    assert result.kind == kind
+    assert result.successful == (kind == 'accepted')
+    assert words in str(result)
+    for part in ('/lab/everything', name):
+        assert part in str(result)
+    after = client.get_parameters()
+    if result.successful:
+        assert values.same(after[name], values.normalize(value))
+        assert result.raise_for_reason() is result
+    else:
+        assert repr(after) == repr(before)
+        with pytest.raises(ParameterRejectedError, match=kind) as caught:
+            result.raise_for_reason()
+        assert caught.value.result is result
+
+
+def test_an_emptied_array_keeps_its_type(client):
+    client.set_parameter('numbers', []).raise_for_reason()
+    assert client.get_parameter('numbers') == []
+    assert client.describe_parameter('numbers').type is values.INTEGER_ARRAY
+    with pytest.raises(ParameterNotDeclaredError, match='nummers'):
+        client.set_parameter('nummers', [])
+
+
+def test_set_several_one_by_one_and_together(client):
+    wish = {'count': 9, 'gain': 9.0, 'limits.low': 2}
+    results = client.set_parameters(wish)
+    assert [result.successful for result in results] == [True, False, True]
+    assert not results.successful
+    assert client.get_parameters(wish) == {'count': 9, 'gain': 0.5, 'limits.low': 2}
+    with pytest.raises(ParameterRejectedError, match='gain'):
+        results.raise_for_reason()
+
+    wish = {'count': 6, 'gain': 9.0}
+    results = client.set_parameters_atomically(wish)
+    assert [result.successful for result in results] == [False, False]
+    assert client.get_parameters(wish) == {'count': 9, 'gain': 0.5}
+    assert client.set_parameters_atomically({'count': 6, 'gain': 1.0}).raise_for_reason().successful
+    assert client.get_parameters(wish) == {'count': 6, 'gain': 1.0}
+
+
+def test_a_value_that_cannot_be_sent_stops_the_whole_request(client):
+    for wrong in (2**63, {'a': 1}, [1, 'a'], 'a\0b'):
+        with pytest.raises(InvalidValueError, match='cannot set gain of /lab/everything'):
+            client.set_parameters({'count': 9, 'gain': wrong})
+    for name in ('', 5):
+        with pytest.raises(InvalidValueError, match='name'):
+            client.set_parameters({name: 1})
+    assert client.get_parameter('count') == 3
+
+
+def test_delete(client):
+    assert client.delete_parameter('any').successful
+    assert 'any' not in client.list_parameters()
+    assert client.delete_parameter('count').kind == 'not deletable'
+    assert client.delete_parameter('serial').kind == 'read only'
+    assert [r.kind for r in client.delete_parameters(['count', 'cuont'])] == ['not deletable', 'undeclared']
+
+
+@pytest.mark.parametrize('deletions', [1, 20])
+def test_descriptors_and_values_are_of_the_same_parameters_though_some_are_deleted_meanwhile(ros, deletions):
+    class Volatile(Node):
+        def __init__(self):
+            super().__init__('volatile')
+            for number in range(20):
+                self.declare_parameter(f'p{number}', number, ParameterDescriptor(dynamic_typing=True))
+
+    class Unlucky(ParameterClient):
+        """Each time it has heard which parameters there are, the first is deleted."""
+
+        def list_parameters(self, *arguments, **options):
+            names = super().list_parameters(*arguments, **options)
+            if len(deleted) < deletions:
+                deleted.append(next(name for name in names if name.startswith('p')))
+                assert self.delete_parameter(deleted[-1]).successful
+            return names
+
+    deleted = []
+    client = Unlucky(ros.add(Volatile))
+    if deletions == 20:
+        with pytest.raises(ParameterNotDeclaredError):
+            client.describe_and_get()
+        return
+    descriptors, present = client.describe_and_get()
+    assert list(descriptors) == list(present) == client.list_parameters()
+    assert len(deleted) == deletions
+    assert list(client.describe_and_get(['p9', 'gone', 'p8'])[1].items()) == [('p9', 9), ('p8', 8)]
+
+
+@pytest.mark.slow
+@hypothesis.settings(suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture], deadline=None)
+@hypothesis.given(VALUES)
+def test_any_value_arrives_and_comes_back_unchanged(ros, value):
+    if not ros.nodes:
+        ros.add(Everything)
+    client = ParameterClient('/lab/everything')
+    client.set_parameter('any', value).raise_for_reason()
+    assert values.same(client.get_parameter('any'), value)
+
+
+@pytest.mark.slow
+def test_no_such_node(ros):
+    ros.add(SimpleParamNode)
+    client = ParameterClient('simple_parm_node')
+    with pytest.raises(NodeNotFoundError, match=r'no node /simple_parm_node\. Did you mean /simple_param_node\?'):
+        client.list_parameters()
+    with pytest.raises(NodeNotFoundError, match='There is: /simple_param_node'):
+        ParameterClient('not a name').list_parameters()
+    ros.remove_all()
+    with pytest.raises(NodeNotFoundError, match='No node is running'):
+        client.list_parameters()
+
+
+@pytest.mark.slow
+def test_a_node_without_parameter_services(ros):
+    class Silent(Node):
+        def __init__(self):
+            super().__init__('silent', start_parameter_services=False)
+
+    with pytest.raises(NodeError, match='start_parameter_services'):
+        ParameterClient(ros.add(Silent)).list_parameters()
+
+
+def test_a_callback_that_raises_answers_at_once_with_its_exception(client, capfd):
+    with pytest.raises(CallbackError, match='RuntimeError while it served set_parameters: thirteen') as caught:
+        client.set_parameter('limits.high', 13)
+    assert isinstance(caught.value.__cause__, RuntimeError)
+    assert caught.value.__cause__.__traceback__ is not None
+    assert capfd.readouterr().err == ''
+    assert client.set_parameter('limits.high', 7).successful
+
+
+# Chapter 5.2 says so: of the exceptions in a callback, rclpy catches this one.
+def test_a_callback_that_reads_an_undeclared_parameter_is_a_rejection(ros):
+    class ReadsUndeclared(Node):
+        def __init__(self):
+            super().__init__('reads_undeclared')
+            self.declare_parameter('speed', 100)
+            self.add_on_set_parameters_callback(lambda _: self.get_parameter('nowhere'))
+
+    client = ParameterClient(ros.add(ReadsUndeclared))
+    result = client.set_parameter('speed', 150)
+    assert (result.successful, result.reason) == (False, 'Invalid access to undeclared parameter(s): nowhere')
+    assert client.get_parameter('speed') == 100
+
+
+NO_TYPE = [ParameterMessage(name='count', value=ParameterValue(type=77))]
+NO_NAMES = ['', '..', 'a\nb', 'x' * 100_000]
+MALFORMED = {
+    'set_parameters': {'parameters': NO_TYPE},
+    'set_parameters_atomically': {'parameters': NO_TYPE},
+    'get_parameters': {'names': NO_NAMES},
+    'get_parameter_types': {'names': NO_NAMES},
+    'describe_parameters': {'names': NO_NAMES},
+    'list_parameters': {'prefixes': NO_NAMES, 'depth': 2**64 - 1},
+}
+
+
+@pytest.mark.parametrize('service', SERVICE_TYPES)
+def test_a_malformed_request_does_not_end_the_node(client, ros, service):
+    with pytest.raises(CallbackError, match='77') if service.startswith('set') else contextlib.nullcontext():
+        ros.services.call('/lab/everything', service, SERVICE_TYPES[service].Request(**MALFORMED[service]))
+    assert client.get_parameter('count') == 3
+
+
+def test_waiting_inside_a_callback_is_rejected(client, ros):
+    with pytest.raises(ExecutorError, match='callback cannot wait'):
+        ros.run(client.list_parameters, 'list inside the executor')
+
+
+@pytest.mark.slow
+def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
+    ros.add(Everything)
+    child = process('''
+        import param_tutorial
+        ros = param_tutorial.start()
+        param_tutorial.wait_until(lambda: '/lab/everything' in ros.services.node_names(), 'the node', 30)
+        # In the time limit of the call without an answer, neither the node nor its service need be found.
+        patient = param_tutorial.ParameterClient('/lab/everything', timeout_sec=30)
+        assert patient.set_parameter('limits.high', 12).successful
+        try:
+            param_tutorial.ParameterClient('/lab/everything', timeout_sec=1).set_parameter('limits.high', 13)
+        except TimeoutError as error:
+            print(error)
+    ''')
+    output, _ = child.communicate()
+    assert '/lab/everything did not answer set_parameters within 1 s' in output
+    printed = []
+
+    def is_printed():  # which may be after the other process has given up, and ended
+        printed.append(capfd.readouterr().err)
+        return 'RuntimeError: thirteen' in ''.join(printed)
+
+    param_tutorial.wait_until(is_printed, 'the error to be printed')
+    ros.run(lambda: None, 'see the callback through')
+    assert ''.join([*printed, capfd.readouterr().err]).count('RuntimeError: thirteen') == 1
+
+
+@pytest.mark.slow
+def test_a_node_in_another_process(ros, remote_node):
+    client = ParameterClient('/remote', timeout_sec=30)
+    assert client.set_parameter('max_speed_rpm', 42).successful
+    assert client.get_parameter('max_speed_rpm') == 42
+    assert client.set_parameter('max_speed_rpm', -1).kind == 'rejected by the node'
+
+
+@pytest.mark.slow
+def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatch):
+    """A server that does not know yet where to answer drops its answer (see Services.greet)."""
+    class Counting(Node):
+        def __init__(self):
+            super().__init__('counting')
+            self.declare_parameter('x', 1)
+            self.sets = 0
+            self.add_post_set_parameters_callback(self.count)
+
+        def count(self, parameters):
+            self.sets += 1
+
+    node = ros.add(Counting)
+    lost = {'list_parameters': 1, 'set_parameters': 1}
+    send = ros.services._send
+
+    def send_and_lose_the_first(client, name, service, *details):
+        future = send(client, name, service, *details)
+        if lost.get(service, 0) > 0:
+            lost[service] -= 1
+            client.remove_pending_request(future)
+        return future
+
+    monkeypatch.setattr(ros.services, '_send', send_and_lose_the_first)
+    client = ParameterClient(node)
+    assert 'x' in client.list_parameters()
+    assert client.set_parameter('x', 2).successful
+    assert lost == {'list_parameters': 0, 'set_parameters': 0}
+    assert node.sets == 1
+
+
+@pytest.mark.slow
+def test_a_node_that_does_not_answer(ros, remote_node):
+    ParameterClient('/remote', timeout_sec=30).list_parameters()
+    client = ParameterClient('/remote', timeout_sec=0.3)
+    with standing_still(remote_node):
+        with pytest.raises(NoAnswerError, match=r'/remote did not answer list_parameters within 0\.3 s'):
+            client.list_parameters()
+        answers = []
+        ros.services.call_async('/remote', 'list_parameters', ListParameters.Request(), answers.append, timeout_sec=0.1)
+        param_tutorial.wait_until(lambda: answers, 'the call to expire')
+        assert isinstance(answers[0].exception(), NoAnswerError)
+    assert ParameterClient('/remote', timeout_sec=30).get_parameter('robot_name') == 'Clawbot'
+    assert ros.services._pending == {}
+
+
+@pytest.mark.slow
+def test_a_node_that_is_killed_in_mid_call(ros):
+    """A killed process says no goodbye: DDS counts it as present for some seconds, and it does not answer."""
+    child = process("""
+        import os, rclpy
+        from rclpy.node import Node
+        rclpy.init(args=['--ros-args', '--disable-stdout-logs', '--disable-external-lib-logs'])
+        node = Node('killed')
+        node.declare_parameter('x', 1)
+        node.add_on_set_parameters_callback(lambda _: os._exit(7))
+        rclpy.spin(node)
+    """)
+    param_tutorial.wait_until(lambda: ros.services.is_ready('/killed'), 'the node', timeout_sec=30)
+    with pytest.raises((NoAnswerError, NodeGoneError), match='/killed'):
+        ParameterClient('/killed', timeout_sec=20).set_parameter('x', 2)
+    child.communicate()
+    assert child.returncode == 7
+    assert ros.services._pending == {}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('waiting', [True, False])
+def test_a_node_that_leaves_in_mid_call(ros, waiting):
+    child = process("""
+        import rclpy
+        from rclpy.node import Node
+        class Leaving(Node):
+            def __init__(self):
+                super().__init__('leaving')
+                self.declare_parameter('x', 1)
+                self.add_on_set_parameters_callback(self.leave)
+            def leave(self, parameters):
+                raise KeyboardInterrupt
+        rclpy.init(args=['--ros-args', '--disable-stdout-logs', '--disable-external-lib-logs'])
+        try:
+            rclpy.spin(Leaving())
+        except KeyboardInterrupt:
+            rclpy.shutdown()
+    """)
+    client = ParameterClient('/leaving', timeout_sec=60)
+    param_tutorial.wait_until(lambda: ros.services.is_ready('/leaving'), 'the node', timeout_sec=30)
+    if waiting:
+        with pytest.raises(NodeGoneError, match='not known'):
+            client.set_parameter('x', 2)
+    else:
+        request = SetParameters.Request(parameters=[Parameter('x', value=2).to_parameter_msg()])
+        answers = []
+        ros.services.call_async('/leaving', 'set_parameters', request, answers.append, timeout_sec=60)
+        param_tutorial.wait_until(lambda: answers, 'the call to fail', timeout_sec=30)
+        assert isinstance(answers[0].exception(), NodeGoneError)
+    child.communicate()
+
+
+def test_without_an_executor_the_word_is_start():
+    param_tutorial.stop()
+    with pytest.raises(ExecutorError, match=r'param_tutorial\.start\(\)'):
+        ParameterClient('/x').list_parameters()
+
+
+@pytest.mark.parametrize('nonsense', [3, None, b'x', Node])
+def test_what_is_not_a_node_raises_an_error(nonsense):
+    with pytest.raises(TypeError, match='is not a node: give its name'):
+        ParameterClient(nonsense)
+
+
+@pytest.mark.parametrize('verb', [
+    'get_parameters', 'get_parameter_types', 'describe_parameters', 'delete_parameters', 'list_parameters',
+    'reference'])
+@pytest.mark.parametrize('names', ['x', 3, [3]])
+def test_one_name_is_no_list_of_names(client, verb, names):
+    with pytest.raises(TypeError, match='is not a list of '):
+        getattr(client, verb)(names)
+
+
+def test_an_error_about_a_huge_value_is_short(ros):
+    node = ros.add(Node, 'atlas')
+    ros.run(lambda: node.declare_parameter('map', [0] * 10_000), 'declare')
+    client = ParameterClient(node)
+    for told in (client.set_parameter('map', [1] * 10_000), client.get_parameters(), client.reference()):
+        assert '… (10000 elements)' in repr(told)
+        assert len(repr(told)) < 1000
+
+
+def test_calls_from_many_threads(client):
+    outcomes = []
+
+    def work(number):
+        for each in range(30):
+            outcomes.append(client.set_parameter('limits.low', (number + each) % 5).successful)
+
+    threads = [threading.Thread(target=work, args=[number]) for number in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert outcomes == [True] * 120
+
+
+class Told(Node):
+    """Says things that a table in Markdown could stumble over."""
+
+    def __init__(self):
+        super().__init__('told')
+        self.declare_parameter('a|b', 'x|`y`', ParameterDescriptor(description='<b>one</b> | two\n\nthree `four` \\|'))
+        self.declare_parameter('limits.low', 2, ParameterDescriptor(
+            description='In mm.', additional_constraints='Below high.', read_only=True,
+            integer_range=[IntegerRange(from_value=0, to_value=10, step=2)]))
+        self.declare_parameter('unset', Parameter.Type.DOUBLE)
+
+
+def test_a_reference_tells_of_every_parameter_of_the_node_itself(ros):
+    assert repr(ParameterClient(ros.add(Told)).reference()) == r"""
+| parameter | type | value | enforced | meaning |
+| --- | --- | --- | --- | --- |
+| `a\|b` | string | `` 'x\|`y`' `` |  | &lt;b>one&lt;/b> \| two three \`four\` \\\| |
+| `limits.low` | integer | `2` | 0 to 10 in steps of 2, read only | In mm. Below high. |
+| `unset` | double | `None` |  |  |
+""".lstrip()
+
+
+def test_a_reference_may_be_of_some_only(ros):
+    client = ParameterClient(ros.add(Told))
+    assert client.reference(['use_sim_time'])._repr_markdown_().splitlines()[2:] == [
+        '| `use_sim_time` | boolean | `False` |  |  |']
+    with pytest.raises(ParameterNotDeclaredError, match=r'Did you mean limits\.low'):
+        client.reference(['limit.low'])
+
+
+def test_clients_are_forgotten_unless_they_wait_for_an_answer(ros):
+    client = ParameterClient(ros.add(Everything))
+    assert client.get_parameter('count') == 3
+
+    def ask_and_forget():
+        """In the executor's thread, so that no answer can come in between."""
+        ros.services.call_async('/lab/everything', 'list_parameters', ListParameters.Request(), answers.append)
+        ros.services.forget('/lab')
+        return [each.srv_name for each in ros.tool_node.clients]
+
+    answers = []
+    left = ros.run(ask_and_forget, 'ask')
+    assert [name for name in left if name.startswith('/lab/')] == ['/lab/everything/list_parameters']
+    param_tutorial.wait_until(lambda: answers, 'the answer')
+    assert 'count' in answers[0].result().result.names
+    param_tutorial.wait_until(lambda: ros.services._pending == {}, 'the call to be forgotten')
+    ros.run(lambda: ros.services.forget('/lab'), 'forget')
+    assert not any(each.srv_name.startswith('/lab/') for each in ros.tool_node.clients)
+    assert client.set_parameter('count', 6).successful

@@ -1,0 +1,210 @@
+"""A node followed live: the threads and services around the state machine, on real nodes and without widgets.
+
+What the state machine itself promises is in test_live_state; what a panel makes of it in tests/widgets/test_panel.
+"""
+
+import threading
+
+import pytest
+from rclpy.node import Node
+
+import param_tutorial
+from param_tools.errors import ExecutorError, WaitTimeoutError
+from param_tools.node.client import ParameterClient
+from param_tools.node.live import LiveParameters
+from param_tools.ros.waiting import wait_until
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from tests.support.nodes import Counter, Gate
+from tests.support.widgets import worker_threads
+
+TIMEOUT_SEC = 30.0
+
+
+@pytest.fixture
+def follow(ros):
+    """Return a function that follows a node, and shows it by keeping what it saw; all are closed afterwards."""
+    followed = []
+
+    def follow(node, **options):
+        live = LiveParameters(node, lambda: live.shown.append({name: each.value for name, each
+                                                               in live.parameters.items()}), **options)
+        live.shown = []
+        followed.append(live)
+        live.first_look()
+        return live
+
+    yield follow
+    for each in followed:
+        each.close()
+    wait_until(lambda: not worker_threads(), 'the threads to end', TIMEOUT_SEC)
+
+
+def test_the_first_look_reads_and_shows_everything(ros, follow):
+    ros.add(SimpleParamNode)
+    live = follow('simple_param_node')
+    assert live.node == '/simple_param_node'
+    assert live.status == ''
+    assert live.shown[-1]['max_speed_rpm'] == 100
+    assert live.parameters['max_speed_rpm'].descriptor.name == 'max_speed_rpm'
+
+
+def test_a_first_look_that_is_interrupted_leaves_nobody_following(ros, follow):
+    counter = ParameterClient(ros.add(Counter))
+    shown = []
+
+    def press_ctrl_c():
+        shown.append(1)
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        LiveParameters('counter', press_ctrl_c).first_look()
+    counter.set_parameter('x', 2)
+    assert follow('counter').parameters['x'].value == 2
+    assert shown == [1]
+
+
+def test_only_some_names_in_their_order(ros, follow):
+    ros.add(Counter)
+    assert list(follow('counter', names=['use_sim_time', 'x', 'no_such']).parameters) == ['use_sim_time', 'x']
+
+
+def test_what_is_asked_for_is_on_its_way_when_the_call_returns(ros, follow):
+    node = ros.add(Gate)
+    x = follow('gate').parameters['x']
+    x.ask(5)
+    assert x.busy
+    assert node.entered.acquire(timeout=TIMEOUT_SEC)
+    assert node.seen == [5]
+    node.open.release()
+    wait_until(lambda: not x.busy, 'the answer', TIMEOUT_SEC)
+    assert (x.value, x.message) == (5, '')
+
+
+def test_the_newest_value_follows_without_anybody_waiting(ros, follow):
+    node = ros.add(Gate)
+    x = follow('gate').parameters['x']
+    for value in (1, 2, 3):
+        x.ask(value)
+    for _ in range(2):
+        assert node.entered.acquire(timeout=TIMEOUT_SEC)
+        node.open.release()
+    wait_until(lambda: not x.busy, 'the answers', TIMEOUT_SEC)
+    assert (node.seen, x.value) == ([1, 3], 3)
+
+
+def test_the_lock_is_free_while_the_node_is_asked_and_while_it_is_shown(ros, monkeypatch):
+    """Otherwise a node that hangs, or a slow page, would keep the executor's thread from serving all others."""
+    free = {'send': [], 'read': [], 'show': []}
+
+    def try_lock(what):
+        def try_it():
+            free[what].append(live._lock.acquire(timeout=5.0))
+            if free[what][-1]:
+                live._lock.release()
+
+        thread = threading.Thread(target=try_it)
+        thread.start()
+        thread.join()
+
+    def trying(what, call):
+        return lambda *args, **options: (try_lock(what), call(*args, **options))[1]
+
+    monkeypatch.setattr(ros.services, 'call_async', trying('send', ros.services.call_async))
+    monkeypatch.setattr(ros.services, 'call', trying('read', ros.services.call))
+    ros.add(Counter)
+    live = LiveParameters('counter', lambda: try_lock('show'))
+    live.first_look()
+    for value in (1, 2, 3):
+        live.parameters['x'].ask(value)
+    live.settle(TIMEOUT_SEC)
+    live.close()
+    assert all(free.values())
+    assert all(all(each) for each in free.values()), free
+
+
+def test_a_value_that_cannot_be_sent_is_reported_and_nothing_is_stuck(ros, follow):
+    ros.add(Counter)
+    live = follow('counter')
+    x = live.parameters['x']
+    x.ask({'no': 'parameter'})
+    assert not x.busy
+    assert 'cannot be a parameter' in x.message
+    x.ask(4)
+    live.settle(TIMEOUT_SEC)
+    assert (x.value, x.message) == (4, '')
+
+
+def test_what_is_rejected_is_not_sent(ros, follow):
+    node = ros.add(Counter)
+    live = follow('counter')
+    live.parameters['x'].reject('no number')
+    live.settle(TIMEOUT_SEC)
+    assert (live.parameters['x'].message, node.seen) == ('no number', [])
+
+
+def test_giving_way_ends_with_the_answer_or_soon(ros, follow):
+    node = ros.add(Gate)
+    x = follow('gate').parameters['x']
+    x.give_way()
+    x.ask(1)
+    x.give_way()  # returns although the gate is closed
+    assert x.busy
+    node.open.release()
+    wait_until(lambda: not x.busy, 'the answer', TIMEOUT_SEC)
+
+
+def test_a_change_made_elsewhere_is_read_and_shown(ros, follow):
+    ros.add(Counter)
+    live = follow('counter')
+    ParameterClient('/counter').set_parameter('x', 7)
+    wait_until(lambda: live.shown[-1]['x'] == 7, 'the change', TIMEOUT_SEC)
+
+
+def test_settling_says_what_it_waited_for(ros, follow):
+    node = ros.add(Gate)
+    live = follow('gate')
+    live.parameters['y'].ask(1)
+    with pytest.raises(WaitTimeoutError, match=r'timed out after 0 s waiting for /gate to answer y'):
+        live.settle(0.0)
+    node.open.release()
+    live.settle(TIMEOUT_SEC)
+    assert live.parameters['y'].value == 1
+
+
+def test_a_callback_cannot_settle(ros, follow):
+    ros.add(Counter)
+    live = follow('counter')
+    with pytest.raises(ExecutorError, match='a callback cannot wait'):
+        ros.run(lambda: live.settle(1.0), 'settle')
+
+
+def test_it_survives_the_executor(ros, follow):
+    ros.add(Counter)
+    live = follow('counter')
+    param_tutorial.stop()
+    assert 'no executor is running' in live.status
+    live.parameters['x'].ask(3)
+    assert 'no executor is running' in live.parameters['x'].message
+    param_tutorial.start().add(Counter)
+    live.settle(TIMEOUT_SEC)
+    assert (live.status, live.parameters['x'].message) == ('', '')
+    assert live.shown[-1]['x'] == 0
+
+
+def test_a_name_that_no_node_can_have_disturbs_nobody(ros, follow, capsys):
+    live = follow('no such name')
+    assert 'there is no node /no such name' in live.status
+    ros.add(Node, 'other')  # the news of it comes to all that follow something
+    assert list(ros.errors) == []
+    assert 'Traceback' not in capsys.readouterr().err
+
+
+def test_closed_it_is_shown_no_more(ros, follow):
+    ros.add(Counter)
+    live = follow('counter')
+    live.close()
+    live.close()
+    count = len(live.shown)
+    ParameterClient('/counter').set_parameter('x', 7)
+    live.settle(TIMEOUT_SEC)
+    assert len(live.shown) == count

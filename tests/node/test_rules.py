@@ -1,0 +1,262 @@
+"""rules: what each kind accepts and rejects, on a real node; at its start, one by one and together."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from rclpy.exceptions import InvalidParameterValueException
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tools import Rules
+from param_tools.errors import ParameterNotDeclaredError, RuleError
+from param_tools.node.rules import Rule
+from param_tutorial import ParameterClient
+
+
+class Robot(Node):
+    """One parameter of every kind that a rule can be for, and no rule."""
+
+    def __init__(self):
+        super().__init__('robot')
+        self.declare_parameters('', [
+            ('serial', 'AB1234'), ('tags', ['a1', 'b2']), ('mode', 'slow'), ('modes', ['slow']), ('level', 1),
+            ('gear_mm', 20), ('pitch_mm', 0.3), ('offsets_mm', [5, 10]), ('timeout', '250 ms'),
+            ('gains', [1.0, 0.1, 0.0]), ('low_c', 18), ('high_c', 22),
+            ('any', 1, ParameterDescriptor(dynamic_typing=True)),
+            ('locked', 'now', ParameterDescriptor(read_only=True)),
+            ('unset', Parameter.Type.INTEGER)])
+
+
+@pytest.fixture
+def robot(ros):
+    return ros.add(Robot)
+
+
+@pytest.fixture
+def client(robot):
+    return ParameterClient(robot)
+
+
+@pytest.mark.parametrize(('method', 'arguments', 'good', 'bad', 'sentence'), [
+    ('matches', ('serial', '[A-Z]{2}[0-9]{4}'), ['ZZ0000'], ['', 'AB12345', 'xAB1234', 'AB1234\n'],
+     'must match [A-Z]{2}[0-9]{4}'),
+    ('matches', ('tags', '[a-z][0-9]'), [['c3'], []], [['c3', 'd']], 'each must match [a-z][0-9]'),
+    ('one_of', ('mode', ['slow', 'fast']), ['fast'], ['Fast', ''], "must be one of 'slow', 'fast'"),
+    ('one_of', ('modes', ['slow', 'fast']), [['fast', 'slow'], []], [['fast', 'x']],
+     "each must be one of 'slow', 'fast'"),
+    ('one_of', ('level', (1, 2, 3)), [3], [0], 'must be one of 1, 2, 3'),
+    ('multiple_of', ('gear_mm', 5, 'mm'), [0, -15, 10**15], [7, 10**15 + 1], 'must be a multiple of 5 mm'),
+    ('multiple_of', ('pitch_mm', 0.1), [3 * 0.1, -0.7, 1e6], [0.25, math.inf, math.nan], 'must be a multiple of 0.1'),
+    ('multiple_of', ('offsets_mm', 5), [[0], []], [[5, 6]], 'each must be a multiple of 5'),
+    ('quantity', ('timeout', ['ms', 's']), ['1.5 s', '3ms', '.5 s', '-1e3 ms'], ['250', '5 h', '1 s ', 'ms', '٣ s'],
+     'must be a number with the unit ms or s, such as "1.5 ms"'),
+    ('one_of', ('any', [1, 'one']), ['one', 1], [True, 1.0], "must be one of 1, 'one'"),
+    ('length', ('gains', 3), [[0.0] * 3], [[0.0] * 2, []], 'must have 3 elements'),
+    ('length', ('gains', 1, 3), [[0.0]], [[], [0.0] * 4], 'must have 1 to 3 elements'),
+    ('length', ('serial', 1, 6), ['x'], ['', '1234567'], 'must have 1 to 6 characters'),
+    ('check', ('level', lambda level: level != 13, 'must not be 13'), [12], [13], 'must not be 13'),
+])
+def test_a_rule_rejects_with_parameter_value_and_rule(robot, client, method, arguments, good, bad, sentence):
+    getattr(Rules(robot), method)(*arguments)
+    name = arguments[0]
+    assert client.describe_parameter(name).additional_constraints == sentence[0].upper() + sentence[1:]
+    for value in good:
+        assert client.set_parameter(name, value).successful, value
+    held = client.get_parameter(name)
+    for value in bad:
+        result = client.set_parameter(name, value)
+        assert (result.successful, result.reason) == (False, f'{name} = {value!r}: {sentence}')
+    assert client.get_parameter(name) == held
+
+
+@pytest.fixture
+def heater(robot):
+    Rules(robot).check(['low_c', 'high_c'], lambda low, high: low < high, 'low_c must be below high_c')
+    return ParameterClient(robot)
+
+
+def test_a_rule_across_parameters_sees_the_whole_change(heater):
+    assert heater.set_parameter('low_c', 30).reason == 'low_c = 30, high_c = 22: low_c must be below high_c'
+    assert heater.set_parameters_atomically({'low_c': 30, 'high_c': 40}).successful
+    assert not heater.set_parameters_atomically({'high_c': 10, 'low_c': 20}).successful
+    # One by one, the order decides.
+    assert [each.successful for each in heater.set_parameters({'low_c': 50, 'high_c': 60})] == [False, True]
+    assert heater.get_parameters(['low_c', 'high_c']) == {'low_c': 30, 'high_c': 60}
+
+
+@pytest.mark.slow
+@given(st.lists(st.dictionaries(st.sampled_from(['low_c', 'high_c']), st.integers(-3, 3), min_size=1), max_size=5))
+def test_no_sequence_of_changes_breaks_a_rule(changes):
+    rule = Rule(('low_c', 'high_c'), 'low_c must be below high_c', lambda low, high: low < high)
+    known = {'low_c': 0, 'high_c': 1}
+    for change in changes:
+        after = known | change
+        assert bool(rule.judge(after)) is not (after['low_c'] < after['high_c'])
+        known = known if rule.judge(after) else after
+    assert known['low_c'] < known['high_c']
+
+
+def test_both_parameters_tell_of_a_rule_across_them_and_keep_what_they_told(robot, client):
+    robot.describe_parameter('low_c').additional_constraints = 'even'
+    rules = Rules(robot).check(('low_c', 'high_c'), lambda low, high: low < high, 'low_c is below')
+    rules.one_of('high_c', [22, 24])
+    assert client.describe_parameter('low_c').additional_constraints == 'even; low_c is below'
+    assert client.describe_parameter('high_c').additional_constraints == 'low_c is below; Must be one of 22, 24'
+    assert repr(rules) == 'low_c, high_c: low_c is below\nhigh_c: must be one of 22, 24'
+    assert client.set_parameter('high_c', 2).reason == (
+        'low_c = 18, high_c = 2: low_c is below; high_c = 2: must be one of 22, 24')
+
+
+def test_a_parameter_that_changes_only_while_another_one_has_a_value(robot, client):
+    rules = Rules(robot).only_while(['level', 'gains'], 'mode', 'slow')
+    assert client.describe_parameter('level').additional_constraints == "Can change only while mode is 'slow'"
+    assert client.describe_parameter('mode').additional_constraints == ''
+    assert repr(rules) == '\n'.join(
+        f"{name}, mode: can change only while mode is 'slow'" for name in ('level', 'gains'))
+    assert client.set_parameter('level', 2).successful
+    assert client.set_parameter('mode', 'fast').successful
+    assert client.set_parameter('level', 3).reason == (
+        "level = 3, mode = 'fast': can change only while mode is 'slow'")
+    assert client.set_parameter('level', 2).successful  # no change
+    # Together with the other one, in one request.
+    assert client.set_parameters_atomically({'level': 3, 'mode': 'slow'}).successful
+    assert not client.set_parameters_atomically({'level': 4, 'mode': 'fast'}).successful
+    assert client.get_parameters(['level', 'mode']) == {'level': 3, 'mode': 'slow'}
+
+
+@pytest.mark.parametrize(('names', 'other', 'value', 'words'), [
+    ('level', 'mode', 1, 'mode: it is a parameter of type string and can never be 1, of type integer'),
+    ('level', 'mode', object(), 'cannot state a rule about mode'),
+    ('mode', 'mode', 'slow', "names of other parameters, not 'mode'"),
+    ([], 'mode', 'slow', r'names of other parameters, not \[\]')])
+def test_a_lock_that_makes_no_sense(robot, names, other, value, words):
+    with pytest.raises(RuleError, match=words):
+        Rules(robot).only_while(names, other, value)
+
+
+def test_a_lock_on_what_is_not_declared(robot):
+    for names, other in (('nothing', 'mode'), ('level', 'nothing')):
+        with pytest.raises(ParameterNotDeclaredError):
+            Rules(robot).only_while(names, other, 'slow')
+
+
+def test_several_rules_objects_and_callbacks_are_all_asked(robot, client):
+    Rules(robot).one_of('level', [1, 2])
+    Rules(robot).check('level', lambda level: level < 2, 'below 2')
+    robot.add_on_set_parameters_callback(lambda parameters: SetParametersResult(
+        successful=parameters[0].value != 0, reason='zero'))
+    assert [client.set_parameter('level', value).reason for value in (0, 2, 3, 1)] == [
+        'zero', 'level = 2: below 2', 'level = 3: below 2', '']
+
+
+class Ruled(Robot):
+    """States its rules as a node should: in the constructor, after the declarations."""
+
+    def __init__(self):
+        super().__init__()
+        Rules(self).matches('locked', 'now|later').one_of('mode', ['slow', 'fast']).check(
+            ['low_c', 'high_c'], lambda low, high: low < high, 'low_c must be below high_c')
+
+
+@pytest.mark.parametrize(('override', 'words'), [
+    ('mode:=flying', "mode = 'flying': must be one of 'slow', 'fast'"),
+    ('low_c:=30', 'low_c = 30, high_c = 22: low_c must be below high_c'),
+    ('locked:=maybe', "locked = 'maybe': must match now|later"),
+])
+def test_a_node_does_not_start_with_an_override_that_breaks_a_rule(ros, override, words):
+    with pytest.raises(InvalidParameterValueException) as raised:
+        ros.add(Ruled, ros_args=['-p', override])
+    assert words in str(raised.value)
+    assert not ros.nodes
+
+
+def test_a_node_starts_with_overrides_that_agree(ros):
+    node = ros.add(Ruled, ros_args=['-p', 'low_c:=30', '-p', 'high_c:=40', '-p', 'locked:=later'])
+    assert [node.get_parameter(name).value for name in ('low_c', 'high_c', 'locked')] == [30, 40, 'later']
+    assert 'Must match now|later' in ParameterClient(node).describe_parameter('locked').additional_constraints
+
+
+@pytest.mark.parametrize(('state', 'words'), [
+    (lambda rules: rules.matches('serial', '[A-Z'), "'[A-Z' is not a regular expression: unterminated"),
+    (lambda rules: rules.matches('serial', 5), '5 is not a regular expression'),
+    (lambda rules: rules.matches('level', '[0-9]'), 'it is for texts, and level is of type integer'),
+    (lambda rules: rules.one_of('mode', 'fast'), "give a list of at least one choice, not 'fast'"),
+    (lambda rules: rules.one_of('mode', 3), 'give a list of at least one choice, not 3'),
+    (lambda rules: rules.matches('mode', b'[a-z]'), 'is not a regular expression'),
+    (lambda rules: rules.matches(['mode'], '.'), "['mode'], which is not a parameter name"),
+    (lambda rules: rules.quantity('timeout', 3), 'give a list of at least one unit, not 3'),
+    (lambda rules: rules.check(None, all, 'x'), 'a rule takes names, a function and a sentence; got None'),
+    (lambda rules: rules.one_of('mode', []), 'give a list of at least one choice'),
+    (lambda rules: rules.one_of('level', [1, 2.0]), 'it is a parameter of type integer and can never be 2.0, of type '
+                                                    'double'),
+    (lambda rules: rules.one_of('level', [True]), 'can never be True, of type boolean'),
+    (lambda rules: rules.one_of('level', [{}]), '{} is a dict, which cannot be a parameter'),
+    (lambda rules: rules.multiple_of('level', 0), 'a step is a number above 0, not 0'),
+    (lambda rules: rules.multiple_of('level', math.nan), 'not nan'),
+    (lambda rules: rules.multiple_of('mode', 2), 'it is for numbers, and mode is of type string'),
+    (lambda rules: rules.quantity('timeout', 'ms'), "give a list of at least one unit, not 'ms'"),
+    (lambda rules: rules.quantity('level', ['ms']), 'it is for texts'),
+    (lambda rules: rules.length('gains', 3, 2), 'nothing has a length of 3 to 2'),
+    (lambda rules: rules.length('gains', -1), 'nothing has a length of -1 to -1'),
+    (lambda rules: rules.length('level', 1), 'it is for arrays and texts'),
+    (lambda rules: rules.check([], all, 'x'), 'a rule takes names, a function and a sentence'),
+    (lambda rules: rules.check('level', 'x', 'x'), 'a rule takes names, a function and a sentence'),
+    (lambda rules: rules.check('level', all, ' '), 'a rule takes names, a function and a sentence'),
+    (lambda rules: rules.check('level', lambda level: level.upper(), 'upper'),
+     'level = 1: the rule "upper" could not be judged: AttributeError'),
+    (lambda rules: rules.check('level', print, 'nothing'), 'it returned None; a rule has to return True or False'),
+    (lambda rules: rules.check('level', lambda low, high: True, 'two'), 'missing 1 required positional argument'),
+])
+def test_a_rule_that_makes_no_sense_raises_when_it_is_stated(robot, client, state, words):
+    with pytest.raises(RuleError) as raised:
+        state(Rules(robot))
+    assert words in str(raised.value)
+    assert client.describe_parameter('level').additional_constraints == ''
+    assert client.set_parameter('level', 2).successful
+
+
+@pytest.mark.parametrize('node', ['/robot', Node, None])
+def test_rules_are_for_a_node(node):
+    with pytest.raises(RuleError, match='Rules takes the node'):
+        Rules(node)
+
+
+@pytest.mark.parametrize('state', [
+    lambda rules: rules.matches('seriol', '.'), lambda rules: rules.one_of('seriol', [1]),
+    lambda rules: rules.check(['low_c', 'seriol'], all, 'x'), lambda rules: rules.length('seriol', 1)])
+def test_a_rule_for_an_undeclared_parameter_raises_an_error(robot, state):
+    with pytest.raises(ParameterNotDeclaredError, match=r"/robot has no parameter 'seriol'\. Did you mean serial"):
+        state(Rules(robot))
+
+
+def test_a_rule_that_raises_later_rejects_and_the_node_lives(ros, robot, client):
+    Rules(robot).check(['level', 'any'], lambda level, other: level / other < 10, 'a small ratio')
+    assert client.set_parameter('any', 0).reason == (
+        'level = 1, any = 0: the rule "a small ratio" could not be judged: ZeroDivisionError: division by zero')
+    assert 'TypeError' in client.set_parameter('any', 'text').reason
+    assert client.set_parameter('any', 2).successful
+    assert not ros.errors
+
+
+def test_a_rule_is_silent_without_a_value(robot, client):
+    Rules(robot).multiple_of('unset', 2).check(['any', 'level'], lambda other, level: other == level, 'equal')
+    assert not client.set_parameter('unset', 3).successful
+    assert client.set_parameter('unset', 4).successful
+    assert client.delete_parameter('any').successful
+    assert client.set_parameter('level', 7).successful
+
+
+def test_a_rule_cannot_change_what_is_proposed(robot, client):
+    Rules(robot).check('gains', lambda gains: gains.clear() or True, 'cleared')
+    Rules(robot).length('gains', 2, 3)
+    assert client.set_parameter('gains', [3.0, 4.0]).successful
+    assert client.get_parameter('gains') == [3.0, 4.0]
+
+
+def test_a_long_value_is_shortened(robot, client):
+    Rules(robot).length('serial', 1, 10)
+    assert client.set_parameter('serial', 'x' * 1000).reason == (
+        f"serial = '{'x' * 59}… (1000 characters): must have 1 to 10 characters")

@@ -1,0 +1,41 @@
+"""Values as people type them: a formatted value is parsed back as the same value."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from param_tools import values
+from param_tools.descriptor import Descriptor
+from param_tools.node import text as typed
+from tests.support.strategies import INT64, TEXT
+
+_WRITTEN = {
+    values.INTEGER: INT64,
+    values.DOUBLE: st.floats(),
+    values.BYTE_ARRAY: st.lists(st.binary(min_size=1, max_size=1)),
+    values.BOOL_ARRAY: st.lists(st.booleans()),
+    values.INTEGER_ARRAY: st.lists(INT64),
+    values.DOUBLE_ARRAY: st.lists(st.floats()),
+    values.STRING_ARRAY: st.lists(TEXT),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('parameter_type', _WRITTEN, ids=repr)
+@given(data=st.data())
+def test_what_a_text_box_shows_is_read_back_the_same(parameter_type, data):
+    value = data.draw(_WRITTEN[parameter_type])
+    form = typed.form_of(Descriptor('x', parameter_type, '', '', False, False, None))
+    text = form.format(value)
+    assert '\n' not in text
+    assert values.same(form.parse(text), value)
+
+
+@pytest.mark.slow
+@given(st.one_of(TEXT, st.booleans(), *(strategy for kind, strategy in _WRITTEN.items()
+                                          if kind is not values.BYTE_ARRAY)))
+def test_so_is_a_value_whose_type_may_be_any(value):
+    form = typed.form_of(Descriptor('x', values.STRING, '', '', False, True, None))
+    text = form.format(value)
+    assert '\n' not in text
+    assert values.same(form.parse(text), value)

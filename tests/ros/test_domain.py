@@ -1,0 +1,146 @@
+"""domain: a ROS domain for each process, unless the user chose one."""
+
+import functools
+import itertools
+import os
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import psutil
+import pytest
+
+from param_tools.errors import ExecutorError
+from param_tools.ros import domain, environment, udp_ports
+from param_tools.ros.udp_ports import UdpSocket
+
+CHOOSE = 'import os; from param_tools.ros import domain; print(domain.choose(), os.environ.get("{0}"))'
+
+
+def nothing_chosen():
+    """Return the environment of a user who has chosen neither a domain nor a network."""
+    return {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
+
+
+def choose(variable='ROS_AUTOMATIC_DISCOVERY_RANGE', **environment):
+    """Let a new process choose, and return what it prints; raise if it fails."""
+    return subprocess.run([sys.executable, '-c', CHOOSE.format(variable)], env={**nothing_chosen(), **environment},
+                          capture_output=True, text=True, check=False)
+
+
+def test_it_stays_the_same_and_stands_in_the_environment():
+    assert domain.choose() == domain.choose() == int(os.environ['ROS_DOMAIN_ID'])
+
+
+@pytest.mark.slow
+def test_living_processes_have_different_domains():
+    source = 'from param_tools.ros import domain; print(domain.choose(), flush=True); input()'
+    environment = domain.environment_without_domain()
+    children = [subprocess.Popen([sys.executable, '-c', source], env=environment, text=True,
+                                 stdin=subprocess.PIPE, stdout=subprocess.PIPE) for _ in range(6)]
+    try:
+        chosen = [int(child.stdout.readline()) for child in children]
+    finally:
+        for child in children:
+            child.communicate('\n')
+    assert len({*chosen, domain.choose()}) == 7
+    assert set(chosen) <= set(domain.DOMAIN_IDS)
+
+
+@pytest.mark.slow
+def test_a_claimed_domain_stays_on_the_loopback_interface_and_out_of_shared_memory():
+    source = 'import param_tutorial; param_tutorial.start(); print(flush=True); input()'
+    with subprocess.Popen([sys.executable, '-c', source], env=nothing_chosen(), text=True,
+                          stdin=subprocess.PIPE, stdout=subprocess.PIPE) as child:
+        child.stdout.readline()
+        sockets = {socket.laddr.ip for socket in psutil.Process(child.pid).net_connections('udp')}
+        maps = Path(f'/proc/{child.pid}/maps').read_text()
+        child.communicate('\n')
+    assert sockets == {'127.0.0.1'}
+    assert 'fastrtps' in maps  # its library
+    assert '/dev/shm/fastrtps' not in maps
+
+
+def test_what_is_limited_to_this_host(monkeypatch):
+    domain.choose()
+    assert domain.is_limited_to_this_host()
+    monkeypatch.setenv('ROS_STATIC_PEERS', '192.0.2.1')
+    assert not domain.is_limited_to_this_host()
+    monkeypatch.delenv('ROS_STATIC_PEERS')
+    monkeypatch.setenv('FASTRTPS_DEFAULT_PROFILES_FILE', '/x')
+    assert not domain.is_limited_to_this_host()
+    monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
+    assert domain.is_limited_to_this_host()
+
+
+@pytest.mark.slow
+def test_what_the_user_chose_is_kept():
+    assert choose(ROS_DOMAIN_ID='42').stdout.split() == ['42', 'None']
+    assert choose(ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout.split()[1] == 'SUBNET'
+    assert choose('FASTRTPS_DEFAULT_PROFILES_FILE', FASTRTPS_DEFAULT_PROFILES_FILE='/x').stdout.split()[1] == '/x'
+
+
+def test_a_profile_of_the_users_is_limited_to_this_host_by_other_means():
+    assert choose(FASTRTPS_DEFAULT_PROFILES_FILE='/x').stdout.split()[1] == 'LOCALHOST'
+
+
+def test_a_network_that_the_user_chose_is_not_narrowed():
+    for own in ({'ROS_DOMAIN_ID': '42'}, {'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}):
+        assert choose('FASTRTPS_DEFAULT_PROFILES_FILE', **own).stdout.strip().endswith('/fastdds.xml')
+
+
+@pytest.mark.parametrize('wrong', ['-1', '233', '1.5', 'seven', '²'])
+def test_nonsense_is_rejected(wrong):
+    assert f"ROS_DOMAIN_ID is '{wrong}': it must be an integer" in choose(ROS_DOMAIN_ID=wrong).stderr
+
+
+@pytest.mark.parametrize('participant', [0, 1, 7])
+def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant):
+    domain_id, descriptor = domain._claim_free_domain()
+    monkeypatch.setattr(domain, 'DOMAIN_IDS', range(domain_id, domain_id + 1))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+        stranger.bind(('127.0.0.1', 7400 + 250 * domain_id + 10 + 2 * participant))
+        os.close(descriptor)
+        with pytest.raises(ExecutorError, match='are in use on this machine'):
+            domain._claim_free_domain()
+
+
+def test_a_port_that_a_look_at_the_table_passes_over_is_found_by_the_next(monkeypatch):
+    """Linux can skip an entry of a listing while others are closed."""
+    port, other, third = (UdpSocket(number, inode) for inode, number in enumerate((7400 + 250 * 5 + 10, 80, 443)))
+    for looks in ([{other}, {port}, {port}], [{port, other}, {other}, {port}, {port}]):
+        monkeypatch.setattr(udp_ports, '_listed', functools.partial(next, iter(looks)))
+        assert domain.participant_sockets(5) == {port}
+    # If others keep coming and going, everything that was seen counts.
+    looks = itertools.cycle([{other}, {port}, {third}])
+    monkeypatch.setattr(udp_ports, '_listed', functools.partial(next, looks))
+    assert domain.participant_sockets(5) == {port}
+
+
+@pytest.mark.slow
+def test_what_the_user_has_set_for_a_robots_network_does_not_part_processes_here():
+    source = ('import param_tutorial, subprocess, sys\n'
+              'from rclpy.node import Node\n'
+              'param_tutorial.start().add(Node, "here")\n'
+              'print(subprocess.check_output([sys.executable, "-m", "param_tutorial", "node", "list"], text=True))')
+    # Each of them, alone, keeps the second process from finding the node, or one of the two from starting.
+    others = {'ROS_DISCOVERY_SERVER': '192.0.2.1:11811', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF',
+              'ROS_SECURITY_ENABLE': 'true', 'ROS_SECURITY_STRATEGY': 'Enforce', 'ROS_LOCALHOST_ONLY': '1',
+              'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'}
+    done = subprocess.run([sys.executable, '-c', source], env={**nothing_chosen(), **others}, capture_output=True,
+                          text=True, check=False)
+    assert done.stdout.split() == ['/here'], done.stderr
+    # One warning, and from this module alone.
+    assert done.stderr == ('RMW_IMPLEMENTATION is rmw_cyclonedds_cpp, which this Python does not have: continuing with '
+                           'the default.\n')
+
+
+def test_a_middleware_that_is_here_or_that_another_ros_has_is_kept(monkeypatch, tmp_path, capsys):
+    monkeypatch.setenv('RMW_IMPLEMENTATION', 'rmw_fastrtps_cpp')
+    environment.drop_missing_middleware()
+    monkeypatch.setenv('RMW_IMPLEMENTATION', 'rmw_zenoh_cpp')
+    monkeypatch.setattr(sys, 'prefix', str(tmp_path))  # a Python without libraries of ROS
+    environment.drop_missing_middleware()
+    assert os.environ['RMW_IMPLEMENTATION'] == 'rmw_zenoh_cpp'
+    assert capsys.readouterr().err == ''

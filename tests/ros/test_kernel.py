@@ -1,0 +1,372 @@
+"""The executor in a real Jupyter kernel: re-run cells, interrupts, errors, restarts and the end."""
+
+import os
+import signal
+import threading
+from pathlib import Path
+
+import psutil
+import pytest
+from ipykernel.comm.comm import BaseComm
+
+from param_tools.ros import domain
+from param_tutorial import wait_until
+from tests.support.kernels import DEADLINE_SEC, Kernel
+
+pytestmark = pytest.mark.slow
+
+START = '''
+import param_tutorial
+from param_tutorial import ParameterClient, ParameterPanel
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+ros = param_tutorial.start()
+node = ros.add(SimpleParamNode)
+client = ParameterClient(node)
+'''
+
+
+@pytest.fixture
+def kernel():
+    kernel = Kernel()
+    yield kernel
+    kernel.kill()
+
+
+def test_cells_may_be_run_again_in_any_order(kernel):
+    kernel.run(START)
+    kernel.run(START)
+    kernel.run('node = ros.add(SimpleParamNode)')
+    kernel.run('panel = ParameterPanel(node)')
+    kernel.run('panel = ParameterPanel(node)')
+    kernel.run('param_tutorial.stop()')
+    assert 'start()' in kernel.run('client.list_parameters()')
+    kernel.run(START)
+    assert kernel.run('ros.services.node_names()') == "['/simple_param_node']"
+    assert kernel.run("client.set_parameter('max_speed_rpm', 3)") == '/simple_param_node accepted max_speed_rpm = 3'
+    assert kernel.end() == 0
+
+
+@pytest.mark.parametrize('in_one_cell', [True, False])
+def test_interrupt_ends_the_cell_and_not_the_node(kernel, in_one_cell):
+    long_work = "import time\nprint('busy', flush=True)\ntime.sleep(60)"
+    if in_one_cell:
+        text = kernel.run(START + long_work, interrupt_on='busy')
+    else:
+        kernel.run(START)
+        text = kernel.run(long_work, interrupt_on='busy')
+    assert 'KeyboardInterrupt' in text
+    assert kernel.run("client.set_parameter('max_speed_rpm', 3)") == '/simple_param_node accepted max_speed_rpm = 3'
+    assert kernel.end() == 0
+
+
+def test_an_interrupted_call_leaves_nothing_pending(kernel):
+    kernel.run(START)
+    kernel.run('''
+        import threading
+        from rclpy.node import Node
+        release = threading.Event()
+        class Slow(Node):
+            def __init__(self):
+                super().__init__('slow')
+                self.declare_parameter('x', 1)
+                self.add_post_set_parameters_callback(self.post)
+            def post(self, parameters):
+                print('asked', flush=True)
+                release.wait(30)
+        slow = ParameterClient(ros.add(Slow), timeout_sec=50)
+    ''')
+    assert 'KeyboardInterrupt' in kernel.run("slow.set_parameter('x', 2)", interrupt_on='asked')
+    kernel.run('release.set()')
+    assert kernel.run('slow.get_parameter("x"), ros.services._pending') == '(2, {})'
+    assert kernel.end() == 0
+
+
+def test_an_exception_in_a_callback_is_shown_once_with_its_traceback(kernel):
+    kernel.run(START)
+    text = kernel.run('''
+        from rclpy.node import Node
+        class Broken(Node):
+            def __init__(self):
+                super().__init__('broken')
+                self.timer = self.create_timer(0.001, self.tick)
+            def tick(self):
+                self.timer.cancel()
+                raise ZeroDivisionError('tick')
+        before = len(ros.errors)
+        ros.add(Broken)
+        param_tutorial.wait_until(lambda: len(ros.errors) > before, 'the error')
+        ros.run(lambda: None, 'see the callback through')
+    ''')
+    # A thread's output may arrive after its cell; asking once more collects it.
+    text += kernel.run("client.get_parameter('max_speed_rpm')")
+    assert text.count('ZeroDivisionError: tick') == 1
+    assert 'in tick' in text
+    assert text.endswith('100')
+    assert kernel.end() == 0
+
+
+def test_threads_are_back_to_the_baseline_after_stop(kernel):
+    kernel.run('import threading; import param_tutorial; before = {t.name for t in threading.enumerate()}')
+    kernel.run(START + "panel = ParameterPanel(node)\npanel['max_speed_rpm'].value = 5\npanel.settle()")
+    kernel.run('param_tutorial.stop()')
+    kernel.run("param_tutorial.wait_until(lambda: {t.name for t in threading.enumerate()} <= before, 'threads to end')")
+    assert kernel.run('{t.name for t in threading.enumerate()} - before') == 'set()'
+    assert kernel.end() == 0
+
+
+def test_restart(kernel):
+    kernel.run(START)
+    kernel.manager.restart_kernel()
+    kernel.client.wait_for_ready()
+    kernel.run(START)
+    assert kernel.run('ros.services.node_names()') == "['/simple_param_node']"
+    assert kernel.end() == 0
+
+
+def test_two_kernels_do_not_see_each_other(kernel):
+    other = Kernel()
+    try:
+        kernel.run(START)
+        other.run(START)
+        other.run("client.set_parameter('max_speed_rpm', 3)")
+        assert kernel.run("client.get_parameter('max_speed_rpm')") == '100'
+        assert kernel.run('ros.domain_id') != other.run('ros.domain_id')
+    finally:
+        assert other.end() == 0
+
+
+def claims(number: int) -> set[str]:
+    """Return the sockets on this machine that claim a ROS domain, by their numbers in Linux: at most one."""
+    rows = [line.split() for line in Path('/proc/net/unix').read_text().splitlines()]
+    return {row[6] for row in rows if row[7:] == [f'@param_tutorial/ros_domain/{number}']}
+
+
+def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
+    """os._exit runs no handler. What the kernel had started, its domain and its name in the graph go with it."""
+    kernel.run(START)
+    kernel.run("""
+        import os
+        from rclpy.node import Node
+        class Ends(Node):
+            def __init__(self):
+                super().__init__('ends')
+                self.declare_parameter('x', 1)
+                self.add_on_set_parameters_callback(lambda _: os._exit(7))
+        ros.add(Ends)
+        terminal = param_tutorial.Terminal('ros2 run param_tutorial cart_node')
+        param_tutorial.wait_until(lambda: '/cart_node' in ros.services.node_names(), 'the cart', 60)
+    """)
+    number = int(kernel.run('ros.domain_id'))
+    participants, claim = domain.participant_sockets(number), claims(number)
+    assert participants and claim
+    process = kernel.manager.provisioner.process
+    started = psutil.Process(process.pid).children(recursive=True)
+    assert started
+    kernel.client.execute("ParameterClient('/ends').set_parameter('x', 2)")
+    assert process.wait() == 7
+    wait_until(lambda: not any(each.is_running() and each.status() != psutil.STATUS_ZOMBIE for each in started),
+               'what the kernel started to end')
+    # Another kernel may take the domain at once, as one of another test does now and then, and finds no node in it.
+    wait_until(lambda: not participants & domain.participant_sockets(number), 'their sockets to be closed')
+    assert not claim & claims(number)
+
+
+CHANGE_AND_LISTEN = """
+heard = []
+ros.on_parameter_event(lambda event: heard.extend(each.value.integer_value for each in event.changed_parameters))
+answer = client.set_parameter('max_speed_rpm', {number})
+param_tutorial.wait_until(lambda: heard, 'the event of this change')
+"""
+ASK_IN_A_PROCESS = """
+import subprocess, sys
+print(subprocess.check_output([sys.executable, '-m', 'param_tutorial', *'{words}'.split()], text=True), end='')
+"""
+
+
+@pytest.mark.thorough
+def test_ten_kernels_on_one_machine_know_nothing_of_each_other():
+    learners: dict[int, Kernel] = {}
+    try:
+        for number in range(1, 11):
+            learners[number] = Kernel()
+        for learner in learners.values():  # at once: each looks for a free domain
+            learner.client.execute(START)
+        for number, learner in learners.items():
+            learner.run(CHANGE_AND_LISTEN.format(number=number))
+        for number, learner in learners.items():
+            assert learner.run('ros.services.node_names()') == "['/simple_param_node']"
+            assert learner.run("client.get_parameter('max_speed_rpm'), heard") == f'({number}, [{number}])'
+            assert learner.run(ASK_IN_A_PROCESS.format(words='node list')) == '/simple_param_node\n'
+            assert learner.run(ASK_IN_A_PROCESS.format(words='param get /simple_param_node max_speed_rpm')) == (
+                f'Integer value is: {number}\n')
+        assert len({learner.run('ros.domain_id') for learner in learners.values()}) == 10
+    finally:
+        for learner in learners.values():
+            learner.kill()
+
+
+def test_a_kernel_for_which_no_domain_is_left_says_what_to_do(kernel):
+    number, claim = domain._claim_free_domain()
+    try:
+        kernel.run(f'from param_tools.ros import domain; domain.DOMAIN_IDS = range({number}, {number + 1})')
+        text = kernel.run(START)
+        assert text == (f'ExecutorError: all ROS domains from {number} to {number} are in use on this machine: shut '
+                        f'down kernels that are no longer needed, or set ROS_DOMAIN_ID to share one of them')
+    finally:
+        os.close(claim)
+
+    def starts():
+        now = kernel.run(START)
+        assert now == text or 'Error' not in now
+        return now != text
+
+    # The same cell works when another kernel has ended. One of another test may have taken the domain first.
+    wait_until(starts, 'the domain to be free', DEADLINE_SEC)
+    assert kernel.run('ros.domain_id, ros.services.node_names()') == f"({number}, ['/simple_param_node'])"
+    assert kernel.end() == 0
+
+
+def when_exists(path, act):
+    """Do something in a thread as soon as a file exists; return the thread."""
+    def wait_and_act():
+        wait_until(path.exists, f'{path}', timeout_sec=DEADLINE_SEC)
+        act()
+
+    hand = threading.Thread(target=wait_and_act)
+    hand.start()
+    return hand
+
+
+SHELL = START + """
+import ipywidgets
+%load_ext param_tutorial
+first = param_tutorial.Shell()
+button = ipywidgets.Button()
+button.on_click(lambda _: (first.home / 'clicked').touch())
+"""
+# Only a click ends it.
+WAITS_FOR_CLICK = """%%shell first
+touch begun
+until [ -e clicked ]; do sleep 0.05; done
+echo clicked; false"""
+
+
+def test_a_button_works_while_a_shell_cell_waits(kernel):
+    kernel.run(SHELL)
+    model_id, home = kernel.run('print(button.model_id, first.home)').split()
+
+    def click():
+        content = {'comm_id': model_id, 'data': {'method': 'custom', 'content': {'event': 'click'}}}
+        kernel.client.shell_channel.send(kernel.client.session.msg('comm_msg', content))
+
+    hand = when_exists(Path(home) / 'begun', click)
+    assert kernel.run(WAITS_FOR_CLICK) == 'clicked\n'
+    hand.join()
+    assert kernel.run('_exit_code') == '1'
+
+
+def test_interrupt_ends_what_a_shell_cell_waits_for_and_not_the_shell(kernel):
+    kernel.run(SHELL)
+    home = Path(kernel.run('print(first.home)').strip())
+    hand = when_exists(home / 'begun', lambda: kernel.manager.provisioner.process.send_signal(signal.SIGINT))
+    assert 'Error' not in kernel.run("%%shell first\nbash -c ': > begun; exec sleep 1000'")
+    hand.join()
+    assert kernel.run('_exit_code') == '130'
+    assert kernel.run('%%shell first\necho goes on') == 'goes on\n'
+
+
+class Page:
+    """What a kernel sees of a page in a browser: a subshell, which handles what a person does with widgets."""
+
+    def __init__(self, kernel):
+        self._client = kernel.client
+        self.subshell = self._ask('create_subshell_request', {})['subshell_id']
+
+    def _ask(self, kind, content):
+        request = self._client.session.msg(kind, content)
+        self._client.control_channel.send(request)
+        reply = self._client.control_channel.get_msg()
+        assert reply['parent_header']['msg_id'] == request['header']['msg_id']
+        return reply['content']
+
+    def touch(self, model_id, content):
+        """Send what the script of a widget sends when a person uses it."""
+        message = self._client.session.msg('comm_msg', {
+            'comm_id': model_id, 'data': {'method': 'custom', 'content': content}})
+        message['header']['subshell_id'] = self.subshell
+        self._client.shell_channel.send(message)
+
+    def close(self):
+        self._ask('delete_subshell_request', {'subshell_id': self.subshell})
+
+
+PANEL = START + """
+from pathlib import Path
+from param_tutorial import RobotView
+from param_tutorial.nodes.clawbot_node import ClawbotNode
+panel = ParameterPanel(node)
+robot = ros.add(ClawbotNode)
+view = RobotView(robot)
+"""
+ENTER = {'do': 'enter', 'client': 'page', 'name': 'max_speed_rpm', 'number': 1}
+
+
+@pytest.mark.parametrize('wait', [
+    "ros.node_log.read(until='max_speed_rpm is now 55', timeout_sec=30)",
+    "param_tutorial.wait_until(lambda: client.get_parameter('max_speed_rpm') == 55, 'the hand', 30)",
+])
+def test_a_panel_answers_while_a_cell_waits_for_it(kernel, wait, tmp_path):
+    kernel.run(PANEL)
+    page, model_id = Page(kernel), kernel.run('print(panel._front.model_id)').strip()
+    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {**ENTER, 'text': '55'}))
+    assert 'Error' not in kernel.run(f"Path('{tmp_path}/waits').touch()\n{wait}")
+    hand.join()
+    # The next page has another subshell, and the one of this page is gone.
+    page.close()
+    Page(kernel).touch(model_id, {**ENTER, 'text': '60'})
+    assert kernel.run(wait.replace('55', '60')) in ("'[INFO] [simple_param_node]: max_speed_rpm is now 60'", 'True')
+
+
+@pytest.mark.skipif(not hasattr(BaseComm, '_reply_subshell_for'),
+                    reason='ipykernel before 7.4, which Python 3.10 gets, does not say that a message has come')
+def test_a_cell_begins_when_all_is_done_that_was_done_on_the_page_before_it(kernel):
+    kernel.run('%load_ext param_tutorial' + PANEL)
+    page, model_id = Page(kernel), kernel.run('print(panel._front.model_id)').strip()
+    # The thread beside the cells is slow.
+    kernel.run('import time; ask = panel._enter; panel._enter = lambda content: [time.sleep(0.1), ask(content)]')
+    for speed in (55, 56):
+        page.touch(model_id, {**ENTER, 'text': f'{speed}'})
+    assert kernel.run("panel.settle(); panel['max_speed_rpm'].value") == '56'
+
+
+def test_a_robot_drives_while_a_cell_waits_for_it(kernel, tmp_path):
+    kernel.run(PANEL)
+    page, model_id = Page(kernel), kernel.run('print(view._front.model_id)').strip()
+    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'do': 'drive'}))
+    wait = "ros.node_log.read(since='speeds', until='speeds', node='/clawbot_node', timeout_sec=30)"
+    text = kernel.run(f"Path('{tmp_path}/waits').touch()\n{wait}")
+    assert text == "'[INFO] [clawbot_node]: Clawbot speeds up with 0.5 m/s^2'"
+    hand.join()
+
+
+def test_a_prediction_is_committed_while_the_cell_that_decides_it_runs(kernel, tmp_path):
+    model_id = kernel.run("""
+import param_tutorial
+from pathlib import Path
+from param_tutorial import exercises
+view = exercises.predict('3-1')
+view.answer.value = view.answer.options[0]
+print(view.button.model_id)
+""").strip()
+    page = Page(kernel)
+    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'event': 'click'}))
+    text = kernel.run(f"Path('{tmp_path}/waits').touch()\n"
+                      "param_tutorial.wait_until(lambda: view.said.value, 'the hand', 30)\nview.said.value")
+    hand.join()
+    assert 'Wait for the cell that is running' in text
+    assert 'Not so.' in kernel.run('view.said.value')
+
+
+def test_a_shell_cell_says_what_is_wrong_with_its_name(kernel):
+    kernel.run(SHELL)
+    assert 'takes the name of a Shell' in kernel.run('%%shell second\nls')

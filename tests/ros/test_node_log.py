@@ -1,0 +1,136 @@
+"""node_log: what nodes logged, and reading it like a terminal."""
+
+import threading
+
+import pytest
+from rcl_interfaces.msg import Log
+from rclpy.node import Node
+
+from param_tools.errors import WaitTimeoutError
+from param_tools.ros import node_log as module
+from param_tools.ros.node_log import CAPACITY, NodeLog
+
+
+def message(text, name='a', level=20):
+    return Log(level=level, name=name, msg=text)
+
+
+def test_real_nodes_are_heard_with_level_and_name(ros):
+    class Talker(Node):
+        def __init__(self):
+            super().__init__('talker', namespace='/lab')
+            self.get_logger().info('first, in the constructor')
+
+    talker = ros.add(Talker)
+    talker.get_logger().warning('two\nlines')
+    talker.get_logger().error('last')
+    assert ros.node_log.read(until='last') == (
+        '[INFO] [lab.talker]: first, in the constructor\n[WARN] [lab.talker]: two\nlines\n[ERROR] [lab.talker]: last')
+    assert len(ros.node_log.lines('/lab/talker')) == 3
+    assert ros.node_log.lines('/other') == []
+
+
+def test_each_line_is_read_once_and_only_up_to_the_one_wanted():
+    log = NodeLog()
+    for text in ('one', 'two', 'three', 'two'):
+        log.receive(message(text))
+    assert log.read(until='two') == '[INFO] [a]: one\n[INFO] [a]: two'
+    assert log.read(until='two') == '[INFO] [a]: three\n[INFO] [a]: two'
+    with pytest.raises(WaitTimeoutError, match=r"waiting for a log line with 'two'; what came:\n\(nothing\)"):
+        log.read(until='two', timeout_sec=0.01)
+
+
+def test_reading_one_node_leaves_the_others_unread():
+    log = NodeLog()
+    for name in ('a', 'b', 'a'):
+        log.receive(message('x', name))
+    assert log.read(until='x', node='/b') == '[INFO] [b]: x'
+    assert log.read(until='x') == '[INFO] [a]: x'
+    assert log.read(until='x', node='/a') == '[INFO] [a]: x'
+
+
+def test_what_was_read_of_all_is_not_read_again_of_one():
+    log = NodeLog()
+    for text in ('one', 'two'):
+        log.receive(message(text))
+    log.read(until='one')
+    assert log.read(until='two', node='/a') == '[INFO] [a]: two'
+
+
+def test_a_missing_line_names_what_came_instead():
+    log = NodeLog()
+    log.receive(message('something else', level=30))
+    with pytest.raises(WaitTimeoutError, match=r'\[WARN\] \[a\]: something else'):
+        log.read(until='wanted', timeout_sec=0.01)
+
+
+def test_a_reader_waits_for_a_line_that_comes_later():
+    log = NodeLog()
+    texts = []
+    reader = threading.Thread(target=lambda: texts.append(log.read(until='late', timeout_sec=30)))
+    reader.start()
+    log.receive(message('early'))
+    log.receive(message('late'))
+    reader.join()
+    assert texts == ['[INFO] [a]: early\n[INFO] [a]: late']
+
+
+def test_a_line_that_comes_as_the_time_ends_is_read(monkeypatch):
+    """A thread that waits for the processor may find out that its time is over long after the line has come."""
+    log, now = NodeLog(), [0.0]
+    monkeypatch.setattr(module, 'machine_time', lambda: now[0])
+
+    def wait(_):
+        now[0] = 9.0
+        log.receive(message('late'))
+        return False
+
+    monkeypatch.setattr(log._changed, 'wait', wait)
+    assert log.read(until='late', timeout_sec=5.0) == '[INFO] [a]: late'
+
+
+def test_clear_and_overflow():
+    log = NodeLog()
+    for number in range(CAPACITY + 10):
+        log.receive(message(str(number)))
+    assert len(log.lines()) == CAPACITY
+    assert log.read(until=str(CAPACITY)).startswith('[INFO] [a]: 10\n')
+    log.clear()
+    assert log.lines() == []
+    log.receive(message('after'))
+    assert log.read(until='after') == '[INFO] [a]: after'
+
+
+def test_listeners():
+    log, heard = NodeLog(), []
+    stop = log.on_line(heard.append)
+    log.receive(message('x'))
+    stop()
+    stop()
+    log.receive(message('y'))
+    assert [line.text for line in heard] == ['x']
+
+
+
+
+def test_after_a_mark_only_what_was_logged_later_is_read_even_if_the_rest_arrives_later(ros):
+    class Talker(Node):
+        def __init__(self):
+            super().__init__('talker')
+
+    talker = ros.add(Talker)
+    talker.get_logger().info('before')
+    ros.node_log.mark()
+    talker.get_logger().info('after')
+    assert ros.node_log.read(until='after') == '[INFO] [talker]: after'
+    assert ros.node_log.lines('/talker') == ['[INFO] [talker]: before', '[INFO] [talker]: after']
+
+
+def test_since_leaves_out_what_comes_before_a_line():
+    log = NodeLog()
+    for text in ('stopped', 'off', 'stopped'):
+        log.receive(message(text))
+    assert log.read(since='off', until='stopped') == '[INFO] [a]: off\n[INFO] [a]: stopped'
+    log.receive(message('stopped'))
+    with pytest.raises(WaitTimeoutError, match='stopped'):
+        log.read(since='off', until='stopped', timeout_sec=0.01)

@@ -1,0 +1,113 @@
+"""However a build ends, it leaves one complete site and no process."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import psutil
+import pytest
+
+from param_tools.ros.waiting import wait_until
+from param_tutorial.site import archive, build
+from tests.lessons.test_lessons import write
+
+
+class EndedError(BaseException):
+    """The build is ended here, as by a signal."""
+
+
+def pages(folder):
+    return {path.name: path.read_text() for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize('can_exchange', [True, False])
+def test_there_is_one_whole_site_at_whatever_step_the_build_ends(tmp_path, monkeypatch, can_exchange):
+    steps = 0
+    ended_at = -1
+
+    def counted(do):
+        def step(*arguments, **options):
+            nonlocal steps
+            steps += 1
+            if steps - 1 == ended_at:
+                raise EndedError
+            return do(*arguments, **options)
+        return step
+
+    if not can_exchange:
+        monkeypatch.setattr(build, '_exchange', lambda *_: False)
+    for owner, name in ((Path, 'rename'), (shutil, 'copytree'), (shutil, 'rmtree'), (build, '_exchange')):
+        monkeypatch.setattr(owner, name, counted(getattr(owner, name)))
+    old, new = {'index.html': 'old', 'a.html': 'old'}, {'index.html': 'new', 'b.html': 'new'}
+    outcomes = []
+    for moment in range(20):
+        folder = tmp_path / str(moment)
+        for name, content in (('html', old), ('work', new)):
+            (folder / name).mkdir(parents=True)
+            for page, text in content.items():
+                (folder / name / page).write_text(text)
+        steps, ended_at = 0, moment
+        try:
+            build.replace(folder / 'work', folder / 'html')
+        except EndedError:
+            if can_exchange:
+                assert pages(folder / 'html') in (old, new)
+            ended_at = -1
+            build.recover(folder / 'html')
+        outcomes.append('old' if pages(folder / 'html') == old else 'new')
+        assert pages(folder / 'html') in (old, new)
+        assert not (folder / 'html.old').exists()
+    assert outcomes[0] == 'old' and outcomes[-1] == 'new'
+    assert outcomes == sorted(outcomes, reverse=True)
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize('when', ['workers start', 'kernels run'])
+def test_no_process_outlives_a_build(tmp_path, number, when):
+    for name in ('1_a', '2_b'):
+        write(tmp_path / f'{name}.ipynb', ('import time\ntime.sleep(100)', ''))
+    process = subprocess.Popen(
+        [sys.executable, '-m', 'param_tutorial.site', '--notebooks', tmp_path, '--target', tmp_path / 'html',
+         '--work', tmp_path / 'work'], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+        start_new_session=True)
+    wanted = 'spawn_main' if when == 'workers start' else 'ipykernel'
+    started = []
+    while not any(wanted in ' '.join(each) for each in started):
+        assert process.poll() is None, process.stderr.read()
+        started = commands_below(process.pid)
+    below = psutil.Process(process.pid).children(recursive=True)
+    # As from a terminal: its Ctrl+C goes to all processes of the group.
+    (os.killpg if number == signal.SIGINT else os.kill)(process.pid, number)
+    said = process.communicate()[1]
+    if number == signal.SIGINT:
+        assert said == '\nStopped; the previous site is kept.\n' and process.returncode == 130
+    wait_until(lambda: not any(each.is_running() for each in below), 'the processes that it had started to end', 30)
+
+
+def commands_below(pid):
+    """Return the command lines of all processes that one has started."""
+    time.sleep(0.02)
+    found = []
+    for each in psutil.Process(pid).children(recursive=True):
+        try:
+            found.append(each.cmdline())
+        except psutil.Error:
+            continue
+    return found
+
+
+def test_a_changed_sentence_runs_nothing_again(tmp_path):
+    path = write(tmp_path / '1_a.ipynb', ('print(1)', '1\n'))
+    before = archive.what_runs(path)
+    text = path.read_text()
+    path.write_text(text.replace('A chapter', 'Another title'))
+    assert archive.what_runs(path) == before
+    for old, new in (('print(1)', 'print(2)'), ('"1\\n"', '"2\\n"')):
+        path.write_text(text.replace(old, new))
+        assert archive.what_runs(path) != before

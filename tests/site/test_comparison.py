@@ -1,0 +1,111 @@
+"""Outputs are compared by nbval: `make html` and `pytest --nbval` come to the same verdict on the same cells."""
+
+import subprocess
+import sys
+from xml.etree import ElementTree
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+from nbformat.v4 import new_code_cell, new_notebook, new_output
+
+from param_tutorial.site.recording import comparison
+from param_tutorial.site.recording.run import OwnKernel
+
+
+def printed(text, name='stdout'):
+    return new_output('stream', name=name, text=text)
+
+
+def result(data, **more):
+    return new_output('execute_result', data, execution_count=1, **more)
+
+
+def raised(evalue, traceback=()):
+    return new_output('error', ename='ValueError', evalue=evalue, traceback=list(traceback))
+
+
+SHOW = 'from IPython.display import display\ndisplay({%s}, raw=True)'
+WIDGET = 'application/vnd.jupyter.widget-view+json'
+# What is in the cell, what is stored with it, and whether nbval accepts that.
+PAIRS = {
+    'the same text': ('print(1)', [printed('1\n')], True),
+    'another text': ('print(1)', [printed('2\n')], False),
+    'nothing for nothing': ('x = 1', [], True),
+    'a text that is missing': ('x = 1', [printed('1\n')], False),
+    'a text too many': ('print(1)', [], False),
+    'a text in two pieces': ('print(1)\nprint(2)', [printed('1\n'), printed('2\n')], True),
+    'another stream': ('print(1)', [printed('1\n', 'stderr')], False),
+    'streams in another order': ('import sys\nprint(1)\nprint(2, file=sys.stderr)',
+                                 [printed('2\n', 'stderr'), printed('1\n')], True),
+    'a line that was overwritten': (r"print('12\r34')", [printed('34\n')], True),
+    'a space too many': ('print(1)', [printed('1 \n')], False),
+    'the same result': ('1 + 1', [result({'text/plain': '2'})], True),
+    'another result': ('1 + 1', [result({'text/plain': '3'})], False),
+    'a result of another kind': ('1 + 1', [result({'text/html': '2'})], False),
+    'other metadata': ('1 + 1', [result({'text/plain': '2'}, metadata={'text/plain': {'wide': True}})], True),
+    'a picture': (SHOW % '"image/png": "AAAA"', [new_output('display_data', {'image/png': 'BBBB'})], True),
+    'another drawing': (SHOW % '"image/svg+xml": "<svg/>"', [new_output('display_data', {'image/svg+xml': '<g/>'})],
+                        False),
+    'the same JSON': (SHOW % '"application/json": {"a": [1]}',
+                      [new_output('display_data', {'application/json': {'a': [1]}})], True),
+    'other JSON': (SHOW % '"application/json": {"a": [1]}',
+                   [new_output('display_data', {'application/json': {'a': [2]}})], False),
+    'another widget': (SHOW % f'"{WIDGET}": {{"model_id": "a"}}, "text/plain": "x"',
+                       [new_output('display_data', {WIDGET: {'model_id': 'b'}, 'text/plain': 'x'})], True),
+    'one result of two': (SHOW % '"text/plain": "x"' + '\ndisplay({"text/plain": "x"}, raw=True)',
+                          [new_output('display_data', {'text/plain': 'x'})], False),
+    'the same error': ('raise ValueError("a")', [raised('a', ['elsewhere'])], True),
+    'another error': ('raise ValueError("a")', [raised('b')], False),
+    'what is not to be compared': ('# NBVAL_IGNORE_OUTPUT\nprint(1)', [printed('2\n')], True),
+}
+
+
+@pytest.fixture(scope='module')
+def notebook(tmp_path_factory):
+    """Return a notebook with a cell for each pair, and how it comes out when it is run."""
+    cells = [new_code_cell(source, outputs=stored, execution_count=1, metadata={'tags': ['raises-exception']})
+             for source, stored, _ in PAIRS.values()]
+    path = tmp_path_factory.mktemp('pairs') / 'pairs.ipynb'
+    nbformat.write(new_notebook(cells=cells), path)
+    executed = nbformat.read(path, as_version=4)
+    NotebookClient(executed, kernel_manager_class=OwnKernel, coalesce_streams=True, store_widget_state=False).execute()
+    return path, executed
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+def test_the_verdict_is_that_of_pytest(notebook):
+    path, executed = notebook
+    ours = {name: not cell.difference(new.outputs)
+            for name, cell, new in zip(PAIRS, comparison.cells_of(path), executed.cells, strict=True)}
+    report = path.with_suffix('.xml')
+    subprocess.run([sys.executable, '-m', 'pytest', '--nbval', '--nbval-current-env', '--rootdir', path.parent,
+                    '-c', '/dev/null', '-p', 'no:randomly', f'--junitxml={report}', path],
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    theirs = {name: case.find('failure') is None
+              for name, case in zip(PAIRS, ElementTree.parse(report).iter('testcase'), strict=True)}
+    assert theirs == {name: accepted for name, (_, _, accepted) in PAIRS.items()}
+    assert ours == theirs
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+def test_a_difference_names_what_differs_and_shows_the_lines(notebook):
+    path, executed = notebook
+    told = {name: cell.difference(new.outputs)
+            for name, cell, new in zip(PAIRS, comparison.cells_of(path), executed.cells, strict=True)}
+    assert told['another text'] == '    --- stored stdout\n    +++ new stdout\n    @@ -1 +1 @@\n    -2\n    +1'
+    assert told['other JSON'].splitlines()[-3:] == ['    -  2', '    +  1', '      ]']
+    assert 'Missing output fields' in told['a text that is missing'] and 'stdout' in told['a text that is missing']
+    assert 'dissimilar number of outputs for key "text/plain"' in told['one result of two']
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+def test_comparing_leaves_the_outputs_as_they_are(notebook):
+    path, _ = notebook
+    pieces = [printed('1\n'), printed('2\n')]
+    cell = next(cell for name, cell in zip(PAIRS, comparison.cells_of(path)) if name == 'a text in two pieces')
+    assert cell.difference(pieces) == '' and cell.difference(pieces) == ''
+    assert [each.text for each in pieces] == ['1\n', '2\n']
