@@ -78,11 +78,11 @@ stranger: setup-all  ## the same in the real JupyterLab, by mouse and keyboard, 
 	@$(VENV) -W ignore -m tests.tools.stranger $(ARGS)
 
 html: setup-all  ## make the HTML lessons, in build/html/
-	@$(VENV) -m param_tutorial.lessons $(ARGS)
+	@$(VENV) -m param_tutorial.site $(ARGS)
 
 lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
 	@test -n "$(CHAPTER)" || { echo "Which one? make lesson CHAPTER=08" >&2; exit 1; }
-	@$(VENV) -m param_tutorial.lessons --lesson "$(CHAPTER)" $(ARGS)
+	@$(VENV) -m param_tutorial.site --lesson "$(CHAPTER)" $(ARGS)
 
 bench: setup-all  ## run the benchmarks
 	@$(VENV) -m tests.tools.bench $(ARGS)

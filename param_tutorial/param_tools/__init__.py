@@ -11,9 +11,12 @@
     ros
     files
     markup
+    descriptor
+    values
+    errors
+    lazy
 
-Below them stand ``values``, what a parameter can hold, ``errors`` and ``lazy``. ``files`` and what is below it need
-PyYAML alone, and only ``panel`` needs Jupyter.
+``files`` and what is below it need PyYAML alone, and only ``panel`` needs Jupyter.
 """
 
 from typing import TYPE_CHECKING, Any

@@ -14,7 +14,6 @@ downward only (README.md, "Architecture", says what each room is for, and a test
     pictures
     progress
     nodes
-    errors
 """
 
 from typing import TYPE_CHECKING, Any

@@ -9,7 +9,7 @@ from param_tools.ros.interrupts import raise_in
 from param_tools.systems.change_log import ChangeLog
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from tests.ros2.test_ros2 import run
+from tests.cli.test_ros2 import run
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ from param_tools.cli.run_isolated import describe_program
 from param_tools.cli.session import CommandFailed
 from param_tools.files import descriptions
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from tests.ros2.test_ros2 import run
+from tests.cli.test_ros2 import run
 
 GOOD = '/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: 120\n'
 BAD = GOOD.replace('max_speed', 'max_sped')

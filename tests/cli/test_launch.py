@@ -482,7 +482,7 @@ def test_arguments_are_shown_and_checked(launch_file):
 def test_mistakes_have_a_sentence(launch_file):
     assert 'was not found in the share directory of package' in launch('param_tutorial', 'no_launch.py')[1]
     assert launch('nobody', 'no_launch.py')[1].startswith("Package 'nobody' not found: \"package 'nobody' not found")
-    assert "Terminal('ros2 launch param_tutorial simple_param_launch.py')" in launch(
+    assert 'in a terminal: ros2 launch param_tutorial simple_param_launch.py; or' in launch(
         'param_tutorial', 'simple_param_launch.py')[1]
     path = launch_file("        Node(package='param_tutorial', executable='nope')")
     assert launch(path, in_notebook=False) == (

@@ -9,7 +9,7 @@ from rclpy.parameter import Parameter
 from param_tools.systems.snapshot import Snapshot
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from tests.ros2.test_ros2 import run
+from tests.cli.test_ros2 import run
 
 
 class Camera(Node):

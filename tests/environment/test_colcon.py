@@ -10,7 +10,7 @@ import pytest
 
 from param_tutorial import ParameterClient, Shell, Terminal
 from param_tutorial.notebook.interrupts import interruptible
-from tests.support.paths import PACKAGE, ROOT
+from tests.support.paths import PACKAGE, ROOT, TOOLS
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough]
 
@@ -81,9 +81,10 @@ def test_the_package_is_imported_from_the_workspace_and_brings_its_data(workspac
     module = workspace.where_is(NAME)
     home = workspace.shell.home / 'ws'
     assert module.is_relative_to(home / ('src' if workspace.links else 'install'))
-    assert {path.name for path in (module.parent / 'runtime').glob('*.xml')} == {'fastdds.xml', 'fastdds_this_host.xml'}
-    sheets = {path.relative_to(PACKAGE) for path in PACKAGE.rglob('*.css')}
-    assert {path.relative_to(module.parent) for path in module.parent.rglob('*.css')} == sheets
+    for package in (PACKAGE, TOOLS):
+        data = {path.relative_to(package) for ending in ('css', 'xml') for path in package.rglob(f'*.{ending}')}
+        there = module.parents[1] / package.name
+        assert {path.relative_to(there) for ending in ('css', 'xml') for path in there.rglob(f'*.{ending}')} == data
 
 
 def test_a_node_runs_from_the_install_space(workspace, ros):

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from param_tools.cli.run import node_programs
-from tests.support.paths import PACKAGE, ROOT, ROS_PACKAGE
+from tests.support.paths import PACKAGE, ROOT, ROS_PACKAGE, TOOLS
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -86,8 +86,8 @@ def test_names_versions_and_licences_agree(package_xml, setup_py):
 def test_colcon_installs_the_programs_that_our_run_knows(setup_py):
     nodes = {path.stem: path.read_text() for path in (PACKAGE / 'nodes').glob('[a-z]*.py')}
     assert set(setup_py['entry_points']['console_scripts']) == {
-        f'{name} = param_tutorial.nodes.__main__:program' for name in node_programs()}
-    assert sorted(nodes) == node_programs()
+        f'{name} = param_tutorial.nodes.__main__:program' for name in node_programs('param_tutorial')}
+    assert sorted(nodes) == node_programs('param_tutorial')
     for name, source in nodes.items():
         assert re.search(r'^def main\(args: list\[str\] \| None = None\) -> None:$', source, re.MULTILINE), name
 
@@ -95,16 +95,17 @@ def test_colcon_installs_the_programs_that_our_run_knows(setup_py):
 def test_each_package_below_the_ros_package_is_installed(setup_py):
     on_disk = {
         '.'.join(init.parent.relative_to(ROS_PACKAGE).parts)
-        for init in (ROS_PACKAGE / 'param_tutorial').rglob('__init__.py')
+        for package in (PACKAGE, TOOLS) for init in package.rglob('__init__.py')
     }
     assert set(setup_py['packages']) == on_disk
 
 
 def test_style_sheets_are_installed_by_pip_and_by_colcon(setup_py):
-    sheets = set(PACKAGE.rglob('*.css'))
+    sheets = {*PACKAGE.rglob('*.css'), *TOOLS.rglob('*.css')}
     assert len(sheets) >= 10
     for data in (PYPROJECT['tool']['setuptools']['package-data'], setup_py['package_data']):
-        assert sheets <= {path for pattern in data['param_tutorial'] for path in PACKAGE.glob(pattern)}
+        assert sheets <= {path for package in (PACKAGE, TOOLS) for pattern in data[package.name]
+                          for path in package.glob(pattern)}
 
 
 def test_marker_and_parameter_files_are_installed(setup_py):

@@ -16,7 +16,7 @@ from param_tools.files import descriptions
 from param_tools.files.checking import KINDS, check_files
 from param_tools.files.descriptions import DescribedParameter, Descriptions, NodeDescription
 from param_tools.files.parsing import Parser, effective, matches
-from tests.parameters.test_files import DOCUMENTS, rcl_rejection_of
+from tests.files.test_parameter_files import DOCUMENTS, rcl_rejection_of
 
 FILES = Path(__file__).parent / 'parameter_files'
 CONFIG = Path(__file__).parents[2] / 'config'

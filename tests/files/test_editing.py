@@ -13,8 +13,8 @@ from param_tools.errors import ParameterFileError
 from param_tools.files.editing import edit, update_file
 from param_tools.files.parameter_files import read_all, why_not_expressible
 from param_tutorial import ParameterClient
-from tests.parameters.test_checking import FILES
-from tests.parameters.test_files import DOCUMENTS, NAMES, same, we_read
+from tests.files.test_checking import FILES
+from tests.files.test_parameter_files import DOCUMENTS, NAMES, same, we_read
 from tests.support.strategies import VALUES
 
 

@@ -495,7 +495,7 @@ def test_a_node_that_leaves_in_mid_call(ros, waiting):
 
 def test_without_an_executor_the_word_is_start():
     param_tutorial.stop()
-    with pytest.raises(ExecutorError, match=r'param_tutorial\.start\(\)'):
+    with pytest.raises(ExecutorError, match='call start'):
         ParameterClient('/x').list_parameters()
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from param_tools.ros.waiting import wait_until
 from param_tutorial.site import archive, build
-from tests.lessons.test_lessons import write
+from tests.site.test_lessons import write
 
 
 class EndedError(BaseException):

@@ -17,7 +17,7 @@ from param_tools.systems.describe import describe
 from param_tools.systems.sets import MAY_BE_TAKEN, Outcome, ParameterSet, Restored, preview, restore
 from param_tools.systems.snapshot import Snapshot
 from param_tools.systems.systems import SystemRestored, compare_systems, defaults_of, of_robot
-from tests.parameters.test_files import NAMES
+from tests.files.test_parameter_files import NAMES
 from tests.support.nodes import Arm
 from tests.support.strategies import VALUES
 

@@ -21,7 +21,7 @@ HAND = '''
 def _play(seed):
     import random
     from ipywidgets.widgets.widget import _instances
-    from param_tutorial.parameters import values
+    from param_tools import values
     from param_tutorial.views.driving import DrivingView
     from param_tools.panel.panel import ParameterPanel
     chance = random.Random(seed)

@@ -19,7 +19,7 @@ LOCK = ROOT / 'environment' / 'requirements-dev.lock'
 MINORS = range(10, 15)
 # The chapters, and what runs nodes in this process. Browser, website, builds and commands take minutes, and are about
 # others.
-TESTS = [*(f'tests/{room}' for room in ('nodes', 'parameters', 'runtime', 'widgets')), 'notebooks']
+TESTS = [*(f'tests/{room}' for room in ('nodes', 'files', 'node', 'systems', 'ros', 'widgets')), 'notebooks']
 
 
 def find_uv() -> Path:

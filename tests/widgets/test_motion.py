@@ -92,7 +92,7 @@ def test_two_pictures_and_a_recorder_share_one_node(robot, client):
     first.close()
     client.set_parameter('speed', 5)
     wait_for_text(second, 'speed = 5')
-    assert 'trim sees 6, gives 6' in repr(param_tutorial.record_change(robot, 'speed', 6))
+    assert 'trim sees 6, gives 6' in repr(param_tutorial.views.record_change(robot, 'speed', 6))
     second.close()
     # Nothing stays wrapped.
     assert [type(each).__name__ for each in robot._pre_set_parameters_callbacks] == ['method']

@@ -1,7 +1,7 @@
 """The embedded ``ros2``: the verbs that the course teaches, for machines without an installed ROS.
 
 ros2cli is not on PyPI. These commands print what ros2cli 0.32.2 (Jazzy) prints: ``param`` and ``node list`` byte for
-byte, as 61 recordings in tests/ros2/transcripts have it, the others as its source says. They differ on purpose:
+byte, as 61 recordings in tests/cli/transcripts have it, the others as its source says. They differ on purpose:
 
 - Where the genuine command ends in a traceback, ours says in a sentence what is wrong: a file that is none, an integer
   of more than 64 bits, a bad regular expression. Usage errors and ``--help`` have our own words.

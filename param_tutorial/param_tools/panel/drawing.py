@@ -1,6 +1,6 @@
 """A parameter panel as HTML: each parameter's name, control and description, in groups that fold.
 
-``widgets/panel.js`` brings it to life, in JupyterLab and on a page of the website alike; without a script it still
+``panel.js`` brings it to life, in JupyterLab and on a page of the website alike; without a script it still
 shows what the node had.
 """
 
@@ -113,7 +113,7 @@ def arrange(rows: Iterable[PanelRow]) -> list[PanelRow]:
 
 def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowState], *, status: str = '',
                  in_order: bool = False, tools: bool = True, mark: str = '', prefix: str = 'panel') -> str:
-    """Return a panel as HTML; its style sheet is ``pictures/panel.css``.
+    """Return a panel as HTML; its style sheet is ``panel.css``.
 
     :param node: The node's fully qualified name.
     :param states: By the parameters' names.

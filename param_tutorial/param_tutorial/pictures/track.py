@@ -5,7 +5,7 @@ quadratic function of time, which a CSS ``cubic-bezier(1/3, p/3, 2/3, (1 + p)/3)
 one step of a CSS animation, and the browser moves the vehicle by itself.
 
 What the vehicles look like and what they say is in ``robot`` and ``cart``. What a picture tells in words changes with
-each phase: those are its scenes, and ``widgets/driving.js`` tells them, in JupyterLab as on a page of the website.
+each phase: those are its scenes, and ``views/driving.js`` tells them, in JupyterLab as on a page of the website.
 """
 
 import html
@@ -210,7 +210,7 @@ class Film:
 
 
 def view_markup(picture: str = '', sentence: str = '') -> str:
-    """Return the place where ``widgets/driving.js`` shows a vehicle: its picture, its words and the button.
+    """Return the place where ``views/driving.js`` shows a vehicle: its picture, its words and the button.
 
     :param picture: HTML of what is there before the script is.
     :param sentence: What is said before.
@@ -253,7 +253,7 @@ def poster(vehicle: Vehicle, *, times: int, pause_sec: float) -> str:
     animation = _Animation('robot', vehicle, times=times, pause_sec=pause_sec)
     end = vehicle.at(math.inf)
     return (f'<svg xmlns="http://www.w3.org/2000/svg" class="robot-stage" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
-            f'aria-label="{html.escape(end.text)}">\n<style>\n{sheet("pictures/track.css")}</style>\n'
+            f'aria-label="{html.escape(end.text)}">\n<style>\n{sheet("param_tutorial/pictures/track.css")}</style>\n'
             f'{animation.keyframes()}\n{_layers(end, animation)}</svg>\n')
 
 

@@ -92,7 +92,7 @@ RIGHT = {
     '10.5b': [
         [('all(same_value(*pair) for pair in zip(before, after))', 'all(map(same_value, before, after))')],
         [(_MEND, '    return repr(before) == repr(after)\n')],
-        [(_MEND, '''    from param_tutorial.parameters import values
+        [(_MEND, '''    from param_tools import values
     return values.same(before, after)
 ''')],
         [(_MEND, '''    from param_tutorial import compare
