@@ -25,7 +25,6 @@ from param_tools.cli.session import (
     add_node_options,
     without_services,
 )
-from param_tools.errors import WaitTimeoutError
 from param_tools.node.client import to_message
 from param_tools.ros import graph
 from param_tools.ros.executor import TOOL_NODE_NAME
@@ -114,15 +113,8 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
 
 def listed_nodes(session: Session, *, hidden: bool) -> list[NodeName]:
     """Return the nodes, each name once, in the order of the genuine command, when their services are known."""
-    found, patience_sec = [], None
-    for each in sorted({each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME}):
-        try:
-            session.has_service(each.full_name, 'list_parameters', patience_sec)
-        except WaitTimeoutError as error:
-            session.complain(f'WARNING: {each.full_name} is left out: {error}')
-            patience_sec = graph.NETWORK_SEC  # the others have had their time meanwhile
-        else:
-            found.append(each)
+    found = sorted({each for each in session.node_names(hidden=hidden) if each.name != TOOL_NODE_NAME})
+    graph.wait_for(lambda: all([_has_services(session, each) for each in found]))
     return found
 
 

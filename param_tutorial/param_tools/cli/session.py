@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
-from param_tools.errors import NodeNotFoundError, ParameterToolError, WaitTimeoutError
+from param_tools.errors import NodeNotFoundError, ParameterToolError
 from param_tools.ros import domain
 
 if TYPE_CHECKING:
@@ -97,27 +97,20 @@ class Session:
         """Return the nodes in the graph as far as it is known; a name twice if two nodes have it."""
         from param_tools.ros.graph import nodes_in_graph
 
-        tool = self.executor.tool_node
-        # Ghosts gather in a process that lives long. One that has just joined has none, and hears of a node's name
-        # before it hears of what shows that it is not a ghost.
-        known = nodes_in_graph(tool) if self.in_notebook else tool.get_node_names_and_namespaces()
-        names = (NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}') for name, namespace in known)
+        names = (NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}')
+                 for name, namespace in nodes_in_graph(self.executor.tool_node))
         return [each for each in names if hidden or not each.name.startswith(HIDDEN_NODE_PREFIX)]
 
     def wait_for_graph(self, args: argparse.Namespace) -> None:
-        """Wait until all nodes are known; if that takes too long, say so."""
+        """Wait until no node has come for a while."""
         from param_tools.ros import graph
 
-        try:
-            graph.wait_for(lambda: False, self.executor.tool_node, self.patience(args))
-        except WaitTimeoutError as error:
-            self.complain(f'WARNING: nodes may be missing here: {error}')
+        graph.wait_until_quiet(self.executor.tool_node, self.patience(args))
 
     def find(self, args: argparse.Namespace) -> str:
         """Return the fully qualified name of the node that was named, once it is there.
 
         :raises CommandFailed: there is no such node.
-        :raises WaitTimeoutError: it is not known whether there is.
         """
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
         # A hidden node is not looked at without the option; nothing can be waited for then.
@@ -130,11 +123,10 @@ class Session:
         return node
 
     def is_there(self, node: str, at_least_sec: float) -> bool:
-        """True if there is a node of this name, once that is known.
+        """True if there is a node of this name, or one comes soon.
 
         :param node: Fully qualified.
         :param at_least_sec: How long to look for it at least.
-        :raises WaitTimeoutError: it is not known whether there is.
         """
         def is_known() -> bool:
             # A node's services may be known before its name.
@@ -146,7 +138,7 @@ class Session:
 
         from param_tools.ros import graph
 
-        return graph.wait_for(is_known, self.executor.tool_node, at_least_sec)
+        return graph.wait_for(is_known, at_least_sec)
 
     def patience(self, args: argparse.Namespace) -> float:
         """Return how long to look for nodes at least, in seconds."""
@@ -154,7 +146,7 @@ class Session:
             return float(args.spin_time)
         from param_tools.ros import graph
 
-        return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.NETWORK_SEC
+        return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.DISCOVERY_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
         """Call a parameter service of a node that has been found.
@@ -163,19 +155,13 @@ class Session:
         """
         if not self.has_service(node, service):
             raise CommandFailed(without_services(node))
-        return self.executor.services.call(
-            node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC, discovery_timeout_sec=0.0)
+        return self.executor.services.call(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)
 
-    def has_service(self, node: str, service: str, patience_sec: float | None = None) -> bool:
-        """Wait until a service of a node that has been found can be called; return False if the node has none.
-
-        :raises WaitTimeoutError: it is not known whether it has.
-        """
+    def has_service(self, node: str, service: str) -> bool:
+        """Wait until a service of a node that has been found can be called; return False if the node has none."""
         from param_tools.ros import graph
 
-        return graph.wait_for_service(
-            lambda: self.executor.services.is_ready(node, service), node, service, self.executor.tool_node,
-            patience_sec)
+        return graph.wait_for(lambda: self.executor.services.is_ready(node, service))
 
     def call_all(self, nodes: Sequence[str], service: str, request: Any) -> dict[str, Any]:
         """Call the same service of several nodes at once.
@@ -191,8 +177,8 @@ class Session:
 
         for node in nodes:
             try:
-                self.executor.services.call_async(node, service, request, functools.partial(take, node),
-                                                  timeout_sec=SERVICE_TIMEOUT_SEC)
+                self.executor.services.call_async(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC
+                                                  ).add_done_callback(functools.partial(take, node))
             except ParameterToolError as error:
                 answers[node] = error
                 finished.release()

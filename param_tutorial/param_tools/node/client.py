@@ -6,10 +6,10 @@ is in ``services``; what a file looks like is in ``parameter_files``.
 """
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterEvent
 from rcl_interfaces.srv import (
@@ -30,8 +30,10 @@ from param_tools.files.editing import update_file
 from param_tools.files.reference import Entry, Reference, reference_of
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
-from param_tools.ros.services import DISCOVERY_TIMEOUT_SEC, TIMEOUT_SEC, full_name
+from param_tools.ros.services import TIMEOUT_SEC, full_name
 from param_tools.values import ParameterType
+
+T = TypeVar('T')
 
 # How often all is asked if parameters are deleted between two questions.
 _ATTEMPTS = 4
@@ -134,6 +136,86 @@ def node_name(node: 'str | Node | ParameterClient') -> str:
     return node.node if isinstance(node, ParameterClient) else full_name(node)
 
 
+class Questions:
+    """What a node has, as coroutines: the client finishes them at once, and a panel awaits them in the executor."""
+
+    def __init__(self, node: str, ask: Callable[[str, Any], Awaitable[Any]]):
+        """
+        :param node: Fully qualified name.
+        :param ask: Called with the name of one of the node's services and a request; returns the response.
+        """
+        self._node, self._ask = node, ask
+
+    async def list_parameters(self, prefixes: Iterable[str] = (), *, depth: int = 0) -> list[str]:
+        """Return the names of the node's parameters; see ParameterClient for this and the others."""
+        request = ListParameters.Request(prefixes=_listed(prefixes, 'prefixes'), depth=depth)
+        return list((await self._ask('list_parameters', request)).result.names)
+
+    async def get_parameters(self, names: Iterable[str] | None = None) -> ParameterValues:
+        """Return the values of several parameters, or of all."""
+        wanted = await self.list_parameters() if names is None else _listed(names)
+        answer = (await self._ask('get_parameters', GetParameters.Request(names=wanted))).values
+        if len(answer) == len(wanted):
+            return ParameterValues(zip(wanted, map(values.to_python, answer), strict=True))
+        # One name without a value empties the whole answer of an rclpy node: ask for each alone.
+        existing = await self.list_parameters()
+        result = ParameterValues()
+        for name in wanted:
+            answer = (await self._ask('get_parameters', GetParameters.Request(names=[name]))).values
+            if answer:
+                result[name] = values.to_python(answer[0])
+            elif name in existing:
+                result[name] = None
+            elif names is not None:
+                raise ParameterNotDeclaredError(self._node, name, existing)
+        return result
+
+    async def get_parameter_types(self, names: Iterable[str]) -> dict[str, ParameterType]:
+        """Return the types of parameters."""
+        names = _listed(names)
+        answer = (await self._ask('get_parameter_types', GetParameterTypes.Request(names=names))).types
+        await self._require_all(names, answer)
+        return {name: values.TYPES[number] for name, number in zip(names, answer, strict=True)}
+
+    async def describe_parameters(self, names: Iterable[str] | None = None) -> Descriptors:
+        """Return type, range, description and more of several parameters, or of all."""
+        wanted = await self.list_parameters() if names is None else _listed(names)
+        answer = (await self._ask('describe_parameters', DescribeParameters.Request(names=wanted))).descriptors
+        await self._require_all(wanted, answer)
+        return Descriptors(zip(wanted, map(descriptor_of, wanted, answer), strict=True))
+
+    async def describe_and_get(self, names: Iterable[str] | None = None) -> tuple[Descriptors, ParameterValues]:
+        """Return descriptors and values of the same parameters, though some may be deleted meanwhile."""
+        only = None if names is None else _listed(names)
+        for attempts_left in reversed(range(_ATTEMPTS)):
+            existing = await self.list_parameters()
+            wanted = existing if only is None else [name for name in only if name in existing]
+            try:
+                return await self.describe_parameters(wanted), await self.get_parameters(wanted)
+            except ParameterNotDeclaredError:
+                if not attempts_left:
+                    raise
+        raise AssertionError('the last attempt returns or raises')
+
+    async def _require_all(self, names: Sequence[str], answer: Sequence[object]) -> None:
+        """Name the unknown one among names: with one unknown name the whole answer of a node is empty."""
+        if len(answer) == len(names):
+            return
+        existing = await self.list_parameters()
+        unknown = next((name for name in names if name not in existing), names[0])
+        raise ParameterNotDeclaredError(self._node, unknown, existing)
+
+
+def _finish(coroutine: Coroutine[Any, Any, T]) -> T:
+    """Return what a coroutine returns that never has to wait."""
+    try:
+        coroutine.send(None)
+    except StopIteration as end:
+        result: T = end.value
+        return result
+    raise AssertionError('the coroutine waits for something')
+
+
 class ParameterClient:
     """The parameters of one node, wherever it runs. Cheap to make; there is nothing to close.
 
@@ -146,13 +228,13 @@ class ParameterClient:
                  executor: BackgroundExecutor | None = None):
         """
         :param node: The node, or its name; ``talker`` is ``/talker``.
-        :param timeout_sec: How long the node may take for each answer. A node that is not there yet is waited for as
-            long, and for DISCOVERY_TIMEOUT_SEC at least.
+        :param timeout_sec: How long the node may take for each answer.
         :param executor: Carries the calls; by default whichever runs in the background at each call.
         """
         self.node = full_name(node)
         self.timeout_sec = timeout_sec
         self._executor = executor
+        self._questions = Questions(self.node, self._answer)
 
     def __repr__(self) -> str:
         return f'<ParameterClient: {self.node}>'
@@ -165,8 +247,7 @@ class ParameterClient:
         :param prefixes: Only names that start with one of these and a dot.
         :param depth: Only names with at most this many parts below the prefix; 0 for all.
         """
-        request = ListParameters.Request(prefixes=_listed(prefixes, 'prefixes'), depth=depth)
-        return list(self._call('list_parameters', request).result.names)
+        return _finish(self._questions.list_parameters(prefixes, depth=depth))
 
     def get_parameter(self, name: str) -> Any:
         """Return the value of one parameter; None if it is declared without a value.
@@ -181,32 +262,14 @@ class ParameterClient:
         :param names: Which; by default all, in the order in which the node declared them.
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
         """
-        wanted = self.list_parameters() if names is None else _listed(names)
-        answer = self._call('get_parameters', GetParameters.Request(names=wanted)).values
-        if len(answer) == len(wanted):
-            return ParameterValues(zip(wanted, map(values.to_python, answer), strict=True))
-        # One name without a value empties the whole answer of an rclpy node: ask for each alone.
-        existing = self.list_parameters()
-        result = ParameterValues()
-        for name in wanted:
-            answer = self._call('get_parameters', GetParameters.Request(names=[name])).values
-            if answer:
-                result[name] = values.to_python(answer[0])
-            elif name in existing:
-                result[name] = None
-            elif names is not None:
-                raise ParameterNotDeclaredError(self.node, name, existing)
-        return result
+        return _finish(self._questions.get_parameters(names))
 
     def get_parameter_types(self, names: Iterable[str]) -> dict[str, ParameterType]:
         """Return the types of parameters.
 
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
         """
-        names = _listed(names)
-        answer = self._call('get_parameter_types', GetParameterTypes.Request(names=names)).types
-        self._require_all(names, answer)
-        return {name: values.TYPES[number] for name, number in zip(names, answer, strict=True)}
+        return _finish(self._questions.get_parameter_types(names))
 
     def describe_parameter(self, name: str) -> Descriptor:
         """Return type, range, description and more of one parameter.
@@ -220,10 +283,7 @@ class ParameterClient:
 
         :raises ParameterNotDeclaredError: the node has no parameter of one of these names.
         """
-        wanted = self.list_parameters() if names is None else _listed(names)
-        answer = self._call('describe_parameters', DescribeParameters.Request(names=wanted)).descriptors
-        self._require_all(wanted, answer)
-        return Descriptors(zip(wanted, map(descriptor_of, wanted, answer), strict=True))
+        return _finish(self._questions.describe_parameters(names))
 
     def describe_and_get(self, names: Iterable[str] | None = None) -> tuple[Descriptors, ParameterValues]:
         """Return descriptors and values of the same parameters, though some may be deleted meanwhile.
@@ -231,16 +291,7 @@ class ParameterClient:
         :param names: Only those of these that there are, in this order; by default all.
         :raises ParameterNotDeclaredError: each time that the node was asked, one was deleted between two questions.
         """
-        only = None if names is None else _listed(names)
-        for attempts_left in reversed(range(_ATTEMPTS)):
-            existing = self.list_parameters()
-            wanted = existing if only is None else [name for name in only if name in existing]
-            try:
-                return self.describe_parameters(wanted), self.get_parameters(wanted)
-            except ParameterNotDeclaredError:
-                if not attempts_left:
-                    raise
-        raise AssertionError('the last attempt returns or raises')
+        return _finish(self._questions.describe_and_get(names))
 
     def reference(self, names: Iterable[str] | None = None) -> Reference:
         """Return what the node tells of its parameters as a table in Markdown, for a README.
@@ -348,16 +399,10 @@ class ParameterClient:
         return self._executor or stage.current()
 
     def _call(self, service: str, request: Any) -> Any:
-        return self.executor.services.call(self.node, service, request, timeout_sec=self.timeout_sec,
-                                           discovery_timeout_sec=max(DISCOVERY_TIMEOUT_SEC, self.timeout_sec))
+        return self.executor.services.call(self.node, service, request, timeout_sec=self.timeout_sec)
 
-    def _require_all(self, names: Sequence[str], answer: Sequence[object]) -> None:
-        """Name the unknown one among names: with one unknown name the whole answer of a node is empty."""
-        if len(answer) == len(names):
-            return
-        existing = self.list_parameters()
-        unknown = next((name for name in names if name not in existing), names[0])
-        raise ParameterNotDeclaredError(self.node, unknown, existing)
+    async def _answer(self, service: str, request: Any) -> Any:
+        return self._call(service, request)
 
     def _to_messages(self, new: Mapping[str, Any]) -> list[Parameter]:
         new = {name: values.normalize(value) for name, value in new.items()}

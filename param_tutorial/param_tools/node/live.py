@@ -1,18 +1,18 @@
 """The parameters of one node, followed live: what the node confirmed, and what it is being asked. No Jupyter.
 
-What is known, and what follows from what happens, is a state machine: ``live_state``. Here are the threads around it.
-Each thing that happens is handed to the machine with the lock held, and what the machine returns is done after the
-lock has been released. So the lock is never held while sending, waiting or drawing.
+What is known, and what follows from what happens, is a state machine: ``live_state``. Here is what drives it. Each
+thing that happens is handed to the machine with the lock held, and what the machine returns is done after the lock has
+been released. So the lock is never held while sending, waiting or drawing.
 
-Threads. ``LiveParameter.ask`` may be called in any; it sends at once and never waits. Answers, events and the coming
-and going of nodes arrive in the executor's thread, which hands them over and sends what waits. Whatever waits for the
-node (``_read_step``) or takes time (``_show_step``) is done by two worker threads, so that a node that hangs does not
-keep the panel from saying so; or by ``settle``, in the caller's thread.
+``LiveParameter.ask`` may be called in any thread; it sends at once and never waits. All else happens in the executor's
+thread: answers, events, the coming and going of nodes, and reading, which is a coroutine there. Showing takes time, so
+it is a job of ``schedule``, or of ``settle`` in the caller's thread.
 """
 
 import contextlib
 import functools
 import threading
+import time
 from collections.abc import Callable, Iterable
 from typing import Any, ParamSpec
 
@@ -23,18 +23,15 @@ from rclpy.task import Future
 from param_tools import values
 from param_tools.descriptor import Descriptor
 from param_tools.errors import ExecutorError, NodeNotFoundError, WaitTimeoutError, describe_error
-from param_tools.node.client import ParameterClient, to_message
-from param_tools.node.live_state import LATE_SEC, Change, LiveState, ParameterState, Request, Todo
-from param_tools.ros import stage
+from param_tools.node.client import ParameterClient, Questions, to_message
+from param_tools.node.live_state import LATE_SEC, Change, LiveState, ParameterState, Reading, Request, Todo
+from param_tools.ros import stage, waiting
 from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.schedule import Job
 from param_tools.ros.services import TIMEOUT_SEC, full_name
-from param_tools.ros.waiting import machine_time
-from param_tools.ros.worker import Worker
 
 # Thirty times a second is as often as anybody can see.
 _SHOW_PERIOD_SEC = 1 / 30
-_READ_PERIOD_SEC = 1 / 60
-_GIVE_WAY_SEC = 0.002
 FIRST_LOOK_TIMEOUT_SEC = 10.0
 
 P = ParamSpec('P')
@@ -50,15 +47,11 @@ class LiveParameter(ParameterState):
     @property
     def late(self) -> bool:
         """True if the node takes so long to answer that a person should be told."""
-        return self.is_late(machine_time())
+        return self.is_late(time.monotonic())
 
     def ask(self, value: Any) -> None:
         """Ask the node for a (normalized) value. Does not wait and never raises: see ``message``."""
         self._live._ask(self, value)
-
-    def give_way(self) -> None:
-        """Leave the processor to the node for the moment that its answer takes if it lives in this process."""
-        self._live._give_way(self)
 
     def reject(self, reason: str) -> None:
         """Reject what a hand entered, without asking the node."""
@@ -72,7 +65,7 @@ class LiveParameters:
                  executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
         """
         :param node: Name of the node.
-        :param show: Called after anything changed, in the worker's thread or in that of ``settle``, never twice
+        :param show: Called after anything changed, in the thread of ``schedule`` or in that of ``settle``, never twice
             at once.
         :param names: Only these parameters, in this order; by default all, in the node's order.
         :param executor: By default whichever runs in the background, also after a stop and a new start.
@@ -84,11 +77,11 @@ class LiveParameters:
         self._timeout_sec = timeout_sec
         self._executor: BackgroundExecutor | None = None
         self._lock = threading.RLock()
-        self._ended = threading.Condition(self._lock)
         self._state = LiveState(self.node, functools.partial(LiveParameter, self), timeout_sec)
         self._stop_listening: list[Callable[[], None]] = []
-        self._reader = Worker(self._read_step, f'panel of {self.node}: read', _READ_PERIOD_SEC)
-        self._shower = Worker(self._show_step, f'panel of {self.node}: show', _SHOW_PERIOD_SEC)
+        self._reading_in: BackgroundExecutor | None = None
+        self._looker = Job(self._look, _SHOW_PERIOD_SEC)
+        self._shower = Job(self._show_step, _SHOW_PERIOD_SEC)
         self._stop_following: Callable[[], None] = lambda: None
 
     @property
@@ -126,12 +119,12 @@ class LiveParameters:
             self._stop_following = stage.on_change(self._on_executor_change)
             with self._lock:
                 self._listen()  # what remains to be done is done below
+            self._wake_reader()
             if not timeout_sec:
-                self._reader.wake()
                 self._shower.wake()
                 return
             self._require_other_thread()
-            self._reader.call_now(timeout_sec)
+            self._wait(lambda: not self._is_reading, waiting.deadline(timeout_sec))
             self._shower.call_now(timeout_sec)
         except BaseException:
             self.close()
@@ -143,42 +136,40 @@ class LiveParameters:
         :raises WaitTimeoutError: it took too long.
         :raises ExecutorError: called in a callback, where waiting would block the executor forever.
         """
-        deadline = machine_time() + timeout_sec
+        end = waiting.deadline(timeout_sec)
         self._require_other_thread()
-        # Before everything is asked for: the reader would ask while the answers are still coming.
-        self._wait_for_answers(deadline, timeout_sec)
+        # Before everything is asked for: it would be asked for while the answers are still coming.
+        self._wait_for_answers(end, timeout_sec)
         if self._is_reachable():
             self._hand_over(self._state.refresh)
+            self._wake_reader()
         while not self._state.closed:
-            self._wait_for_answers(deadline, timeout_sec)
-            done_in_time = (self._reader.call_now(deadline - machine_time())
-                            and self._shower.call_now(deadline - machine_time()))
+            self._wait_for_answers(end, timeout_sec)
+            self._shower.call_now(end - time.monotonic())
             with self._lock:
                 if self._state.is_settled:
                     return
-            if not done_in_time or machine_time() > deadline:
+            if time.monotonic() > end:
                 raise WaitTimeoutError(f'timed out after {timeout_sec:g} s reading the parameters of {self.node}')
 
     def close(self) -> None:
         """Stop following. Safe to call more than once."""
         self._hand_over(self._close)
-        self._reader.end()
+        self._looker.end()
         self._shower.end()
 
     def _hand_over(self, event: Callable[P, Todo], *args: P.args, **kwargs: P.kwargs) -> None:
         """Hand an event to the state machine with the lock held; then, without it, do what is to be done."""
         with self._lock:
             todo = event(*args, **kwargs)
-            if todo.ended:
-                self._ended.notify_all()
         if todo.send is not None:
             self._send(todo.send)
         if todo.read:
-            self._reader.wake()
+            self._wake_reader()
         if todo.show:
             self._shower.wake()
         if todo.watch:
-            self._shower.stay()
+            self._shower.wake(LATE_SEC)
 
     def _close(self) -> Todo:
         self._stop_following()
@@ -188,7 +179,7 @@ class LiveParameters:
     # -- asking: any thread -----------------------------------------------------------------------------
 
     def _ask(self, parameter: LiveParameter, value: Any) -> None:
-        self._hand_over(self._state.ask, parameter, value, machine_time())
+        self._hand_over(self._state.ask, parameter, value, time.monotonic())
 
     def _reject(self, parameter: LiveParameter, reason: str) -> None:
         self._hand_over(self._state.reject, parameter, reason)
@@ -199,9 +190,9 @@ class LiveParameters:
             message = to_message(request.parameter.name, request.value, request.parameter.descriptor.type)
             executor.services.call_async(
                 self.node, 'set_parameters', SetParameters.Request(parameters=[message]),
-                functools.partial(self._on_answer, request), timeout_sec=self._timeout_sec)
+                timeout_sec=self._timeout_sec).add_done_callback(functools.partial(self._on_answer, request))
         except Exception as error:  # whatever it is: it must become visible, and this may be any thread
-            self._hand_over(self._state.send_failed, request, self._reason(error), machine_time())
+            self._hand_over(self._state.send_failed, request, self._reason(error), time.monotonic())
 
     # -- what happens: the executor's thread, or the one that starts or stops it --------------------------
 
@@ -209,10 +200,11 @@ class LiveParameters:
         try:
             result = future.result().results[0]
         except Exception as error:
-            self._hand_over(self._state.answer_failed, request, error, machine_time())
+            failed = self._state.send_failed if isinstance(error, NodeNotFoundError) else self._state.answer_failed
+            self._hand_over(failed, request, error, time.monotonic())
         else:
             reason = '' if result.successful else result.reason or 'The node gave no reason.'
-            self._hand_over(self._state.answered, request, reason, machine_time())
+            self._hand_over(self._state.answered, request, reason, time.monotonic())
 
     def _on_event(self, event: ParameterEvent) -> None:
         if event.node != self.node:
@@ -247,61 +239,89 @@ class LiveParameters:
             stop()
         self._stop_listening = []
 
-    # -- reading and showing: the workers' threads, or that of settle -------------------------------------
+    # -- reading: the executor's thread -----------------------------------------------------------------
 
-    def _read_step(self) -> float | None:
+    def _wake_reader(self) -> None:
+        """Begin to read what the state machine wants, unless that is going on."""
         with self._lock:
-            reading = self._state.begin_reading(machine_time())
-        if reading is not None:
+            executor = self._executor
+            if self._state.closed or executor is None or self._reading_in is executor:
+                return
+            self._reading_in = executor
+        try:
+            executor.create_task(self._read(executor))
+        except ExecutorError as error:
+            self._reading_in = None
+            self._hand_over(self._state.executor_lost, describe_error(error))
+
+    async def _read(self, executor: BackgroundExecutor) -> None:
+        """Ask the node for whatever the state machine wants, until it wants nothing more."""
+        async def ask(service: str, request: Any) -> Any:
+            return await executor.services.call_async(self.node, service, request, timeout_sec=self._timeout_sec)
+
+        while True:
+            with self._lock:
+                reading = self._state.begin_reading(time.monotonic()) if executor is self._executor else None
+                if reading is None:
+                    if self._reading_in is executor:
+                        self._reading_in = None
+                    break
             try:
-                outcome = self._describe() if reading.describe else self._read(reading.names)
-            except Exception as error:  # a thread has nobody to raise to, and the learner should see it
-                outcome = functools.partial(self._state.reading_failed, error, machine_time())
-            self._hand_over(outcome)
-        elif self._state.is_unseen and not self._is_ready():
+                outcome = await self._outcome(reading, Questions(self.node, ask))
+            except Exception as error:  # nobody is there to raise to, and the learner should see it
+                outcome = functools.partial(self._state.reading_failed, error, time.monotonic())
+            if executor is self._executor:
+                self._hand_over(outcome)
+        if self._state.is_unseen and not self._is_ready():
             self._hand_over(self._state.missed)
         with self._lock:
-            return self._state.read_again_in(machine_time())
+            again_sec = self._state.read_again_in(time.monotonic())
+        if again_sec is not None:
+            self._looker.wake(again_sec)
 
-    def _describe(self) -> Callable[[], Todo]:
-        """Ask the node which parameters it has now, of which kind, and for their values; return that as an event."""
-        executor = self._require_executor()
-        executor.services.greet(self.node, timeout_sec=self._timeout_sec)
-        descriptors, present = self.client().describe_and_get(self.names)
-        return functools.partial(self._state.described, list(descriptors), descriptors, present)
+    async def _outcome(self, reading: Reading, questions: Questions) -> Callable[[], Todo]:
+        """Ask the node what a reading is about, and return the answer as an event."""
+        if reading.describe:
+            descriptors, present = await questions.describe_and_get(self.names)
+            return functools.partial(self._state.described, list(descriptors), descriptors, present)
+        return functools.partial(self._state.have_read, await questions.get_parameters(reading.names))
 
-    def _read(self, names: list[str]) -> Callable[[], Todo]:
-        """Ask the node for some values; return them as an event."""
-        return functools.partial(self._state.have_read, self.client().get_parameters(names))
+    # -- looking again and showing: the thread of the schedule, or that of settle -------------------------
+
+    def _look(self) -> None:
+        self._wake_reader()
 
     def _show_step(self) -> float | None:
         if self._state.closed:
             return None
-        self._hand_over(self._state.begin_showing, machine_time())
+        self._hand_over(self._state.begin_showing, time.monotonic())
         self._show()
+        if self._state.busy_names and self._executor is not None:
+            self._executor.free()
         return LATE_SEC if self._state.busy_names else None
 
     # -- waiting: the caller's thread -------------------------------------------------------------------
 
-    def _give_way(self, parameter: LiveParameter) -> None:
-        with self._lock:
-            if parameter.busy:
-                self._ended.wait(_GIVE_WAY_SEC)
+    @property
+    def _is_reading(self) -> bool:
+        return self._reading_in is not None and self._reading_in is self._executor and self._reading_in.is_running
 
-    def _wait_for_answers(self, deadline: float, timeout_sec: float) -> None:
-        while True:
-            with self._lock:
-                busy = self._state.busy_names
-                if not busy:
-                    return
-                if machine_time() > deadline:
-                    raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {self.node} '
-                                           f'to answer {", ".join(busy)}')
-                self._ended.wait(max(0.0, min(LATE_SEC, deadline - machine_time())))
-            self._hand_over(self._state.give_up_late, machine_time())
+    def _wait_for_answers(self, end: float, timeout_sec: float) -> None:
+        """Wait until nothing is asked any more: neither for a value by a hand nor for what came of that."""
+        self._wait(lambda: not (self._state.busy_names or self._is_reading), end)
+        if busy := self._state.busy_names:
+            raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {self.node} '
+                                   f'to answer {", ".join(busy)}')
+
+    def _wait(self, condition: Callable[[], object], end: float) -> None:
+        def look() -> object:
+            self._hand_over(self._state.give_up_late, time.monotonic())
+            return self._state.closed or condition()
+
+        waiting.wait_before(end, look)
 
     def _require_other_thread(self) -> None:
-        if self._executor is not None and self._executor.services.in_executor_thread():
+        if self._executor is not None and self._executor.in_thread():
             raise ExecutorError('a callback cannot wait for a panel: the answers would have to come through the '
                                 'executor that the callback keeps busy')
 
@@ -318,7 +338,7 @@ class LiveParameters:
     def _require_executor(self) -> BackgroundExecutor:
         executor = self._executor or stage.current()
         if not executor.is_running:
-            raise ExecutorError('the executor is stopped: call param_tutorial.start() first')
+            raise ExecutorError('the executor is stopped: call start() first')
         return executor
 
     def _is_ready(self) -> bool:

@@ -18,9 +18,10 @@ The rules that the machine keeps, whatever happens in whatever order:
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 from param_tools import values
+from param_tools.descriptor import Descriptor
 from param_tools.errors import (
     ExecutorError,
     NoAnswerError,
@@ -30,9 +31,6 @@ from param_tools.errors import (
     describe_error,
 )
 from param_tools.ros import domain
-
-if TYPE_CHECKING:  # the module of Descriptor needs ROS, this one does not
-    from param_tools.descriptor import Descriptor
 
 LATE_SEC = 0.25
 RETRY_PERIOD_SEC = 1.0
@@ -45,7 +43,7 @@ UNSEEN_PERIOD_SEC = 0.25
 class ParameterState:
     """What is known about one parameter."""
 
-    def __init__(self, descriptor: 'Descriptor', value: Any):
+    def __init__(self, descriptor: Descriptor, value: Any):
         self.descriptor = descriptor
         self.value = value
         """What the node confirmed last; None if it is declared without a value."""
@@ -54,7 +52,7 @@ class ParameterState:
         self.unanswered: Any = ...
         """What was asked for last, if the node was not asked, or did not answer: it may do it late. Else ``...``."""
         self.asked_at = 0.0
-        """On the clock of ``runtime.waiting.machine_time``."""
+        """On the clock of ``time.monotonic``."""
         self.request: Request | None = None
         """The request that is under way."""
         self.waiting: Request | None = None
@@ -135,7 +133,7 @@ NOTHING = Todo()
 class LiveState(Generic[ParameterT]):
     """The parameters of one node, as far as they are known. Each public method is an event, or looks at the state."""
 
-    def __init__(self, node: str, create: Callable[['Descriptor', Any], ParameterT], timeout_sec: float):
+    def __init__(self, node: str, create: Callable[[Descriptor, Any], ParameterT], timeout_sec: float):
         """
         :param node: Fully qualified name.
         :param create: Makes the state of one parameter, from its descriptor and its value.
@@ -327,7 +325,7 @@ class LiveState(Generic[ParameterT]):
         self._reading = Reading(describe, names, self._incarnations)
         return self._reading
 
-    def described(self, names: Sequence[str], descriptors: Mapping[str, 'Descriptor'],
+    def described(self, names: Sequence[str], descriptors: Mapping[str, Descriptor],
                   present: Mapping[str, Any]) -> Todo:
         """The node said which parameters it has, of which kind, and their values."""
         reading = self._end_reading()

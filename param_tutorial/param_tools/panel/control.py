@@ -138,10 +138,6 @@ class Control:
         """True if it can be brought back to another value, which it had when the panel first saw it."""
         return not (self.descriptor.read_only or self.first is None or values.same(self.first, self.value))
 
-    def give_way(self) -> None:
-        """Leave the processor to the node for the moment that its answer takes if it lives in this process."""
-        self._parameter.give_way()
-
     def ask(self, value: Any) -> None:
         """Ask the node for a value, whatever becomes of it."""
         self._parameter.ask(value)

@@ -1,12 +1,12 @@
 """The parameter panel: the parameters of any node as controls that show what the node confirmed.
 
-``parameters.live`` follows the node, ``pictures.panel`` draws the controls, and ``panel.js`` lets a person use them, in
-the browser; here the three are kept in step, and what was done is kept for undo.
+``node.live`` follows the node, ``drawing`` draws the controls, and ``panel.js`` lets a person use them, in the browser;
+here the three are kept in step, and what was done is kept for undo.
 
-Threads. What a person enters comes in a thread of the kernel's, often while a cell runs in another (see
-``beside_cells``), and goes straight to ``LiveParameter.ask``, before anything is drawn. Everything that is drawn is
-drawn in ``_show``, which ``live`` calls in its worker's thread or in that of ``settle``, with the panel's lock held. No
-lock is held while a request is sent; the executor's thread takes no lock of a panel at all.
+What a person enters comes in a thread of the kernel's, often while a cell runs in another (see ``beside_cells``), and
+goes straight to ``LiveParameter.ask``, before anything is drawn. Everything is drawn in ``_show``, which ``live`` calls
+in the thread of ``schedule`` or in that of ``settle``, with the panel's lock held. No lock is held while a request is
+sent; the executor's thread takes no lock of a panel at all.
 """
 
 import contextlib
@@ -386,7 +386,6 @@ class ParameterPanel(View):
                 control.enter_items(content['items'])
             else:
                 control.enter(content['text'])
-            control.give_way()
         self._show()
         self._front.send({each: content[each] for each in ('client', 'name', 'number')})
 
@@ -551,7 +550,7 @@ class ParameterBrowser(FollowingView):
                 self._panels[node] = ParameterPanel(node, executor=self._chosen_executor, search=search,
                                                     timeout_sec=self._timeout_sec, patience_sec=0.0)
                 self._box.children = tuple(self._panels.values())
-        self._worker.wake()
+        self._job.wake()
         return self._panels[node]
 
     def hide(self, node: str) -> None:
@@ -560,20 +559,20 @@ class ParameterBrowser(FollowingView):
             if panel := self._panels.pop(node, None):
                 self._box.children = tuple(self._panels.values())
                 panel.close()
-        self._worker.wake()
+        self._job.wake()
 
     def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
         """Do what a person did in the browser; called by ipywidgets."""
         if content['do'] == 'find':
             self._search = content['text']
-            self._worker.wake()
+            self._job.wake()
         elif content['do'] == 'toggle' and content['node'] in self._panels:
             self.hide(content['node'])
         else:
             self.show(content['node'], search=content.get('search', ''))
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], object]:
-        self._catalog = Catalog(executor, self._worker.wake, timeout_sec=self._timeout_sec)
+        self._catalog = Catalog(executor, self._job.wake, timeout_sec=self._timeout_sec)
         return self._catalog.close
 
     def _lose(self) -> None:

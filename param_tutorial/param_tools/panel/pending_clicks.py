@@ -1,11 +1,9 @@
 """What a person did on a page before a cell was run is done before the cell, although another thread does it.
 
-No Jupyter: ``widgets.beside_cells`` tells of messages from the page, and the notebook extension waits before each cell.
+No Jupyter: ``beside_cells`` tells of messages from the page, and the notebook extension waits before each cell.
 """
 
 import threading
-
-from param_tools.ros.waiting import within
 
 # A message is handled within milliseconds, and one to a thread or a widget that has gone never is.
 _PATIENCE_SEC = 1.0
@@ -33,12 +31,12 @@ class Backlog:
     def wait(self, timeout_sec: float = _PATIENCE_SEC) -> bool:
         """Wait until all messages have been handled that have come by now.
 
-        :param timeout_sec: In machine time. After that, they count as lost, and nobody waits for them again.
+        :param timeout_sec: After that, they count as lost, and nobody waits for them again.
         :return: False if some were lost.
         """
         with self._lock:
             came = self._came
-            if within(timeout_sec, lambda seconds: self._changed.wait_for(lambda: self._handled >= came, seconds)):
+            if self._changed.wait_for(lambda: self._handled >= came, timeout_sec):
                 return True
             self._handled = came
             return False

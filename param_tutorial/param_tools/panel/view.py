@@ -17,8 +17,8 @@ from param_tools.panel.close_with_cell import close_looks, close_with_cell
 from param_tools.panel.front import Front
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.schedule import Job
 from param_tools.ros.services import full_name
-from param_tools.ros.worker import Worker
 
 
 def nothing() -> None:
@@ -121,14 +121,14 @@ class FollowingView(View):
         self._chosen_executor = executor
         self._executor: BackgroundExecutor | None = None
         self._stop_listening: Callable[[], object] = nothing
-        self._worker = Worker(self._step, type(self).__name__, self._show_period_sec)
+        self._job = Job(self._step, self._show_period_sec)
         self._stop_following = stage.on_change(self._on_executor_change)
         self._listen()
-        self._worker.call_now(1.0)
+        self._job.call_now(1.0)
         close_with_cell(self)
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], object]:
-        """Wake the worker whenever there is something to show.
+        """Wake the job whenever there is something to show.
 
         :return: Ends that.
         """
@@ -155,12 +155,12 @@ class FollowingView(View):
 
     def _end(self) -> None:
         self._stop()
-        self._worker.end()
+        self._job.end()
 
     def _on_executor_change(self) -> None:
         if self._chosen_executor is None:
             self._listen()
-            self._worker.wake()
+            self._job.wake()
 
     def _listen(self) -> None:
         self._stop_listening()

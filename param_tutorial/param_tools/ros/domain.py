@@ -10,7 +10,6 @@ from pathlib import Path
 
 from param_tools.errors import ExecutorError
 from param_tools.ros import environment
-from param_tools.ros.udp_ports import UdpSocket, open_sockets
 
 # Above 101 the ports of a domain reach into Linux's ephemeral range, and 0 is what everybody else is in.
 DOMAIN_IDS = range(1, 102)
@@ -92,12 +91,12 @@ def _claim_free_domain() -> tuple[int, int]:
     for domain_id in [*DOMAIN_IDS[start:], *DOMAIN_IDS[:start]]:
         claim = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
         try:
-            claim.bind(f'\0param_tutorial/ros_domain/{domain_id}')
+            claim.bind(f'\0param_tools/ros_domain/{domain_id}')
         except OSError:
             claim.close()
             continue
         # A program that knows nothing of claims, or a node that has outlived the kernel that started it.
-        if participant_sockets(domain_id):
+        if _is_used(domain_id):
             claim.close()
             continue
         return domain_id, claim.detach()
@@ -105,10 +104,15 @@ def _claim_free_domain() -> tuple[int, int]:
                         f'down kernels that are no longer needed, or set ROS_DOMAIN_ID to share one of them')
 
 
-def participant_sockets(domain_id: int) -> set[UdpSocket]:
-    """Return the sockets of this machine on which participants of a domain listen for discovery.
+def _is_used(domain_id: int) -> bool:
+    """True if a participant of a domain listens on this machine.
 
     Participant number n of a domain listens on port 7400 + 250 * domain + 10 + 2 * n (RTPS specification, 9.6.1.1).
+    Linux lists the open ports in /proc/net/udp; where there is no such file, no domain counts as used.
     """
     first = 7400 + 250 * domain_id + 10
-    return {each for each in open_sockets() if each.port in range(first, first + 240, 2)}
+    try:
+        lines = Path('/proc/net/udp').read_text().splitlines()[1:]
+    except OSError:
+        return False
+    return any(int(line.split()[1].rpartition(':')[2], 16) in range(first, first + 240, 2) for line in lines)

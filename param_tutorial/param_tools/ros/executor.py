@@ -1,54 +1,56 @@
 """ROS in the background of a Python process: one rclpy context, one executor, one thread.
 
-A notebook kernel is busy with cells, so nobody is left to spin a node. A BackgroundExecutor spins nodes in a thread
-of its own, survives exceptions in their callbacks, and offers the feeds that tools listen to: /rosout,
-/parameter_events, nodes coming and going. ``stage`` holds the one executor of a process.
+A notebook kernel is busy with cells, so nobody is left to spin a node. A BackgroundExecutor runs rclpy's own
+SingleThreadedExecutor, which is what ``rclpy.spin`` runs, in a thread: code that works here works on a robot, and what
+hangs there hangs here. It survives exceptions in callbacks, ends endless loops in them, and offers the feeds that tools
+listen to: /rosout, /parameter_events, nodes coming and going. ``stage`` holds the one executor of a process.
+
+Tools need three things of it: ``run`` a function in its thread, ``services`` to call, and the feeds.
 """
 
 import contextlib
-import signal
+import functools
 import sys
 import threading
 import time
 import traceback
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import rclpy
 from rcl_interfaces.msg import Log, ParameterEvent
 from rclpy import utilities
-from rclpy.executors import Executor, ExternalShutdownException
+from rclpy.client import Client
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.parameter_service import ParameterService
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
+from rclpy.service import Service
 from rclpy.signals import SignalHandlerOptions
+from rclpy.subscription import Subscription
+from rclpy.timer import Timer
 
-from param_tools.errors import ExecutorError, StuckError, WaitTimeoutError
-from param_tools.ros import domain, interrupts, rclpy_private
-from param_tools.ros.graph import Incarnations, incarnations, nodes_in_graph, note_arrival
-from param_tools.ros.lean_messages import import_messages
+from param_tools.errors import ExecutorError, StuckError
+from param_tools.ros import domain, interrupts, no_input, rclpy_private, tutorial_lines
+from param_tools.ros.graph import Incarnations, incarnations, nodes_in_graph
 from param_tools.ros.listeners import Listeners
-from param_tools.ros.node_hooks import Callback, CallbackWatch, before_node_init, is_managed, prepare
 from param_tools.ros.node_log import NodeLog
-from param_tools.ros.output_guard import Guard
 from param_tools.ros.services import Services
-from param_tools.ros.waiting import within
+from param_tools.ros.waiting import wait_for
 
 # A name that starts with an underscore is hidden: ``ros2 node list`` does not show it.
-TOOL_NODE_NAME = '_param_tutorial'
-GRAPH_PERIOD_SEC = 0.5
+TOOL_NODE_NAME = '_param_tools'
+TICK_PERIOD_SEC = 0.5
 STOP_TIMEOUT_SEC = 3.0
-# An interrupted callback may have to wait for a busy processor before it ends. Only after this is it called stuck.
+# How long a callback may take to end once an exception has been raised in it.
 INTERRUPT_TIMEOUT_SEC = 3.0
-# A callback that has not noticed by then that it is interrupted is not running Python: it sleeps, in time.sleep() say.
-_NOTICE_TIMEOUT_SEC = 2.0
-# A callback that has kept the thread for so long, when a request is not answered in time, is why.
+# A callback that has kept the thread for so long, when an answer does not come in time, is the reason.
 _BUSY_SEC = 2.0
 # How long a caller that needs the thread waits at least, even if a callback has kept it for long already.
 _LEAST_PATIENCE_SEC = 0.3
-# How long rclpy waits in a cell for what has no time limit of its own.
-WAIT_LIMIT_SEC = 3.0
+_KINDS = {Timer: 'timer', Subscription: 'subscription', Service: 'service', Client: 'client'}
 
 T = TypeVar('T')
 
@@ -56,27 +58,32 @@ T = TypeVar('T')
 class _CallbackInterrupted(BaseException):
     """Raised inside a callback that does not return, to get the executor's thread back."""
 
-    is_noticed = False
-
-    def __init__(self) -> None:
-        _CallbackInterrupted.is_noticed = True
-
     def __str__(self) -> str:
         return 'this callback did not return, so it was interrupted: the executor has one thread for all nodes'
 
 
-class _Parked(BaseException):
-    """Raised inside a callback that cannot be interrupted, to keep its thread from ever running again.
+@dataclass(frozen=True, eq=False)
+class Callback:
+    """A callback of a node on the stage, as the executor runs it."""
 
-    The interpreter creates the exception object in that thread, and creating it never ends. A daemon thread that is
-    asleep in a lock lets the interpreter end; one that still runs Python aborts it with status 134.
-    """
+    node: Node
+    node_name: str
+    """Fully qualified."""
+    kind: str
+    """'timer', 'subscription', 'service' or 'client'."""
+    function: Callable[..., Any]
+    parameter_service: str = ''
+    """The name of the parameter service that it serves, if it is rclpy's own."""
 
-    is_parked = interrupts.Latch()
+    def __str__(self) -> str:
+        if self.parameter_service:
+            return f'{self.parameter_service} of {self.node_name}'
+        return f'the {self.kind} callback {function_name(self.function)} of {self.node_name}'
 
-    def __init__(self) -> None:
-        self.is_parked.set()
-        threading.Event().wait()
+
+def function_name(function: Callable[..., Any]) -> str:
+    """Return the name that a function's author gave it."""
+    return str(getattr(function, '__name__', type(function).__name__))
 
 
 @dataclass
@@ -112,23 +119,40 @@ def _line_of(error: BaseException) -> tuple[str, int]:
     return ('', 0) if step is None else (step.tb_frame.f_code.co_filename, step.tb_lineno)
 
 
+class _WatchedExecutor(SingleThreadedExecutor):
+    """A SingleThreadedExecutor that knows what it runs."""
+
+    running: tuple[Any, Any] | None = None
+    """The entity (a timer, a service, …) whose callback runs or has raised the latest exception, and its node."""
+    began = 0.0
+    before_callback: Callable[[], None]
+
+    def wait_for_ready_callbacks(self, *args: Any, **options: Any) -> Any:
+        """Wait for the next callback, as rclpy does, and note which one it is."""
+        self.running = None
+        found: tuple[Any, Any, Any] = super().wait_for_ready_callbacks(*args, **options)
+        self.running, self.began = found[1:], time.monotonic()
+        self.before_callback()
+        return found
+
+
 class BackgroundExecutor:
     """Spins nodes in a thread of its own until it is stopped. Get it from ``start()``."""
 
     def __init__(self) -> None:
         self.domain_id = domain.choose()
-        import_messages()
         self.node_log = NodeLog()
         self.failures: deque[Failure] = deque(maxlen=100)
         """The exceptions that callbacks raised, oldest first; those that repeat are counted in one."""
-        self._guard = Guard(self._in_thread, self._error_if_asked)
-        self.callback_watch = CallbackWatch(self._guard.look)
         self._nodes: list[Node] = []
         self._event_listeners: Listeners[[ParameterEvent]] = Listeners()
         self._graph_listeners: Listeners[[]] = Listeners()
+        self._tick_listeners: Listeners[[]] = Listeners()
         self._incarnations: Incarnations = frozenset()
         self._names: list[tuple[str, str]] = []
         self._stopping = False
+        self._stuck_in = ''
+        self._refusal = self._error_if_asked
         with contextlib.ExitStack() as undo:  # a process that may open no more files, say, gets no participant of DDS
             # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
             # are off because a thread's output lands in whichever cell is running: node_log reads /rosout instead.
@@ -136,32 +160,28 @@ class BackgroundExecutor:
                        domain_id=self.domain_id, signal_handler_options=SignalHandlerOptions.NO)
             undo.callback(utilities.try_shutdown)
             self.context = utilities.get_default_context()
-            self._executor = rclpy_private.new_executor(self.context)
+            self._executor = _WatchedExecutor(context=self.context)
+            self._executor.before_callback = functools.partial(no_input.forbid, self._refusal)
             self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
             undo.callback(self.tool_node.destroy_node)
-            note_arrival(self.tool_node)
             self.tool_node.create_subscription(
                 Log, '/rosout', self.node_log.receive,
                 QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL))
             self.tool_node.create_subscription(
                 ParameterEvent, '/parameter_events', self._event_listeners.call, qos_profile_parameter_events)
             self._executor.add_node(self.tool_node)
-            self.services = Services(self.tool_node, self._in_thread, self._free_thread)
-            self._thread = self._new_thread()
+            self.services = Services(self)
+            self._thread = threading.Thread(target=self._spin, name='ros-background-executor', daemon=True)
             self._let_go_of_rclpy = undo.enter_context(contextlib.ExitStack())
-            keep = self._let_go_of_rclpy.callback
-            keep(rclpy_private.forbid_waiting(self._error_if_in_callback, rclpy_private.WaitLimit(
-                self._in_main_thread, WAIT_LIMIT_SEC, self._error_if_endless, self._error_if_in_vain)))
-            keep(rclpy_private.keep_context(self.context, self._tell_who_keeps_rclpy))
-            keep(rclpy_private.call_before_node_init(before_node_init))
-            keep(interrupts.raise_again())
+            self._let_go_of_rclpy.callback(tutorial_lines.replace(self, self._executor))
+            self._let_go_of_rclpy.callback(no_input.allow, self._refusal)
             self._thread.start()
             undo.pop_all()
 
     @property
     def is_running(self) -> bool:
         """True if the thread spins, on a context that is alive."""
-        return not self._ended.is_set() and self.context.ok() and not self._stopping
+        return self._thread.is_alive() and self.context.ok() and not self._stopping and not self._stuck_in
 
     @property
     def errors(self) -> list[BaseException]:
@@ -192,20 +212,38 @@ class BackgroundExecutor:
         self._require_running()
         if not (isinstance(node_class, type) and issubclass(node_class, Node)):
             raise ExecutorError(f'add() takes a class derived from rclpy.node.Node, not {node_class!r}')
-        node = prepare(node_class, _NodeHost(self, list(ros_args)))
-        try:
-            node.__init__(*args, **kwargs)  # type: ignore[misc]
-        except BaseException:
-            # Half a node still has services on the network that nobody would ever serve.
-            rclpy_private.destroy_unfinished(node)
-            raise
-        what = f'add {_full_name(node)}'
+        node = node_class.__new__(node_class)
+        with rclpy_private.before_init_of(node, functools.partial(self._make_room, ros_args)):
+            try:
+                node.__init__(*args, **kwargs)  # type: ignore[misc]
+            except BaseException:
+                # Half a node still has services on the network that nobody would ever serve.
+                rclpy_private.destroy_unfinished(node)
+                raise
+        # The learner may call it, in any thread.
+        node.destroy_node = functools.partial(self._destroy, node, node.destroy_node)  # type: ignore[method-assign]
         # Known before it is spun: its first callback, and listeners to the graph, may look for it.
         self._nodes.append(node)
-        self.run(lambda: self._executor.add_node(node), what)
+        self.run(lambda: self._executor.add_node(node), f'add {_full_name(node)}')
         if self.is_running:
             self.run(self._tell_of_nodes, 'look at the graph')
         return node
+
+    def _make_room(self, ros_args: Sequence[str], node_name: str, options: dict[str, Any]) -> None:
+        """Destroy the node whose name a node is about to get, and pass that one its ros_args.
+
+        A node's name is known only when its constructor calls that of Node. Two nodes of one name must never exist at
+        once: both would obey every set, and the second would log nothing.
+        """
+        options['cli_args'] = [*(options.get('cli_args') or ()), *(['--ros-args', *ros_args] if ros_args else [])]
+        name, namespace = node_name, options.get('namespace') or '/'
+        for argument in options['cli_args']:
+            key, separator, value = argument.partition(':=')
+            if separator and key in ('__node', '__name'):
+                name = value
+            elif separator and key == '__ns':
+                namespace = value
+        self.remove(f'/{namespace.strip("/")}/{name}'.replace('//', '/'))
 
     def remove(self, node: Node | str) -> bool:
         """Stop spinning a node and destroy it.
@@ -215,9 +253,9 @@ class BackgroundExecutor:
         """
         doomed = [each for each in self._nodes if node is each or _full_name(each) == node]
         for each in doomed:
-            self._destroy_in_thread(each, each.destroy_node)
-        if doomed:
-            self._check_graph_soon()
+            each.destroy_node()
+        if doomed and self.is_running:
+            self.run(self._check_graph, 'look at the graph')
         return bool(doomed)
 
     def remove_all(self) -> None:
@@ -232,55 +270,48 @@ class BackgroundExecutor:
         """
         self.remove_all()
         self.run(self.node_log.clear, 'clear the log')
-        self._guard.renew()  # what those nodes printed is not held against the next
         self.failures.clear()
 
-    def destroy(self, node: Node, destroy: Callable[[], None]) -> None:
+    def _destroy(self, node: Node, destroy: Callable[[], None]) -> None:
         """Take a node off the stage, if it is there, and call the function that destroys it."""
         if node not in self._nodes or not self.is_running:
             destroy()
             return
 
-        def take_off() -> None:
-            self._nodes.remove(node)
+        def take_off() -> Callable[[], None]:
+            end_service = rclpy_private.keep_type_description_service(node)
+            if node in self._nodes:
+                self._nodes.remove(node)
             self._executor.remove_node(node)
             destroy()
-        self._destroy_in_thread(node, take_off)
+            return end_service
 
-    def _destroy_in_thread(self, node: Node, destroy: Callable[[], None]) -> None:
-        """Let the executor's thread destroy a node, and then what rclpy forgets."""
-        what = f'destroy {_full_name(node)}'
-        executor, end_service = self._executor, rclpy_private.keep_type_description_service(node)
-        # The service ends in a turn of its own: by then the executor has let go of it. One that is stuck never does.
-        if self._in_thread():  # a callback runs now, maybe the node's own
-            destroy()
-            executor.create_task(end_service)
-            return
-        self.run(destroy, what)
-        if self._executor is executor:
-            self.run(end_service, what)
+        # The service ends in a turn of its own: by then the executor has let go of it.
+        if self.in_thread():  # a callback runs now, maybe the node's own
+            self._executor.create_task(take_off())
+        else:
+            what = f'destroy {_full_name(node)}'
+            self.run(self.run(take_off, what), what)
 
     # -- the thread -------------------------------------------------------------------------------------
 
     def run(self, function: Callable[[], T], what: str, timeout_sec: float = STOP_TIMEOUT_SEC) -> T:
         """Run a function in the executor's thread, between two callbacks, and return its result.
 
-        A callback that does not return within the time limit is interrupted with an exception. One that cannot be
-        interrupted loses its node, and the other nodes get a new thread.
+        A callback that does not return within the time limit is interrupted with an exception.
 
         :param what: Names the work in the error.
-        :raises StuckError: the function does not return and cannot be interrupted.
+        :raises StuckError: a callback, or the function, neither returns nor can be interrupted. From then on, this
+            executor is stopped.
         """
-        if self._in_thread():
+        if self.in_thread():
             return function()
         values: list[T] = []
         errors: list[BaseException] = []
-        begun, finished = interrupts.Latch(), interrupts.Latch()
+        finished = threading.Event()
 
         def work() -> None:
-            begun.set()
             try:
-                self._guard.look()
                 values.append(function())
             except BaseException as error:
                 errors.append(error)
@@ -289,42 +320,31 @@ class BackgroundExecutor:
 
         self._require_running()
         self._executor.create_task(work)
-        patience_sec = max(timeout_sec - self.callback_watch.busy_sec, min(timeout_sec, _LEAST_PATIENCE_SEC))
-        if not within(patience_sec, finished.wait) and not self._interrupt(finished.wait):
-            self._move_to_a_new_thread()
-            if begun.is_set():
-                raise StuckError(f'cannot {what}: it does not return and cannot be interrupted')
-            return self.run(function, what, timeout_sec)
+        patience_sec = max(timeout_sec - self.busy_sec, min(timeout_sec, _LEAST_PATIENCE_SEC))
+        if not wait_for(finished, patience_sec) and not self._interrupt(finished):
+            self._stuck_in = f'{_sentence(self.running) if self.running else what} does not return'
+            print(f'{self._stuck_in} and cannot be interrupted, so every node waits for it. Run the cell with start() '
+                  f'again: it begins anew, without any node.', file=sys.stderr)
+            raise StuckError(f'cannot {what}: {self._stuck_in}, and cannot be interrupted. Call start() again')
         if errors:
             raise errors[0]
         return values[0]
 
-    def _new_thread(self) -> threading.Thread:
-        # Thread.is_alive() and join() take a thread that runs for one that has ended, for good, if Ctrl+C comes while
-        # they look (CPython 3.10 to 3.12).
-        self._ended = interrupts.Latch()
-        return threading.Thread(target=self._spin_until_the_end, args=(self._ended,), name='ros-background-executor',
-                                daemon=True)
-
-    def _spin_until_the_end(self, ended: interrupts.Latch) -> None:
-        # Linux may deliver the alarm of an exercise's time limit to any thread, and so wake a callback that sleeps: see
-        # raise_in. SIGINT and SIGTERM are not blocked: a process that a callback starts would inherit that.
-        signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM])
-        try:
-            self._spin()
-        finally:
-            ended.set()
+    def create_task(self, coroutine: Coroutine[Any, Any, object]) -> None:
+        """Run a coroutine in the executor's thread, between callbacks; it may await rclpy's futures."""
+        self._require_running()
+        self._executor.create_task(coroutine)
 
     def _spin(self) -> None:
-        next_graph_check = 0.0
-        while not self._stopping and self.context.ok() and self._in_thread():
+        next_tick = 0.0
+        while not self._stopping and self.context.ok():
             try:
-                self._executor.spin_once(timeout_sec=GRAPH_PERIOD_SEC)
-                if time.monotonic() >= next_graph_check:
-                    next_graph_check = time.monotonic() + GRAPH_PERIOD_SEC
+                self._executor.spin_once(timeout_sec=TICK_PERIOD_SEC)
+                if time.monotonic() >= next_tick:
+                    next_tick = time.monotonic() + TICK_PERIOD_SEC
                     self._check_graph()
                     self.services.expire()
-                    self._tell_what_is_left_out()
+                    self._tick_listeners.call()
             except ExternalShutdownException:
                 break
             except BaseException as error:
@@ -332,151 +352,70 @@ class BackgroundExecutor:
                 if self.context.ok() and not self._stopping:
                     self._show_once(error)
 
-    def _in_thread(self) -> bool:
+    def in_thread(self) -> bool:
+        """True in the executor's thread, which must not wait for anything that an executor brings."""
         return threading.current_thread() is self._thread
 
-    def _interrupt(self, has_ended_within: Callable[[float], bool]) -> bool:
-        """Raise an exception in the callback that keeps the thread. Return True if that ends it.
+    @property
+    def running(self) -> Callback | None:
+        """The callback that runs now, or that has raised the latest exception; None if it is not a node's."""
+        if self._executor.running is None or self._executor.running[1] is None:
+            return None
+        entity, node = self._executor.running
+        if type(entity) not in _KINDS or node is self.tool_node:
+            return None
+        is_rclpys = isinstance(getattr(entity.callback, '__self__', None), ParameterService)
+        return Callback(node, _full_name(node), _KINDS[type(entity)], entity.callback,
+                        entity.srv_name.rpartition('/')[2] if is_rclpys else '')
+
+    @property
+    def busy_sec(self) -> float:
+        """For how long the callback that runs now has been running; 0.0 if none runs."""
+        return 0.0 if self._executor.running is None else time.monotonic() - self._executor.began
+
+    def free(self) -> bool:
+        """End a callback that keeps the thread for longer than anybody waits for an answer.
+
+        :return: True if there was one, and it has ended.
+        """
+        if self.busy_sec <= _BUSY_SEC or not self.is_running:
+            return False
+        with contextlib.suppress(StuckError):
+            self.run(lambda: None, 'go on')
+            return True
+        return False
+
+    def _interrupt(self, has_ended: threading.Event) -> bool:
+        """Raise an exception in the callback that keeps the thread, if it runs Python code; return whether it ended.
 
         An exception that comes while Python runs a ``__del__``, and rclpy's loggers have one, is printed and lost. So
-        before a callback counts as one that cannot be interrupted, it is raised a second time.
+        it is raised a second time.
         """
-        kept_by = self.callback_watch.running
-        _CallbackInterrupted.is_noticed = False
-        interrupts.raise_in(self._thread, _CallbackInterrupted)
-        if within(_NOTICE_TIMEOUT_SEC, has_ended_within):
-            return True
-        if not _CallbackInterrupted.is_noticed:
-            return False
-        if within(INTERRUPT_TIMEOUT_SEC, has_ended_within):
-            return True
-        if self.callback_watch.running is kept_by:
-            interrupts.raise_in(self._thread, _CallbackInterrupted)
-        return within(INTERRUPT_TIMEOUT_SEC, has_ended_within)
-
-    def _ends_within(self, seconds: float) -> bool:
-        if not self._ended.wait(seconds):
-            return False
-        self._thread.join()
-        return True
-
-    def _free_thread(self) -> bool:
-        """Interrupt a callback that keeps the thread for longer than anybody waits for an answer, if there is one."""
-        is_kept = self.callback_watch.busy_sec > _BUSY_SEC and self.is_running
-        if is_kept:
-            self.run(lambda: None, 'go on')
-        return is_kept
-
-    def _move_to_a_new_thread(self) -> None:
-        """Leave a callback that never returns behind, and its node, and go on with the others in a new thread."""
-        stuck = self.callback_watch.running
-        self._park_thread()
-        self.callback_watch = CallbackWatch(self._guard.look)
-        if stuck is not None and stuck.node in self._nodes:
-            self._nodes.remove(stuck.node)
-            rclpy_private.destroy_by_force(stuck.node)
-            print(f'{_sentence(stuck)} does not return and cannot be interrupted, so {stuck.node_name} was removed; '
-                  f'all other nodes keep running.', file=sys.stderr)
-        self._executor = rclpy_private.new_executor(self.context)
-        self._thread = self._new_thread()
-        for node in [self.tool_node, *self._nodes]:
-            rclpy_private.take_from_dead_executor(node)
-            self._executor.add_node(node)
-            rclpy_private.take_over_unread(self._executor, node)
-        self._thread.start()
-        # A client that is created while the executor still takes over the nodes may never hear an answer.
-        self.run(lambda: None, 'go on in a new thread')
-
-    def _park_thread(self) -> None:
-        """Keep the thread from ever running Python again: it sleeps until the process ends."""
-        _Parked.is_parked = interrupts.Latch()
-        interrupts.raise_in(self._thread, _Parked)
-        if _CallbackInterrupted.is_noticed:  # otherwise it is asleep already, which is as good
-            within(_NOTICE_TIMEOUT_SEC, _Parked.is_parked.wait)
-
-    # -- what code on the stage must not do -------------------------------------------------------------
-
-    def _in_main_thread(self) -> bool:
-        return threading.current_thread() is threading.main_thread() and self.is_running
-
-    def _error_if_in_callback(self) -> ExecutorError | None:
-        """Return what to raise where rclpy is about to wait in the executor's thread."""
-        if not self._in_thread():
-            return None
-        return ExecutorError(
-            'this callback already runs inside the executor that it waits for, so the wait could never end: use '
-            'call_async() and future.add_done_callback(...), or await the future in an async callback')
-
-    def _error_if_endless(self, nodes: list[Node]) -> ExecutorError:
-        """Return what to raise where rclpy is about to spin nodes forever in the main thread."""
-        node = next(iter(nodes), None)
-        if node in self._nodes:
-            return self._error_if_taken(node)
-        name = type(node).__name__ if node is not None and type(node) is not Node else 'MyNode'
-        if is_managed(node):
-            return ExecutorError(f'spin() never returns, and the constructor of {name} would wait forever: leave this '
-                                 f'line out. The stage spins the node as soon as it is constructed')
-        return ExecutorError(
-            f'spin() never returns, and no further cell would run: leave this line out. ros.add({name}) creates the '
-            f'node and spins it in the background; to wait for something, use param_tutorial.wait_until(...)')
-
-    def _error_if_in_vain(self, what: str, seconds: float) -> WaitTimeoutError:
-        """Return what to raise where rclpy has waited without a time limit in the main thread."""
-        return WaitTimeoutError(
-            f'timed out after {seconds:g} s waiting for {what}. rclpy itself would wait forever; pass timeout_sec=... '
-            f'to wait longer. Is what you wait for on the stage? ros.add(...) puts a node there')
-
-    def _error_if_taken(self, node: Node) -> ExecutorError:
-        return ExecutorError(
-            f'{_full_name(node)} is spun in the background already, and spinning it here would take it away from '
-            f'there: to wait for something in a cell, use param_tutorial.wait_until(...)')
-
-    def objection(self, node: Node, other: Executor) -> Exception | None:
-        """Return the exception to raise when another executor wants to spin a node, None if it may."""
-        if other is self._executor or not self.is_running or node not in self._nodes:
-            return None
-        return self._error_if_in_callback() or self._error_if_taken(node)
+        return any(interrupts.raise_in(self._thread, _CallbackInterrupted)
+                   and wait_for(has_ended, INTERRUPT_TIMEOUT_SEC) for _ in range(2))
 
     def _error_if_asked(self) -> ExecutorError | None:
-        """Return what input() raises in the executor's thread."""
-        if not self._in_thread():
-            return None
-        return ExecutorError(
+        return None if not self.in_thread() else ExecutorError(
             'a callback cannot ask with input(): while it waits for you to type, no node gets a turn. Ask in a cell, '
             'and give the node the answer as a parameter')
-
-    def _tell_who_keeps_rclpy(self, what: str) -> None:
-        """Explain why rclpy.init() or rclpy.shutdown() did nothing."""
-        if what == 'init':
-            text = 'rclpy.init() has nothing to do here: param_tutorial.start() has initialized rclpy already.'
-        else:
-            text = ('rclpy.shutdown() has nothing to do here: it would end every node on the stage, so the stage '
-                    'keeps running. To end it, call param_tutorial.stop().')
-        print(f'{text} A program of your own needs this line.', file=sys.stderr)
-
-    def _tell_what_is_left_out(self) -> None:
-        if count := self._guard.left_out():
-            self._guard.say(f'… and {count:,} more lines from callbacks, which are left out: while a callback prints, '
-                            f'no node gets a turn.')
 
     # -- exceptions in callbacks ------------------------------------------------------------------------
 
     def _show_once(self, error: BaseException) -> None:
-        callback = self.callback_watch.culprit(error)
+        callback = self.running
         if callback is not None and callback.node not in self._nodes:
             return  # a callback or an answer was due when its node was removed, and has found its handles gone
         failure = self._count(error, callback)
-        is_ours = isinstance(error, _CallbackInterrupted)
-        if callback is not None and callback.parameter_service and not is_ours and self.services.take(
-                error, callback.node_name, callback.parameter_service, callback.request):
+        if (callback is not None and callback.parameter_service and not isinstance(error, _CallbackInterrupted)
+                and self.services.fail(callback.node_name, callback.parameter_service, error)):
             return  # the caller raises it
         failure.times_shown += 1
         if failure.times_shown == 1:
             text = ''.join(traceback.format_exception(error)).rstrip('\n')
-            self._guard.say(f'{_sentence(failure)} raised an exception; the node keeps running.\n{text}')
+            print(f'{_sentence(failure)} raised an exception; the node keeps running.\n{text}', file=sys.stderr)
         elif failure.times_shown == 2:
-            self._guard.say(f'The same {type(error).__name__} again in {failure}. From now on, repeats are only '
-                            f'counted, in the failures of the executor.')
+            print(f'The same {type(error).__name__} again in {failure}. From now on, repeats are only counted, in the '
+                  f'failures of the executor.', file=sys.stderr)
 
     def _count(self, error: BaseException, callback: Callback | None) -> Failure:
         for failure in self.failures:
@@ -492,34 +431,32 @@ class BackgroundExecutor:
     def stop(self) -> None:
         """Stop spinning, destroy all nodes and shut the context down; safe to call more than once.
 
-        A callback that never returns is left behind in its thread, asleep, with its context shut down. Ctrl+C comes
-        through when all is done: nobody could use half an executor, and nobody else could have rclpy.
+        A callback that never returns is left behind in its thread, with its context shut down.
         """
         # This order is not free: shutting down without joining the thread aborts the interpreter at its exit.
         self._stopping = True
         self._let_go_of_rclpy.close()
-        if not self._ended.is_set() and self.context.ok():
-            self._executor.create_task(lambda: None)
-        has_ended = within(STOP_TIMEOUT_SEC, self._ends_within) or self._interrupt(self._ends_within)
+        self._executor.wake()
+        self._thread.join(STOP_TIMEOUT_SEC if not self._stuck_in else 0.0)
+        if self._thread.is_alive() and interrupts.raise_in(self._thread, _CallbackInterrupted):
+            self._thread.join(INTERRUPT_TIMEOUT_SEC)
+        has_ended = not self._thread.is_alive()
         if has_ended:
             self._executor.shutdown()
-        else:
-            self._park_thread()
         for node in [*reversed(self._nodes), self.tool_node]:
             if has_ended:
                 node.destroy_node()
             else:
-                # Left as they are, other nodes would see those of a parked thread for as long as this process lives,
-                # and never get an answer.
+                # Left as they are, other nodes would see them for as long as this process lives, and get no answer.
                 rclpy_private.destroy_by_force(node)
         self._nodes.clear()
-        self._guard.leave()
         if utilities.get_default_context() is self.context:
             utilities.try_shutdown()  # without naming the context, so that the next init gets a new default one
 
     def _require_running(self) -> None:
         if not self.is_running:
-            raise ExecutorError('this executor is stopped: call param_tutorial.start() for a new one')
+            reason = f': {self._stuck_in}' if self._stuck_in else ''
+            raise ExecutorError(f'this executor is stopped{reason}. Call start() for a new one')
 
     # -- feeds ------------------------------------------------------------------------------------------
 
@@ -536,6 +473,13 @@ class BackgroundExecutor:
         :return: Call it to stop listening.
         """
         return self._graph_listeners.add(listener)
+
+    def on_tick(self, listener: Callable[[], None]) -> Callable[[], None]:
+        """Call a listener, in the executor's thread, about every TICK_PERIOD_SEC.
+
+        :return: Call it to stop listening.
+        """
+        return self._tick_listeners.add(listener)
 
     def node_incarnations(self, node: str) -> frozenset[bytes]:
         """Return an identity of each node of this name; a restarted node has another one.
@@ -561,10 +505,6 @@ class BackgroundExecutor:
         if not self._check_graph():
             self._graph_listeners.call()
 
-    def _check_graph_soon(self) -> None:
-        if self.is_running:
-            self.run(self._check_graph, 'look at the graph')
-
 
 def _sentence(callback: Callback | Failure) -> str:
     """Return the name of a callback as the beginning of a sentence."""
@@ -574,36 +514,3 @@ def _sentence(callback: Callback | Failure) -> str:
 
 def _full_name(node: Node) -> str:
     return node.get_fully_qualified_name()
-
-
-@dataclass(frozen=True)
-class _NodeHost:
-    """What one node on the stage sees of its executor."""
-
-    ros: BackgroundExecutor
-    ros_args: list[str]
-
-    @property
-    def callback_watch(self) -> CallbackWatch:
-        return self.ros.callback_watch
-
-    def before_node_init(self, node_name: str, options: dict[str, Any]) -> None:
-        """Make room for a node that is about to be created under this name, and pass its ros_args on."""
-        ros_args = ['--ros-args', *self.ros_args] if self.ros_args else []
-        options['cli_args'] = [*(options.get('cli_args') or ()), *ros_args]
-        name, namespace = node_name, options.get('namespace') or '/'
-        for argument in options['cli_args']:
-            key, separator, value = argument.partition(':=')
-            if separator and key in ('__node', '__name'):
-                name = value
-            elif separator and key == '__ns':
-                namespace = value
-        self.ros.remove(f'/{namespace.strip("/")}/{name}'.replace('//', '/'))
-
-    def objection(self, node: Node, other: Executor) -> Exception | None:
-        """Return the exception to raise when another executor wants to spin a node, None if it may."""
-        return self.ros.objection(node, other)
-
-    def destroy(self, node: Node, destroy: Callable[[], None]) -> None:
-        """Take a node off the stage, if it is there, and destroy it."""
-        self.ros.destroy(node, destroy)

@@ -13,14 +13,13 @@ from typing import TYPE_CHECKING
 
 from param_tools.errors import WaitTimeoutError
 from param_tools.ros.listeners import Listeners
-from param_tools.ros.waiting import machine_time
+from param_tools.ros.waiting import wait
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Log
 
 LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 CAPACITY = 5000
-_LOOK_PERIOD_SEC = 0.1
 
 
 @dataclass(frozen=True)
@@ -51,7 +50,6 @@ class NodeLog:
         self._read: dict[str | None, int] = {}
         self._marked_ns = 0
         self._lock = threading.RLock()
-        self._changed = threading.Condition(self._lock)
         self._listeners: Listeners[[LogLine]] = Listeners()
 
     def receive(self, message: 'Log') -> None:
@@ -61,7 +59,6 @@ class NodeLog:
         with self._lock:
             self._lines.append(line)
             self._received += 1
-            self._changed.notify_all()
         self._listeners.call(line)
 
     def on_line(self, listener: Callable[[LogLine], object]) -> Callable[[], None]:
@@ -108,23 +105,26 @@ class NodeLog:
         :param since: A part of the first line to return; lines before it are left out.
         :raises WaitTimeoutError: no such line came in time; the message shows what came instead.
         """
-        deadline = machine_time() + timeout_sec
-        with self._lock:
-            while True:
-                is_late = machine_time() > deadline  # asked before the lines, which may come while this thread waits
+        lines: list[str] = []
+
+        def has_come() -> bool:
+            """Keep the lines up to the wanted one, or all that are unread, and return whether it is there."""
+            with self._lock:
                 # What was read of all nodes has been read of each; not the other way round.
                 unread = [(number, line) for number, line in self._since(
                     max(self._read.get(None, 0), self._read.get(node, 0)), node) if line.time_ns >= self._marked_ns]
                 first = next((at for at, (_, line) in enumerate(unread) if since in line.text), len(unread))
-                for index, (number, line) in enumerate(unread[first:], first):
-                    if until in line.text:
-                        self._read[node] = number
-                        return '\n'.join(str(line) for _, line in unread[first:index + 1])
-                if is_late:
-                    came = '\n'.join(str(line) for _, line in unread) or '(nothing)'
-                    raise WaitTimeoutError(
-                        f'timed out after {timeout_sec:g} s waiting for a log line with {until!r}; what came:\n{came}')
-                self._changed.wait(_LOOK_PERIOD_SEC)
+                last = next((at for at, (_, line) in enumerate(unread) if at >= first and until in line.text), None)
+                lines[:] = [str(line) for _, line in (unread if last is None else unread[first:last + 1])]
+                if last is not None:
+                    self._read[node] = unread[last][0]
+                return last is not None
+
+        if not wait(has_come, timeout_sec):
+            came = '\n'.join(lines) or '(nothing)'
+            raise WaitTimeoutError(
+                f'timed out after {timeout_sec:g} s waiting for a log line with {until!r}; what came:\n{came}')
+        return '\n'.join(lines)
 
     def _since(self, number: int, node: str | None) -> list[tuple[int, LogLine]]:
         """Return the lines after the numbered one, each with its number; the first ever received is 1."""

@@ -1,8 +1,6 @@
-"""Processes that this one starts: wait for their end with a deadline in machine time, and let none outlive this one."""
+"""Processes that this one starts: none outlives it."""
 
 import subprocess
-from collections.abc import Callable
-from typing import Any
 
 # It reads a line, or learns that the process at the other end is gone. launch needs up to 10 s for nodes that ignore
 # signals, and leaves them running if it is killed before.
@@ -12,17 +10,6 @@ kill -s TERM -- "-$0" || exit
 for _ in $(seq 200); do sleep 0.1; kill -s 0 -- "-$0" || exit; done
 kill -s KILL -- "-$0"
 """
-
-
-def ends(process: 'subprocess.Popen[Any]') -> Callable[[float], bool]:
-    """Return a function that waits for a process to end, for ``waiting.within``."""
-    def wait(seconds: float) -> bool:
-        try:
-            process.wait(seconds)
-        except subprocess.TimeoutExpired:
-            return False
-        return True
-    return wait
 
 
 class Guard:

@@ -1,83 +1,69 @@
-"""Wait for a condition with a deadline, and never by sleeping for luck.
+"""Wait for something with a deadline, and never by sleeping for luck.
 
-A time limit tells "it is slow" from "it will never come". On a busy machine everything is slow: where ten processes
-share two cores, each does in five seconds what it otherwise does in one; and so it is in a container that may use only
-a part of a core. So limits are counted in the seconds of ``machine_time``, which pass more slowly there. As long as no
-more than two threads share a core, they are seconds.
+Everything in the tools and the course that waits for a node does it here. So this is the one place that knows what goes
+on meanwhile: the host. In a kernel and in a plain process, another thread spins the nodes, and the host only sleeps; a
+host without threads would spin them itself in each of its turns.
 """
 
-import functools
 import os
 import threading
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import TypeVar
 
 from param_tools.errors import WaitTimeoutError
-from param_tools.ros import cgroups
 
 T = TypeVar('T')
 
-# Limits have room for a machine that is half as fast.
-_THREADS_PER_CORE = 2
-# Its fourth field is "running/all", in threads: see proc_loadavg(5).
-_LOAD = Path('/proc/loadavg')
-_LOOK_PERIOD_SEC = 0.01
-_SLICE_SEC, _LEAST_SLICE_SEC = 0.05, 0.002
+# A machine that is always busy sets this to more than 1, and all limits are so many times as long.
+PATIENCE = float(os.environ.get('PARAM_TOOLS_PATIENCE') or 1)
+_FIRST_PAUSE_SEC, _LONGEST_PAUSE_SEC = 0.001, 0.02
 
 
-class _MachineClock:
-    """Adds up the time that passes, divided by how much less than half a core a thread gets."""
+class Host:
+    """How a process with threads waits."""
 
-    def __init__(self) -> None:
-        # A signal's handler may ask, too, while the thread that it interrupts is in here.
-        self._lock = threading.RLock()
-        self._throttle = cgroups.Throttle()
-        self._slowness = 1.0
-        self._looked = self._read = time.monotonic()
-        self._seconds = 0.0
+    def sleep(self, seconds: float) -> None:
+        """Let others run for a time."""
+        time.sleep(seconds)
 
-    def __call__(self) -> float:
-        with self._lock:
-            now = time.monotonic()
-            if now - self._looked >= _LOOK_PERIOD_SEC:
-                self._slowness, self._looked = max(1.0, _sharing() * self._throttle() / _THREADS_PER_CORE), now
-            self._seconds += max(0.0, now - self._read) / self._slowness
-            self._read = max(now, self._read)
-            return self._seconds
+    def wait(self, event: threading.Event, seconds: float) -> bool:
+        """Let others run until an event is set or the time is over, and return whether the event is set."""
+        return event.wait(seconds)
 
 
-def _sharing() -> float:
-    """Return how many threads want to run on each core of this process, at least 1.0."""
-    try:
-        running = int(os.pread(_opened(_LOAD), 100, 0).split()[3].partition(b'/')[0])
-        return max(1.0, running / len(os.sched_getaffinity(0)))
-    except (OSError, ValueError, IndexError, AttributeError):  # not Linux
-        return 1.0
+host = Host()
 
 
-@functools.cache
-def _opened(path: Path) -> int:
-    """Return the descriptor of a file that stays open: opening it takes six times as long as reading it."""
-    return os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+def deadline(seconds: float) -> float:
+    """Return when a time limit that begins now ends, on the clock of ``time.monotonic``."""
+    return time.monotonic() + seconds * PATIENCE
 
 
-machine_time = _MachineClock()
-"""Return a number of seconds for measuring how much time the machine has had; look often, as waiting does."""
+def wait_for(event: threading.Event, seconds: float) -> bool:
+    """Wait for an event with a time limit, and return whether it is set."""
+    return host.wait(event, seconds * PATIENCE)
 
 
-def within(seconds: float, wait: Callable[[float], bool]) -> bool:
-    """Wait, in machine time, and return whether it was successful.
+def wait(condition: Callable[[], object], seconds: float) -> bool:
+    """Wait until a condition is true or the time is over, and return whether it is true.
 
-    :param wait: Waits for so many seconds at most and returns whether it was successful, as ``Event.wait`` does.
+    :param condition: Called again and again; must not block.
     """
-    deadline = machine_time() + seconds
-    while (left := deadline - machine_time()) > 0:
-        # Where machine time is slow, the rest would be halved again and again.
-        if wait(min(max(left, _LEAST_SLICE_SEC), _SLICE_SEC)):
+    return wait_before(deadline(seconds), condition)
+
+
+def wait_before(end: float, condition: Callable[[], object]) -> bool:
+    """Wait as ``wait`` does, until a time that ``deadline`` returned."""
+    pause_sec = _FIRST_PAUSE_SEC
+    while True:
+        is_late = time.monotonic() > end  # asked first: the last look is after the deadline
+        if condition():
             return True
-    return wait(0.0)
+        if is_late:
+            return False
+        host.sleep(pause_sec)
+        pause_sec = min(2 * pause_sec, _LONGEST_PAUSE_SEC)
 
 
 def wait_until(condition: Callable[[], T], what: str, timeout_sec: float = 5.0) -> T:
@@ -85,16 +71,14 @@ def wait_until(condition: Callable[[], T], what: str, timeout_sec: float = 5.0) 
 
     :param condition: Called again and again; must not block.
     :param what: Completes "timed out after N s waiting for …" in the error.
-    :param timeout_sec: In machine time.
     :raises WaitTimeoutError: the condition was still false at the deadline.
     """
-    deadline = machine_time() + timeout_sec
-    pause_sec = 0.001
-    while True:
-        is_late = machine_time() > deadline  # asked first: the last look is after the deadline
-        if value := condition():
-            return value
-        if is_late:
-            raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
-        time.sleep(pause_sec)
-        pause_sec = min(2 * pause_sec, 0.02)
+    found: list[T] = []
+
+    def look() -> T:
+        found[:] = [condition()]
+        return found[0]
+
+    if not wait(look, timeout_sec):
+        raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
+    return found[0]

@@ -1,11 +1,11 @@
 """What the nodes of the graph have: which nodes there are, their parameters and values, as they come, go and change.
 
-Threads. The executor's thread says that nodes have come or gone, or values have changed; what has to be asked is asked
-in a few threads, so that a node that hangs keeps no other one waiting.
+All of it happens in the executor's thread: nodes come and go, values change, and each node is asked by a coroutine, so
+a node that hangs keeps no other one waiting.
 """
 
-import concurrent.futures
 import threading
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -15,13 +15,11 @@ from rcl_interfaces.msg import ParameterEvent
 from param_tools import values
 from param_tools.descriptor import Descriptor
 from param_tools.errors import NoAnswerError, ParameterToolError, describe_error
-from param_tools.node.client import ParameterClient
+from param_tools.node.client import Questions
 from param_tools.node.text import format_value
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
 
-# So many nodes are asked at once; each waits for its answers most of the time.
-_THREADS = 8
 # How soon a node that has not answered is asked again.
 _RETRY_PERIOD_SEC = 2.0
 
@@ -38,6 +36,8 @@ class CatalogNode:
     """Why its parameters are not known; empty if they are, or are still being asked for."""
     descriptors: dict[str, Descriptor] = field(default_factory=dict)
     values: dict[str, Any] = field(default_factory=dict)
+    ask_again_at: float | None = None
+    """On the clock of ``time.monotonic``; None if it is being asked, or need not be."""
 
 
 class Catalog:
@@ -53,10 +53,9 @@ class Catalog:
         self._executor, self._on_change, self._timeout_sec = executor, on_change, timeout_sec
         self._lock = threading.Lock()
         self._nodes: dict[str, CatalogNode] = {}
-        self._pool = concurrent.futures.ThreadPoolExecutor(_THREADS, 'catalog')
         self._closed = False
-        self._retries: dict[str, threading.Timer] = {}
-        self._stop_listening = [executor.on_graph_change(self._look), executor.on_parameter_event(self._on_event)]
+        self._stop_listening = [executor.on_graph_change(self._look), executor.on_parameter_event(self._on_event),
+                                executor.on_tick(self._ask_again)]
         self._look()
 
     @property
@@ -83,14 +82,10 @@ class Catalog:
 
     def close(self) -> None:
         """Stop following. Safe to call more than once."""
-        with self._lock:
-            self._closed = True
-            for timer in self._retries.values():
-                timer.cancel()
+        self._closed = True
         for stop in self._stop_listening:
             stop()
         self._stop_listening = []
-        self._pool.shutdown(wait=False, cancel_futures=True)
 
     def _look(self) -> None:
         """See which nodes there are, and ask those that are new."""
@@ -109,27 +104,28 @@ class Catalog:
         self._on_change()
 
     def _ask(self, node: CatalogNode) -> None:
-        with self._lock:
-            if not self._closed:
-                self._pool.submit(self._read, node)
+        node.ask_again_at = None
+        if not self._closed:
+            self._executor.create_task(self._read(node))
 
-    def _ask_again_later(self, node: CatalogNode) -> None:
+    def _ask_again(self) -> None:
+        """Ask the nodes again that have not answered."""
         with self._lock:
-            if self._closed or self._nodes.get(node.name) is not node:
-                return
-            timer = self._retries[node.name] = threading.Timer(_RETRY_PERIOD_SEC, self._ask, [node])
-            timer.daemon = True
-            timer.start()
+            late = [node for node in self._nodes.values() if node.ask_again_at and node.ask_again_at < time.monotonic()]
+        for node in late:
+            self._ask(node)
 
-    def _read(self, node: CatalogNode) -> None:
-        client = ParameterClient(node.name, executor=self._executor, timeout_sec=self._timeout_sec)
+    async def _read(self, node: CatalogNode) -> None:
+        async def ask(service: str, request: Any) -> Any:
+            return await self._executor.services.call_async(node.name, service, request, timeout_sec=self._timeout_sec)
+
         try:
-            descriptors, present = client.describe_and_get()
+            descriptors, present = await Questions(node.name, ask).describe_and_get()
         except ParameterToolError as error:
             with self._lock:
                 node.problem, node.is_read = describe_error(error), True
-            if isinstance(error, NoAnswerError):
-                self._ask_again_later(node)
+                if isinstance(error, NoAnswerError):
+                    node.ask_again_at = time.monotonic() + _RETRY_PERIOD_SEC
         else:
             with self._lock:
                 node.descriptors, node.values = dict(descriptors), dict(present)

@@ -142,7 +142,7 @@ def ask_all(nodes: Iterable[str | Node] | str | Node | None, question: Callable[
     :raises ExecutorError: no executor is running, or this is called from a callback.
     """
     ros = executor or stage.current()
-    if ros.services.in_executor_thread():
+    if ros.in_thread():
         raise ExecutorError('a callback cannot wait for the answers of nodes: the executor that would have to bring '
                             'them is busy with the callback. Ask in a cell')
     if isinstance(nodes, (str, Node)):

@@ -2,6 +2,7 @@
 
 import contextlib
 import inspect
+import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -9,8 +10,7 @@ from rclpy.node import Node
 
 from param_tools import values
 from param_tools.errors import ExecutorError, NoAnswerError
-from param_tools.ros.output_guard import guarded
-from param_tools.ros.waiting import machine_time
+from param_tools.ros import no_input
 from param_tutorial.exercises.forms import Blanks, Form
 from param_tutorial.exercises.results import Answer, Finding, Hint, Result
 from param_tutorial.exercises.trial import (
@@ -159,9 +159,9 @@ class Exercise:
         findings: list[Finding] = []
         names: set[str] = set()
         waited, picture = False, ''
-        began_sec = machine_time()
+        began_sec = time.monotonic()
         try:
-            with guarded(error_if_asked), borrowed_stage() as ros:
+            with no_input.forbidden(error_if_asked), borrowed_stage() as ros:
                 for requirement in self.requirements:
                     trial = Trial(ros, work, has_waited_in_vain=waited, began_sec=began_sec)
                     try:

@@ -164,7 +164,7 @@ class WithoutDeadlock(Node):
         call = client.call
 
         def call_elsewhere(*args: Any, **options: Any) -> Any:
-            if stage.current().services.in_executor_thread():
+            if stage.current().in_thread():
                 raise RuntimeError('call() blocks until the answer has come, which only the executor can bring, and '
                                    'this callback keeps it busy. Use call_async()')
             return call(*args, **options)

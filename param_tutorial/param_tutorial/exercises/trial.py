@@ -8,6 +8,7 @@ import re
 import signal
 import tempfile
 import threading
+import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -33,7 +34,7 @@ from param_tools.node.declarations import describe_wrong_field
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor, Failure
 from param_tools.ros.service_types import SERVICE_TYPES
-from param_tools.ros.waiting import machine_time, wait_until
+from param_tools.ros.waiting import wait_until
 
 NodeT = TypeVar('NodeT', bound=Node)
 
@@ -140,7 +141,7 @@ class Trial:
         self.names: list[str] = []
         """The names of the nodes that were made of the work."""
         self.has_waited_in_vain = has_waited_in_vain
-        self._began_sec = machine_time() if began_sec is None else began_sec
+        self._began_sec = time.monotonic() if began_sec is None else began_sec
         self._threads_before = threading.enumerate()
         self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
 
@@ -217,7 +218,7 @@ class Trial:
 
     def _limit_sec(self) -> float:
         """Return how long a constructor, function or answer may take now."""
-        left_sec = self._began_sec + _WHOLE_CHECK_SEC - machine_time()
+        left_sec = self._began_sec + _WHOLE_CHECK_SEC - time.monotonic()
         return min(TIME_LIMIT_SEC, max(_SHORT_TIME_LIMIT_SEC, round(left_sec, 1)))
 
     def ros2(self, *words: str) -> str:
@@ -281,8 +282,8 @@ class Trial:
             if not is_settled() or any(each not in self._threads_before for each in threading.enumerate()):
                 settled_at = None
                 return False
-            settled_at = machine_time() if settled_at is None else settled_at
-            return machine_time() - settled_at > _SETTLED_SEC
+            settled_at = time.monotonic() if settled_at is None else settled_at
+            return time.monotonic() - settled_at > _SETTLED_SEC
 
         try:
             wait_until(lambda: condition() or self._failure() or has_settled(), expected, limit_sec)
@@ -366,11 +367,11 @@ def _time_limit(limit_sec: float) -> Iterator[None]:
         yield
         return
 
-    deadline = machine_time() + limit_sec
+    deadline = time.monotonic() + limit_sec
 
     def ring(_number: int, _frame: FrameType | None) -> None:
         nonlocal deadline
-        if machine_time() > deadline:
+        if time.monotonic() > deadline:
             # Once more after as long: an exception that comes while Python runs a __del__ is printed and lost.
             deadline += limit_sec
             raise TooLong(limit_sec)

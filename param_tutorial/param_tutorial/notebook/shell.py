@@ -13,6 +13,7 @@ import shlex
 import signal
 import subprocess
 import sys
+import time
 import weakref
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -21,7 +22,6 @@ from param_tools.cli import genuine
 from param_tools.errors import ParameterToolError
 from param_tools.ros import domain, environment
 from param_tools.ros.processes import Guard
-from param_tools.ros.waiting import machine_time
 from param_tutorial.notebook.interrupts import handed_to, interruptible
 
 # The learner's own settings would change what commands do and print: git's name and address, colcon's defaults, how
@@ -132,7 +132,7 @@ class Shell:
         # One `eval`, so that a quote that is never closed is an error here and does not swallow what is typed later;
         # without a standard input, so that no command waits for one.
         line = f'eval {shlex.quote(commands)} </dev/null; printf "\\n{mark} %d\\n" $?\n'
-        deadline = machine_time() + timeout_sec
+        deadline = time.monotonic() + timeout_sec
         end = re.compile(rf'\n{mark} (\d+)\n'.encode())
         output = b''
         with handed_to(self._process.pid), selectors.DefaultSelector() as selector:
@@ -141,7 +141,7 @@ class Shell:
             self._input.flush()
             while not (found := end.search(output)):
                 ready = selector.select(_LOOK_PERIOD_SEC)
-                if not ready and machine_time() < deadline:
+                if not ready and time.monotonic() < deadline:
                     continue
                 chunk = os.read(self._output.fileno(), 65536) if ready else b''
                 if not chunk:

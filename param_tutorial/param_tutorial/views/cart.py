@@ -13,8 +13,8 @@ from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
 from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.schedule import Job
 from param_tools.ros.services import TIMEOUT_SEC
-from param_tools.ros.worker import Worker
 from param_tutorial.nodes.cart_node import AISLE_M, SIGHT_M
 from param_tutorial.nodes.clawbot_node import SAFETY_GAP_M, Motion, Settings, State, plan
 from param_tutorial.pictures.cart import Cart
@@ -61,7 +61,7 @@ class CartView(DrivingView):
         self._settings: Settings | None = None
         self._motion, self._begin_sec, self._before_sec = _READY, 0.0, 0.0
         # It comes back when the cart begins to do something else.
-        self._clock = Worker(self._show, 'cart view', _SHOW_PERIOD_SEC)
+        self._clock = Job(self._show, _SHOW_PERIOD_SEC)
         self._live = LiveParameters(self._node, self._follow, executor=executor, timeout_sec=timeout_sec)
         super().__init__()
         self._live.first_look()

@@ -69,7 +69,7 @@ class EventView(FeedView):
         if event.node == self._node or (self._node is None and '/_' not in event.node):
             with self._lock:
                 self._changes.extend(changes_in(event))
-            self._worker.wake()
+            self._job.wake()
 
     def _markup(self) -> str:
         rows = [(each.node, each.kind, each.name, '' if each.kind == 'deleted' else values.format_value(each.value))

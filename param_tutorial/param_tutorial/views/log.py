@@ -47,7 +47,7 @@ class LogView(FeedView):
 
     def _on_line(self, line: LogLine) -> None:
         if self._logger in (None, line.logger):
-            self._worker.wake()
+            self._job.wake()
 
     def _markup(self) -> str:
         text = '\n'.join(map(_line_markup, self._recent()))

@@ -62,7 +62,7 @@ class MotionView(ReelView, FollowingView):
 
     def snapshot(self) -> dict[str, object]:
         """Return what a page without a kernel needs: the picture plays there once, and again when it is told to."""
-        self._worker.call_now(1.0)
+        self._job.call_now(1.0)
         return super().snapshot()
 
     def _play(self, text: str, picture: Callable[[motion.Reel], str], *, is_still: bool = False) -> None:
@@ -85,7 +85,7 @@ class MotionView(ReelView, FollowingView):
 
         :param sentence: What it shows.
         """
-        self._worker.call_now(1.0)
+        self._job.call_now(1.0)
         with self._drawing:
             self._held = sentence
         self._stop()
@@ -119,7 +119,7 @@ class SetView(MotionView):
 
     def _on_graph_change(self) -> None:
         self._follow()
-        self._worker.wake()
+        self._job.wake()
 
     def _follow(self) -> None:
         """Follow the node that has the name now: in the executor's thread, so that no set of a new node is missed."""
@@ -136,7 +136,7 @@ class SetView(MotionView):
     def _on_set(self, record: RecordedSet) -> None:
         if self._wants(record):
             self._latest = record
-            self._worker.wake()
+            self._job.wake()
 
     def _ask(self, name: str, value: Any) -> RecordedSet:
         """Ask the node for a value, and return what came of it.
@@ -221,13 +221,13 @@ class NumberLineView(SetView):
         self._live: LiveParameters | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
         super().__init__(node, executor)
-        self._live = LiveParameters(self._subject, self._worker.wake, names=[name], executor=executor,
+        self._live = LiveParameters(self._subject, self._job.wake, names=[name], executor=executor,
                                     timeout_sec=timeout_sec)
         self._live.first_look()
-        self._worker.call_now(1.0)
+        self._job.call_now(1.0)
         if value is not ...:
             self._ask(name, value)
-            self._worker.call_now(1.0)
+            self._job.call_now(1.0)
             self._hold(self._sentence)
 
     def __repr__(self) -> str:
@@ -241,7 +241,7 @@ class NumberLineView(SetView):
         """
         if self._live is not None:
             self._live.settle(timeout_sec)
-        self._worker.call_now(timeout_sec)
+        self._job.call_now(timeout_sec)
 
     def _wants(self, record: RecordedSet) -> bool:
         return record.timeline.name == self._name
@@ -313,11 +313,11 @@ class MessageView(MotionView):
             result = ParameterClient(self._node, executor=self._executor).set_parameter(name, value)
             if result.successful:
                 wait_until(lambda: self._event, 'the message on /parameter_events')
-            self._worker.call_now(1.0)
+            self._job.call_now(1.0)
             self._hold(f'{result}')
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
-        stops = [executor.on_parameter_event(self._on_event), executor.on_graph_change(self._worker.wake)]
+        stops = [executor.on_parameter_event(self._on_event), executor.on_graph_change(self._job.wake)]
 
         def stop() -> None:
             for each in stops:
@@ -329,7 +329,7 @@ class MessageView(MotionView):
         is_wanted = event.node == self._node or (self._node is None and '/_' not in event.node)
         if is_wanted and (event.changed_parameters or event.deleted_parameters):
             self._event = event
-            self._worker.wake()
+            self._job.wake()
 
     def _show(self) -> None:
         if self._executor is None or not self._executor.is_running:

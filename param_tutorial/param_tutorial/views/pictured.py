@@ -403,7 +403,7 @@ class CallsView(PictureView):
         services = (self._executor or stage.current()).services
         try:
             answer = services.call(name, service, SERVICE_TYPES[service].Request(**{field: content}),
-                                   timeout_sec=self._timeout_sec, discovery_timeout_sec=self._timeout_sec)
+                                   timeout_sec=self._timeout_sec)
         except NodeNotFoundError as error:
             self._add(Call(name, service, told, problem=str(error), is_delivered=False))
         except NodeError as error:

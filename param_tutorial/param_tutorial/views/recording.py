@@ -18,9 +18,8 @@ from param_tools import values
 from param_tools.errors import CallbackError, ExecutorError
 from param_tools.node.client import ParameterClient, changes
 from param_tools.ros import rclpy_private, stage
-from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.executor import BackgroundExecutor, function_name
 from param_tools.ros.listeners import Listeners
-from param_tools.ros.node_hooks import function_name
 from param_tutorial.pictures.diagrams import Step, Timeline
 
 

@@ -71,7 +71,7 @@ class RobotView(DrivingView, FollowingView):
 
     def _on_graph_change(self) -> None:
         self._looks_left = _LOOKS_FOR_ROBOT
-        self._worker.wake()
+        self._job.wake()
 
     def _find_robot(self) -> ClawbotNode | None:
         """Find the node that has the name now, and listen to it."""
@@ -80,7 +80,7 @@ class RobotView(DrivingView, FollowingView):
         if robot is not self._robot:
             self._stop_motion()
             self._robot = robot
-            self._stop_motion = robot.on_motion(self._worker.wake) if robot else nothing
+            self._stop_motion = robot.on_motion(self._job.wake) if robot else nothing
         return robot
 
     # -- drawing: the worker's thread -------------------------------------------------------------------

@@ -7,12 +7,12 @@ import queue
 import signal
 import subprocess
 import threading
+import time
 from collections.abc import Iterable
 from typing import IO, NamedTuple
 
 from param_tools.cli.run import is_our_node, signals_held
 from param_tools.cli.session import TextStream
-from param_tools.ros.waiting import machine_time
 
 # As launch: so long for Ctrl+C, then so long for SIGTERM.
 GRACE_SEC = 5.0
@@ -116,12 +116,12 @@ class Launcher:
             for process in self._running.values():
                 with contextlib.suppress(ProcessLookupError):
                     process.send_signal(number)
-            deadline = machine_time() + GRACE_SEC
+            deadline = time.monotonic() + GRACE_SEC
             while self._running:
                 try:
                     event = self._events.get(timeout=_LOOK_PERIOD_SEC)
                 except queue.Empty:
-                    if machine_time() < deadline:
+                    if time.monotonic() < deadline:
                         continue
                     break
                 if isinstance(event, str):  # another Ctrl+C changes nothing

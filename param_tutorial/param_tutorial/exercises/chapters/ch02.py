@@ -1,7 +1,6 @@
 """Exercises of chapter 2: put the lines of a terminal in order, mend a setup.py that is really built, and find a
 program as ``ros2 run`` does."""
 
-import contextlib
 import functools
 import os
 import re
@@ -15,7 +14,7 @@ from typing import NamedTuple
 from param_tools.cli.run import find_program
 from param_tools.cli.session import CommandFailed
 from param_tools.errors import ParameterToolError
-from param_tools.ros.waiting import within
+from param_tools.ros.waiting import PATIENCE
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
 from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
@@ -93,19 +92,14 @@ def _run(words: list[str], folder: Path, **environment: str) -> tuple[int, str]:
     :raises NoUse: it does not come to an end.
     """
     passed_on = {name: value for name, value in os.environ.items() if not name.startswith('PYTHON')}
-    printed = ''
     with subprocess.Popen([sys.executable, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True,
                           env={**passed_on, 'PYTHONWARNINGS': 'ignore', 'PYTHONUTF8': '1', **environment}) as process:
-        def ends_within(seconds: float) -> bool:
-            nonlocal printed
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                printed, _ = process.communicate(timeout=seconds)
-            return process.returncode is not None
-
         try:
-            if not within(BUILD_LIMIT_SEC, ends_within):
-                raise NoUse('the build ends', f'it is still running after {BUILD_LIMIT_SEC:g} s')
+            printed, _ = process.communicate(timeout=BUILD_LIMIT_SEC * PATIENCE)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            raise NoUse('the build ends', f'it is still running after {BUILD_LIMIT_SEC:g} s') from None
         except BaseException:
             process.kill()
             raise

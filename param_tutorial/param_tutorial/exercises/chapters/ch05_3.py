@@ -84,7 +84,7 @@ def awake() -> Iterator[None]:
     sleep = time.sleep
 
     def sleep_elsewhere(seconds: Any) -> None:
-        if stage.current().services.in_executor_thread():
+        if stage.current().in_thread():
             raise RuntimeError('time.sleep() blocks the thread, and no answer comes while it does')
         sleep(seconds)
 

@@ -3,6 +3,7 @@ events there are."""
 
 import contextlib
 import inspect
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from textwrap import shorten
 from typing import Any
@@ -15,8 +16,8 @@ from rclpy.subscription import Subscription
 
 from param_tools import values
 from param_tools.errors import NoAnswerError, WaitTimeoutError
-from param_tools.ros.node_hooks import function_name
-from param_tools.ros.waiting import machine_time, wait_until
+from param_tools.ros.executor import function_name
+from param_tools.ros.waiting import wait_until
 from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import derive
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
@@ -78,7 +79,7 @@ class InTheCorner(Node):
             yield not isinstance(message, ParameterEvent)
             return
         message.node = message.node.removeprefix(CORNER)
-        began = machine_time()
+        began = time.monotonic()
         try:
             # What it raises once it would raise at each event of a burst, and so it is with waiting.
             yield not self.raised and self.busy_sec < _BUSY_SEC
@@ -86,7 +87,7 @@ class InTheCorner(Node):
             self.raised = True
             raise
         finally:
-            self.busy_sec += machine_time() - began
+            self.busy_sec += time.monotonic() - began
             self.events_heard = (*self.events_heard, message)
 
 
@@ -124,7 +125,7 @@ def pages_after(trial: Trial, rover: Rover, journal: Any, action: Callable[[], o
         action()
         trial.client(rover).set_parameter('last', 1)
     except NoAnswerError:
-        running = trial.ros.callback_watch.running
+        running = trial.ros.running
         if running is not None and running.node is journal:
             raise waits from None
         raise

@@ -12,6 +12,7 @@ import contextlib
 import json
 import re
 import subprocess
+import time
 from collections.abc import Callable, Coroutine, Iterator
 from pathlib import Path
 from typing import Any
@@ -26,7 +27,6 @@ from nbclient.util import run_sync
 from nbformat import NotebookNode
 
 from param_tools.ros import domain
-from param_tools.ros.waiting import machine_time
 from param_tutorial.exercises import EXERCISES, prediction
 from param_tutorial.site.recording import comparison
 from param_tutorial.site.recording.recorded import Page, Recording, Recordings, ViewFacts
@@ -259,9 +259,9 @@ async def _in_time(work: Coroutine[Any, Any, Any]) -> None:
 
     :raises TimeoutError: it takes too long.
     """
-    running, deadline = asyncio.ensure_future(work), machine_time() + _CELL_TIMEOUT_SEC
+    running, deadline = asyncio.ensure_future(work), time.monotonic() + _CELL_TIMEOUT_SEC
     while not (await asyncio.wait([running], timeout=_LOOK_PERIOD_SEC))[0]:
-        if machine_time() > deadline:
+        if time.monotonic() > deadline:
             running.cancel()
             with contextlib.suppress(DeadKernelError):  # as nbclient calls it
                 await running

@@ -8,7 +8,6 @@ from rclpy.node import Node
 
 from param_tools.ros import stage
 from param_tools.ros.node_log import LogLine
-from param_tools.ros.waiting import within
 from param_tutorial.views.events import changes_in
 
 _MARK = 'param_tutorial: end of an answer'
@@ -50,8 +49,7 @@ class NodeLogTap:
         :raises RuntimeError: they do not arrive.
         """
         with self._arrived:
-            if not within(_TIMEOUT_SEC, lambda seconds: self._arrived.wait_for(
-                    lambda: len(self._batches) > number, seconds)):
+            if not self._arrived.wait_for(lambda: len(self._batches) > number, _TIMEOUT_SEC):
                 raise RuntimeError(f'the log of {self._node.get_name()} does not arrive')
             return self._batches[number]
 
@@ -80,8 +78,7 @@ class EventTap:
         :raises RuntimeError: they do not arrive.
         """
         with self._arrived:
-            if not within(_TIMEOUT_SEC, lambda seconds: self._arrived.wait_for(
-                    lambda: len(self._events) >= count, seconds)):
+            if not self._arrived.wait_for(lambda: len(self._events) >= count, _TIMEOUT_SEC):
                 raise RuntimeError(f'{self._node} published {len(self._events)} changes and not {count}')
             events, self._events = self._events, []
         return [[change.kind, change.name, '' if change.kind == 'deleted' else repr(change.value)]

@@ -1,0 +1,42 @@
+"""No ``input()`` where nobody can type an answer: in a callback, every node would wait for it. No ROS, no Jupyter."""
+
+import builtins
+import contextlib
+from collections.abc import Callable, Iterator
+
+# Returns what input() raises, or None where it asks as usual; called in the thread that asks.
+Refusal = Callable[[], Exception | None]
+
+
+class _Input:
+    """Stands in for ``input``."""
+
+    def __init__(self, ask: Callable[..., str], refusal: Refusal):
+        self.ask, self.refusal = ask, refusal
+
+    def __call__(self, *prompt: object) -> str:
+        if error := self.refusal():
+            raise error
+        return self.ask(*prompt)
+
+
+def forbid(refusal: Refusal) -> None:
+    """Let ``input()`` raise an exception. Jupyter puts its own ``input`` in place for each cell, so call this often."""
+    if not (isinstance(builtins.input, _Input) and builtins.input.refusal is refusal):
+        builtins.input = _Input(builtins.input, refusal)
+
+
+def allow(refusal: Refusal) -> None:
+    """Undo ``forbid``."""
+    if isinstance(builtins.input, _Input) and builtins.input.refusal is refusal:
+        builtins.input = builtins.input.ask
+
+
+@contextlib.contextmanager
+def forbidden(refusal: Refusal) -> Iterator[None]:
+    """Let ``input()`` raise an exception in this block."""
+    ask, builtins.input = builtins.input, _Input(builtins.input, refusal)
+    try:
+        yield
+    finally:
+        builtins.input = ask

@@ -1,0 +1,110 @@
+"""What is drawn or asked again after a time: one thread for all jobs of a process. No ROS, no Jupyter."""
+
+import atexit
+import threading
+import time
+import traceback
+from collections.abc import Callable
+
+THREAD_NAME = 'schedule'
+_END_TIMEOUT_SEC = 3.0
+
+# Guards all below.
+_changed = threading.Condition()
+_due: 'dict[Job, float]' = {}
+_thread: threading.Thread | None = None
+_is_ending = False
+
+
+class Job:
+    """Calls a function soon after ``wake()``, never twice at once, and not more often than once in a period.
+
+    The function must not wait: the thread is shared. What keeps a busy node from flooding a browser is the period.
+    """
+
+    def __init__(self, step: Callable[[], float | None], period_sec: float):
+        """
+        :param step: Does all that there is to do. Returns in how many seconds at the latest it should be called again;
+            None if only ``wake`` calls it again.
+        """
+        self._step, self._period_sec = step, period_sec
+        self._next_sec = 0.0
+        self._ended = False
+        self._one_at_a_time = threading.RLock()
+
+    @property
+    def is_idle(self) -> bool:
+        """True if nothing is called until somebody wakes it."""
+        return self not in _due
+
+    def wake(self, in_sec: float = 0.0) -> None:
+        """Make sure that the function is called after now. Cheap; from any thread."""
+        at = max(time.monotonic() + in_sec, self._next_sec)
+        with _changed:
+            if self._ended or _due.get(self, at + 1) <= at:
+                return
+            _due[self] = at
+            _ensure_thread()
+            _changed.notify()
+
+    def call_now(self, timeout_sec: float) -> bool:
+        """Call the function in the calling thread, without regard to the period.
+
+        :return: False if a call that another thread made did not end in time.
+        """
+        if not self._one_at_a_time.acquire(timeout=max(0.0, timeout_sec)):
+            return False
+        try:
+            self._next_sec = time.monotonic() + self._period_sec
+            again_sec = self._step()
+        finally:
+            self._one_at_a_time.release()
+        if again_sec is not None:
+            self.wake(again_sec)
+        return True
+
+    def end(self) -> None:
+        """Call no more."""
+        with _changed:
+            self._ended = True
+            _due.pop(self, None)
+
+
+def _ensure_thread() -> None:
+    global _thread
+    if _thread is None and not _is_ending:
+        _thread = threading.Thread(target=_run, name=THREAD_NAME, daemon=True)
+        _thread.start()
+
+
+def _run() -> None:
+    while (job := _next_job()) is not None:
+        try:
+            job.call_now(_END_TIMEOUT_SEC)
+        except Exception:  # of one job; the others go on
+            traceback.print_exc()
+
+
+def _next_job() -> Job | None:
+    """Wait for the next job that is due, and return it; None at the end."""
+    with _changed:
+        while not _is_ending:
+            job = min(_due, key=_due.__getitem__, default=None)
+            left_sec = None if job is None else _due[job] - time.monotonic()
+            if job is not None and left_sec is not None and left_sec <= 0.0:
+                del _due[job]
+                return job
+            _changed.wait(left_sec)
+    return None
+
+
+@atexit.register
+def _end() -> None:
+    """End the thread: one that still sends something to the browser as the interpreter ends may abort a kernel."""
+    global _is_ending
+    with _changed:
+        _is_ending = True
+        _changed.notify()
+        thread = _thread
+    if thread is not None:
+        thread.join(_END_TIMEOUT_SEC)
