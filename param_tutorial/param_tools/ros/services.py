@@ -4,8 +4,10 @@ Knows the six services that every node offers, discovery, time limits, and nodes
 mid-call. What the requests mean is in ``client``.
 """
 
+import contextlib
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Coroutine, Generator
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -93,6 +95,8 @@ class Services:
         self._pending: dict[Future, _PendingCall] = {}
         # The node and service of each client that has had an answer since the graph changed.
         self._answered: set[tuple[str, str]] = set()
+        # Of each node, the calls that wait to be sent, the oldest first.
+        self._lines: dict[str, deque[Future]] = {}
         self._lock = threading.RLock()
         # Gives coroutines their turns while they wait for something that doesn't wake the executor.
         self._clock = self._tool_node.create_timer(_TURN_PERIOD_SEC, lambda: None, autostart=False)
@@ -137,10 +141,12 @@ class Services:
             is added with ``add_done_callback`` is called in the executor's thread.
         :raises NodeNotFoundError: the name cannot be that of any node.
         """
-        if (node, service) in self._answered and self.is_ready(node, service):
-            return self._send(node, service, request, timeout_sec)
-        self._client(node, service)
-        future = Future()
+        with self._lock:
+            if (node, service) in self._answered and not self._lines.get(node) and self.is_ready(node, service):
+                return self._send(node, service, request, timeout_sec)
+            self._client(node, service)
+            future = Future()
+            self._lines.setdefault(node, deque()).append(future)
         self._executor.create_task(self._carry(node, service, request, timeout_sec, future))
         return future
 
@@ -148,19 +154,26 @@ class Services:
         """Call a service of a node that may be just coming."""
         self._waiting_coroutines += 1
         self._clock.reset()
+        line = self._lines[node]
         try:
+            # Requests are sent in the order of the calls; rclpy's executor runs the newest task first.
+            while line[0] is not future:
+                await _NextTurn()
             await self._find(node, service)
             # A server that has just been discovered may know the client's request and not yet where to answer; rmw
             # then waits a tenth of a second and drops the answer. Questions can simply be repeated. A set should not
             # be, so it is preceded by an empty one, which no callback hears of.
             if service == 'set_parameters' and (node, service) not in self._answered:
                 await self._ask(node, service, SetParameters.Request(), timeout_sec, repeat=True)
-            answer = await self._ask(node, service, request, timeout_sec, repeat=service in _QUESTIONS)
+            answer = await self._ask(node, service, request, timeout_sec, repeat=service in _QUESTIONS,
+                                     on_sent=line.popleft)
         except Exception as error:
             future.set_exception(error)
         else:
             future.set_result(answer)
         finally:
+            with contextlib.suppress(ValueError):  # it was sent
+                line.remove(future)
             self._waiting_coroutines -= 1
             if not self._waiting_coroutines:
                 self._clock.cancel()
@@ -181,9 +194,11 @@ class Services:
                                       f'start_parameter_services=False, or is just leaving')
             await _NextTurn()
 
-    async def _ask(self, node: str, service: str, request: Any, timeout_sec: float, *, repeat: bool) -> Any:
+    async def _ask(self, node: str, service: str, request: Any, timeout_sec: float, *, repeat: bool,
+                   on_sent: Callable[[], object] = lambda: None) -> Any:
         """Send a request, again and again if it may be repeated, and wait for the answer."""
         sent = [self._send(node, service, request, timeout_sec)]
+        on_sent()
         repeat_at = deadline(_REPEAT_PERIOD_SEC)
         try:
             while not any(future.done() for future in sent):

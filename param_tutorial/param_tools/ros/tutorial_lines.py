@@ -117,7 +117,8 @@ class _Lines:
         return add_node(executor, node)
 
     def call(self, call: Callable[..., Any], client: Client, request: Any, timeout_sec: float | None = None) -> Any:
-        self._refuse_to_wait()
+        if timeout_sec is None:
+            self._refuse_to_wait()
         answer = call(client, request, _limited(timeout_sec))
         if answer is None and _limited(timeout_sec) != timeout_sec:
             raise _in_vain(f'an answer from {client.srv_name}')

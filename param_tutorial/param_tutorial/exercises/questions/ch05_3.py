@@ -44,10 +44,10 @@ PREDICTIONS = (
               'request, and the second passes.'),
         wrong('an exception: a node must not call its own service', 'Nothing forbids it, and nothing warns. The '
               'callback waits until its time limit passes.'))),
-    Prediction('5.3-4', 'On the stage this node got its answer. As a program of its own, under `rclpy.spin`, it logs '
-               'its question. What does it log then?', (
-        wrong('the answer, as on the stage', 'The code is the same, but the executor is not. `rclpy.spin` starts no '
-              'other callback of the group until `tick` has finished.'),
+    Prediction('5.3-4', 'With a group of its own, the timer got its answer. Here it has none, and logs its question. What '
+               'does it log then?', (
+        wrong('the answer, as before', '`await` gives the thread back, but not the group: the executor starts no other '
+              'callback of the group until `tick` has finished.'),
         right('nothing more', '`tick` is paused but not finished, and until it has finished, '
               '`rclpy.spin` starts no other callback of its group: neither the service nor the client.'),
         wrong('a warning, and then the answer', 'There is no warning. `rclpy.spin` starts no other callback of the '

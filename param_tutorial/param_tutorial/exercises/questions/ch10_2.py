@@ -38,8 +38,9 @@ PREDICTIONS = (
         right('nothing', 'A prefix consists of whole parts of a name, up to a dot.'),
         wrong('an error: there is no such group', 'A prefix that matches nothing is not an error. The list '
               'is empty.'))),
-    Prediction('10.2-4', 'One callback sends a hundred questions in a row through one client, and the node answers '
-               'each of them. How many answers does the client take in?', (
+    Prediction('10.2-4', 'One callback sends a hundred questions in a row through one client, and then is busy for '
+               'half a second. Meanwhile the node in the other process answers each of them. How many answers does the '
+               'client take in?', (
         wrong('all hundred', 'The node answers all of them, but the client keeps only ten answers until the executor '
               'gets around to them.'),
         right('fewer, and nothing says so', 'The client keeps only ten answers until the executor gets around to them. '
