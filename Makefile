@@ -60,14 +60,6 @@ test-fast: setup-all  ## run the tests that take seconds in all, while you edit
 test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
 	@$(VENV) -m tests.tools.pythons $(ARGS)
 
-# On two cores some 45 minutes for each three.
-test-starved: setup-all  ## run the whole suite in half a core, beside eight busy processes: make test-starved ARGS="--runs 5 --at-once 3"
-	@$(VENV) -m tests.tools.starved $(ARGS)
-
-# Takes root's rights and Debian's debootstrap.
-test-fresh: setup-all  ## run `make lab` and the chapters on a fresh Debian stable and testing, as a plain user without compilers
-	@$(VENV) -m tests.tools.fresh $(ARGS)
-
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
 
@@ -86,12 +78,6 @@ lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
 
 bench: setup-all  ## run the benchmarks
 	@$(VENV) -m tests.tools.bench $(ARGS)
-
-steady: setup-all  ## call the course's ros2 2,000 times and count wrong answers: make steady ARGS="--busy 8"
-	@$(VENV) -m tests.tools.steady $(ARGS)
-
-steady-ends: setup-all  ## end nodes at 1,000 random moments by Ctrl+C and SIGTERM, and count those that did not end well
-	@$(VENV) -m tests.tools.signals $(ARGS)
 
 lint: setup-all  ## check code, notebooks and spelling without running them
 	@$(VENV) -m ruff check .
@@ -118,5 +104,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-starved \
-    test-fresh test-beside-ros play stranger html lesson bench steady steady-ends lint release lock clean
+.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons \
+    test-beside-ros play stranger html lesson bench lint release lock clean
