@@ -43,7 +43,7 @@ class: setup  ## one table of a class's progress files: make class FOLDER=…, w
 hub: setup  ## start JupyterHub for a class on this machine: see environment/jupyterhub/README.md
 	@$(VENV) environment/jupyterhub/hub.py $(ARGS)
 
-SUITE := $(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval
+SUITE := $(VENV) -m pytest -n 5 --dist loadscope --nbval
 
 # All but the tests marked `thorough`.
 test: setup-all  ## run the test suite before you commit: every notebook is a test
@@ -54,7 +54,7 @@ test-all: setup-all  ## the same and what takes long: fresh set-ups, networks, J
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit
-	@$(VENV) -m pytest -n 3 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
+	@$(VENV) -m pytest -n 3 --dist loadscope -m "not slow" $(ARGS) tests
 
 # On two cores two or three minutes for each; a version that isn't here is named and passed over.
 test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
@@ -63,10 +63,7 @@ test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
 
-play: setup-all  ## play with each chapter between its cells, and look whether they still say the truth
-	@$(VENV) -W ignore -m tests.tools.play $(ARGS)
-
-stranger: setup-all  ## the same in the real JupyterLab, by mouse and keyboard, with interrupts, reloads and Run All
+stranger: setup-all  ## play with each chapter in JupyterLab, by mouse and keyboard, with interrupts, reloads and Run All
 	@$(VENV) -W ignore -m tests.tools.stranger $(ARGS)
 
 html: setup-all  ## make the HTML lessons, in build/html/
@@ -105,4 +102,4 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons \
-    test-beside-ros play stranger html lesson bench lint release lock clean
+    test-beside-ros stranger html lesson bench lint release lock clean

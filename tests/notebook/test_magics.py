@@ -19,13 +19,11 @@ from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook import magics
 from param_tutorial.ros2 import genuine
 from param_tutorial.runtime import domain, surroundings
-from tests.support.ipython import ipython_with_extension
 
 
-@pytest.fixture(scope='module')
-def shell():
-    with ipython_with_extension() as shell:
-        yield shell
+@pytest.fixture
+def shell(ipython):
+    return ipython
 
 
 @pytest.fixture
