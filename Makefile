@@ -43,7 +43,7 @@ class: setup  ## one table of a class's progress files: make class FOLDER=…, w
 hub: setup  ## start JupyterHub for a class on this machine: see environment/jupyterhub/README.md
 	@$(VENV) environment/jupyterhub/hub.py $(ARGS)
 
-SUITE := $(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval
+SUITE := $(VENV) -m pytest -n 5 --dist loadscope --nbval
 
 # All but the tests marked `thorough`.
 test: setup-all  ## run the test suite before you commit: every notebook is a test
@@ -54,27 +54,16 @@ test-all: setup-all  ## the same and what takes long: fresh set-ups, networks, J
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit
-	@$(VENV) -m pytest -n 3 --dist loadscope --no-loadscope-reorder -m "not slow" $(ARGS) tests
+	@$(VENV) -m pytest -n 3 --dist loadscope -m "not slow" $(ARGS) tests
 
 # On two cores two or three minutes for each; a version that isn't here is named and passed over.
 test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
 	@$(VENV) -m tests.tools.pythons $(ARGS)
 
-# On two cores some 45 minutes for each three.
-test-starved: setup-all  ## run the whole suite in half a core, beside eight busy processes: make test-starved ARGS="--runs 5 --at-once 3"
-	@$(VENV) -m tests.tools.starved $(ARGS)
-
-# Takes root's rights and Debian's debootstrap.
-test-fresh: setup-all  ## run `make lab` and the chapters on a fresh Debian stable and testing, as a plain user without compilers
-	@$(VENV) -m tests.tools.fresh $(ARGS)
-
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
 
-play: setup-all  ## play with each chapter between its cells, and look whether they still say the truth
-	@$(VENV) -W ignore -m tests.tools.play $(ARGS)
-
-stranger: setup-all  ## the same in the real JupyterLab, by mouse and keyboard, with interrupts, reloads and Run All
+stranger: setup-all  ## play with each chapter in JupyterLab, by mouse and keyboard, with interrupts, reloads and Run All
 	@$(VENV) -W ignore -m tests.tools.stranger $(ARGS)
 
 html: setup-all  ## make the HTML lessons, in build/html/
@@ -86,12 +75,6 @@ lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
 
 bench: setup-all  ## run the benchmarks
 	@$(VENV) -m tests.tools.bench $(ARGS)
-
-steady: setup-all  ## call the course's ros2 2,000 times and count wrong answers: make steady ARGS="--busy 8"
-	@$(VENV) -m tests.tools.steady $(ARGS)
-
-steady-ends: setup-all  ## end nodes at 1,000 random moments by Ctrl+C and SIGTERM, and count those that did not end well
-	@$(VENV) -m tests.tools.signals $(ARGS)
 
 lint: setup-all  ## check code, notebooks and spelling without running them
 	@$(VENV) -m ruff check .
@@ -118,5 +101,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons test-starved \
-    test-fresh test-beside-ros play stranger html lesson bench steady steady-ends lint release lock clean
+.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons \
+    test-beside-ros stranger html lesson bench lint release lock clean

@@ -6,8 +6,7 @@ from tests.support.hostile import IN_THE_CELL, LINES, PLACES, attempt, started
 
 pytestmark = pytest.mark.slow
 
-# The most common line in every place; every other line in a callback and, thoroughly, in one more place. `python -m
-# tests.tools.hostile` tries all of them everywhere.
+# The most common line in every place; every other line in a callback and, thoroughly, in one more place.
 TRIED = [('spin', place) for place in PLACES] + [
     pytest.param(name, place, marks=() if place == 'timer' else pytest.mark.thorough)
     for turn, name in enumerate(name for name in LINES if name != 'spin')

@@ -19,13 +19,11 @@ from param_tools.ros import domain, environment
 from param_tutorial import ParameterClient, Terminal, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook import magics
-from tests.support.ipython import ipython_with_extension
 
 
-@pytest.fixture(scope='module')
-def shell():
-    with ipython_with_extension() as shell:
-        yield shell
+@pytest.fixture
+def shell(ipython):
+    return ipython
 
 
 @pytest.fixture
@@ -61,7 +59,7 @@ def test_without_an_executor_it_says_what_to_do(cell):
     stdout, stderr, status = cell('%ros2 node list')
     assert (stdout, status) == ('', 1)
     assert stderr.count('\n') == 1
-    assert 'call start() first' in stderr
+    assert 'param_tutorial.start()' in stderr
 
 
 @pytest.mark.parametrize('value', ['{robot}', '$robot', '[{a: 1}]', 'a > b', 'a | b', 'x#1', 'a;b', 'back\\slash'])

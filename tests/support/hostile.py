@@ -4,7 +4,6 @@ import re
 import time
 from typing import NamedTuple
 
-from param_tools.ros.waiting import machine_time
 from tests.support.kernels import DEADLINE_SEC, Kernel
 
 # Runs first: the stage with a node of the learner's, a right answer to an exercise, and the names that lines use.
@@ -173,10 +172,6 @@ class Attempt(NamedTuple):
     """The result of a line in a place."""
 
     text: str
-    answered_sec: float
-    """What was printed until its cell ended."""
-    all_sec: float
-    """What was printed until the next check ended."""
     stage: str
     """What ALIVE says afterwards."""
     check: str
@@ -205,19 +200,17 @@ def started() -> Kernel:
 def attempt(kernel: Kernel, name: str, place: str) -> Attempt:
     """Run a line in a place, then ask the node that was there before, then check a right answer.
 
-    :raises WaitTimeoutError: a cell does not end.
+    :raises TimeoutError: a cell does not end.
     """
     line = LINES[name]
     kernel.run('ros.clear() or ros.add(Keeper)')
     kernel.late = ''
     interrupt_on = BEGUN if not line.ends and place in IN_THE_CELL else ''
-    began, deadline = time.monotonic(), machine_time() + DEADLINE_SEC / 2
+    deadline = time.monotonic() + DEADLINE_SEC / 2
     text = kernel.run(PLACES[place](line.source), interrupt_on=interrupt_on, answer=lambda: 'seven')
-    answered = time.monotonic()
     stage, check = kernel.run(ALIVE), kernel.run(NEXT_CHECK)
-    ended = time.monotonic()
-    while not (tried := Attempt(text + kernel.late, answered - began, ended - began, stage, check)).says(line.says):
-        if place in IN_THE_CELL or machine_time() > deadline:
+    while not (tried := Attempt(text + kernel.late, stage, check)).says(line.says):
+        if place in IN_THE_CELL or time.monotonic() > deadline:
             break
         text += kernel.run("ros.run(lambda: None, 'let it print')")
     return tried

@@ -4,57 +4,24 @@ Jupyter chooses five free ports, and the kernel takes them a second later. Where
 another process is there first once in a while. The kernel then dies, or its client waits forever.
 """
 
-import functools
-import queue
 import tempfile
 import uuid
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import zmq
-from jupyter_client.blocking import BlockingKernelClient
-from jupyter_client.manager import KernelManager as KernelManagerOnPorts
+from jupyter_client import manager
 from traitlets import default
 
-from param_tools.errors import WaitTimeoutError
 from param_tools.ros import domain
-from param_tools.ros.waiting import machine_time, wait_until, within
+from param_tools.ros.waiting import wait_until
 
-# In machine time, and less than a test may take.
+# Less than a test may take.
 DEADLINE_SEC = 170
-_LOOK_PERIOD_SEC = 0.5
 
 
-def _patiently(get: Callable[..., dict[str, Any]]) -> Callable[..., dict[str, Any]]:
-    @functools.wraps(get)
-    def get_in_machine_time(client: BlockingKernelClient, timeout: float | None = None) -> dict[str, Any]:
-        deadline = machine_time() + (float('inf') if timeout is None else timeout)
-        while True:
-            try:
-                return get(client, timeout=_LOOK_PERIOD_SEC)
-            except queue.Empty:
-                if machine_time() > deadline:
-                    raise
-    return get_in_machine_time
-
-
-class KernelClient(BlockingKernelClient):
-    """A client whose limits are in machine time: nbval waits for 5, 10 and 60 s, also at a load of 80."""
-
-    get_shell_msg = _patiently(BlockingKernelClient.get_shell_msg)
-    get_iopub_msg = _patiently(BlockingKernelClient.get_iopub_msg)
-
-    def wait_for_ready(self, timeout: float | None = None) -> None:
-        """Wait until the kernel answers or dies; a test's own limit ends one that does neither."""
-        super().wait_for_ready()
-
-
-class KernelManager(KernelManagerOnPorts):
+class KernelManager(manager.KernelManager):
     """A kernel manager for tests."""
-
-    @default('client_factory')
-    def _client_default(self) -> type[BlockingKernelClient]:
-        return KernelClient
 
     def _transport_default(self) -> str:
         return 'ipc'
@@ -76,9 +43,9 @@ class Kernel:
         self.manager = KernelManager(kernel_name='python3')
         # The tests of this process have a ROS domain already.
         self.manager.start_kernel(env=dict(environment or domain.environment_without_domain()))
-        self.client = self.manager.client()
+        self.client = self.manager.blocking_client()
         self.client.start_channels()
-        self.client.wait_for_ready()
+        self.client.wait_for_ready(DEADLINE_SEC)
         # What was printed for a cell that had ended; a page shows it below that cell.
         self.late = ''
 
@@ -89,7 +56,7 @@ class Kernel:
         :param cell: Which one it is, as front ends say with each run, so that what it showed before goes.
         :param interrupt_on: Press "interrupt" when this text has been printed.
         :param answer: Called when the cell asks with input(); returns what to type.
-        :raises WaitTimeoutError: the cell has not ended after DEADLINE_SEC.
+        :raises TimeoutError: nothing has come for DEADLINE_SEC.
         """
         text: list[str] = []
         waiting = bool(interrupt_on)
@@ -113,9 +80,7 @@ class Kernel:
         return ''.join(text)
 
     def _messages(self, request: str, text: list[str]) -> Iterator[dict[str, Any]]:
-        """Yield what comes of a request until it is done with.
-
-        In place of ``execute_interactive``, whose limit is in seconds of the clock.
+        """Yield the messages about a request until it is done with.
 
         :param text: What has been printed by then, for the error.
         """
@@ -123,19 +88,17 @@ class Kernel:
         poller = zmq.Poller()
         for channel in channels:
             poller.register(channel.socket, zmq.POLLIN)
-        deadline = machine_time() + DEADLINE_SEC
-        while True:
-            if not within(deadline - machine_time(), lambda seconds: bool(poller.poll(1000 * seconds))):
-                raise WaitTimeoutError(f'the cell has not ended after {DEADLINE_SEC} s; what came:\n'
-                                       f'{"".join(text) or "(nothing)"}')
+        while poller.poll(1000 * DEADLINE_SEC):
             message = next(channel for channel in channels if channel.msg_ready()).get_msg(timeout=0)
-            if message['parent_header'].get('msg_id') != request:
-                if message['msg_type'] == 'stream':
-                    self.late += message['content']['text']
-                continue
-            if message['content'].get('execution_state') == 'idle':
-                break
-            yield message
+            if message['parent_header'].get('msg_id') == request:
+                if message['content'].get('execution_state') == 'idle':
+                    break
+                yield message
+            elif message['msg_type'] == 'stream':
+                self.late += message['content']['text']
+        else:
+            raise TimeoutError(f'the cell has not ended after {DEADLINE_SEC} s; what came:\n'
+                               f'{"".join(text) or "(nothing)"}')
         while self.client.get_shell_msg(timeout=DEADLINE_SEC)['parent_header'].get('msg_id') != request:
             pass
 

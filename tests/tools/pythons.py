@@ -1,14 +1,10 @@
-"""Run the chapters, and the tests that talk to rclpy, on every other CPython that the lock is for.
-
-Each output of a chapter is compared with the stored one, whatever Python that came from.
+"""Run the chapters, and the tests that talk to rclpy, on every other CPython from 3.10 to 3.14: `make test-pythons`.
 
 Each version gets an environment under build/pythons/, from the lock and so with the same packages. uv finds the
-interpreters on the PATH, to which those of pyenv are added here. It downloads none: a version that isn't here is named
-and passed over.
+interpreters on the PATH, and pyenv's. It downloads none: a version that isn't here is named and passed over.
 """
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -16,70 +12,38 @@ from pathlib import Path
 from tests.support.paths import ROOT
 
 LOCK = ROOT / 'environment' / 'requirements-dev.lock'
-MINORS = range(10, 15)
-# The chapters, and what runs nodes in this process. Browser, website, builds and commands take minutes, and are about
-# others.
-TESTS = [*(f'tests/{room}' for room in ('nodes', 'files', 'node', 'systems', 'ros', 'widgets')), 'notebooks']
-
-
-def find_uv() -> Path:
-    """Return the uv that the set-up has fetched."""
-    packages = (ROOT / 'environment' / 'requirements-uv.lock').read_text().split()
-    version = next(each for each in packages if each.startswith('uv==')).removeprefix('uv==')
-    return ROOT / 'build' / f'uv-{version}'
-
-
-def make_environment(uv: Path, version: str) -> Path | None:
-    """Return the interpreter of an environment for this version, made if need be; None if the version isn't here."""
-    folder = ROOT / 'build' / 'pythons' / version
-    made = subprocess.run(
-        [uv, 'venv', '--quiet', '--no-project', '--clear', '--no-managed-python', '--no-python-downloads',
-         '--python', f'cpython@{version}', folder],
-        stderr=subprocess.DEVNULL, check=False)
-    if made.returncode:
-        shutil.rmtree(folder, ignore_errors=True)
-        return None
-    python = folder / 'bin' / 'python'
-    subprocess.run(
-        [uv, 'pip', 'install', '--quiet', '--python', python, '--no-deps', '--requirement', LOCK, '--editable', '.',
-         '--build-constraints', LOCK, '--require-build-hashes'],
-        cwd=ROOT, check=True)
-    return python
-
-
-def run_tests(python: Path, arguments: list[str]) -> tuple[bool, str]:
-    """Return whether the tests passed, and the last line of what pytest said; print all of it if they did not."""
-    done = subprocess.run(
-        [python, '-m', 'pytest', '-q', '-n', '4', '--dist', 'loadscope', '--no-loadscope-reorder', '--nbval',
-         '-m', 'not slow', *arguments, *TESTS],
-        cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    if done.returncode:
-        print(done.stdout)
-    return done.returncode == 0, done.stdout.rstrip().rpartition('\n')[2]
+# What runs nodes in this process. Browser, website, builds and commands take minutes, and are about others.
+TESTS = ['tests/nodes', 'tests/parameters', 'tests/runtime', 'tests/widgets', 'notebooks']
 
 
 def main(arguments: list[str]) -> int:
-    uv, failed = find_uv(), False
+    uv, = (ROOT / 'build').glob('uv-[0-9]*')
     # The names that pyenv puts on the PATH run only versions that were selected.
-    kept = (Path(os.environ.get('PYENV_ROOT', Path.home() / '.pyenv')) / 'versions').glob('3.*/bin')
-    os.environ['PATH'] = os.pathsep.join([os.environ['PATH'], *map(str, kept)])
-    os.environ.setdefault('UV_CACHE_DIR', str(ROOT / 'build' / 'uv-cache'))
+    pyenv = Path(os.environ.get('PYENV_ROOT', Path.home() / '.pyenv')) / 'versions'
     # An environment inherited from this Python's rclpy would lead the others to this one's libraries.
-    for name in ('LD_LIBRARY_PATH', '_ROS_WHEELS_BOOTSTRAP_COMPLETE'):
-        os.environ.pop(name, None)
-    for minor in MINORS:
-        version = f'3.{minor}'
-        if minor == sys.version_info.minor:
-            print(f'CPython {version}: `make test` runs on it.', flush=True)
+    environment = {name: value for name, value in os.environ.items()
+                   if name not in ('LD_LIBRARY_PATH', '_ROS_WHEELS_BOOTSTRAP_COMPLETE')}
+    environment['PATH'] = os.pathsep.join([os.environ['PATH'], *map(str, pyenv.glob('3.*/bin'))])
+    environment.setdefault('UV_CACHE_DIR', str(ROOT / 'build' / 'uv-cache'))
+
+    def run(*words: str | Path) -> bool:
+        return subprocess.run(words, cwd=ROOT, env=environment).returncode == 0
+
+    failed = []
+    for version in (f'3.{minor}' for minor in range(10, 15) if minor != sys.version_info.minor):
+        folder = ROOT / 'build' / 'pythons' / version
+        python = folder / 'bin' / 'python'
+        print(f'CPython {version}:', flush=True)
+        if not run(uv, 'venv', '--quiet', '--no-project', '--clear', '--no-managed-python', '--no-python-downloads',
+                   '--python', f'cpython@{version}', folder):
             continue
-        python = make_environment(uv, version)
-        if python is None:
-            print(f'CPython {version}: not here.', flush=True)
-            continue
-        passed, summary = run_tests(python, arguments)
-        failed = failed or not passed
-        print(f'CPython {version}: {summary}', flush=True)
-    return int(failed)
+        if not (run(uv, 'pip', 'install', '--quiet', '--python', python, '--no-deps', '--requirement', LOCK,
+                    '--editable', '.', '--build-constraints', LOCK, '--require-build-hashes')
+                and run(python, '-m', 'pytest', '-q', '-n', '4', '--dist', 'loadscope', '--nbval', '-m', 'not slow',
+                        *arguments, *TESTS)):
+            failed.append(version)
+    print(f'Failed on CPython {" and ".join(failed)}.' if failed else 'All went well.')
+    return int(bool(failed))
 
 
 if __name__ == '__main__':

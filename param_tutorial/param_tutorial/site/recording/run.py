@@ -203,14 +203,11 @@ def _executed(path: Path, end: int | None = None, *,
 
 
 @contextlib.contextmanager
-def started(path: Path, *, allow_errors: bool = False) -> Iterator[NotebookClient]:
-    """Start a kernel for a chapter, in a ROS domain of its own, and end it.
-
-    :param allow_errors: Whether a cell that ends in an error is one like any other.
-    """
+def started(path: Path) -> Iterator[NotebookClient]:
+    """Start a kernel for a chapter, in a ROS domain of its own, and end it."""
     client = NotebookClient(
         read_notebook(path), timeout=None, iopub_timeout=_OUTPUTS_TIMEOUT_SEC, raise_on_iopub_timeout=True,
-        kernel_manager_class=OwnKernel, coalesce_streams=True, store_widget_state=False, allow_errors=allow_errors,
+        kernel_manager_class=OwnKernel, coalesce_streams=True, store_widget_state=False,
         resources={'metadata': {'path': str(path.parent)}})
     # What a kernel says beside its messages is of the kernel and not of the lesson.
     with client.setup_kernel(env=domain.environment_without_domain(), stderr=subprocess.DEVNULL):
