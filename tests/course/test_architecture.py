@@ -99,7 +99,8 @@ def test_the_tools_know_nothing_of_the_course(arrows):
 
 @pytest.mark.parametrize('rooms, forbidden', [
     (('pictures',), {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
-    (('files', 'markup', 'descriptor', 'values', 'errors', 'lazy'), {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
+    (('files', 'markup', 'descriptor', 'values', 'errors', 'lazy'),
+     {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
     (('ros', 'node', 'systems', 'cli', 'ros1', 'nodes'), {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'})])
 def test_what_a_room_does_not_need(rooms, forbidden):
     modules = [module for module in FILES if module not in ABOVE and room_of(module) in rooms]

@@ -1,7 +1,5 @@
 """domain: a ROS domain for each process, unless the user chose one."""
 
-import functools
-import itertools
 import os
 import socket
 import subprocess
@@ -12,8 +10,7 @@ import psutil
 import pytest
 
 from param_tools.errors import ExecutorError
-from param_tools.ros import domain, environment, udp_ports
-from param_tools.ros.udp_ports import UdpSocket
+from param_tools.ros import domain, environment
 
 CHOOSE = 'import os; from param_tools.ros import domain; print(domain.choose(), os.environ.get("{0}"))'
 
@@ -104,18 +101,6 @@ def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant
         os.close(descriptor)
         with pytest.raises(ExecutorError, match='are in use on this machine'):
             domain._claim_free_domain()
-
-
-def test_a_port_that_a_look_at_the_table_passes_over_is_found_by_the_next(monkeypatch):
-    """Linux can skip an entry of a listing while others are closed."""
-    port, other, third = (UdpSocket(number, inode) for inode, number in enumerate((7400 + 250 * 5 + 10, 80, 443)))
-    for looks in ([{other}, {port}, {port}], [{port, other}, {other}, {port}, {port}]):
-        monkeypatch.setattr(udp_ports, '_listed', functools.partial(next, iter(looks)))
-        assert domain.participant_sockets(5) == {port}
-    # If others keep coming and going, everything that was seen counts.
-    looks = itertools.cycle([{other}, {port}, {third}])
-    monkeypatch.setattr(udp_ports, '_listed', functools.partial(next, looks))
-    assert domain.participant_sockets(5) == {port}
 
 
 @pytest.mark.slow

@@ -7,7 +7,6 @@ from rcl_interfaces.msg import Log
 from rclpy.node import Node
 
 from param_tools.errors import WaitTimeoutError
-from param_tools.ros import node_log as module
 from param_tools.ros.node_log import CAPACITY, NodeLog
 
 
@@ -73,20 +72,6 @@ def test_a_reader_waits_for_a_line_that_comes_later():
     log.receive(message('late'))
     reader.join()
     assert texts == ['[INFO] [a]: early\n[INFO] [a]: late']
-
-
-def test_a_line_that_comes_as_the_time_ends_is_read(monkeypatch):
-    """A thread that waits for the processor may find out that its time is over long after the line has come."""
-    log, now = NodeLog(), [0.0]
-    monkeypatch.setattr(module, 'machine_time', lambda: now[0])
-
-    def wait(_):
-        now[0] = 9.0
-        log.receive(message('late'))
-        return False
-
-    monkeypatch.setattr(log._changed, 'wait', wait)
-    assert log.read(until='late', timeout_sec=5.0) == '[INFO] [a]: late'
 
 
 def test_clear_and_overflow():

@@ -17,11 +17,12 @@ import traceback
 from collections import deque
 from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import dataclass
+from types import TracebackType
 from typing import Any, TypeVar
 
 import rclpy
 from rcl_interfaces.msg import Log, ParameterEvent
-from rclpy import utilities
+from rclpy import executors, task, utilities
 from rclpy.client import Client
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
@@ -50,6 +51,7 @@ INTERRUPT_TIMEOUT_SEC = 3.0
 _BUSY_SEC = 2.0
 # How long a caller that needs the thread waits at least, even if a callback has kept it for long already.
 _LEAST_PATIENCE_SEC = 0.3
+_PLUMBING = (__file__, executors.__file__, task.__file__)
 _KINDS = {Timer: 'timer', Subscription: 'subscription', Service: 'service', Client: 'client'}
 
 T = TypeVar('T')
@@ -119,6 +121,14 @@ def _line_of(error: BaseException) -> tuple[str, int]:
     return ('', 0) if step is None else (step.tb_frame.f_code.co_filename, step.tb_lineno)
 
 
+def _own_part(error: BaseException) -> TracebackType | None:
+    """Return the part of a traceback that is about the callback, and not about how the executor called it."""
+    step = error.__traceback__
+    while step is not None and step.tb_next is not None and step.tb_frame.f_code.co_filename in _PLUMBING:
+        step = step.tb_next
+    return step
+
+
 class _WatchedExecutor(SingleThreadedExecutor):
     """A SingleThreadedExecutor that knows what it runs."""
 
@@ -171,6 +181,8 @@ class BackgroundExecutor:
                 ParameterEvent, '/parameter_events', self._event_listeners.call, qos_profile_parameter_events)
             self._executor.add_node(self.tool_node)
             self.services = Services(self)
+            # If Ctrl+C comes as Thread.is_alive() looks, it says for good that the thread has ended (CPython 3.11).
+            self._ended = threading.Event()
             self._thread = threading.Thread(target=self._spin, name='ros-background-executor', daemon=True)
             self._let_go_of_rclpy = undo.enter_context(contextlib.ExitStack())
             self._let_go_of_rclpy.callback(tutorial_lines.replace(self, self._executor))
@@ -181,7 +193,7 @@ class BackgroundExecutor:
     @property
     def is_running(self) -> bool:
         """True if the thread spins, on a context that is alive."""
-        return self._thread.is_alive() and self.context.ok() and not self._stopping and not self._stuck_in
+        return not self._ended.is_set() and self.context.ok() and not self._stopping and not self._stuck_in
 
     @property
     def errors(self) -> list[BaseException]:
@@ -337,20 +349,28 @@ class BackgroundExecutor:
 
     def _spin(self) -> None:
         next_tick = 0.0
-        while not self._stopping and self.context.ok():
-            try:
-                self._executor.spin_once(timeout_sec=TICK_PERIOD_SEC)
-                if time.monotonic() >= next_tick:
-                    next_tick = time.monotonic() + TICK_PERIOD_SEC
-                    self._check_graph()
-                    self.services.expire()
-                    self._tick_listeners.call()
-            except ExternalShutdownException:
-                break
-            except BaseException as error:
-                # Also what a callback raises: rclpy would end spin() here, and with it every node.
-                if self.context.ok() and not self._stopping:
-                    self._show_once(error)
+        try:
+            while not self._stopping and self.context.ok():
+                next_tick = self._spin_once(next_tick)
+        finally:
+            self._ended.set()
+
+    def _spin_once(self, next_tick: float) -> float:
+        """Run what is due, and return when the next tick is."""
+        try:
+            self._executor.spin_once(timeout_sec=TICK_PERIOD_SEC)
+            if time.monotonic() >= next_tick:
+                next_tick = time.monotonic() + TICK_PERIOD_SEC
+                self._check_graph()
+                self.services.expire()
+                self._tick_listeners.call()
+        except ExternalShutdownException:
+            pass
+        except BaseException as error:
+            # Also what a callback raises: rclpy would end spin() here, and with it every node.
+            if self.context.ok() and not self._stopping:
+                self._show_once(error)
+        return next_tick
 
     def in_thread(self) -> bool:
         """True in the executor's thread, which must not wait for anything that an executor brings."""
@@ -411,7 +431,7 @@ class BackgroundExecutor:
             return  # the caller raises it
         failure.times_shown += 1
         if failure.times_shown == 1:
-            text = ''.join(traceback.format_exception(error)).rstrip('\n')
+            text = ''.join(traceback.format_exception(type(error), error, _own_part(error))).rstrip('\n')
             print(f'{_sentence(failure)} raised an exception; the node keeps running.\n{text}', file=sys.stderr)
         elif failure.times_shown == 2:
             print(f'The same {type(error).__name__} again in {failure}. From now on, repeats are only counted, in the '

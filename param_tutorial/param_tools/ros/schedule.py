@@ -28,7 +28,7 @@ class Job:
             None if only ``wake`` calls it again.
         """
         self._step, self._period_sec = step, period_sec
-        self._next_sec = 0.0
+        self.rests_until = 0.0
         self._ended = False
         self._one_at_a_time = threading.RLock()
 
@@ -39,7 +39,7 @@ class Job:
 
     def wake(self, in_sec: float = 0.0) -> None:
         """Make sure that the function is called after now. Cheap; from any thread."""
-        at = max(time.monotonic() + in_sec, self._next_sec)
+        at = time.monotonic() + in_sec
         with _changed:
             if self._ended or _due.get(self, at + 1) <= at:
                 return
@@ -55,9 +55,9 @@ class Job:
         if not self._one_at_a_time.acquire(timeout=max(0.0, timeout_sec)):
             return False
         try:
-            self._next_sec = time.monotonic() + self._period_sec
             again_sec = self._step()
         finally:
+            self.rests_until = time.monotonic() + self._period_sec
             self._one_at_a_time.release()
         if again_sec is not None:
             self.wake(again_sec)
@@ -85,12 +85,16 @@ def _run() -> None:
             traceback.print_exc()
 
 
+def _due_at(job: Job) -> float:
+    return max(_due[job], job.rests_until)
+
+
 def _next_job() -> Job | None:
     """Wait for the next job that is due, and return it; None at the end."""
     with _changed:
         while not _is_ending:
-            job = min(_due, key=_due.__getitem__, default=None)
-            left_sec = None if job is None else _due[job] - time.monotonic()
+            job = min(_due, key=_due_at, default=None)
+            left_sec = None if job is None else _due_at(job) - time.monotonic()
             if job is not None and left_sec is not None and left_sec <= 0.0:
                 del _due[job]
                 return job

@@ -40,12 +40,13 @@ def replace(stage: Stage, own_executor: Executor) -> Callable[[], None]:
     :return: Call it to leave rclpy as it was.
     """
     lines = _Lines(stage, own_executor)
-    restorers = [_put(rclpy, 'init', lines.init), _put(rclpy, 'shutdown', lines.shutdown),
-                 _put(rclpy, 'try_shutdown', lines.shutdown), _put(rclpy, 'spin', lines.spin),
-                 _put(rclpy, 'spin_once', lines.spin_once),
-                 _put(rclpy, 'spin_until_future_complete', lines.spin_until_future_complete),
-                 _put(Executor, 'spin', lines.spin_executor), _put(Executor, 'add_node', lines.add_node),
-                 _put(Client, 'call', lines.call)]
+    replaced = (
+        (rclpy, 'init', lines.init), (rclpy, 'shutdown', lines.shutdown), (rclpy, 'try_shutdown', lines.shutdown),
+        (rclpy, 'spin', lines.spin), (rclpy, 'spin_once', lines.spin_once),
+        (rclpy, 'spin_until_future_complete', lines.spin_until_future_complete),
+        (Executor, 'spin', lines.spin_executor), (Executor, 'add_node', lines.add_node),
+        (Executor, 'spin_until_future_complete', lines.spin_executor_until), (Client, 'call', lines.call))
+    restorers = [_put(*each) for each in replaced]
 
     def restore() -> None:
         for each in restorers:
@@ -78,11 +79,17 @@ class _Lines:
     def __init__(self, stage: Stage, own_executor: Executor):
         self._stage, self._own_executor = stage, own_executor
 
-    def init(self, _: Callable[..., Any], *_args: Any, **_options: Any) -> None:
+    def init(self, init: Callable[..., Any], *, context: Any = None, **options: Any) -> None:
+        if context not in (None, self._own_executor.context):
+            init(context=context, **options)
+            return
         print('rclpy.init() has nothing to do here: start() has initialized rclpy already. A program of your own needs '
               'this line.', file=sys.stderr)
 
-    def shutdown(self, _: Callable[..., Any], *_args: Any, **_options: Any) -> None:
+    def shutdown(self, shutdown: Callable[..., Any], *, context: Any = None, **options: Any) -> None:
+        if context not in (None, self._own_executor.context):
+            shutdown(context=context, **options)
+            return
         print('rclpy.shutdown() has nothing to do here: it would end every node on the stage, so the stage keeps '
               'running. To end it, call stop(). A program of your own needs this line.', file=sys.stderr)
 
@@ -110,6 +117,12 @@ class _Lines:
         if _in_main_thread():
             raise _endless(next(iter(nodes), None))
         spin(executor)
+
+    def spin_executor_until(self, spin: Callable[..., Any], executor: Executor, future: Any,
+                            timeout_sec: float | None = None) -> None:
+        if timeout_sec is None:
+            self._refuse_to_wait()
+        spin(executor, future, timeout_sec)
 
     def add_node(self, add_node: Callable[..., Any], executor: Executor, node: Node) -> Any:
         if executor is not self._own_executor and node in self._stage.nodes:

@@ -44,8 +44,8 @@ PREDICTIONS = (
               'request, and the second passes.'),
         wrong('an exception: a node must not call its own service', 'Nothing forbids it, and nothing warns. The '
               'callback waits until its time limit passes.'))),
-    Prediction('5.3-4', 'With a group of its own, the timer got its answer. Here it has none, and logs its question. What '
-               'does it log then?', (
+    Prediction('5.3-4', 'With a group of its own, the timer got its answer. Here it has none, and logs its question. '
+               'What does it log then?', (
         wrong('the answer, as before', '`await` gives the thread back, but not the group: the executor starts no other '
               'callback of the group until `tick` has finished.'),
         right('nothing more', '`tick` is paused but not finished, and until it has finished, '

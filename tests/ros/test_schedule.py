@@ -1,0 +1,98 @@
+"""Jobs of the one thread that draws and asks again: soon, not too often, and never twice at once."""
+
+import itertools
+import subprocess
+import sys
+import threading
+
+import pytest
+
+from param_tools.ros import schedule
+from param_tools.ros.schedule import Job
+from param_tools.ros.waiting import wait_until
+
+
+@pytest.fixture
+def job():
+    """Yield a function that makes a job, which ends after the test."""
+    jobs = []
+
+    def make(step, period_sec=0.0):
+        jobs.append(Job(step, period_sec))
+        return jobs[-1]
+
+    yield make
+    for each in jobs:
+        each.end()
+
+
+def test_a_job_runs_after_it_is_woken_and_then_rests(job):
+    ran = threading.Event()
+    each = job(ran.set)
+    assert each.is_idle
+    each.wake()
+    assert ran.wait(60)
+    wait_until(lambda: each.is_idle, 'the job to rest')
+
+
+def test_however_often_it_is_woken_it_keeps_its_period(job):
+    times = []
+    each = job(lambda: times.append(schedule.time.monotonic()), 0.05)
+    while len(times) < 4:
+        each.wake()
+    assert all(after - before >= 0.05 for before, after in itertools.pairwise(times))
+
+
+def test_a_job_says_when_it_wants_to_run_again(job):
+    runs = []
+    job(lambda: runs.append(1) or (0.001 if len(runs) < 3 else None)).wake()
+    wait_until(lambda: len(runs) == 3, 'the third run')
+
+
+def test_a_job_that_is_woken_for_later_can_be_woken_for_now(job):
+    ran = threading.Event()
+    each = job(ran.set)
+    each.wake(1000.0)
+    each.wake()
+    assert ran.wait(60)
+
+
+def test_it_never_runs_twice_at_once(job):
+    entered, go_on = threading.Event(), threading.Event()
+
+    def step():
+        entered.set()
+        go_on.wait(60)
+
+    each = job(step)
+    each.wake()
+    assert entered.wait(60)
+    assert not each.call_now(0.01)
+    go_on.set()
+    assert each.call_now(60.0)
+
+
+def test_a_job_that_raises_is_shown_and_keeps_no_other_from_running(job, capfd):
+    ran = threading.Event()
+    job(lambda: 1 / 0).wake()
+    wait_until(lambda: 'ZeroDivisionError' in capfd.readouterr().err, 'the traceback')
+    job(ran.set).wake()
+    assert ran.wait(60)
+
+
+def test_a_job_that_has_ended_runs_no_more(job):
+    runs = []
+    each = job(lambda: runs.append(1))
+    each.wake(1000.0)
+    each.end()
+    each.wake()
+    ran = threading.Event()
+    job(ran.set).wake()
+    assert ran.wait(60)
+    assert runs == []
+
+
+def test_a_process_ends_while_a_job_is_due():
+    code = 'from param_tools.ros.schedule import Job; job = Job(lambda: 0.001, 0.0); job.wake(); print("end")'
+    done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, timeout=60)
+    assert (done.stdout, done.stderr, done.returncode) == ('end\n', '', 0)
