@@ -149,7 +149,7 @@ def past(word: str) -> Snapshot | None:
 
 def _state(log: ChangeLog, path: str, text: str) -> Snapshot:
     when = log.parse_time(text)
-    if not log.changes or when < log.changes[0].time:
+    if not log or when < log.records[0].time:
         raise CommandFailed(f'{path} does not reach back to {text}'
-                            + (f': it begins at {log.changes[0].time:%Y-%m-%d %H:%M:%S}' if log.changes else ''))
+                            + (f': it begins at {log.records[0].time:%Y-%m-%d %H:%M:%S}' if log else ''))
     return log.at(when)

@@ -5,7 +5,7 @@ could not be found out.
 """
 
 import argparse
-from collections.abc import Mapping, Sized
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,17 +19,12 @@ from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions, parameter_files
 from param_tools.files.editing import update_file
 from param_tools.markup.wording import format_count
-from param_tools.systems.sets import Difference, ParameterSet, WordTable, compare, preview
-from param_tools.systems.sets import restore as restore_node
+from param_tools.node.client import ParameterClient
+from param_tools.systems.comparing import compare_systems, defaults_of, of_robot
+from param_tools.systems.restoring import Preview, Restored, preview
+from param_tools.systems.restoring import restore as restore_node
+from param_tools.systems.sets import ParameterSet
 from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all, read_saved
-from param_tools.systems.systems import (
-    SystemDifference,
-    SystemPreview,
-    SystemRestored,
-    compare_systems,
-    defaults_of,
-    of_robot,
-)
 
 
 def add_to(commands: Commands) -> None:
@@ -132,16 +127,11 @@ def diff(session: Session, args: argparse.Namespace) -> int:
         for snapshot_side, other in ((before, after), (after, before)):
             if snapshot_side.is_snapshot:
                 _leave_out(session, snapshot_side, other)
-        labels = (before.word, after.word)
-        partial = before.partial or after.partial
-        found: SystemDifference | Difference
         if len(before.nodes) == len(after.nodes) == 1:
             # One node with another, whatever they are called.
-            first, second = (next(iter(side.nodes.values())) for side in (before, after))
-            found = compare(ParameterSet(first, labels[0]), ParameterSet(second, labels[1]),
-                            names=[name for name in first if name in second] if partial else None)
-        else:
-            found = compare_systems(before.nodes, after.nodes, labels=labels, partial=partial)
+            before.nodes = dict(zip(after.nodes, before.nodes.values()))
+        found = compare_systems(before.nodes, after.nodes, labels=(before.word, after.word),
+                                partial=before.partial or after.partial)
     except (ParameterToolError, CommandFailed) as error:
         session.complain(error)
         return 2
@@ -149,8 +139,6 @@ def diff(session: Session, args: argparse.Namespace) -> int:
         session.print(f'<!DOCTYPE html><meta charset="utf-8"><title>{len(found)} differences</title>'
                       f'{found._repr_html_()}')
     elif args.format == 'json':
-        if isinstance(found, Difference):
-            found = SystemDifference(*labels, {next(iter(after.nodes)): found})
         session.print(found.as_json())
     else:
         session.print(found)
@@ -238,36 +226,24 @@ def restore(session: Session, args: argparse.Namespace) -> int:
     if not wanted:
         raise CommandFailed(f'{args.file} holds nothing for these nodes' if args.nodes else
                             f'{args.file} names no node: say for which nodes it is')
-    return bring_back(session, wanted, args.file, args)
+    return _bring_back(session, wanted, args)
 
 
-def bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], label: str, args: argparse.Namespace) -> int:
-    """Give nodes values, and say what became of each; return the exit status.
-
-    :param wanted: Names and values, by node.
-    :param label: Where they come from.
-    """
+def _bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], args: argparse.Namespace) -> int:
+    """Give nodes the values of a file, and say what became of each; return the exit status."""
     session.wait_for_graph(args)
-    if args.dry_run:
-        previews, unanswered = ask_all(wanted, lambda client: preview(client, ParameterSet(wanted[client.node], label)),
-                                       timeout_sec=args.timeout, executor=session.executor)
-        _print(session, wanted, previews, SystemPreview(label, previews, unanswered))
-        system_arguments.report_unanswered(session, unanswered)
-        return 1 if unanswered else 0
-    if args.backup:
+    if args.backup and not args.dry_run:
         present = all_parameters(wanted, timeout_sec=args.timeout, executor=session.executor)
         system_arguments.save(session, present.dump(), args.backup)
-    outcomes, unanswered = ask_all(
-        wanted, lambda client: restore_node(client, ParameterSet(wanted[client.node], label),
-                                            one_by_one=args.one_by_one, skip_read_only=args.skip_read_only),
-        timeout_sec=args.timeout, executor=session.executor)
-    result = SystemRestored(label, outcomes, unanswered)
-    _print(session, wanted, outcomes, result)
+
+    def bring(client: ParameterClient) -> Preview | Restored:
+        given = ParameterSet(wanted[client.node], args.file)
+        return preview(client, given) if args.dry_run else restore_node(
+            client, given, one_by_one=args.one_by_one, skip_read_only=args.skip_read_only)
+
+    outcomes, unanswered = ask_all(wanted, bring, timeout_sec=args.timeout, executor=session.executor)
+    result = (Preview if args.dry_run else Restored)(args.file, outcomes, unanswered)
+    if outcomes or len(wanted) > 1:  # the error says all there is to say of one node
+        session.print(result)
     system_arguments.report_unanswered(session, unanswered)
-    return 0 if result.complete else 1
-
-
-def _print(session: Session, wanted: Sized, each: Mapping[str, WordTable], together: WordTable) -> None:
-    """Print one table of all nodes; what there is to say of one node alone does not need its name in each row."""
-    for table in each.values() if len(wanted) == 1 else [together]:
-        session.print(table)
+    return 0 if (not unanswered if isinstance(result, Preview) else result.complete) else 1

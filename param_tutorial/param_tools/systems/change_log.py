@@ -17,9 +17,10 @@ import os
 import queue
 import re
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
@@ -40,9 +41,8 @@ from param_tools.node.client import ParameterClient, ParameterValues
 from param_tools.ros import stage
 from param_tools.ros.executor import TOOL_NODE_NAME, BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
-from param_tools.ros.waiting import machine_time
-from param_tools.systems.sets import WordTable
 from param_tools.systems.snapshot import Snapshot, ask_all
+from param_tools.systems.word_table import WordTable
 
 KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
 # How many letters of a value stand in the text of a change.
@@ -54,8 +54,6 @@ _READ_AGAIN_SEC = (0.5, 1.0, 2.0, 4.0)
 # When a node that has not answered is asked again, each after so long, and then as often as the last one says: what
 # happens has to wait while one is asked.
 _ASK_AGAIN_SEC = (1.0, 2.0, 5.0, 10.0, 30.0)
-# Where machine time is slow, what is left of it would be halved again and again.
-_LEAST_WAIT_SEC = 0.01
 
 
 @dataclass(frozen=True)
@@ -170,16 +168,16 @@ class ChangeLogWriter:
 # -- reading --------------------------------------------------------------------------------------------------
 
 
-class ChangeLog(WordTable):
+class ChangeLog(WordTable[LoggedChange]):
     """The changes that a log holds, in their order. Shown as a table."""
 
     columns = ('time', 'node', 'parameter', 'kind', 'old', 'new')
 
     def __init__(self, changes: Iterable[LoggedChange], damaged: Iterable[int] = ()):
         """:param damaged: The numbers of the lines that could not be read."""
-        self.changes = tuple(changes)
+        super().__init__(changes)
         self.damaged = tuple(damaged)
-        self.heading = format_count(len(self.changes), 'change')
+        self.heading = format_count(len(self), 'change')
         if self.damaged:
             self.heading += f'; unreadable: line {", ".join(map(str, self.damaged))}'
 
@@ -202,12 +200,6 @@ class ChangeLog(WordTable):
             raise ParameterFileError(f'{path}, line {damaged[0]}: this is no log of parameter changes')
         return cls(changes, damaged)
 
-    def __len__(self) -> int:
-        return len(self.changes)
-
-    def __iter__(self) -> Iterator[LoggedChange]:
-        return iter(self.changes)
-
     def select(self, *, nodes: Iterable[str] = (), names: str = '', kinds: Iterable[str] = (),
                since: datetime.datetime | None = None, until: datetime.datetime | None = None) -> 'ChangeLog':
         """Return only some of the changes.
@@ -220,7 +212,7 @@ class ChangeLog(WordTable):
         """
         wanted, patterns, kinds = re.compile(names), list(nodes), set(kinds)
         since, until = since and since.astimezone(), until and until.astimezone()
-        return ChangeLog((each for each in self.changes
+        return ChangeLog((each for each in self
                           if (not patterns or any(matches(pattern, each.node) for pattern in patterns))
                           and (not names or (each.name and wanted.search(each.name)))
                           and (not kinds or each.kind in kinds)
@@ -234,10 +226,10 @@ class ChangeLog(WordTable):
         """
         if time is not None:
             time = time.astimezone()
-        elif self.changes:
-            time = self.changes[-1].time
+        elif self.records:
+            time = self.records[-1].time
         state: dict[str, dict[str, Any]] = {}
-        for each in self.changes:
+        for each in self:
             if time is not None and each.time > time:
                 break
             if each.kind == 'begin':
@@ -259,9 +251,9 @@ class ChangeLog(WordTable):
         """
         with contextlib.suppress(ValueError, OverflowError):
             day = datetime.time.fromisoformat(text)
-            last = self.changes[-1].time if self.changes else datetime.datetime.now().astimezone()
+            last = self.records[-1].time if self.records else datetime.datetime.now().astimezone()
             found = datetime.datetime.combine(last.astimezone(day.tzinfo), day).astimezone()
-            first = self.changes[0].time if self.changes else last
+            first = self.records[0].time if self.records else last
             day_before = found - datetime.timedelta(days=1)
             return day_before if found > last and day_before >= first else found
         try:
@@ -269,9 +261,9 @@ class ChangeLog(WordTable):
         except (ValueError, OverflowError):
             raise InvalidValueError(f'{text!r} is not a time: write 14:05, 14:05:30 or 2026-11-22T14:05') from None
 
-    def rows(self) -> list[tuple[str, ...]]:
-        return [(f'{each.time.astimezone():%Y-%m-%d %H:%M:%S.%f}'[:-3], each.node, each.name, each.kind,
-                 *values.format_change(each.old, each.new, _LETTERS, nothing='')) for each in self.changes]
+    def words(self, record: LoggedChange) -> tuple[str, ...]:
+        return (f'{record.time.astimezone():%Y-%m-%d %H:%M:%S.%f}'[:-3], record.node, record.name, record.kind,
+                *values.format_change(record.old, record.new, _LETTERS, nothing=''))
 
 
 # -- following ------------------------------------------------------------------------------------------------
@@ -304,7 +296,7 @@ class ChangeFollower:
         self._known: dict[str, dict[str, Any]] = {}
         self._incarnations: dict[str, frozenset[bytes]] = {}
         self._new: dict[str, list[float]] = {}
-        """When a node is to be read again, in machine time."""
+        """When a node is to be read again."""
         self._silent: dict[str, list[float]] = {}
         """The nodes that have not answered, and how long to wait before each is asked again."""
         self._look_again_at: float | None = None
@@ -358,16 +350,16 @@ class ChangeFollower:
         """Wait for what happens next, and no longer than until a node is to be read again, or asked again."""
         dues = [times[0] for times in self._new.values()]
         due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=None)
-        if due is not None and due <= machine_time():  # however much happens
+        if due is not None and due <= monotonic():  # however much happens
             return self._read_again
         try:
-            return self._happened.get(timeout=None if due is None else max(_LEAST_WAIT_SEC, due - machine_time()))
+            return self._happened.get(timeout=None if due is None else max(0.0, due - monotonic()))
         except queue.Empty:
             return self._read_again
 
     def _read_again(self) -> list[LoggedChange]:
         """Read the nodes that are new: the first events of one may come before its publisher knows of this reader."""
-        now = machine_time()
+        now = monotonic()
         if self._look_again_at is not None and self._look_again_at <= now:
             return self._look()
         due = {node: times[1:] for node, times in self._new.items() if times[0] <= now}
@@ -408,7 +400,7 @@ class ChangeFollower:
                                       executor=self._executor) if came else ({}, {})
         for node, parameters in answers.items():
             changes += self._seen(node, parameters)
-        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=machine_time()))[1:]
+        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=monotonic()))[1:]
         self._new |= dict.fromkeys(answers, again)
         self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
         self._note_silence(unanswered)
@@ -422,7 +414,7 @@ class ChangeFollower:
             if self._trouble is not None and node not in self._silent and not has_left:
                 self._trouble(error)
         waits = {node: self._silent.get(node, list(_ASK_AGAIN_SEC)) for node in unanswered}
-        self._look_again_at = machine_time() + min(each[0] for each in waits.values()) if waits else None
+        self._look_again_at = monotonic() + min(each[0] for each in waits.values()) if waits else None
         self._silent = {node: each[1:] or each for node, each in waits.items()}
 
     def _seen(self, node: str, parameters: Mapping[str, Any]) -> list[LoggedChange]:

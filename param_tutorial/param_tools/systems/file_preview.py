@@ -1,6 +1,6 @@
 """What loading a parameter file into a running node would do, before it is done."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,8 @@ from param_tools.files.checking import check_files
 from param_tools.files.descriptions import DescribedParameter
 from param_tools.files.parsing import effective, matches
 from param_tools.markup.wording import format_count
-from param_tools.systems.sets import MAY_BE_TAKEN, WordTable
+from param_tools.systems.restoring import MAY_BE_TAKEN
+from param_tools.systems.word_table import WordTable
 
 CHANGES, SAME, READ_ONLY, NOT_DECLARED, NOT_SHOWN = 'changes', 'same', 'read-only', 'not declared', 'not shown'
 OTHER_NODE = 'not for this node'
@@ -40,7 +41,7 @@ class PreviewRow:
     """The name of the block that it stands in, if that is not for this node."""
 
 
-class FilePreview(WordTable):
+class FilePreview(WordTable[PreviewRow]):
     """What loading a file would do. The node's own callbacks may still reject a value. Shown as a table."""
 
     columns = ('parameter', 'now', 'in the file', 'verdict', 'reason')
@@ -50,10 +51,10 @@ class FilePreview(WordTable):
         :param rows: One for each parameter in the file, in the file's order; those for other nodes last.
         :param notes: What is odd about the file itself.
         """
-        self.rows_by_parameter = tuple(rows)
+        super().__init__(rows)
         self.notes = tuple(notes)
         counts = {verdict: sum(row.verdict == verdict for row in self) for verdict in (CHANGES, SAME, OTHER_NODE)}
-        left = len(self.rows_by_parameter) - sum(counts.values())
+        left = len(self) - sum(counts.values())
         parts = [f'{format_count(counts[CHANGES], "value")} will change', f'{counts[SAME]} the same']
         parts += [f'{left} will not be loaded'] * (left > 0)
         parts += [f'{counts[OTHER_NODE]} for other nodes'] * (counts[OTHER_NODE] > 0)
@@ -61,36 +62,20 @@ class FilePreview(WordTable):
         """How many rows there are of each kind, in words."""
         self.heading = f'{path} → {node}: {self.summary}'
 
-    def __iter__(self) -> Iterator[PreviewRow]:
-        return iter(self.rows_by_parameter)
-
-    def __len__(self) -> int:
-        return len(self.rows_by_parameter)
-
-    def __getitem__(self, name: str) -> PreviewRow:
-        """Return the row of a parameter of this node.
-
-        :raises KeyError: the file has no such parameter for this node.
-        """
-        for row in self.rows_by_parameter:
-            if row.name == name and row.verdict != OTHER_NODE:
-                return row
-        raise KeyError(name)
-
     @property
     def accepted(self) -> dict[str, Any]:
         """The values that loading asks for, by the parameters' names."""
-        return {row.name: row.wanted for row in self.rows_by_parameter if row.verdict == CHANGES}
+        return {row.name: row.wanted for row in self if row.verdict == CHANGES}
 
     @property
     def left_out(self) -> dict[str, str]:
         """Why a parameter of this node will not be asked for, by the parameters' names; not those that are the same."""
-        return {row.name: f'{row.verdict}: {row.reason}' for row in self.rows_by_parameter
+        return {row.name: f'{row.verdict}: {row.reason}' for row in self
                 if row.verdict not in (CHANGES, SAME, OTHER_NODE)}
 
-    def rows(self) -> list[tuple[str, ...]]:
-        return [(row.name, *values.format_change(row.now, row.wanted, nothing='-'), row.verdict, row.reason)
-                for row in self.rows_by_parameter]
+    def words(self, record: PreviewRow) -> tuple[str, ...]:
+        return (record.name, *values.format_change(record.now, record.wanted, nothing='-'), record.verdict,
+                record.reason)
 
 
 class Loaded(dict[str, str]):

@@ -1,6 +1,8 @@
 """Snapshots of a node to go back and forth between."""
 
-from param_tools.systems.sets import NodeLike, ParameterSet, Restored, as_client, compare, restore
+from param_tools.systems.comparing import compare
+from param_tools.systems.restoring import Restored, restore
+from param_tools.systems.sets import NodeLike, ParameterSet, as_client
 
 
 class ParameterHistory:
