@@ -17,10 +17,10 @@ import os
 import queue
 import re
 import threading
+import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from time import monotonic
 from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
@@ -350,16 +350,16 @@ class ChangeFollower:
         """Wait for what happens next, and no longer than until a node is to be read again, or asked again."""
         dues = [times[0] for times in self._new.values()]
         due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=None)
-        if due is not None and due <= monotonic():  # however much happens
+        if due is not None and due <= time.monotonic():  # however much happens
             return self._read_again
         try:
-            return self._happened.get(timeout=None if due is None else max(0.0, due - monotonic()))
+            return self._happened.get(timeout=None if due is None else max(0.0, due - time.monotonic()))
         except queue.Empty:
             return self._read_again
 
     def _read_again(self) -> list[LoggedChange]:
         """Read the nodes that are new: the first events of one may come before its publisher knows of this reader."""
-        now = monotonic()
+        now = time.monotonic()
         if self._look_again_at is not None and self._look_again_at <= now:
             return self._look()
         due = {node: times[1:] for node, times in self._new.items() if times[0] <= now}
@@ -391,8 +391,8 @@ class ChangeFollower:
         names = set(filter(self._is_wanted, self._executor.services.node_names(hidden=True))) - {f'/{TOOL_NODE_NAME}'}
         now = {node: self._executor.node_incarnations(node) for node in names}
         came = [node for node in now if self._incarnations.get(node) != now[node]]
-        time = _now()
-        changes = [LoggedChange(time, 'gone', node) for node in self._known
+        at = _now()
+        changes = [LoggedChange(at, 'gone', node) for node in self._known
                    if node not in now or (node in came and self._incarnations.get(node))]
         for change in changes:
             self._known.pop(change.node, None)
@@ -400,7 +400,7 @@ class ChangeFollower:
                                       executor=self._executor) if came else ({}, {})
         for node, parameters in answers.items():
             changes += self._seen(node, parameters)
-        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=monotonic()))[1:]
+        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=time.monotonic()))[1:]
         self._new |= dict.fromkeys(answers, again)
         self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
         self._note_silence(unanswered)
@@ -414,7 +414,7 @@ class ChangeFollower:
             if self._trouble is not None and node not in self._silent and not has_left:
                 self._trouble(error)
         waits = {node: self._silent.get(node, list(_ASK_AGAIN_SEC)) for node in unanswered}
-        self._look_again_at = monotonic() + min(each[0] for each in waits.values()) if waits else None
+        self._look_again_at = time.monotonic() + min(each[0] for each in waits.values()) if waits else None
         self._silent = {node: each[1:] or each for node, each in waits.items()}
 
     def _seen(self, node: str, parameters: Mapping[str, Any]) -> list[LoggedChange]:
