@@ -74,7 +74,7 @@ def _format_any(value: Any) -> str:
 
 def _format_any_item(value: Any) -> str:
     if isinstance(value, str):
-        # Asked inside brackets, where YAML's null is no text.
+        # Parsed inside brackets, because there YAML's null is a value and not a text.
         plain = _PLAIN.fullmatch(value) and values.same(values.parse(f'[{value}]'), [value])
         return value if plain else _quoted(value)
     return yaml.safe_dump(value).removesuffix('...\n').strip()
@@ -122,8 +122,8 @@ _MOST_ITEMS = 100
 
 
 def form_of(descriptor: Descriptor) -> Form:
-    """Return the form in which people write a parameter: its type's, or YAML where the type is dynamic."""
-    # YAML has no word for single bytes: a byte array stays one until it is set to something else elsewhere.
+    """Return the form in which people write a parameter: that of its type, or YAML if the type is dynamic."""
+    # YAML has no bytes, so a byte array keeps its form even if its type is dynamic.
     if descriptor.dynamic_typing and descriptor.type is not values.BYTE_ARRAY:
         return _FORMS[values.NOT_SET]
     return _FORMS[descriptor.type]
@@ -132,8 +132,8 @@ def form_of(descriptor: Descriptor) -> Form:
 def format_value(descriptor: Descriptor, value: Any) -> str:
     """Return a value as a person would type it; an empty text if the parameter is not set.
 
-    :param value: Need not be of the parameter's type: a dynamic parameter, or a node that has been started again, had
-        another type before.
+    :param value: May be of another type than the parameter's, which changes if its type is dynamic, or if the node is
+        started again.
     """
     if value is None:
         return ''
@@ -158,7 +158,8 @@ def parse_value(descriptor: Descriptor, text: str) -> Any:
 def format_items(descriptor: Descriptor, value: Any) -> list[str] | None:
     """Return the elements of an array as a person would type each into a box of its own.
 
-    :return: None if it is not an array, has very many elements, or one has several lines, which no such box can hold.
+    :return: None if it is not an array, if it has very many elements, or if an element has several lines, which no such
+        box can hold.
     """
     if (descriptor.type not in _ELEMENTS or descriptor.dynamic_typing or not isinstance(value, list)
             or len(value) > _MOST_ITEMS):
