@@ -1,7 +1,6 @@
 """snapshot, diff and restore: the parameters of whole systems saved, compared and brought back.
 
-``diff`` has the exit status of the command of that name: 0 if there is no difference, 1 if there is one, 2 if it
-could not be found out.
+The exit status of ``diff`` is that of the Unix command: 0 if nothing differs, 1 if something does, 2 after an error.
 """
 
 import argparse
@@ -113,11 +112,11 @@ class _Side:
     word: str
     nodes: Mapping[str, Mapping[str, Any]]
     partial: bool = False
-    """It does not hold all that there is."""
+    """True if the nodes may have more parameters."""
     is_snapshot: bool = False
-    """It is a file, and held all that a file can hold."""
+    """True for a file that holds all parameters of its nodes, except those that no file can hold."""
     lacking: bool = False
-    """A node did not answer."""
+    """True if a node did not answer."""
 
 
 def diff(session: Session, args: argparse.Namespace) -> int:
@@ -146,7 +145,7 @@ def diff(session: Session, args: argparse.Namespace) -> int:
 
 
 def _leave_out(session: Session, saved: _Side, other: _Side) -> None:
-    """Take out of the other side what no snapshot could have saved, and say so: it is not there, and no difference."""
+    """Remove parameters from the other side that no snapshot can hold, and say so: their absence is no difference."""
     one_each = len(saved.nodes) == len(other.nodes) == 1
     kept: dict[str, dict[str, Any]] = {}
     for node, parameters in other.nodes.items():
@@ -164,7 +163,7 @@ def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
     words = (args.before, args.after)
     sides = [None if system_arguments.is_file(word) else _running(session, word, args) for word in words]
     names = [node for side in sides if side for node in side.nodes]
-    # The names in one file tell which of the blocks for many nodes in the other count.
+    # A block for many nodes in one file is read for the nodes that the other file names.
     names = names or [node for word in words for node in _named_in(word)]
     before, after = (side or _in_file(word, names) for side, word in zip(sides, words))
     if all(word.endswith('/**') and word.strip('/*') for word in words):
