@@ -15,7 +15,7 @@ from param_tools import values
 
 
 @dataclass(frozen=True)
-class WordReading:
+class Reading:
     """What a word is taken for."""
 
     value: Any
@@ -28,7 +28,7 @@ class WordReading:
         return self.value is not None and values.same(self.value, value)
 
 
-def read_1_1(text: str, tag: str | None = None) -> WordReading:
+def read_1_1(text: str, tag: str | None = None) -> Reading:
     """Return what PyYAML makes of a word, or of a text with a tag such as ``!!float``, written out."""
     loader = yaml.SafeLoader('')
     try:
@@ -36,12 +36,12 @@ def read_1_1(text: str, tag: str | None = None) -> WordReading:
         value = loader.construct_object(yaml.ScalarNode(tag, text))
     # ValueError: it looks like a date and is none, or is an integer of thousands of digits.
     except (yaml.YAMLError, ValueError, OverflowError):
-        return WordReading(None, 'something that cannot be read')
+        return Reading(None, 'something that cannot be read')
     finally:
         loader.dispose()
     if type(value) in (bool, int, float, str):
-        return WordReading(value, _words(value))
-    return WordReading(None, 'null' if value is None else f'a {type(value).__name__}')
+        return Reading(value, _words(value))
+    return Reading(None, 'null' if value is None else f'a {type(value).__name__}')
 
 
 # The core schema of YAML 1.2.2, chapter 10.3.
@@ -53,10 +53,10 @@ _INFINITE = re.compile(r'([-+]?)(\.inf|\.Inf|\.INF)')
 _LONGEST = 4000  # Python reads no longer integers
 
 
-def read_1_2(text: str) -> WordReading:
+def read_1_2(text: str) -> Reading:
     """Return what YAML 1.2 makes of a word."""
     if text in ('', '~', 'null', 'Null', 'NULL'):
-        return WordReading(None, 'null')
+        return Reading(None, 'null')
     value: Any = text
     if text in ('true', 'True', 'TRUE', 'false', 'False', 'FALSE'):
         value = text[0] in 'tT'
@@ -74,7 +74,7 @@ def read_1_2(text: str) -> WordReading:
         value = float(f'{match[1]}inf')
     elif text in ('.nan', '.NaN', '.NAN'):
         value = math.nan
-    return WordReading(value, _words(value))
+    return Reading(value, _words(value))
 
 
 def _words(value: Any) -> str:
