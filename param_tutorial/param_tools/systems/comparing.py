@@ -1,7 +1,8 @@
 """Compare sets of parameters: a node with another node, with a file, with its defaults, or with itself earlier.
 
-Whole systems are compared, too. A system is a mapping from node names to sets of parameters: a ``Snapshot``, what a file
-holds, the defaults in descriptions, or a robot, whose nodes are in one namespace and go by the rest of their names.
+Whole systems are compared, too. A system is a mapping from node names to sets of parameters: a ``Snapshot``, what a
+file holds, the defaults in descriptions, or a robot, whose nodes are in one namespace and go by the rest of their
+names.
 """
 
 import json
