@@ -41,15 +41,15 @@ if TYPE_CHECKING:
     from param_tools.ros.waiting import wait_until as wait_until
     from param_tools.systems.change_log import ChangeFollower as ChangeFollower
     from param_tools.systems.change_log import ChangeLog as ChangeLog
+    from param_tools.systems.comparing import compare as compare
+    from param_tools.systems.comparing import compare_systems as compare_systems
     from param_tools.systems.describe import describe as describe
     from param_tools.systems.history import ParameterHistory as ParameterHistory
+    from param_tools.systems.restoring import preview as preview
+    from param_tools.systems.restoring import restore as restore
     from param_tools.systems.sets import ParameterSet as ParameterSet
-    from param_tools.systems.sets import compare as compare
-    from param_tools.systems.sets import preview as preview
-    from param_tools.systems.sets import restore as restore
     from param_tools.systems.snapshot import Snapshot as Snapshot
     from param_tools.systems.snapshot import all_parameters as all_parameters
-    from param_tools.systems.systems import compare_systems as compare_systems
 
 # Twice, because editors and type checkers read imports, and nothing should be imported before it is used.
 _HOMES = {
@@ -67,14 +67,14 @@ _HOMES = {
     'all_parameters': 'param_tools.systems.snapshot',
     'check_declarations': 'param_tools.node.declarations',
     'check_files': 'param_tools.files.checking',
-    'compare': 'param_tools.systems.sets',
-    'compare_systems': 'param_tools.systems.systems',
+    'compare': 'param_tools.systems.comparing',
+    'compare_systems': 'param_tools.systems.comparing',
     'describe': 'param_tools.systems.describe',
     'descriptions': 'param_tools.files.descriptions',
     'locks': 'param_tools.node.locks',
     'parameter_files': 'param_tools.files.parameter_files',
-    'preview': 'param_tools.systems.sets',
-    'restore': 'param_tools.systems.sets',
+    'preview': 'param_tools.systems.restoring',
+    'restore': 'param_tools.systems.restoring',
     'start': 'param_tools.ros.stage',
     'stop': 'param_tools.ros.stage',
     'update_file': 'param_tools.files.editing',

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from playwright.sync_api import expect
 
 from param_tutorial.exercises import EXERCISES
-from param_tutorial.exercises.forms import Blanks, Order, Settings
+from param_tutorial.exercises.forms import Blanks, Combination, Order
 from param_tutorial.exercises.results import markup
 from param_tutorial.site.pages import forms
 from param_tutorial.site.recording import answers
@@ -80,7 +80,7 @@ def in_browser(page, text):
 
 def fill_in_solution(page, number):
     form = EXERCISES[number].form
-    if isinstance(form, Settings):
+    if isinstance(form, Combination):
         right = RIGHT_SETTINGS.get(number) or answers.assigned(source(number, 'solution'))
         for box, value in zip(page.get_by_role('combobox').all(), (right[name] for name in form.choices), strict=True):
             box.select_option(str(value))

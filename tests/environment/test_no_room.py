@@ -166,12 +166,12 @@ def test_a_log_that_could_not_be_continued_is_read_and_goes_on_when_there_is_roo
     ros.add(SimpleParamNode)
     path = folder / 'changes.log'
     assert run('watch', '--log', path, '--duration', 0.5) == ('', 0)
-    first = ChangeLog.read(path).changes
+    first = ChangeLog.read(path).records
     with little_room(folder):
         assert run('watch', '--log', path, '--duration', 60)[1] == 1
-    assert ChangeLog.read(path).changes == first
+    assert ChangeLog.read(path).records == first
     assert run('watch', '--log', path, '--duration', 0.5) == ('', 0)
-    assert len(ChangeLog.read(path).changes) == 2 * len(first)
+    assert len(ChangeLog.read(path).records) == 2 * len(first)
 
 
 @pytest.mark.parametrize('hindered', [full_disk, little_room, read_only])

@@ -137,12 +137,6 @@ def test_a_lock_that_makes_no_sense(robot, names, other, value, words):
         Rules(robot).only_while(names, other, value)
 
 
-def test_a_lock_on_what_is_not_declared(robot):
-    for names, other in (('nothing', 'mode'), ('level', 'nothing')):
-        with pytest.raises(ParameterNotDeclaredError):
-            Rules(robot).only_while(names, other, 'slow')
-
-
 def test_several_rules_objects_and_callbacks_are_all_asked(robot, client):
     Rules(robot).one_of('level', [1, 2])
     Rules(robot).check('level', lambda level: level < 2, 'below 2')
@@ -181,28 +175,20 @@ def test_a_node_starts_with_overrides_that_agree(ros):
 
 @pytest.mark.parametrize(('state', 'words'), [
     (lambda rules: rules.matches('serial', '[A-Z'), "'[A-Z' is not a regular expression: unterminated"),
-    (lambda rules: rules.matches('serial', 5), '5 is not a regular expression'),
     (lambda rules: rules.matches('level', '[0-9]'), 'it is for texts, and level is of type integer'),
     (lambda rules: rules.one_of('mode', 'fast'), "give a list of at least one choice, not 'fast'"),
-    (lambda rules: rules.one_of('mode', 3), 'give a list of at least one choice, not 3'),
     (lambda rules: rules.matches('mode', b'[a-z]'), 'is not a regular expression'),
     (lambda rules: rules.matches(['mode'], '.'), "['mode'], which is not a parameter name"),
-    (lambda rules: rules.quantity('timeout', 3), 'give a list of at least one unit, not 3'),
     (lambda rules: rules.check(None, all, 'x'), 'a rule takes names, a function and a sentence; got None'),
-    (lambda rules: rules.one_of('mode', []), 'give a list of at least one choice'),
     (lambda rules: rules.one_of('level', [1, 2.0]), 'it is a parameter of type integer and can never be 2.0, of type '
                                                     'double'),
-    (lambda rules: rules.one_of('level', [True]), 'can never be True, of type boolean'),
     (lambda rules: rules.one_of('level', [{}]), '{} is a dict, which cannot be a parameter'),
     (lambda rules: rules.multiple_of('level', 0), 'a step is a number above 0, not 0'),
-    (lambda rules: rules.multiple_of('level', math.nan), 'not nan'),
     (lambda rules: rules.multiple_of('mode', 2), 'it is for numbers, and mode is of type string'),
     (lambda rules: rules.quantity('timeout', 'ms'), "give a list of at least one unit, not 'ms'"),
     (lambda rules: rules.quantity('level', ['ms']), 'it is for texts'),
     (lambda rules: rules.length('gains', 3, 2), 'nothing has a length of 3 to 2'),
-    (lambda rules: rules.length('gains', -1), 'nothing has a length of -1 to -1'),
     (lambda rules: rules.length('level', 1), 'it is for arrays and texts'),
-    (lambda rules: rules.check([], all, 'x'), 'a rule takes names, a function and a sentence'),
     (lambda rules: rules.check('level', 'x', 'x'), 'a rule takes names, a function and a sentence'),
     (lambda rules: rules.check('level', all, ' '), 'a rule takes names, a function and a sentence'),
     (lambda rules: rules.check('level', lambda level: level.upper(), 'upper'),
@@ -226,7 +212,8 @@ def test_rules_are_for_a_node(node):
 
 @pytest.mark.parametrize('state', [
     lambda rules: rules.matches('seriol', '.'), lambda rules: rules.one_of('seriol', [1]),
-    lambda rules: rules.check(['low_c', 'seriol'], all, 'x'), lambda rules: rules.length('seriol', 1)])
+    lambda rules: rules.check(['low_c', 'seriol'], all, 'x'), lambda rules: rules.length('seriol', 1),
+    lambda rules: rules.only_while('seriol', 'mode', 'slow'), lambda rules: rules.only_while('mode', 'seriol', 'x')])
 def test_a_rule_for_an_undeclared_parameter_raises_an_error(robot, state):
     with pytest.raises(ParameterNotDeclaredError, match=r"/robot has no parameter 'seriol'\. Did you mean serial"):
         state(Rules(robot))

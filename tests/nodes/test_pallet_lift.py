@@ -8,13 +8,13 @@ from hypothesis import strategies as st
 from param_tools.cli.launch.reading import load_description
 from param_tools.files import parameter_files
 from param_tutorial import ParameterClient
-from param_tutorial.nodes.pallet_lift_node import MOTOR_POWER_W, PalletLiftNode, Settings
+from param_tutorial.nodes.pallet_lift_node import MOTOR_POWER_W, LiftSettings, PalletLiftNode
 from tests.support.paths import CONFIG, ROS_PACKAGE
 
 FILES = sorted(CONFIG.glob('pallet_lift_*.yaml'))
 
 SETTINGS = st.builds(
-    Settings, speed_mps=st.floats(0.05, 0.5), max_load_kg=st.just(100.0), lowest_m=st.floats(0.0, 0.9),
+    LiftSettings, speed_mps=st.floats(0.05, 0.5), max_load_kg=st.just(100.0), lowest_m=st.floats(0.0, 0.9),
     highest_m=st.floats(1.0, 2.0), kp=st.floats(0.2, 5.0), tolerance_m=st.floats(0.001, 0.05))
 
 
@@ -39,7 +39,7 @@ def test_a_ride_is_what_small_steps_of_its_law_add_up_to(settings, start_m, targ
 
 
 def test_without_speed_it_stays_where_it_is():
-    assert Settings(0.0, 100.0, 0.1, 1.6, 2.0, 0.01).ride(0.1, 1.6) == [(0.0, 0.1)]
+    assert LiftSettings(0.0, 100.0, 0.1, 1.6, 2.0, 0.01).ride(0.1, 1.6) == [(0.0, 0.1)]
 
 
 @pytest.fixture

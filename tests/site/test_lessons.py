@@ -14,7 +14,7 @@ from param_tools.descriptor import Range
 from param_tools.panel.editors import Positions, WholePositions
 from param_tutorial import ParameterPanel
 from param_tutorial.exercises import RECALLS, predicting
-from param_tutorial.notebook.glossary import Entry, Glossary
+from param_tutorial.notebook.glossary import Glossary, GlossaryEntry
 from param_tutorial.site.pages import chapter, drawing, front_page, links, terms, writing
 from param_tutorial.site.recording import recorder, run
 from param_tutorial.site.recording.questions import set_to, stops
@@ -323,7 +323,7 @@ def test_the_verdict_on_a_recall_links_to_the_section_that_answers_it(number):
 
 
 def test_a_page_explains_words_as_its_chapter_uses_them_and_no_everyday_ones():
-    glossary = Glossary(Entry(*each, 'x.ipynb') for each in (
+    glossary = Glossary(GlossaryEntry(*each, 'x.ipynb') for each in (
         ('snapshot', 'an early one', '2'), ('snapshot', 'its own', '10.2'), ('snapshot', 'a </script> later', '10.5'),
         ('to declare', 'to create', '3'), ('`await`', 'wait', '5.3'), ('left', 'not changed', '1')))
 

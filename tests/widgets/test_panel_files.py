@@ -13,7 +13,7 @@ from param_tools.files import parameter_files
 from param_tools.node.client import ParameterClient
 from param_tools.panel.panel import ParameterPanel
 from param_tools.ros.waiting import wait_until
-from param_tools.systems.sets import MAY_BE_TAKEN
+from param_tools.systems.restoring import MAY_BE_TAKEN
 from tests.support.widgets import enter, says
 
 NODE = '/arm'

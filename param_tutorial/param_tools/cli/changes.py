@@ -1,4 +1,4 @@
-"""watch and history: every change of parameters as it happens, and as a log has kept it."""
+"""watch and history: print every change of parameters as it happens, or as a log has kept it."""
 
 import argparse
 import contextlib
@@ -46,7 +46,7 @@ def watch(session: Session, args: argparse.Namespace) -> int:
     patterns = list(map(pattern, args.nodes))
     happened: queue.SimpleQueue[list[LoggedChange] | ParameterToolError] = queue.SimpleQueue()
     end = math.inf if args.duration is None else time.monotonic() + args.duration
-    # Ctrl+C is how it ends, whenever it comes.
+    # Ctrl+C ends the command at any moment, without an error.
     with contextlib.suppress(KeyboardInterrupt), _writer(args.log) as writer:
         with contextlib.suppress(KeyboardInterrupt), ChangeFollower(
                 happened.put, nodes=patterns, trouble=happened.put, timeout_sec=args.timeout,
@@ -54,7 +54,7 @@ def watch(session: Session, args: argparse.Namespace) -> int:
             while (left := end - time.monotonic()) > 0:
                 with contextlib.suppress(queue.Empty):
                     _tell(session, happened.get(timeout=min(_LOOK_PERIOD_SEC, left)), wanted, writer)
-        while not happened.empty():  # what was heard of before the end
+        while not happened.empty():  # what the follower heard before the end
             _tell(session, happened.get(), wanted, writer)
     return 0
 
@@ -135,7 +135,7 @@ def _time(log: ChangeLog, text: str | None) -> datetime.datetime | None:
 
 
 def past(word: str) -> Snapshot | None:
-    """Return the values that a word like ``changes.jsonl@14:05`` names; None if it names no log.
+    """Return the values that a word like ``changes.jsonl@14:05`` names; None if the word names no log and time.
 
     :raises ParameterFileError: the file is no log.
     :raises InvalidValueError: there is no time in the word.
@@ -149,7 +149,7 @@ def past(word: str) -> Snapshot | None:
 
 def _state(log: ChangeLog, path: str, text: str) -> Snapshot:
     when = log.parse_time(text)
-    if not log.changes or when < log.changes[0].time:
+    if not log or when < log.records[0].time:
         raise CommandFailed(f'{path} does not reach back to {text}'
-                            + (f': it begins at {log.changes[0].time:%Y-%m-%d %H:%M:%S}' if log.changes else ''))
+                            + (f': it begins at {log.records[0].time:%Y-%m-%d %H:%M:%S}' if log else ''))
     return log.at(when)

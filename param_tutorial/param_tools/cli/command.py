@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from param_tools.cli.session import (
     MORE_ELSEWHERE,
     CommandFailed,
-    Parser,
+    CommandParser,
     Printed,
     Session,
     TextStream,
@@ -26,9 +26,9 @@ _MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run']
 
 
 @functools.cache
-def _parser(command: str) -> Parser:
+def _parser(command: str) -> CommandParser:
     """Return a parser for one command, or for all if it is none."""
-    parser = Parser(prog='ros2', description=MORE_ELSEWHERE)
+    parser = CommandParser(prog='ros2', description=MORE_ELSEWHERE)
     commands = parser.add_subparsers(metavar='command', title='commands')
     wanted = [module for module, names in _MODULES.items() if command in names] or _MODULES
     for module in wanted:

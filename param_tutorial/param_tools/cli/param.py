@@ -17,9 +17,9 @@ from rclpy.parameter import parameter_dict_from_yaml_file
 from param_tools import values
 from param_tools.cli.session import (
     CommandFailed,
+    CommandParser,
     Commands,
     NodeName,
-    Parser,
     Session,
     add_discovery_options,
     add_node_options,
@@ -46,7 +46,7 @@ def add_to(commands: Commands) -> None:
     listing.add_argument('node_name', nargs='?', help='name of the node')
     listing.set_defaults(verb=list_parameters)
 
-    def add_verb(name: str, function: Callable[[Session, argparse.Namespace], None], explanation: str) -> Parser:
+    def add_verb(name: str, function: Callable[[Session, argparse.Namespace], None], explanation: str) -> CommandParser:
         verb = verbs.add_parser(name, help=explanation)
         add_node_options(verb)
         verb.set_defaults(verb=function)

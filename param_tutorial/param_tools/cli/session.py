@@ -23,7 +23,7 @@ SERVICE_TIMEOUT_SEC = 5.0
 MORE_ELSEWHERE = ("This is the course's own ros2, with the commands and options that the lessons use. The genuine one "
                   'has more: environment/README.md says how to get it.')
 # What add_subparsers() returns; argparse has no public name for it.
-Commands: TypeAlias = 'argparse._SubParsersAction[Parser]'
+Commands: TypeAlias = 'argparse._SubParsersAction[CommandParser]'
 
 
 class NodeName(NamedTuple):
@@ -201,7 +201,7 @@ class Printed(Exception):
         self.status = status
 
 
-class Parser(argparse.ArgumentParser):
+class CommandParser(argparse.ArgumentParser):
     """Raise what argparse would print: the streams of a command are not always those of the process."""
 
     def error(self, message: str) -> NoReturn:

@@ -1,11 +1,10 @@
 """snapshot, diff and restore: the parameters of whole systems saved, compared and brought back.
 
-``diff`` has the exit status of the command of that name: 0 if there is no difference, 1 if there is one, 2 if it
-could not be found out.
+The exit status of ``diff`` is that of the Unix command: 0 if nothing differs, 1 if something does, 2 after an error.
 """
 
 import argparse
-from collections.abc import Mapping, Sized
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,17 +18,12 @@ from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions, parameter_files
 from param_tools.files.editing import update_file
 from param_tools.markup.wording import format_count
-from param_tools.systems.sets import Difference, ParameterSet, WordTable, compare, preview
-from param_tools.systems.sets import restore as restore_node
+from param_tools.node.client import ParameterClient
+from param_tools.systems.comparing import compare_systems, defaults_of, of_robot
+from param_tools.systems.restoring import Preview, Restored, preview
+from param_tools.systems.restoring import restore as restore_node
+from param_tools.systems.sets import ParameterSet
 from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all, read_saved
-from param_tools.systems.systems import (
-    SystemDifference,
-    SystemPreview,
-    SystemRestored,
-    compare_systems,
-    defaults_of,
-    of_robot,
-)
 
 
 def add_to(commands: Commands) -> None:
@@ -118,11 +112,11 @@ class _Side:
     word: str
     nodes: Mapping[str, Mapping[str, Any]]
     partial: bool = False
-    """It does not hold all that there is."""
+    """True if the nodes may have more parameters."""
     is_snapshot: bool = False
-    """It is a file, and held all that a file can hold."""
+    """True for a file that holds all parameters of its nodes, except those that no file can hold."""
     lacking: bool = False
-    """A node did not answer."""
+    """True if a node did not answer."""
 
 
 def diff(session: Session, args: argparse.Namespace) -> int:
@@ -132,16 +126,11 @@ def diff(session: Session, args: argparse.Namespace) -> int:
         for snapshot_side, other in ((before, after), (after, before)):
             if snapshot_side.is_snapshot:
                 _leave_out(session, snapshot_side, other)
-        labels = (before.word, after.word)
-        partial = before.partial or after.partial
-        found: SystemDifference | Difference
         if len(before.nodes) == len(after.nodes) == 1:
             # One node with another, whatever they are called.
-            first, second = (next(iter(side.nodes.values())) for side in (before, after))
-            found = compare(ParameterSet(first, labels[0]), ParameterSet(second, labels[1]),
-                            names=[name for name in first if name in second] if partial else None)
-        else:
-            found = compare_systems(before.nodes, after.nodes, labels=labels, partial=partial)
+            before.nodes = dict(zip(after.nodes, before.nodes.values()))
+        found = compare_systems(before.nodes, after.nodes, labels=(before.word, after.word),
+                                partial=before.partial or after.partial)
     except (ParameterToolError, CommandFailed) as error:
         session.complain(error)
         return 2
@@ -149,8 +138,6 @@ def diff(session: Session, args: argparse.Namespace) -> int:
         session.print(f'<!DOCTYPE html><meta charset="utf-8"><title>{len(found)} differences</title>'
                       f'{found._repr_html_()}')
     elif args.format == 'json':
-        if isinstance(found, Difference):
-            found = SystemDifference(*labels, {next(iter(after.nodes)): found})
         session.print(found.as_json())
     else:
         session.print(found)
@@ -158,7 +145,7 @@ def diff(session: Session, args: argparse.Namespace) -> int:
 
 
 def _leave_out(session: Session, saved: _Side, other: _Side) -> None:
-    """Take out of the other side what no snapshot could have saved, and say so: it is not there, and no difference."""
+    """Remove parameters from the other side that no snapshot can hold, and say so: their absence is no difference."""
     one_each = len(saved.nodes) == len(other.nodes) == 1
     kept: dict[str, dict[str, Any]] = {}
     for node, parameters in other.nodes.items():
@@ -176,7 +163,7 @@ def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
     words = (args.before, args.after)
     sides = [None if system_arguments.is_file(word) else _running(session, word, args) for word in words]
     names = [node for side in sides if side for node in side.nodes]
-    # The names in one file tell which of the blocks for many nodes in the other count.
+    # A block for many nodes in one file is read for the nodes that the other file names.
     names = names or [node for word in words for node in _named_in(word)]
     before, after = (side or _in_file(word, names) for side, word in zip(sides, words))
     if all(word.endswith('/**') and word.strip('/*') for word in words):
@@ -238,36 +225,24 @@ def restore(session: Session, args: argparse.Namespace) -> int:
     if not wanted:
         raise CommandFailed(f'{args.file} holds nothing for these nodes' if args.nodes else
                             f'{args.file} names no node: say for which nodes it is')
-    return bring_back(session, wanted, args.file, args)
+    return _bring_back(session, wanted, args)
 
 
-def bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], label: str, args: argparse.Namespace) -> int:
-    """Give nodes values, and say what became of each; return the exit status.
-
-    :param wanted: Names and values, by node.
-    :param label: Where they come from.
-    """
+def _bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], args: argparse.Namespace) -> int:
+    """Give nodes the values of a file, and say what became of each; return the exit status."""
     session.wait_for_graph(args)
-    if args.dry_run:
-        previews, unanswered = ask_all(wanted, lambda client: preview(client, ParameterSet(wanted[client.node], label)),
-                                       timeout_sec=args.timeout, executor=session.executor)
-        _print(session, wanted, previews, SystemPreview(label, previews, unanswered))
-        system_arguments.report_unanswered(session, unanswered)
-        return 1 if unanswered else 0
-    if args.backup:
+    if args.backup and not args.dry_run:
         present = all_parameters(wanted, timeout_sec=args.timeout, executor=session.executor)
         system_arguments.save(session, present.dump(), args.backup)
-    outcomes, unanswered = ask_all(
-        wanted, lambda client: restore_node(client, ParameterSet(wanted[client.node], label),
-                                            one_by_one=args.one_by_one, skip_read_only=args.skip_read_only),
-        timeout_sec=args.timeout, executor=session.executor)
-    result = SystemRestored(label, outcomes, unanswered)
-    _print(session, wanted, outcomes, result)
+
+    def bring(client: ParameterClient) -> Preview | Restored:
+        given = ParameterSet(wanted[client.node], args.file)
+        return preview(client, given) if args.dry_run else restore_node(
+            client, given, one_by_one=args.one_by_one, skip_read_only=args.skip_read_only)
+
+    outcomes, unanswered = ask_all(wanted, bring, timeout_sec=args.timeout, executor=session.executor)
+    result = (Preview if args.dry_run else Restored)(args.file, outcomes, unanswered)
+    if outcomes or len(wanted) > 1:  # the error says all there is to say of one node
+        session.print(result)
     system_arguments.report_unanswered(session, unanswered)
-    return 0 if result.complete else 1
-
-
-def _print(session: Session, wanted: Sized, each: Mapping[str, WordTable], together: WordTable) -> None:
-    """Print one table of all nodes; what there is to say of one node alone does not need its name in each row."""
-    for table in each.values() if len(wanted) == 1 else [together]:
-        session.print(table)
+    return 0 if (not unanswered if isinstance(result, Preview) else result.complete) else 1

@@ -46,7 +46,7 @@ _MOST_SUGGESTIONS = 100
 
 
 @dataclass(frozen=True, order=True)
-class Finding:
+class FileFinding:
     """One mistake in a file."""
 
     file: str
@@ -69,7 +69,7 @@ class Finding:
         return f'{self.file}:{self.line}:{self.column}: {self.kind}: {self.message}'
 
 
-class Findings(tuple[Finding, ...]):
+class Findings(tuple[FileFinding, ...]):
     """All mistakes in some files, in their order; empty if there are none."""
 
     passed_over: tuple[str, ...] = ()
@@ -83,7 +83,7 @@ class Findings(tuple[Finding, ...]):
         return '\n'.join(map(str, self))
 
     def as_json(self) -> str:
-        """Return a list of objects with the fields of Finding and its severity."""
+        """Return a list of objects with the fields of FileFinding and its severity."""
         return json.dumps([asdict(each) | {'severity': each.severity} for each in self], indent=2)
 
     def as_github(self) -> str:
@@ -135,7 +135,7 @@ class _Check:
         self._parser = Parser(tolerant=True)
         self._files: list[str] = []
         self._reported: set[str] = set()
-        self._found: dict[tuple[str, int, int, str, str], Finding] = {}
+        self._found: dict[tuple[str, int, int, str, str], FileFinding] = {}
         self._left_to_launch: set[tuple[str, int]] = set()
 
     def read(self, path: str | Path) -> None:
@@ -180,7 +180,7 @@ class _Check:
 
     def _add(self, file: str, place: Place, kind: str, message: str, node: str = '', parameter: str = '') -> None:
         key = (file, place.line, place.column, kind, parameter)
-        self._found.setdefault(key, Finding(file, place.line, place.column, kind, message, node, parameter))
+        self._found.setdefault(key, FileFinding(file, place.line, place.column, kind, message, node, parameter))
 
     def _places_for_launch(self, file: str, text: str) -> list[tuple[Place, int, int]]:
         """Return what launch fills in and rcl rejects as it stands, and from where to where rcl may say so."""

@@ -41,7 +41,7 @@ from param_tools.descriptor import Descriptor, Range, is_housekeeping
 from param_tools.errors import NodeError, ParameterFileError
 from param_tools.files.parameter_files import Dump, read_bytes
 from param_tools.files.parsing import not_yaml
-from param_tools.files.reference import Entry, Reference, reference_of
+from param_tools.files.reference import Reference, ReferenceRow, reference_of
 from param_tools.values import ParameterType
 
 VERSION = 1
@@ -245,14 +245,14 @@ class NodeDescription:
         """
         is_declared = self.defaults_from == AS_DECLARED
 
-        def entry(name: str, each: DescribedParameter) -> Entry:
+        def row(name: str, each: DescribedParameter) -> ReferenceRow:
             known = '' if each.default is None and is_declared else values.format_value(each.default)
             told = each.descriptor
-            return Entry(re.sub(rf'{_MAP}(\w+)', r'<\1>', name), told.type.label, known,
-                         [*told.rules, *each.validator_calls],
-                         (told.description, told.additional_constraints, each.unit and f'In {each.unit}.'))
+            return ReferenceRow(re.sub(rf'{_MAP}(\w+)', r'<\1>', name), told.type.label, known,
+                                [*told.rules, *each.validator_calls],
+                                (told.description, told.additional_constraints, each.unit and f'In {each.unit}.'))
 
-        return reference_of([entry(name, each) for name, each in self.parameters.items() if not is_housekeeping(name)],
+        return reference_of([row(name, each) for name, each in self.parameters.items() if not is_housekeeping(name)],
                             'default' if is_declared else 'value')
 
 

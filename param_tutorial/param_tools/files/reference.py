@@ -19,7 +19,7 @@ class Reference:
 
 
 @dataclass(frozen=True)
-class Entry:
+class ReferenceRow:
     """What a table says of one parameter, as plain text."""
 
     name: str
@@ -33,14 +33,14 @@ class Entry:
     """What people have written about it; empty ones are left out."""
 
 
-def reference_of(entries: Iterable[Entry], value_heading: str = 'value') -> Reference:
+def reference_of(parameters: Iterable[ReferenceRow], value_heading: str = 'value') -> Reference:
     """Return a table with one row for each parameter.
 
     :param value_heading: What the column of values is called.
     """
     rows = [('parameter', 'type', value_heading, 'enforced', 'meaning'), ('---',) * 5]
     rows += [(_code(each.name), each.label, _code(each.value) if each.value else '', _cell(', '.join(each.rules)),
-              _cell(' '.join(filter(None, each.texts)))) for each in entries]
+              _cell(' '.join(filter(None, each.texts)))) for each in parameters]
     return Reference(''.join(f'| {" | ".join(row)} |\n' for row in rows))
 
 

@@ -1,16 +1,16 @@
-"""Several names for one parameter, on any rclpy node: old names go on working, and say that they are old.
+"""Several names for one parameter of an rclpy node: old names go on working, with a warning when they are set.
 
 Before the first declaration:
 
     Aliases(self, {'max_speed': 'max_speed_rpm'})
     self.declare_parameter('max_speed_rpm', 100)
 
-rclpy knows nothing of aliases, so an old name is a parameter of its own, a *mirror*, which is declared together with
-the new one, and a pre-set callback makes of every change to one of the names the same change to all of them, in one
-step. So set, get, list, describe, events and dumps know the old name. Overrides are moved to the new name before it is
-declared. Two limits are rclpy's: who *reads* an old name gets no notice; and in set_parameters, where each parameter is
-a change of its own, two names with two values are two changes, of which the later one stays (set atomically, they are
-rejected). Needs rclpy and three modules of this package: errors, values, rclpy_private.
+rclpy has no aliases, so an old name is a second parameter, a *mirror*, which is declared together with the new one. A
+pre-set callback turns a change of one name into the same change of all of them, in one step. So set, get, list,
+describe, events and dumps know the old name. Overrides are moved to the new name before it is declared.
+
+rclpy sets two limits. Reading an old name gives no warning. And in set_parameters, where each parameter is a separate
+change, two names with two values are two changes, and the later value stays; set atomically, they are rejected.
 """
 
 import copy
@@ -25,20 +25,20 @@ from param_tools import values
 from param_tools.errors import AliasError
 from param_tools.ros import rclpy_private
 
-_have_aliases: 'weakref.WeakSet[Node]' = weakref.WeakSet()
+_nodes_with_aliases: 'weakref.WeakSet[Node]' = weakref.WeakSet()
 
 
 class Aliases:
-    """The old names of a node's parameters. A node has at most one such object, for all of them."""
+    """The old names of a node's parameters. A node has at most one such object, for all its old names."""
 
     def __init__(self, node: Node, names: Mapping[str, str], *,
                  pre_set: Callable[[list[Parameter]], list[Parameter]] | None = None):
-        """Take over the overrides of the old names, and register one callback of each kind.
+        """Move the overrides of the old names to the new ones, and register one callback of each kind.
 
         :param node: Has not declared any of the names yet.
-        :param names: For each old name, the new one.
-        :param pre_set: The node's own pre-set callback, if it has one. It sees new names only. Registered beside this
-            object it would get every change to be made twice: rclpy appends the answers of all pre-set callbacks.
+        :param names: The new name of each old name.
+        :param pre_set: The node's own pre-set callback, if it has one. It sees new names only. It can't be registered
+            beside this object: rclpy appends the answers of all pre-set callbacks, so every change would happen twice.
         :raises AliasError: an argument makes no sense, the node has Aliases already, a name is declared already, an old
             name stands for itself or for another old name, or overrides give two names of one parameter two values.
         """
@@ -51,7 +51,7 @@ class Aliases:
         self._declaring = ''
         self._used: list[str] = []
         self._reject_nonsense()
-        _have_aliases.add(node)
+        _nodes_with_aliases.add(node)
         self._move_overrides()
         node.add_pre_set_parameters_callback(self._forward)
         node.add_on_set_parameters_callback(self._validate)
@@ -62,12 +62,12 @@ class Aliases:
 
     @property
     def used(self) -> list[str]:
-        """The old names that somebody has set so far, by override or request; an alias outside it may go."""
+        """The old names that somebody has set so far, by override or request. The others may be removed."""
         return list(self._used)
 
     def _reject_nonsense(self) -> None:
         full_name = self._node.get_fully_qualified_name()
-        if self._node in _have_aliases:
+        if self._node in _nodes_with_aliases:
             raise AliasError(f'{full_name} has Aliases already: name all of them in one object, since two pre-set '
                              f'callbacks would make every change twice')
         for old, new in self._new_names.items():
@@ -107,7 +107,7 @@ class Aliases:
     # -- the callbacks ----------------------------------------------------------------------------------------
 
     def _forward(self, parameters: list[Parameter]) -> list[Parameter]:
-        """Make of a change to any name of a parameter the same change to all of them."""
+        """Turn a change of one name of a parameter into the same change of all its names."""
         forwarded: list[Parameter] = []
         said: dict[str, Parameter] = {}
         for proposed in parameters:
@@ -118,26 +118,27 @@ class Aliases:
             if self._mirrors_of(parameter.name):
                 if parameter.name in said:
                     if not _equal(said[parameter.name], parameter):
-                        return parameters  # _validate rejects them, with a reason, which no pre-set callback can give
+                        # A pre-set callback can't give a reason. _validate can, and rejects this change.
+                        return parameters
                     continue
                 said[parameter.name] = parameter
             forwarded.append(parameter)
         if self._pre_set is not None:
             forwarded = self._pre_set(forwarded)
-        # The new name comes first, so that what rclpy finds wrong is told with the new name.
+        # The new name comes first, so that rclpy names it in a rejection.
         return [each for parameter in forwarded for each in (parameter, *(
             Parameter(old, parameter.type_, parameter.value) for old in self._mirrors_of(parameter.name)
             if self._node.has_parameter(old)))]
 
     def _validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Reject changes in which the names of one parameter do not agree. Changes nothing."""
+        """Reject a change in which the names of one parameter have different values."""
         said: dict[str, Parameter] = {}
         names = [parameter.name for parameter in parameters]
         for parameter in parameters:
             new = self._new_names.get(parameter.name, parameter.name)
             if not self._mirrors_of(new):
                 continue
-            if parameter.name != new and parameter.name not in (self._declaring, *self._known):
+            if parameter.name not in (new, self._declaring) and not self._node.has_parameter(parameter.name):
                 return _rejected(f'{parameter.name} is an old name of {new}, which declares it: do not declare it')
             if not _equal(said.setdefault(new, parameter), parameter):
                 return _rejected(f'{said[new].name} = {said[new].value!r} and {parameter.name} = {parameter.value!r} '
@@ -147,28 +148,23 @@ class Aliases:
                                 f'node has another pre-set callback: hand that to Aliases(..., pre_set=...)')
         return SetParametersResult(successful=True)
 
-    @property
-    def _known(self) -> list[str]:
-        """The mirrors that are declared."""
-        return [old for old in self._new_names if self._node.has_parameter(old)]
-
     def _declare_mirrors(self, parameters: list[Parameter]) -> None:
-        """Declare the old names of a parameter that has just been declared."""
+        """Declare the mirrors of a parameter that has just been declared."""
         for parameter in parameters:
             for old in self._mirrors_of(parameter.name):
                 if not self._node.has_parameter(old) and self._node.has_parameter(parameter.name):
                     self._declare_mirror(old, parameter)
 
     def _declare_mirror(self, old: str, parameter: Parameter) -> None:
-        # Its own copy: rclpy writes name and type into the descriptor that it is given.
+        # A copy, because rclpy writes name and type into the descriptor that it is given.
         descriptor = copy.deepcopy(self._node.describe_parameter(parameter.name))
         descriptor.description = f'Deprecated, use {parameter.name}. {descriptor.description}'.rstrip()
-        # A value says its type, except that of no value, or of an empty array.
+        # The type of a value is known, unless there is no value, or an empty array.
         of_type = Parameter.Type(descriptor.type)
-        alone = descriptor.dynamic_typing or Parameter.Type.from_parameter_value(parameter.value) == of_type
+        is_known = descriptor.dynamic_typing or Parameter.Type.from_parameter_value(parameter.value) == of_type
         self._declaring = old
         try:
-            self._node.declare_parameter(old, parameter.value if alone else of_type, descriptor)
+            self._node.declare_parameter(old, parameter.value if is_known else of_type, descriptor)
         finally:
             self._declaring = ''
 

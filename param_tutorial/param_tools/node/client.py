@@ -27,7 +27,7 @@ from param_tools.descriptor import Descriptor, Descriptors, Range, is_housekeepi
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError, ParameterRejectedError, nearest
 from param_tools.files import parameter_files
 from param_tools.files.editing import update_file
-from param_tools.files.reference import Entry, Reference, reference_of
+from param_tools.files.reference import Reference, ReferenceRow, reference_of
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC, full_name
@@ -306,8 +306,8 @@ class ParameterClient:
             names = [name for name in self.list_parameters() if not is_housekeeping(name)]
         wanted = _listed(names)
         present = self.get_parameters(wanted)
-        return reference_of(Entry(name, each.type.label, values.format_value(present[name]), each.rules,
-                                  (each.description, each.additional_constraints))
+        return reference_of(ReferenceRow(name, each.type.label, values.format_value(present[name]), each.rules,
+                                         (each.description, each.additional_constraints))
                             for name, each in self.describe_parameters(wanted).items())
 
     def set_parameter(self, name: str, value: Any) -> SetResult:

@@ -1,4 +1,4 @@
-"""Record what a node declares when it starts, and find what contradicts itself there."""
+"""Record the declarations of a node while it starts, and find the descriptors that contradict them."""
 
 import copy
 import json
@@ -24,11 +24,11 @@ class Declaration:
 
     name: str
     default: Any
-    """None if there is a type in the place of a default."""
+    """None if it was declared with a type instead of a default."""
     value: Any
-    """What the node has afterwards; None if nothing."""
+    """The value after the declaration; None if it has none."""
     contradictions: tuple[str, ...] = ()
-    """What its descriptor says in vain, in words, each with the remedy."""
+    """What rclpy ignores in the descriptor, in words, each with the remedy."""
 
 
 def record_declarations(node_class: type[Node], overrides: Mapping[str, Any] | None = None, *,
@@ -37,7 +37,7 @@ def record_declarations(node_class: type[Node], overrides: Mapping[str, Any] | N
 
     :param node_class: As for ``ros.add()``; its constructor takes no arguments.
     :param overrides: Values from outside, by name, as after ``-p``.
-    :return: The node, and its declarations without those that every node has.
+    :return: The node, and its declarations, except those that every node has.
     :raises ExecutorError: no executor is running, or node_class is not a class of nodes.
     """
     declared: list[Declaration] = []
@@ -47,7 +47,7 @@ def record_declarations(node_class: type[Node], overrides: Mapping[str, Any] | N
         def declare_parameters(self, namespace: str, parameters: Any, *args: Any, **others: Any) -> list[Parameter]:
             # declare_parameter() comes here too.
             entries = [tuple(each) for each in parameters]
-            # rclpy writes into the descriptors.
+            # Copies, because rclpy writes into the descriptors.
             meant = [copy.copy(entry[2]) if len(entry) > 2 else None for entry in entries]
             answers: list[Parameter] = super().declare_parameters(namespace, entries, *args, **others)
             for (_, *rest), descriptor, answer in zip(entries, meant, answers, strict=True):
@@ -68,13 +68,13 @@ def record_declarations(node_class: type[Node], overrides: Mapping[str, Any] | N
 
 def check_declarations(node_class: type[Node], overrides: Mapping[str, Any] | None = None, *,
                        executor: BackgroundExecutor | None = None) -> None:
-    """Start a node on the stage, and stop it; raise an error if rclpy ignores some of what its descriptors say.
+    """Start a node on the stage, stop it, and raise an error if rclpy ignores part of a descriptor.
 
     rclpy 7.1 keeps the descriptor object that it is given, writes the parameter's name and the type of its value into
-    it, and looks at a range only where it is of the value's own kind. None of that makes it complain (ros2/rclpy#879).
+    it, and looks at a range only if it has the type of the value. It never complains (ros2/rclpy#879).
 
-    :param node_class: As for ``record_declarations``; so are the others.
-    :raises DeclarationError: a descriptor says something else than its declaration does.
+    :param node_class: Like the other arguments, as for ``record_declarations``.
+    :raises DeclarationError: a descriptor contradicts its declaration.
     :raises ExecutorError: no executor is running, or node_class is not a class of nodes.
     """
     ros = executor or stage.current()
@@ -86,10 +86,11 @@ def check_declarations(node_class: type[Node], overrides: Mapping[str, Any] | No
 
 
 def describe_wrong_field(message: Any) -> str:
-    """Return which field of a message, or of a message in it, has a value of the wrong type; nothing if none has.
+    """Return which field of a message, or of a message in it, has a value of the wrong type; empty if none has.
 
-    rclpy looks at no field, unless a message is made with ``check_fields=True``. It sends an integer in place of a
-    double as another number, which depends on the version of Python, and most other values not at all.
+    rclpy checks the fields of a message only if it is made with ``check_fields=True``. Without the check, an integer in
+    place of a double is sent as another number, which depends on the version of Python, and most other wrong values
+    are not sent at all.
     """
     for name in message.get_fields_and_field_types():
         value = getattr(message, name)
@@ -104,11 +105,11 @@ def describe_wrong_field(message: Any) -> str:
 
 
 def _contradictions(name: str, kept: ParameterDescriptor, meant: ParameterDescriptor, first: str | None) -> list[str]:
-    """Return what a descriptor says in vain.
+    """Return what rclpy ignores in a descriptor, in words, each with the remedy.
 
-    :param kept: What the node has made of it.
-    :param meant: What it was before.
-    :param first: The parameter that was declared with the same object before, if there is one.
+    :param kept: The descriptor after the declaration.
+    :param meant: The descriptor before.
+    :param first: The parameter that was declared with the same descriptor object before; None if there is none.
     """
     if first is not None:
         return [f'its descriptor is the object of {first}, which now describes {name} too. Make one for each']

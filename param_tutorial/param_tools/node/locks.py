@@ -1,24 +1,23 @@
-"""Which parameters can't be changed now: what their descriptors say, held against what the node has.
+"""Which parameters can't be changed now: the conditions in their descriptors, compared with the node's values.
 
-``Rules.only_while`` states a lock in words that every tool shows. Here they are read again, also those of a node in
-another process or on another machine.
+``Rules.only_while`` writes such a condition into the descriptor, in words that every tool shows. Here these words are
+read back, also from a node in another process or on another machine.
 """
 
-import ast
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
 from param_tools.node.client import ParameterClient
-from param_tools.node.rules import IS, ONLY_WHILE
+from param_tools.node.rules import IS, ONLY_WHILE, read_values
 
 
 class Condition(NamedTuple):
-    """What has to be so for a parameter to be changed."""
+    """The value that another parameter must have for a parameter to be changed."""
 
     name: str
-    """Of another parameter."""
+    """The other parameter."""
     value: Any
 
     def __str__(self) -> str:
@@ -26,23 +25,13 @@ class Condition(NamedTuple):
 
 
 def conditions_of(descriptor: Descriptor) -> list[Condition]:
-    """Return the conditions that ``Rules.only_while`` has put on a parameter; none if its constraints name no such."""
-    found = []
-    for part in descriptor.additional_constraints.split(ONLY_WHILE.capitalize())[1:]:
-        name, _, rest = part.partition(IS)
-        # Another rule may follow, and the value may hold what stands between two of them.
-        pieces = rest.split('; ')
-        for end in range(1, len(pieces) + 1):
-            try:
-                found.append(Condition(name, ast.literal_eval('; '.join(pieces[:end]))))
-            except (ValueError, SyntaxError):
-                continue
-            break
-    return found
+    """Return the conditions that ``Rules.only_while`` has written into a descriptor."""
+    parts = (part.partition(IS) for part in descriptor.additional_constraints.split(ONLY_WHILE.capitalize())[1:])
+    return [Condition(name, value) for name, _, rest in parts for value in read_values(rest)[:1]]
 
 
 def unmet(conditions: Iterable[Condition], known: Mapping[str, Any]) -> str:
-    """Return why a parameter can't be changed now, in words; empty if it can, or if nobody knows.
+    """Return why a parameter can't be changed now, in words; empty if it can, or if that is not known.
 
     :param known: The values of the node's parameters, by name, as far as they are known.
     """
@@ -56,7 +45,7 @@ def unmet(conditions: Iterable[Condition], known: Mapping[str, Any]) -> str:
 def locks(client: ParameterClient) -> dict[str, str]:
     """Return the parameters of a node that can't be changed now, and why: by name, in words.
 
-    What is not in it may still be rejected: a callback can have reasons of its own, and the node has the last word.
+    The node may still reject a change of any other parameter: its callbacks can have reasons of their own.
 
     :raises NodeError: the node does not answer.
     """

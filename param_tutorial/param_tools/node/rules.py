@@ -5,12 +5,14 @@ Declare first, then state the rules:
     Rules(self).matches('serial', r'[A-Z]{2}[0-9]{4}').check(
         ['low_c', 'high_c'], lambda low, high: low < high, 'low_c must be below high_c')
 
-A rule is judged twice. When it is stated, on what the node holds by then, be it default or override: a node that is
-started with bad values does not start. And in an on-set callback, on the values as they would be after the whole
-change. It is also written into the parameters' ``additional_constraints``, where ``ros2 param describe`` and panels
-show it. Needs rclpy and three modules of this package: errors, values, rclpy_private.
+A rule is judged twice. When it is stated, it is judged on the values that the node has by then, defaults or overrides:
+a node that is started with bad values does not start. Later an on-set callback judges it on the values as they would
+be after the whole change. The rule is also written into the parameters' ``additional_constraints``, where ``ros2 param
+describe`` and panels show it.
 """
 
+import ast
+import contextlib
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -30,35 +32,49 @@ from param_tools.ros import rclpy_private
 _NUMBERS = (values.INTEGER, values.DOUBLE, values.INTEGER_ARRAY, values.DOUBLE_ARRAY)
 _TEXTS = (values.STRING, values.STRING_ARRAY)
 _ARRAYS = tuple(each for each in values.TYPES if each.is_array)
-# Of a step. 3 * 0.1 is 0.30000000000000004, and the sender means 0.3.
+# How far from a multiple a number may be, in steps: 3 * 0.1 is 0.30000000000000004, and the sender means 0.3.
 _TOLERANCE = Fraction(1, 10**6)
 _NUMBER = r'[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?'
 # How much of a value a reason repeats.
 _LETTERS = 60
-# By these words ``text.choices_of`` knows the rule again.
+# The words of two rules, which ``text.choices_of`` and ``locks.conditions_of`` find in a descriptor.
 ONE_OF = 'must be one of '
-# By these, ``locks.conditions_of``.
 ONLY_WHILE, IS = 'can change only while ', ' is '
+# What stands between two rules in a descriptor.
+_BETWEEN = '; '
+
+
+def read_values(words: str) -> list[Any]:
+    """Return the values, separated by commas, with which the rest of a rule in a descriptor begins.
+
+    :return: Empty if the text does not begin with values.
+    """
+    # Other rules may follow, and a value may hold what stands between two of them.
+    parts = words.split(_BETWEEN)
+    for end in range(1, len(parts) + 1):
+        with contextlib.suppress(ValueError, SyntaxError):
+            return list(ast.literal_eval(f'[{_BETWEEN.join(parts[:end])}]'))
+    return []
 
 
 @dataclass(frozen=True)
 class Rule:
-    """Something that has to hold for the values of one or several parameters."""
+    """A condition for the values of one or several parameters."""
 
     names: tuple[str, ...]
     sentence: str
-    """What has to hold, for the one who broke it, e.g. 'must match [A-Z]{2}'."""
+    """The condition in words, e.g. 'must match [A-Z]{2}', for the person who broke it."""
     holds: Callable[..., Any]
-    """Called with one value for each name, says yes or no."""
+    """Called with one value for each name; returns True or False."""
 
     def __str__(self) -> str:
         return f'{", ".join(self.names)}: {self.sentence}'
 
     def judge(self, known: Mapping[str, Any]) -> str:
-        """Say how these values break the rule; nothing if they don't, or if one of them is not set.
+        """Return how these values break the rule, in words; empty if they don't, or if one of them is not set.
 
         :param known: The values by name. The rule gets copies, so it cannot change them.
-        :raises RuleError: the rule raised an exception, or said neither yes nor no.
+        :raises RuleError: the rule raised an exception, or returned neither True nor False.
         """
         present = [values.normalize(known.get(name)) for name in self.names]
         if any(value is None for value in present):
@@ -71,26 +87,26 @@ class Rule:
                 raise TypeError('it returned None; a rule has to return True or False')
             broken = not held
         except Exception as error:
-            # Whatever comes out of a callback would end the node's executor.
+            # An exception that left the callback would end the node's executor.
             raise RuleError(f'{shown}: the rule "{self.sentence}" could not be judged: '
                             f'{type(error).__name__}: {error}') from error
         return f'{shown}: {self.sentence}' if broken else ''
 
 
 class Rules:
-    """The rules of one node. Every method that states a rule gives the object itself, so they can be chained.
+    """The rules of one node. Every method that states a rule returns the object itself, so calls can be chained.
 
-    They all raise:
+    These methods all raise:
 
     - ParameterNotDeclaredError: the node has not declared a parameter of that name (yet);
-    - RuleError: the rule makes no sense for the parameter's type, or raises an exception for what it holds now;
-    - rclpy's InvalidParameterValueException: what the parameter holds now, by default or override, breaks the rule.
+    - RuleError: the rule makes no sense for the parameter's type, or raises an exception for its present value;
+    - rclpy's InvalidParameterValueException: the present value, a default or an override, breaks the rule.
     """
 
     def __init__(self, node: Node):
-        """Register an on-set callback. Several Rules on one node, and further callbacks, are all asked.
+        """Register an on-set callback. If a node has several Rules, or other callbacks, rclpy asks them all.
 
-        :raises RuleError: it is not a node.
+        :raises RuleError: ``node`` is not a node.
         """
         if not isinstance(node, Node):
             raise RuleError(f'Rules takes the node whose parameters they are for, usually self, not {node!r}')
@@ -108,36 +124,30 @@ class Rules:
         """
         try:
             compiled = re.compile(pattern)
-            compiled.fullmatch('')  # which one made of bytes rejects
+            compiled.fullmatch('')  # a pattern of bytes rejects texts
         except (re.error, TypeError) as error:
-            raise RuleError(
-                f'cannot state a rule for {name}: {pattern!r} is not a regular expression: {error}') from None
+            raise _nonsense(name, f'{pattern!r} is not a regular expression: {error}') from None
         return self._state_for_each(name, f'must match {compiled.pattern}', compiled.fullmatch, _TEXTS, 'texts')
 
     def one_of(self, name: str, choices: Iterable[Any]) -> 'Rules':
         """State that a value, or each element of an array, is one of several, of the same type."""
         listed = [values.normalize(choice) for choice in _listed(choices)]
         if not listed:
-            raise RuleError(f'cannot state a rule for {name}: give a list of at least one choice, not {choices!r}')
+            raise _nonsense(name, f'give a list of at least one choice, not {choices!r}')
         wanted = self._type_of(name)
         for choice in listed:
-            try:
-                found = values.type_of(choice)
-            except InvalidValueError as error:
-                raise RuleError(f'cannot state a rule for {name}: {error}') from None
-            if wanted not in (None, found) and wanted.name != f'{found.name}_ARRAY':
-                raise RuleError(f'cannot state a rule for {name}: it is a parameter of type {wanted.label} and can '
-                                f'never be {choice!r}, of type {found.label}')
+            if objection := _never(choice, wanted, or_element=True):
+                raise _nonsense(name, objection)
         return self._state_for_each(name, f'{ONE_OF}{", ".join(map(repr, listed))}',
                                     lambda value: any(values.same(value, choice) for choice in listed))
 
     def multiple_of(self, name: str, step: float, unit: str = '') -> 'Rules':
-        """State that a number, or each of an array, is a multiple of a step, to a millionth of it.
+        """State that a number, or each of an array, is a multiple of a step, to a millionth of the step.
 
-        :param unit: Of the step, to be shown.
+        :param unit: The unit of the step, to be shown.
         """
         if isinstance(step, bool) or not isinstance(step, (int, float)) or not 0 < step < math.inf:
-            raise RuleError(f'cannot state a rule for {name}: a step is a number above 0, not {step!r}')
+            raise _nonsense(name, f'a step is a number above 0, not {step!r}')
 
         def is_multiple(value: float) -> bool:
             if not math.isfinite(value):
@@ -150,10 +160,10 @@ class Rules:
                                     _NUMBERS, 'numbers')
 
     def quantity(self, name: str, units: Iterable[str]) -> 'Rules':
-        """State that a text is a number with one of several units behind it, such as '250 ms'."""
+        """State that a text is a number followed by one of several units, such as '250 ms'."""
         listed = _listed(units)
         if not listed or not all(isinstance(unit, str) and unit.strip() for unit in listed):
-            raise RuleError(f'cannot state a rule for {name}: give a list of at least one unit, not {units!r}')
+            raise _nonsense(name, f'give a list of at least one unit, not {units!r}')
         pattern = re.compile(f'{_NUMBER} ?({"|".join(map(re.escape, listed))})')
         return self._state_for_each(
             name, f'must be a number with the unit {" or ".join(listed)}, such as "1.5 {listed[0]}"',
@@ -162,11 +172,11 @@ class Rules:
     def length(self, name: str, at_least: int, at_most: int | None = None) -> 'Rules':
         """State how many elements an array has, or how many characters a text.
 
-        :param at_most: By default as many as ``at_least``, so that it is exactly those.
+        :param at_most: By default ``at_least``: exactly that many.
         """
         last = at_least if at_most is None else at_most
         if not all(type(count) is int for count in (at_least, last)) or not 0 <= at_least <= last:
-            raise RuleError(f'cannot state a rule for {name}: nothing has a length of {at_least!r} to {last!r}')
+            raise _nonsense(name, f'nothing has a length of {at_least!r} to {last!r}')
         kind = self._require_type(name, (*_ARRAYS, values.STRING), 'arrays and texts')
         counted = 'characters' if kind is values.STRING else 'elements'
         count = f'{at_least}' if at_least == last else f'{at_least} to {last}'
@@ -176,18 +186,13 @@ class Rules:
     def only_while(self, names: str | Iterable[str], other: str, value: Any) -> 'Rules':
         """State that parameters can change only while another one has a value, and are locked until then.
 
-        The other one is a mode, or a state that the node tells in a parameter of its own. ``locks`` and panels know the
-        rule by its words in the descriptor. A request that changes both at once is judged by what the other one would
-        be then.
+        The other parameter is a mode, or a state that the node reports as a parameter. ``locks`` and panels recognize
+        the rule by its words in the descriptor. A request that changes both at once is judged by the new value of the
+        other parameter.
         """
-        wanted, expected = self._type_of(other), values.normalize(value)
-        try:
-            found = values.type_of(expected)
-        except InvalidValueError as error:
-            raise RuleError(f'cannot state a rule about {other}: {error}') from None
-        if wanted not in (None, found):
-            raise RuleError(f'cannot state a rule about {other}: it is a parameter of type {wanted.label} and can '
-                            f'never be {value!r}, of type {found.label}')
+        expected = values.normalize(value)
+        if objection := _never(expected, self._type_of(other)):
+            raise RuleError(f'cannot state a rule about {other}: {objection}')
         listed = [names] if isinstance(names, str) else _listed(names)
         if not listed or other in listed:
             raise RuleError(f'a rule about {other} takes the names of other parameters, not {names!r}')
@@ -201,10 +206,10 @@ class Rules:
     def check(self, names: str | Iterable[str], holds: Callable[..., Any], sentence: str) -> 'Rules':
         """State a rule of your own for one parameter, or across several.
 
-        :param names: Of the parameters; the rule is judged whenever one of them is to change.
-        :param holds: Called with their values in this order, says whether they go together. It must change
-            nothing: the change may still be rejected by others.
-        :param sentence: What has to hold, for the one who broke it.
+        :param names: The parameters; the rule is judged whenever one of them is to change.
+        :param holds: Called with their values in this order; returns whether they go together. It must change
+            nothing: another callback may still reject the change.
+        :param sentence: The rule in words, for the person who broke it.
         """
         listed = (names,) if isinstance(names, str) else tuple(_listed(names))
         if not listed or not callable(holds) or not isinstance(sentence, str) or not sentence.strip():
@@ -214,7 +219,7 @@ class Rules:
     # ---------------------------------------------------------------------------------------------------
 
     def _type_of(self, name: str) -> values.ParameterType | None:
-        """Return the type of a parameter, None if it may be any."""
+        """Return the type of a parameter; None if its type may change."""
         if not isinstance(name, str):
             raise RuleError(f'cannot state a rule for {name!r}, which is not a parameter name')
         if not self._node.has_parameter(name):
@@ -227,7 +232,7 @@ class Rules:
                       ) -> values.ParameterType | None:
         found = self._type_of(name)
         if found is not None and found not in types:
-            raise RuleError(f'cannot state a rule for {name}: it is for {words}, and {name} is of type {found.label}')
+            raise _nonsense(name, f'it is for {words}, and {name} is of type {found.label}')
         return found
 
     def _state_for_each(self, name: str, sentence: str, holds: Callable[[Any], Any],
@@ -240,20 +245,20 @@ class Rules:
             map(holds, value)) if isinstance(value, list) else bool(holds(value))))
 
     def _state(self, rule: Rule, told: Iterable[str] = ()) -> 'Rules':
-        """Take a rule over, and write it into descriptors: those of ``told``, by default all that it is about."""
+        """Add a rule, and write it into the descriptors of ``told``; by default of all parameters that it is about."""
         for name in rule.names:
             self._type_of(name)
         known = {name: self._stored(name) for name in rule.names}
         if reason := rule.judge(known):
             raise InvalidParameterValueException(rule.names[-1], known[rule.names[-1]], reason)
         self._rules.append(rule)
-        # On its own it is a sentence; one that begins with a parameter keeps that as it is spelled.
+        # In a descriptor it begins like a sentence, unless it begins with the name of a parameter.
         words = rule.sentence
         if not words.startswith(rule.names):
             words = words[0].upper() + words[1:]
         for name in told or rule.names:
             descriptor = rclpy_private.own_descriptor(self._node, name)
-            descriptor.additional_constraints = '; '.join(
+            descriptor.additional_constraints = _BETWEEN.join(
                 filter(None, (descriptor.additional_constraints, words)))
         return self
 
@@ -261,7 +266,7 @@ class Rules:
         return self._node.get_parameter_or(name).value
 
     def _validate(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Judge the values as they would be after the whole change. Changes nothing, raises nothing."""
+        """Judge the values as they would be after the whole change; change nothing and raise nothing."""
         proposed = {parameter.name: parameter.value for parameter in parameters}
         reasons = []
         for rule in self._rules:
@@ -275,6 +280,25 @@ class Rules:
         return SetParametersResult(successful=not reason, reason=reason)
 
 
+def _nonsense(name: str, why: str) -> RuleError:
+    return RuleError(f'cannot state a rule for {name}: {why}')
+
+
+def _never(value: Any, wanted: values.ParameterType | None, *, or_element: bool = False) -> str:
+    """Return why a parameter can never have a value, in words; empty if it can.
+
+    :param wanted: The parameter's type; None if its type may change.
+    :param or_element: True if the value may also be an element of an array.
+    """
+    try:
+        found = values.type_of(value)
+    except InvalidValueError as error:
+        return str(error)
+    if wanted in (None, found) or (or_element and wanted.name == f'{found.name}_ARRAY'):
+        return ''
+    return f'it is a parameter of type {wanted.label} and can never be {value!r}, of type {found.label}'
+
+
 def _listed(things: Any) -> list[Any]:
-    """Return several things as a list, an empty one where they are none; a text is one thing and not its letters."""
+    """Return several things as a list; an empty list for a text, or for what is no collection."""
     return list(things) if isinstance(things, Iterable) and not isinstance(things, (str, bytes)) else []

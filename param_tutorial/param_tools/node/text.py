@@ -4,29 +4,28 @@ Numbers are edited as text: JavaScript has no 64-bit integers, and no browser's 
 wrong with "1,5".
 """
 
-import ast
 import math
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import yaml
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
-from param_tools.node.rules import ONE_OF
+from param_tools.node.rules import ONE_OF, read_values
 
 
 @dataclass(frozen=True)
 class Form:
-    """How the values of a type are written into a text box."""
+    """How people write the values of a type."""
 
     format: Callable[[Any], str]
     parse: Callable[[str], Any]
-    """Raises ValueError."""
+    """Raises ValueError or KeyError for a text that is no such value."""
     example: str
-    """Completes "write it like ..."."""
+    """Completes "it takes ..."."""
 
 
 def _parse_integer(text: str) -> int:
@@ -75,25 +74,25 @@ def _format_any(value: Any) -> str:
 
 def _format_any_item(value: Any) -> str:
     if isinstance(value, str):
-        # Asked inside brackets, where YAML's null is no text.
+        # Parsed inside brackets, because there YAML's null is a value and not a text.
         plain = _PLAIN.fullmatch(value) and values.same(values.parse(f'[{value}]'), [value])
         return value if plain else _quoted(value)
     return yaml.safe_dump(value).removesuffix('...\n').strip()
 
 
-def _array(format_item: Callable[[Any], str], parse_item: Callable[[str], Any], example: str) -> Form:
-    """Return the form of an array, a YAML flow sequence, from that of its elements."""
+def _array_of(element: Form) -> Form:
+    """Return the form of an array, a YAML flow sequence; the brackets may be left out."""
 
     def parse_all(text: str) -> list[Any]:
         text = text.strip()
         inner = text[1:-1] if text.startswith('[') and text.endswith(']') else text
-        return [parse_item(item) for item in _split(inner)]
+        return list(map(element.parse, _split(inner)))
 
-    return Form(lambda items: '[' + ', '.join(map(format_item, items)) + ']', parse_all, example)
+    return Form(lambda items: f'[{", ".join(map(element.format, items))}]', parse_all, element.example)
 
 
 def _split(text: str) -> list[str]:
-    """Return what stands between the commas outside quotes; a comma at the end is allowed."""
+    """Return the texts between commas, except commas in quotes; a comma at the end is allowed."""
     item = r"""\s*(?:"(?:[^"\\]|\\.)*"|'(?:[^']|'')*'|[^,'"\[\]{}][^,\[\]{}]*?)\s*"""
     if not text.strip():
         return []
@@ -102,23 +101,29 @@ def _split(text: str) -> list[str]:
     return [each.strip() for each in re.findall(rf'{item}(?=,|\Z)', text.rstrip().rstrip(','), re.DOTALL)]
 
 
+# The form of the elements of each type of array; the example is one of the whole array.
+_ELEMENTS = {
+    values.BYTE_ARRAY: Form(lambda byte: f'0x{byte[0]:02x}', _parse_byte, 'bytes, e.g. [0x00, 0xff]'),
+    values.BOOL_ARRAY: Form(lambda value: str(value).lower(), _parse_bool, 'booleans, e.g. [true, false]'),
+    values.INTEGER_ARRAY: Form(str, _parse_integer, 'integers, e.g. [1, 2, 3]'),
+    values.DOUBLE_ARRAY: Form(repr, _parse_double, 'doubles, e.g. [0.5, 1.0]'),
+    values.STRING_ARRAY: Form(_format_string, _parse_string, 'strings, e.g. [left, "right, far"]'),
+}
 _FORMS = {
     values.NOT_SET: Form(_format_any, values.parse, 'a value in YAML'),
     values.BOOL: Form(lambda value: str(value).lower(), _parse_bool, 'true or false'),
     values.INTEGER: Form(str, _parse_integer, 'an integer, e.g. 42'),
     values.DOUBLE: Form(repr, _parse_double, 'a double, e.g. 0.5'),
     values.STRING: Form(str, str, 'text'),
-    values.BYTE_ARRAY: _array(lambda byte: f'0x{byte[0]:02x}', _parse_byte, 'bytes, e.g. [0x00, 0xff]'),
-    values.BOOL_ARRAY: _array(lambda value: str(value).lower(), _parse_bool, 'booleans, e.g. [true, false]'),
-    values.INTEGER_ARRAY: _array(str, _parse_integer, 'integers, e.g. [1, 2, 3]'),
-    values.DOUBLE_ARRAY: _array(repr, _parse_double, 'doubles, e.g. [0.5, 1.0]'),
-    values.STRING_ARRAY: _array(_format_string, _parse_string, 'strings, e.g. [left, "right, far"]'),
+    **{array_type: _array_of(element) for array_type, element in _ELEMENTS.items()},
 }
+# With more elements than these, a list of boxes helps nobody.
+_MOST_ITEMS = 100
 
 
 def form_of(descriptor: Descriptor) -> Form:
-    """Return the form in which people write a parameter: its type's, or YAML where the type is dynamic."""
-    # YAML has no word for single bytes: a byte array stays one until it is set to something else elsewhere.
+    """Return the form in which people write a parameter: that of its type, or YAML if the type is dynamic."""
+    # YAML has no bytes, so a byte array keeps its form even if its type is dynamic.
     if descriptor.dynamic_typing and descriptor.type is not values.BYTE_ARRAY:
         return _FORMS[values.NOT_SET]
     return _FORMS[descriptor.type]
@@ -127,8 +132,8 @@ def form_of(descriptor: Descriptor) -> Form:
 def format_value(descriptor: Descriptor, value: Any) -> str:
     """Return a value as a person would type it; an empty text if the parameter is not set.
 
-    :param value: Need not be of the parameter's type: a dynamic parameter, or a node that has been started again, had
-        another type before.
+    :param value: May be of another type than the parameter's, which changes if its type is dynamic, or if the node is
+        started again.
     """
     if value is None:
         return ''
@@ -150,47 +155,42 @@ def parse_value(descriptor: Descriptor, text: str) -> Any:
         raise ValueError(f'{text!r} cannot be read: {descriptor.name} takes {form.example}') from None
 
 
-_ITEMS: dict[values.ParameterType, tuple[Callable[[Any], str], Callable[[str], Any]]] = {
-    values.BYTE_ARRAY: (lambda byte: f'0x{byte[0]:02x}', _parse_byte),
-    values.BOOL_ARRAY: (lambda value: str(value).lower(), _parse_bool),
-    values.INTEGER_ARRAY: (str, _parse_integer),
-    values.DOUBLE_ARRAY: (repr, _parse_double),
-    # In a box of its own, a string needs no quotes.
-    values.STRING_ARRAY: (str, str),
-}
-# With more elements than these, a list of boxes helps nobody.
-_MOST_ITEMS = 100
-
-
 def format_items(descriptor: Descriptor, value: Any) -> list[str] | None:
     """Return the elements of an array as a person would type each into a box of its own.
 
-    :return: None if it is not an array, has very many elements, or one has several lines, which no such box can hold.
+    :return: None if it is not an array, if it has very many elements, or if an element has several lines, which no such
+        box can hold.
     """
-    if (descriptor.type not in _ITEMS or descriptor.dynamic_typing or not isinstance(value, list)
+    if (descriptor.type not in _ELEMENTS or descriptor.dynamic_typing or not isinstance(value, list)
             or len(value) > _MOST_ITEMS):
         return None
-    texts = [_ITEMS[descriptor.type][0](item) for item in value]
+    texts = list(map(_element_of(descriptor).format, value))
     return None if any(re.search(r'[\n\r]', text) for text in texts) else texts
 
 
 def parse_items(descriptor: Descriptor, texts: Sequence[str]) -> list[Any]:
     """Return the array whose elements a person typed one by one.
 
-    :raises ValueError: a text is no element of it; the message says which.
+    :raises ValueError: a text is not an element of such an array; the message says which.
     """
-    items = []
+    element, items = _element_of(descriptor), []
     for number, text in enumerate(texts, 1):
         try:
-            items.append(_ITEMS[descriptor.type][1](text))
+            items.append(element.parse(text))
         except (ValueError, KeyError):
             raise ValueError(f'element {number}, {text!r}, cannot be read: {descriptor.name} takes '
-                             f'{form_of(descriptor).example}') from None
+                             f'{element.example}') from None
     return items
 
 
+def _element_of(descriptor: Descriptor) -> Form:
+    element = _ELEMENTS[descriptor.type]
+    # In a box of its own, a string needs no quotes.
+    return replace(element, format=str, parse=str) if descriptor.type is values.STRING_ARRAY else element
+
+
 def fit(descriptor: Descriptor, value: Any) -> Any:
-    """Turn a Python value into what a hand would have entered: a double's control has no whole numbers."""
+    """Return a Python value as if it had been entered in the parameter's control: a double, not a whole number."""
     value = values.normalize(value)
     if not descriptor.dynamic_typing:
         if descriptor.type is values.DOUBLE and isinstance(value, int) and not isinstance(value, bool):
@@ -201,19 +201,9 @@ def fit(descriptor: Descriptor, value: Any) -> Any:
 
 
 def choices_of(descriptor: Descriptor) -> list[Any]:
-    """Return the values that ``Rules.one_of`` leaves to a parameter; none if its constraints name no such rule.
+    """Return the values that ``Rules.one_of`` allows for a parameter; none if its descriptor has no such rule.
 
-    Of a node in another process, the words of a rule are all that one knows of it.
+    The rule itself may be in another process, so its words in the descriptor are read.
     """
-    _, found, rest = descriptor.additional_constraints.partition(ONE_OF.capitalize())
-    if not found or descriptor.type.is_array:
-        return []
-    # Other rules may follow, and a choice may hold what stands between two of them.
-    parts = rest.split('; ')
-    for end in range(1, len(parts) + 1):
-        try:
-            choices = ast.literal_eval(f'[{"; ".join(parts[:end])}]')
-        except (ValueError, SyntaxError):
-            continue
-        return list(choices)
-    return []
+    _, _, rest = descriptor.additional_constraints.partition(ONE_OF.capitalize())
+    return [] if descriptor.type.is_array else read_values(rest)

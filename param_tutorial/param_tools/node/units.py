@@ -1,4 +1,4 @@
-"""The unit of a parameter, where its texts or its name say one in a known way. Where unsure, there is none."""
+"""The unit of a parameter, read from its description, its constraints or its name. In doubt it has none."""
 
 import re
 
@@ -7,7 +7,7 @@ from param_tools.descriptor import Descriptor
 
 _NUMBERS = (values.INTEGER, values.DOUBLE, values.INTEGER_ARRAY, values.DOUBLE_ARRAY)
 
-# How a text writes a unit, and how it is shown. Capital letters alone are names of things too often.
+# The units in a text, and how each is shown. A capital letter alone isn't one: it is too often the name of a thing.
 _SYMBOLS = {each: each for each in (
     'm', 'mm', 'cm', 'km', 'm/s', 'mm/s', 'cm/s', 'km/h', 'm/s²', 'rad', 'rad/s', 'rad/s²', 'deg', 'deg/s', 's', 'ms',
     'Hz', 'kHz', 'rpm', '°C', 'mV', 'mA', 'Nm', 'N/m', 'kg', 'Pa', '%', '1/s', '1/m')} | {
@@ -19,7 +19,7 @@ _WORDS = {
     'degrees per second': 'deg/s', 'degrees celsius': '°C', 'seconds': 's', 'milliseconds': 'ms', 'hertz': 'Hz',
     'revolutions per minute': 'rpm', 'volts': 'V', 'amperes': 'A', 'watts': 'W', 'newtons': 'N', 'kilograms': 'kg',
     'percent': '%'}
-# How a name ends. `_c` alone may be many things, `_m` and `_ms` too.
+# The units at the end of a name. `_c`, `_m` and `_ms` alone may mean many things.
 _ENDINGS = {
     '_mps': 'm/s', '_mps2': 'm/s²', '_meters': 'm', '_rpm': 'rpm', '_hz': 'Hz', '_sec': 's', '_secs': 's',
     '_seconds': 's', '_rad': 'rad', '_radps': 'rad/s', '_deg': 'deg', '_kg': 'kg', '_percent': '%',
@@ -30,17 +30,17 @@ def _any_of(words: dict[str, str]) -> str:
     return '|'.join(map(re.escape, sorted(words, key=len, reverse=True)))
 
 
-# A symbol stands in brackets after a blank, since "joint(s)" has no unit, or after "in" where a part of a sentence
-# ends, since "in m steps" has none.
+# A symbol counts in brackets after a blank ("joint(s)" has no unit), or after "in" at the end of a part of a sentence
+# ("in m steps" has none).
 _IN_BRACKETS = re.compile(rf'(?<!\S)[\[(]\s*(?:in )?({_any_of(_SYMBOLS | _WORDS)})\s*[\])]')
 _AFTER_IN = re.compile(rf'\bin ({_any_of(_SYMBOLS | _WORDS)})(?=[.,;:)]?(?:\s*$|[.,;:)]\s))')
 _WORD_AFTER_IN = re.compile(rf'\bin ({_any_of(_WORDS)})\b(?! per\b|/)', re.IGNORECASE)
 
 
 def unit_of(descriptor: Descriptor) -> str:
-    """Return the unit of a number or of an array of numbers, e.g. ``'m/s'``; empty if none is known for sure.
+    """Return the unit of a number or of an array of numbers, e.g. ``'m/s'``; empty if it is not certain.
 
-    The texts of the descriptor come before the end of the name. If they name two different ones, there is none.
+    The texts of the descriptor come before the end of the name. If they name two different units, there is none.
     """
     if descriptor.type not in _NUMBERS:
         return ''

@@ -1,11 +1,12 @@
-"""Every change of every parameter, as it happens, kept in a file that survives a crash, and read back.
+"""A log of all changes of parameters: a ChangeFollower hears of them, a ChangeLogWriter keeps them in a file, and a
+ChangeLog reads the file back.
 
 A log is a text file with one JSON object in each line: time, node, parameter, kind, old and new value. Each line is on
-the disk before the next is written. A line that a crash has torn is passed over, and so is whatever else is none.
+the disk before the next is written. The reader passes over lines that it can't read, such as one torn by a crash.
 
-Kinds: ``begin`` when somebody begins to watch, ``seen`` for each value that is there then or in a node that comes
-later, ``declared``, ``changed``, ``deleted``, and ``gone`` for a node that has left. So the state at any time can be
-told from the lines before it.
+The kinds of lines are ``begin`` when somebody begins to watch, ``seen`` for each value that a node has at that moment
+or when it appears later, ``declared``, ``changed``, ``deleted``, and ``gone`` for a node that has left. So the values
+at any time follow from the lines before it.
 """
 
 import contextlib
@@ -18,7 +19,7 @@ import queue
 import re
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -41,21 +42,19 @@ from param_tools.node.client import ParameterClient, ParameterValues
 from param_tools.ros import stage
 from param_tools.ros.executor import TOOL_NODE_NAME, BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
-from param_tools.systems.sets import WordTable
 from param_tools.systems.snapshot import Snapshot, ask_all
+from param_tools.systems.word_table import WordTable
 
 KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
 # How many letters of a value stand in the text of a change.
 _LETTERS = 60
 _CLOSE_TIMEOUT_SEC = 10.0
-# When a node that is new is read again, each after so long. On a busy machine its publisher may know of this reader
-# only after a heartbeat of Fast DDS, which comes every three seconds.
+# How long to wait before each of the readings that follow the first one of a new node. Events may be missed meanwhile:
+# on a busy machine the node's publisher may discover this reader only at a heartbeat of Fast DDS, every three seconds.
 _READ_AGAIN_SEC = (0.5, 1.0, 2.0, 4.0)
-# When a node that has not answered is asked again, each after so long, and then as often as the last one says: what
-# happens has to wait while one is asked.
+# How long to wait before each new question to a node that has not answered; the last wait is repeated. The waits grow
+# because all changes of other nodes have to wait while one is asked.
 _ASK_AGAIN_SEC = (1.0, 2.0, 5.0, 10.0, 30.0)
-# Where machine time is slow, what is left of it would be halved again and again.
-_LEAST_WAIT_SEC = 0.01
 
 
 @dataclass(frozen=True)
@@ -63,7 +62,7 @@ class LoggedChange:
     """One line of a log."""
 
     time: datetime.datetime
-    """When it was heard of, with a time zone."""
+    """When the follower heard of the change, with a time zone."""
     kind: str
     """One of KINDS."""
     node: str = ''
@@ -71,11 +70,11 @@ class LoggedChange:
     name: str = ''
     """The parameter; empty for ``begin`` and ``gone``."""
     old: Any = None
-    """None if it was not known, or there was none."""
+    """None if there was no value, or it is not known."""
     new: Any = None
 
     def as_line(self) -> str:
-        """Return the line of a log, without its end."""
+        """Return the change as a line of a log, without the line's end."""
         return json.dumps({'time': self.time.isoformat(), 'kind': self.kind, 'node': self.node, 'parameter': self.name,
                            'old': _encode(self.old), 'new': _encode(self.new)})
 
@@ -83,7 +82,7 @@ class LoggedChange:
     def from_line(cls, line: str) -> 'LoggedChange':
         """Read a line of a log.
 
-        :raises ValueError: it is none.
+        :raises ValueError: the text is not such a line.
         """
         try:
             found = json.loads(line)
@@ -108,7 +107,7 @@ class LoggedChange:
 
 
 def _encode(value: Any) -> Any:
-    """Return a value as JSON has it; where that has no word for it, as a map from its type."""
+    """Return a value as JSON has it; a value that JSON has not, as a map from its type to a text or numbers."""
     if isinstance(value, float) and not math.isfinite(value):
         return {'double': repr(value)}
     if isinstance(value, list) and value and isinstance(value[0], bytes):
@@ -170,16 +169,16 @@ class ChangeLogWriter:
 # -- reading --------------------------------------------------------------------------------------------------
 
 
-class ChangeLog(WordTable):
+class ChangeLog(WordTable[LoggedChange]):
     """The changes that a log holds, in their order. Shown as a table."""
 
     columns = ('time', 'node', 'parameter', 'kind', 'old', 'new')
 
     def __init__(self, changes: Iterable[LoggedChange], damaged: Iterable[int] = ()):
         """:param damaged: The numbers of the lines that could not be read."""
-        self.changes = tuple(changes)
+        super().__init__(changes)
         self.damaged = tuple(damaged)
-        self.heading = format_count(len(self.changes), 'change')
+        self.heading = format_count(len(self), 'change')
         if self.damaged:
             self.heading += f'; unreadable: line {", ".join(map(str, self.damaged))}'
 
@@ -187,7 +186,7 @@ class ChangeLog(WordTable):
     def read(cls, path: str | Path) -> 'ChangeLog':
         """Read a log, as far as it can be read.
 
-        :raises ParameterFileError: it cannot be opened, or no line of it is one of a log.
+        :raises ParameterFileError: the file cannot be opened, or it is another kind of file.
         """
         lines = read_bytes(path).split(b'\n')
         changes, damaged = [], []
@@ -202,12 +201,6 @@ class ChangeLog(WordTable):
             raise ParameterFileError(f'{path}, line {damaged[0]}: this is no log of parameter changes')
         return cls(changes, damaged)
 
-    def __len__(self) -> int:
-        return len(self.changes)
-
-    def __iter__(self) -> Iterator[LoggedChange]:
-        return iter(self.changes)
-
     def select(self, *, nodes: Iterable[str] = (), names: str = '', kinds: Iterable[str] = (),
                since: datetime.datetime | None = None, until: datetime.datetime | None = None) -> 'ChangeLog':
         """Return only some of the changes.
@@ -220,7 +213,7 @@ class ChangeLog(WordTable):
         """
         wanted, patterns, kinds = re.compile(names), list(nodes), set(kinds)
         since, until = since and since.astimezone(), until and until.astimezone()
-        return ChangeLog((each for each in self.changes
+        return ChangeLog((each for each in self
                           if (not patterns or any(matches(pattern, each.node) for pattern in patterns))
                           and (not names or (each.name and wanted.search(each.name)))
                           and (not kinds or each.kind in kinds)
@@ -234,10 +227,10 @@ class ChangeLog(WordTable):
         """
         if time is not None:
             time = time.astimezone()
-        elif self.changes:
-            time = self.changes[-1].time
+        elif self.records:
+            time = self.records[-1].time
         state: dict[str, dict[str, Any]] = {}
-        for each in self.changes:
+        for each in self:
             if time is not None and each.time > time:
                 break
             if each.kind == 'begin':
@@ -259,9 +252,9 @@ class ChangeLog(WordTable):
         """
         with contextlib.suppress(ValueError, OverflowError):
             day = datetime.time.fromisoformat(text)
-            last = self.changes[-1].time if self.changes else datetime.datetime.now().astimezone()
+            last = self.records[-1].time if self.records else datetime.datetime.now().astimezone()
             found = datetime.datetime.combine(last.astimezone(day.tzinfo), day).astimezone()
-            first = self.changes[0].time if self.changes else last
+            first = self.records[0].time if self.records else last
             day_before = found - datetime.timedelta(days=1)
             return day_before if found > last and day_before >= first else found
         try:
@@ -269,31 +262,31 @@ class ChangeLog(WordTable):
         except (ValueError, OverflowError):
             raise InvalidValueError(f'{text!r} is not a time: write 14:05, 14:05:30 or 2026-11-22T14:05') from None
 
-    def rows(self) -> list[tuple[str, ...]]:
-        return [(f'{each.time.astimezone():%Y-%m-%d %H:%M:%S.%f}'[:-3], each.node, each.name, each.kind,
-                 *values.format_change(each.old, each.new, _LETTERS, nothing='')) for each in self.changes]
+    def words(self, record: LoggedChange) -> tuple[str, ...]:
+        return (f'{record.time.astimezone():%Y-%m-%d %H:%M:%S.%f}'[:-3], record.node, record.name, record.kind,
+                *values.format_change(record.old, record.new, _LETTERS, nothing=''))
 
 
 # -- following ------------------------------------------------------------------------------------------------
 
 
 class ChangeFollower:
-    """Hears of every change of every parameter, and remembers what was there before. A context manager.
+    """Hears of every change of every parameter, and knows the value before it. A context manager.
 
-    The events only tell new values, and a node that has just been discovered may have sent some already; so each node
-    is read when it is first seen, and again when it has been restarted.
+    An event holds only the new value, and a node may have sent events before it was discovered. So the follower reads
+    each node when it first sees it, and again after it has been restarted.
     """
 
     def __init__(self, listener: Callable[[list[LoggedChange]], None], *, nodes: Iterable[str] = (),
                  trouble: Callable[[NodeError], None] | None = None, timeout_sec: float = TIMEOUT_SEC,
                  executor: BackgroundExecutor | None = None):
-        """Begin: the listener has been called with all that is there when this returns.
+        """Begin to follow. Before this returns, the listener is called with all values that the nodes have now.
 
         :param listener: Called with changes that have happened together, in their order; in a thread of its own, and
             never twice at once.
         :param nodes: Names of nodes, or patterns such as ``/robot1/**``; by default all but hidden ones.
-        :param trouble: Called likewise when a node did not answer; what it had is then not known. It is asked again now
-            and then.
+        :param trouble: Called in the same way when a node has not answered, so that its values are not known. The node
+            is asked again from time to time.
         :param timeout_sec: How long a node may take for each answer.
         """
         self._listener = listener
@@ -304,9 +297,9 @@ class ChangeFollower:
         self._known: dict[str, dict[str, Any]] = {}
         self._incarnations: dict[str, frozenset[bytes]] = {}
         self._new: dict[str, list[float]] = {}
-        """When a node is to be read again, in machine time."""
+        """When each new node is to be read again."""
         self._silent: dict[str, list[float]] = {}
-        """The nodes that have not answered, and how long to wait before each is asked again."""
+        """How long to wait before each new question to a node that has not answered."""
         self._look_again_at: float | None = None
         self._happened: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
         self._stop_listening = [self._executor.on_parameter_event(self._on_event),
@@ -323,7 +316,7 @@ class ChangeFollower:
         self.close()
 
     def close(self) -> None:
-        """Stop following, after all that has happened so far was told. Safe to call more than once."""
+        """Stop following, once the listener has all that has happened so far. Safe to call more than once."""
         for stop in self._stop_listening:
             with contextlib.suppress(ExecutorError):
                 stop()
@@ -355,18 +348,18 @@ class ChangeFollower:
                     self._listener(changes)
 
     def _next(self) -> Callable[[], list[LoggedChange]] | None:
-        """Wait for what happens next, and no longer than until a node is to be read again, or asked again."""
+        """Return what to do next. Wait for it at most until a node is to be read again, or asked again."""
         dues = [times[0] for times in self._new.values()]
         due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=None)
         if due is not None and due <= time.monotonic():  # however much happens
             return self._read_again
         try:
-            return self._happened.get(timeout=None if due is None else max(_LEAST_WAIT_SEC, due - time.monotonic()))
+            return self._happened.get(timeout=None if due is None else max(0.0, due - time.monotonic()))
         except queue.Empty:
             return self._read_again
 
     def _read_again(self) -> list[LoggedChange]:
-        """Read the nodes that are new: the first events of one may come before its publisher knows of this reader."""
+        """Read the new nodes again: a node's first events are lost if its publisher doesn't know this reader yet."""
         now = time.monotonic()
         if self._look_again_at is not None and self._look_again_at <= now:
             return self._look()
@@ -374,7 +367,7 @@ class ChangeFollower:
         self._new = {node: times for node, times in self._new.items() if node not in due}
         answers, _ = ask_all(sorted(self._known.keys() & due), ParameterClient.get_parameters,
                              timeout_sec=self._timeout_sec, executor=self._executor)
-        # One that did not answer isn't asked again: meanwhile nothing else would be told.
+        # A node that did not answer isn't asked again, because all other changes would have to wait.
         self._new |= {node: later for node, later in due.items() if later and node in answers}
         return [change for node, parameters in answers.items() for change in self._seen(node, parameters)]
 
@@ -385,7 +378,7 @@ class ChangeFollower:
             for each in parameters:
                 new = values.to_python_or_none(each.value)
                 if each.name in known and values.same(known[each.name], new):
-                    continue  # it was read meanwhile, or set to what it was
+                    continue  # it was read after the event, or set to the value that it had
                 old = known.get(each.name)
                 kind_now = 'changed' if each.name in known else kind
                 changes.append(LoggedChange(time, kind_now, event.node, each.name, old, new))
@@ -395,7 +388,7 @@ class ChangeFollower:
         return changes
 
     def _look(self) -> list[LoggedChange]:
-        """Read the nodes that have come, and note those that have gone."""
+        """Read the nodes that have appeared, and note those that have left."""
         names = set(filter(self._is_wanted, self._executor.services.node_names(hidden=True))) - {f'/{TOOL_NODE_NAME}'}
         now = {node: self._executor.node_incarnations(node) for node in names}
         came = [node for node in now if self._incarnations.get(node) != now[node]]
@@ -415,9 +408,9 @@ class ChangeFollower:
         return changes
 
     def _note_silence(self, unanswered: Mapping[str, NodeError]) -> None:
-        """Tell of the nodes that have just not answered, each once, and see to it that they are asked again."""
+        """Report the nodes that have not answered, each once, and plan when to ask them again."""
         for node, error in unanswered.items():
-            # One that has left meanwhile is told as gone.
+            # A node that has left meanwhile is reported as gone.
             has_left = isinstance(error, (NodeGoneError, NodeNotFoundError))
             if self._trouble is not None and node not in self._silent and not has_left:
                 self._trouble(error)
@@ -427,7 +420,7 @@ class ChangeFollower:
 
     def _seen(self, node: str, parameters: Mapping[str, Any]) -> list[LoggedChange]:
         known, time = self._known.setdefault(node, {}), _now()
-        # What was known already has changed since, before its event was handled.
+        # A known value that differs has changed, and its event is still to come.
         changes = [LoggedChange(time, 'changed' if name in known else 'seen', node, name, known.get(name), value)
                    for name, value in parameters.items() if not (name in known and values.same(known[name], value))]
         known.update(parameters)

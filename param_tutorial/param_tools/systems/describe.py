@@ -1,4 +1,4 @@
-"""Ask running nodes what they declare; ``files.descriptions`` says what the answer holds and how it is saved."""
+"""Ask running nodes what they declare. ``files.descriptions`` defines the answer, and saves it."""
 
 from collections.abc import Iterable
 
@@ -16,9 +16,9 @@ def describe(nodes: Iterable[str | Node] | str | Node | None = None, *, hidden: 
              executor: BackgroundExecutor | None = None) -> Descriptions:
     """Ask running nodes what they declare, all at the same time.
 
-    :param nodes: Which; by default all in the graph. Then the result is complete, if all have answered.
+    :param nodes: Which; by default all in the graph. Only then the result is ``complete``, if all have answered.
     :param hidden: Of all nodes, also those with a part that starts with an underscore.
-    :param defaults_from: What the values of now are called.
+    :param defaults_from: What the present values are called.
     :param timeout_sec: How long a node may take for each answer; one that doesn't answer is in ``unanswered``.
     :raises ExecutorError: no executor is running, or this is called from a callback.
     """

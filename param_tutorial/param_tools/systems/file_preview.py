@@ -1,6 +1,6 @@
-"""What loading a parameter file into a running node would do, before it is done."""
+"""What loading a parameter file into a running node would do: a table to read before the file is loaded."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,12 +13,13 @@ from param_tools.files.checking import check_files
 from param_tools.files.descriptions import DescribedParameter
 from param_tools.files.parsing import effective, matches
 from param_tools.markup.wording import format_count
-from param_tools.systems.sets import MAY_BE_TAKEN, WordTable
+from param_tools.systems.restoring import MAY_BE_TAKEN
+from param_tools.systems.word_table import WordTable
 
 CHANGES, SAME, READ_ONLY, NOT_DECLARED, NOT_SHOWN = 'changes', 'same', 'read-only', 'not declared', 'not shown'
 OTHER_NODE = 'not for this node'
 
-# What is wrong with the file itself. What is wrong with a value, each row says.
+# The kinds of findings that are about the file itself. Findings about a value are in the value's row.
 _ABOUT_THE_FILE = ('unknown node', 'never matched', 'duplicate', 'overridden', 'read otherwise')
 
 
@@ -28,19 +29,19 @@ class PreviewRow:
 
     name: str
     now: Any
-    """The value that the node has; None if it has none, or no such parameter."""
+    """The node's value; None if it has no value, or no such parameter."""
     wanted: Any
     """The value in the file."""
     verdict: str
-    """'changes', 'same', or why it will not be asked for: 'read-only', 'not declared', 'not shown' here, 'wrong type',
-    'out of range', 'off the step' or 'not for this node'."""
+    """'changes', 'same', or why loading leaves the value out: 'read-only', 'not declared', 'not shown' here, 'wrong
+    type', 'out of range', 'off the step' or 'not for this node'."""
     reason: str = ''
-    """What to know about the verdict, as a sentence without a full stop; empty if there is nothing to say."""
+    """The reason for the verdict, as a sentence without a full stop; may be empty."""
     block: str = ''
-    """The name of the block that it stands in, if that is not for this node."""
+    """The name of the block that the value is in, if the block is for other nodes."""
 
 
-class FilePreview(WordTable):
+class FilePreview(WordTable[PreviewRow]):
     """What loading a file would do. The node's own callbacks may still reject a value. Shown as a table."""
 
     columns = ('parameter', 'now', 'in the file', 'verdict', 'reason')
@@ -48,12 +49,12 @@ class FilePreview(WordTable):
     def __init__(self, path: str | Path, node: str, rows: Iterable[PreviewRow], notes: Iterable[str] = ()):
         """
         :param rows: One for each parameter in the file, in the file's order; those for other nodes last.
-        :param notes: What is odd about the file itself.
+        :param notes: Findings about the file itself, as sentences.
         """
-        self.rows_by_parameter = tuple(rows)
+        super().__init__(rows)
         self.notes = tuple(notes)
         counts = {verdict: sum(row.verdict == verdict for row in self) for verdict in (CHANGES, SAME, OTHER_NODE)}
-        left = len(self.rows_by_parameter) - sum(counts.values())
+        left = len(self) - sum(counts.values())
         parts = [f'{format_count(counts[CHANGES], "value")} will change', f'{counts[SAME]} the same']
         parts += [f'{left} will not be loaded'] * (left > 0)
         parts += [f'{counts[OTHER_NODE]} for other nodes'] * (counts[OTHER_NODE] > 0)
@@ -61,43 +62,27 @@ class FilePreview(WordTable):
         """How many rows there are of each kind, in words."""
         self.heading = f'{path} → {node}: {self.summary}'
 
-    def __iter__(self) -> Iterator[PreviewRow]:
-        return iter(self.rows_by_parameter)
-
-    def __len__(self) -> int:
-        return len(self.rows_by_parameter)
-
-    def __getitem__(self, name: str) -> PreviewRow:
-        """Return the row of a parameter of this node.
-
-        :raises KeyError: the file has no such parameter for this node.
-        """
-        for row in self.rows_by_parameter:
-            if row.name == name and row.verdict != OTHER_NODE:
-                return row
-        raise KeyError(name)
-
     @property
     def accepted(self) -> dict[str, Any]:
-        """The values that loading asks for, by the parameters' names."""
-        return {row.name: row.wanted for row in self.rows_by_parameter if row.verdict == CHANGES}
+        """The values that loading would set, by the parameters' names."""
+        return {row.name: row.wanted for row in self if row.verdict == CHANGES}
 
     @property
     def left_out(self) -> dict[str, str]:
-        """Why a parameter of this node will not be asked for, by the parameters' names; not those that are the same."""
-        return {row.name: f'{row.verdict}: {row.reason}' for row in self.rows_by_parameter
+        """Why loading leaves values for this node out, by the parameters' names. Equal values are not in it."""
+        return {row.name: f'{row.verdict}: {row.reason}' for row in self
                 if row.verdict not in (CHANGES, SAME, OTHER_NODE)}
 
-    def rows(self) -> list[tuple[str, ...]]:
-        return [(row.name, *values.format_change(row.now, row.wanted, nothing='-'), row.verdict, row.reason)
-                for row in self.rows_by_parameter]
+    def words(self, record: PreviewRow) -> tuple[str, ...]:
+        return (record.name, *values.format_change(record.now, record.wanted, nothing='-'), record.verdict,
+                record.reason)
 
 
 class Loaded(dict[str, str]):
-    """What loading a file left out, and why, by the parameters' names; what is the same in node and file is not in it.
+    """Why loading a file left values out, by the parameters' names. Values that the node had already are not in it.
 
-    :param names: The parameters that have the file's value now, and had another one before.
-    :param is_gathered: True if they do not have it yet: the values wait with other changes.
+    :param names: The parameters that loading has set to the file's values.
+    :param is_gathered: True if they are not set yet: the values wait with other changes.
     """
 
     def __init__(self, left: Mapping[str, str], names: Iterable[str], *, is_gathered: bool = False):
@@ -111,9 +96,9 @@ def preview_file(path: str | Path, node: str, descriptors: Mapping[str, Descript
     """Find out what loading a file into a node would do. The file is read as rcl reads it.
 
     :param node: The fully qualified name of the node.
-    :param descriptors: What is known of its parameters, by their names.
-    :param present: The values that they have now.
-    :param is_partial: They are only those of a panel that shows some.
+    :param descriptors: The descriptors of its parameters, by the parameters' names.
+    :param present: The present values, by the parameters' names.
+    :param is_partial: True if the node has more parameters: a panel may show only some.
     :raises ParameterFileError: the file cannot be read, or rcl would reject it.
     """
     # A pipe or a device could keep the reader forever.

@@ -1,6 +1,8 @@
-"""Snapshots of a node to go back and forth between."""
+"""Undo and redo for the parameters of a node."""
 
-from param_tools.systems.sets import NodeLike, ParameterSet, Restored, as_client, compare, restore
+from param_tools.systems.comparing import compare
+from param_tools.systems.restoring import Restored, restore
+from param_tools.systems.sets import NodeLike, ParameterSet, as_client
 
 
 class ParameterHistory:
@@ -16,7 +18,7 @@ class ParameterHistory:
         return f'<ParameterHistory: {self._client.node}, snapshot {self._at + 1} of {len(self._snapshots)}>'
 
     def keep(self) -> ParameterSet:
-        """Take a snapshot, if anything has changed since the last one. Then there is nothing to redo any more."""
+        """Take a snapshot, if anything has changed since the last one; then nothing can be redone any more."""
         now = ParameterSet.of(self._client, f'snapshot {self._at + 2}')
         if now != self._snapshots[self._at]:
             self._snapshots[self._at + 1:] = [now]
@@ -24,9 +26,9 @@ class ParameterHistory:
         return self._snapshots[self._at]
 
     def undo(self) -> Restored:
-        """Go back to the last snapshot that differs from what the node has; that is kept for ``redo``.
+        """Go back to the last snapshot that differs from the node's values; these are kept for ``redo``.
 
-        :raises LookupError: there is none.
+        :raises LookupError: there is no such snapshot.
         """
         if self._has_moved_on():
             self.keep()
@@ -42,7 +44,7 @@ class ParameterHistory:
         return self._go(+1, 'redo')
 
     def _has_moved_on(self) -> bool:
-        # A parameter that has come since does not count: no undo can take it away.
+        # A parameter that was declared later does not count: no undo can remove it.
         here = self._snapshots[self._at]
         return bool(compare(here, self._client, names=here))
 

@@ -1,4 +1,4 @@
-"""The parameters of all nodes in one call, with a word on each node that did not answer; saved and read back."""
+"""Read the parameters of all nodes at once, save them in one file, and read the file back."""
 
 import contextlib
 import datetime
@@ -27,21 +27,21 @@ _STYLE = style('param_tools/systems/snapshot.css')
 T = TypeVar('T')
 
 FIRST_WORDS = '# Snapshot of'
-"""How a saved snapshot begins: a file that holds all that there was, and not some overrides."""
-# A parameter file can't hold them: they have no type there, and a node of rclpy would not start. So the head of a
-# snapshot names them, in a comment, which rcl and ``ros2 param load`` pass over.
+"""How a saved snapshot begins. It holds all parameters of its nodes, and other parameter files hold only some."""
+# A parameter file can't hold empty arrays: they have no type there, and a node of rclpy would not start. So a comment
+# at the head of a snapshot names them; rcl and ``ros2 param load`` pass over comments.
 _EMPTY_ARRAYS = '# Empty arrays: '
 _KNOWN_FROM_HEAD = '; only restore and diff know it, from the head of the snapshot'
 
 
 class Snapshot(dict[str, ParameterValues]):
-    """Node names, sorted, and for each its ParameterValues. A plain dictionary, but for how it is shown."""
+    """The ParameterValues of each node, by the nodes' names, sorted. A dictionary that is shown as a table."""
 
     def __init__(self, nodes: dict[str, ParameterValues], unanswered: dict[str, NodeError],
                  taken: datetime.datetime | None = None):
         super().__init__(nodes)
         self.unanswered = unanswered
-        """The nodes that are not in it, and why: each an error of Services.call."""
+        """The nodes that have not answered, each with an error of Services.call. They are not in the snapshot."""
         self.taken = taken or datetime.datetime.now().astimezone()
         """When the nodes had these values; by default now."""
 
@@ -57,7 +57,7 @@ class Snapshot(dict[str, ParameterValues]):
         return cls({node: ParameterValues(parameters) for node, parameters in read_saved(path).items()}, {})
 
     def dump(self) -> parameter_files.Dump:
-        """Return the text of one parameter file for all nodes, which ``--params-file`` and ``restore`` read back."""
+        """Return one parameter file for all nodes, which ``--params-file`` and ``restore`` can read."""
         dumps = {node: parameter_files.render(node, parameters) for node, parameters in self.items()}
         lines = [f'{FIRST_WORDS} {format_count(len(self), "node")}, {self.taken.isoformat(timespec="seconds")}\n']
         lines += [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
@@ -86,7 +86,7 @@ class Snapshot(dict[str, ParameterValues]):
 
 
 def read_saved(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[str, Any]]:
-    """Return what a saved snapshot or another parameter file holds, by node, with the arrays that were empty.
+    """Return what a saved snapshot or another parameter file holds, by node, and the arrays that were empty.
 
     :param nodes: As for ``parameter_files.read_all``.
     :raises ParameterFileError: the file cannot be read, or rcl would reject it.
@@ -99,7 +99,7 @@ def read_saved(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[st
         if line.startswith(_EMPTY_ARRAYS):
             for node, names in _empty_arrays(path, number, line.removeprefix(_EMPTY_ARRAYS)).items():
                 for name in names if node in found else ():
-                    # Somebody may have written a value since.
+                    # If somebody has written a value since, the value counts.
                     found[node].setdefault(name, [])
     return found
 
@@ -116,14 +116,14 @@ def _empty_arrays(path: str | Path, number: int, text: str) -> dict[str, list[st
 
 def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, timeout_sec: float = TIMEOUT_SEC,
                    executor: BackgroundExecutor | None = None) -> Snapshot:
-    """Read all parameters of all nodes, each at the same time as the others.
+    """Read all parameters of all nodes, all nodes at the same time.
 
-    Not one moment in the life of the system: while one node is read, another may change.
+    The result isn't one moment in the life of the system: while one node is read, another may change.
 
-    :param nodes: Only these, or this one; by default all in the graph but those whose name begins with an underscore.
-        A node in another process is in the graph when it has been discovered.
-    :param timeout_sec: How long a node may take for each answer. One that takes longer, has no parameter services,
-        or leaves meanwhile is in ``unanswered``; it does not keep the others.
+    :param nodes: A node, or several; by default all in the graph except those whose name begins with an underscore. A
+        node in another process is in the graph once it has been discovered.
+    :param timeout_sec: How long a node may take for each answer. A node that takes longer, has no parameter services,
+        or leaves meanwhile is in ``unanswered``, and doesn't delay the others.
     :raises ExecutorError: no executor is running, or this is called from a callback.
     """
     answers, unanswered = ask_all(nodes, ParameterClient.get_parameters, timeout_sec=timeout_sec, executor=executor)
@@ -133,7 +133,7 @@ def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, ti
 def ask_all(nodes: Iterable[str | Node] | str | Node | None, question: Callable[[ParameterClient], T], *,
             hidden: bool = False, timeout_sec: float = TIMEOUT_SEC,
             executor: BackgroundExecutor | None = None) -> tuple[dict[str, T], dict[str, NodeError]]:
-    """Ask many nodes something, each at the same time as the others.
+    """Ask many nodes something, all at the same time.
 
     :param nodes: Which; by default all in the graph.
     :param question: Asks one node through its client.

@@ -35,7 +35,7 @@ class Order:
 
 
 @dataclass(frozen=True)
-class Settings:
+class Combination:
     """Values to choose together; what is said to one depends on the others."""
 
     choices: Mapping[str, Sequence[Any]]
@@ -46,4 +46,4 @@ class Settings:
     """Returns what is handed to the check."""
 
 
-Form = Blanks | Order | Settings
+Form = Blanks | Order | Combination

@@ -20,7 +20,7 @@ MOTOR_POWER_W = 1000.0
 
 
 @dataclass(frozen=True)
-class Settings:
+class LiftSettings:
     """What a ride depends on. The fields are the parameters of the groups ``lift`` and ``controller``."""
 
     speed_mps: float
@@ -130,12 +130,12 @@ class PalletLiftNode(Node):
             self.settings = settings
             self.log_settings()
 
-    def read_settings(self) -> Settings:
+    def read_settings(self) -> LiftSettings:
         """Read both groups as they are stored now."""
         # rclpy 7.1.6 annotates this as values, and returns Parameter objects.
         parameters: dict[str, Any] = {**self.get_parameters_by_prefix('lift'),
                                       **self.get_parameters_by_prefix('controller')}
-        return Settings(**{name: parameter.value for name, parameter in parameters.items()})
+        return LiftSettings(**{name: parameter.value for name, parameter in parameters.items()})
 
     def log_settings(self) -> None:
         """Log what the lift works with."""

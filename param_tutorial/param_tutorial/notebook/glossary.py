@@ -18,7 +18,7 @@ _TITLE = re.compile(r'^# (\S+) · ', re.MULTILINE)
 _TABLE = re.compile(r'^\| word \| meaning \|\n\|[ |:-]+\|\n((?:\|.*(?:\n|$))+)', re.MULTILINE)
 
 
-class Entry(NamedTuple):
+class GlossaryEntry(NamedTuple):
     """What one chapter says about a word."""
 
     word: str
@@ -38,7 +38,7 @@ class Entry(NamedTuple):
 class Glossary:
     """Words with their meanings, in alphabetical order; a word has a line for each chapter that explains it."""
 
-    def __init__(self, entries: Iterable[Entry]) -> None:
+    def __init__(self, entries: Iterable[GlossaryEntry]) -> None:
         # Within one word the order of the chapters stays.
         self.entries = sorted(entries, key=lambda entry: re.sub('^(to |--)', '', entry.plain_word).lower())
 
@@ -77,16 +77,16 @@ class Glossary:
                               row_headers=True)
 
 
-def _row(entry: Entry) -> tuple[str, str, str]:
+def _row(entry: GlossaryEntry) -> tuple[str, str, str]:
     link = Markup(f'<a href="{html.escape(entry.notebook)}">{entry.chapter}</a>')
     return with_code(entry.word), with_code(entry.meaning), link
 
 
-def _entries(path: Path) -> Iterable[Entry]:
+def _entries(path: Path) -> Iterable[GlossaryEntry]:
     cells = json.loads(path.read_text(encoding='utf-8'))['cells']
     prose = '\n\n'.join(''.join(cell['source']) for cell in cells if cell['cell_type'] == 'markdown')
     title = _TITLE.search(prose)
     for words in _TABLE.finditer(prose):
         for line in words[1].splitlines():
             word, meaning = (each.strip() for each in line.strip().strip('|').split(' | ', 1))
-            yield Entry(word, meaning, title[1] if title else path.stem, path.name)
+            yield GlossaryEntry(word, meaning, title[1] if title else path.stem, path.name)

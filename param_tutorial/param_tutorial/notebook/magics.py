@@ -34,7 +34,7 @@ from param_tutorial.notebook.interrupts import handed_to, interruptible
 from param_tutorial.notebook.shell import Shell
 
 if TYPE_CHECKING:
-    from param_tutorial.notebook.hint import Hint
+    from param_tutorial.notebook.personal_line import PersonalLine
 
 
 def load_ipython_extension(ipython: InteractiveShell) -> None:
@@ -148,7 +148,7 @@ class Ros2Magics(Magics):
         self._names['_exit_code'] = shell.status
 
     @line_magic('ros2_terminal')
-    def terminal(self, line: str) -> 'Hint':
+    def terminal(self, line: str) -> 'PersonalLine':
         """Show the line that makes a terminal join the ROS domain of this notebook."""
         return terminal_hint()
 
@@ -313,13 +313,14 @@ def _run_genuine(installed: str, words: list[str], streams: _Streams) -> int:
                 os.killpg(process.pid, signal.SIGKILL)
 
 
-def terminal_hint() -> 'Hint':
+def terminal_hint() -> 'PersonalLine':
     """Return a widget with the line that makes a terminal join the ROS domain of this notebook."""
-    from param_tutorial.notebook.hint import Hint
+    from param_tutorial.notebook.personal_line import PersonalLine
 
-    return Hint(f'Paste this line into a terminal, and <code>ros2</code> there finds the nodes of this notebook:'
-                f'<pre style="user-select: all; white-space: pre-wrap">{html.escape(terminal_line())}</pre>',
-                '(a line to paste into a terminal, so that it joins this notebook)')
+    return PersonalLine(
+        f'Paste this line into a terminal, and <code>ros2</code> there finds the nodes of this notebook:'
+        f'<pre style="user-select: all; white-space: pre-wrap">{html.escape(terminal_line())}</pre>',
+        '(a line to paste into a terminal, so that it joins this notebook)')
 
 
 def terminal_line() -> str:

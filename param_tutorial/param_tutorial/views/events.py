@@ -21,7 +21,7 @@ CAPACITY = 200
 _STYLE = style('param_tutorial/views/events.css')
 
 
-class Change(NamedTuple):
+class EventRow(NamedTuple):
     """What became of one parameter, as an event reports it."""
 
     node: str
@@ -32,9 +32,9 @@ class Change(NamedTuple):
     """None if it was deleted."""
 
 
-def changes_in(event: ParameterEvent) -> list[Change]:
+def changes_in(event: ParameterEvent) -> list[EventRow]:
     """Return what an event reports, in the order of the message."""
-    return [Change(event.node, kind, each.name, values.to_python(each.value))
+    return [EventRow(event.node, kind, each.name, values.to_python(each.value))
             for kind, parameters in (('new', event.new_parameters), ('changed', event.changed_parameters),
                                      ('deleted', event.deleted_parameters))
             for each in parameters]
@@ -52,12 +52,12 @@ class EventView(FeedView):
         :param executor: By default the one that runs in the background, also after a stop and a new start.
         """
         self._lock = threading.Lock()
-        self._changes: deque[Change] = deque(maxlen=CAPACITY)
+        self._changes: deque[EventRow] = deque(maxlen=CAPACITY)
         super().__init__(node, executor, subject='Changes', css_class='param-events',
                          content_class='param-events-rows', style=_STYLE)
 
     @property
-    def changes(self) -> list[Change]:
+    def changes(self) -> list[EventRow]:
         """The changes in the table, oldest first."""
         with self._lock:
             return list(self._changes)

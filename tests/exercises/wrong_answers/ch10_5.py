@@ -95,7 +95,7 @@ RIGHT = {
         [(_MEND, '''    from param_tools import values
     return values.same(before, after)
 ''')],
-        [(_MEND, '''    from param_tutorial import compare
+        [(_MEND, '''    from param_tools import compare
     return not compare({'x': before}, {'x': after})
 ''')],
         [(_MEND, '''    if isinstance(before, list):
@@ -113,14 +113,14 @@ RIGHT = {
     '10.5c': [
         [('return [outcome', 'return sorted([outcome'), ("!= 'set']", "!= 'set'], reverse=True)")],
         [('restore(node, wanted)', 'restore(node, wanted, one_by_one=True)')],
-        [(_BODY, '''    from param_tutorial import ParameterClient, compare
+        [(_BODY, '''    from param_tools import ParameterClient, compare
     client = ParameterClient(node)
     defaults = ParameterSet.defaults(node_class)
     restore(client, {name: defaults[name] for name in defaults if name not in keep})
     return [each.name for each in compare(defaults, client) if each.name not in keep]
 ''')],
         [(_BODY, '''    from rclpy.parameter import Parameter
-    from param_tutorial import compare
+    from param_tools import compare
     defaults = ParameterSet.defaults(node_class)
     differing = [each.name for each in compare(node, defaults) if each.name not in keep]
     free = [name for name in differing if not node.describe_parameter(name).read_only]

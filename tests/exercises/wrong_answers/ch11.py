@@ -212,7 +212,7 @@ RIGHT = {
         if not result.successful:
             raise ValueError(result.reason)
 """)],
-        [(f'{_START}{_ON_SET}', """        from param_tutorial import Rules
+        [(f'{_START}{_ON_SET}', """        from param_tools import Rules
         Rules(self).check(['max_speed_mps', 'max_acceleration_mps2'],
                           lambda speed, acceleration: not self.objection(speed, acceleration), 'must stop in time')
 """)],

@@ -9,7 +9,7 @@ from rclpy.parameter import Parameter
 from param_tools.node.client import ParameterClient
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, WithSecondJudge, derive, expect_fixed_type, run_lines
-from param_tutorial.exercises.forms import Order, Settings
+from param_tutorial.exercises.forms import Combination, Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.pictures import track
@@ -27,7 +27,7 @@ GAP_M, GAP_TOLERANCE_M = 0.5, 0.01
 SPEED_LIMIT_MPS = 1.0
 TIME_SEC = 5.0
 
-SETTINGS = Settings({
+SETTINGS = Combination({
     'sensor_offset_meters': (-0.3, -0.2, -0.15, 0.0, 0.15, 0.3),
     'max_speed_rpm': (50, 80, 95, 100, 150),
     'max_acceleration_mps2': (0.25, 0.5, 0.75, 1.0, 2.0),

@@ -89,7 +89,7 @@ predict = Exercise('4b', 'Predict what is read', CHAPTER, DICTIONARY, hints=(
     'An override takes the place of the default when the parameter is declared.'))
 
 
-class Scene(NamedTuple):
+class Story(NamedTuple):
     """What there is after the lines of the exercise."""
 
     robot: SimpleParamNode
@@ -98,14 +98,14 @@ class Scene(NamedTuple):
     second: SimpleParamNode
 
 
-def story(trial: Trial) -> Scene:
+def story(trial: Trial) -> Story:
     """Run the lines of the exercise."""
     robot = trial.start(SimpleParamNode)
     photo = robot.get_parameter('max_speed_rpm')
     trial.client(robot).set_parameter('max_speed_rpm', 150)
     fallback = Parameter('battery_volts', value=12.0)
     second = trial.start(SimpleParamNode, ros_args=['-r', '__node:=second', '-p', 'max_speed_rpm:=120'])
-    return Scene(robot, photo, fallback, second)
+    return Story(robot, photo, fallback, second)
 
 
 @predict.require_prediction('photo.value', see=OBJECT, because={

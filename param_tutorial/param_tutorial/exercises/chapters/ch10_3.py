@@ -16,7 +16,7 @@ from param_tools.errors import InvalidValueError, ParameterFileError
 from param_tools.files import parameter_files
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, expect_no_gap, run_lines
-from param_tutorial.exercises.forms import Order, Settings
+from param_tutorial.exercises.forms import Combination, Order
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 
@@ -27,7 +27,7 @@ WHERE = 'Which controllers does a block reach?'
 TOGETHER = 'Change it: three gains, one change'
 
 TUNED = [f'gains.wheel_joint.{name}' for name in 'pid']
-GAINS_TRIED = Settings(dict(zip(TUNED, (
+GAINS_TRIED = Combination(dict(zip(TUNED, (
     (0.1, 0.2, 0.3, 0.4, 0.5, 0.62, 0.8, 1.0, 1.5, 2.0), (0.0, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0),
     (0.0, 0.01, 0.02, 0.03, 0.05, 0.1)))), start=dict(zip(TUNED, (0.1, 0.0, 0.0))))
 tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, form=GAINS_TRIED, hints=(

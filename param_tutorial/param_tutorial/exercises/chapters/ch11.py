@@ -38,7 +38,7 @@ from param_tutorial.exercises.expectations import (
     expect_rejected,
     expect_result,
 )
-from param_tutorial.exercises.forms import Settings
+from param_tutorial.exercises.forms import Combination
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.notebook.terminal import Terminal
@@ -413,7 +413,7 @@ def tuner(chosen: Mapping[str, Any]) -> Callable[[ParameterClient], Any]:
     return tune
 
 
-CHOICES = Settings({
+CHOICES = Combination({
     'max_speed_mps': (0.5, 1.0, 1.5, 1.6, 1.75, 1.8, 2.0),
     'max_acceleration_mps2': (0.2, 0.5, 0.8, 0.9, 1.0, 1.1, 1.2, 1.5, 2.0),
     HOW: (TOGETHER, ONE_BY_ONE),

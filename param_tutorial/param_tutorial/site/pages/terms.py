@@ -4,7 +4,7 @@ import json
 import re
 
 from param_tools.markup.tables import with_code
-from param_tutorial.notebook.glossary import Entry, Glossary
+from param_tutorial.notebook.glossary import Glossary, GlossaryEntry
 
 # The text has them in their everyday sense, too.
 _EVERYDAY = frozenset((
@@ -19,7 +19,7 @@ def terms_script(glossary: Glossary, chapter: str) -> str:
 
     :param chapter: Its number, e.g. '5.2'. Of several meanings of a word it has its own or the latest before it.
     """
-    meant: dict[str, Entry] = {}
+    meant: dict[str, GlossaryEntry] = {}
     for entry in glossary.entries:
         for word in re.sub(r'\bto ', '', entry.plain_word).split(', '):
             if word not in _EVERYDAY and (word not in meant or _place(entry.chapter) <= _place(chapter)):

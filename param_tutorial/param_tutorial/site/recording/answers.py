@@ -14,7 +14,7 @@ from typing import Any
 from param_tools.markup.tables import with_code
 from param_tutorial.exercises import EXERCISES
 from param_tutorial.exercises.exercise import Exercise
-from param_tutorial.exercises.forms import Blanks, Order, Settings
+from param_tutorial.exercises.forms import Blanks, Combination, Order
 from param_tutorial.exercises.results import markup
 from param_tutorial.site.recording.recorded import Recording
 
@@ -60,7 +60,7 @@ def record(number: str, source: str, solution: str) -> Recording:
         facts = _blanks(asked, exercise.form, source, solution)
     elif isinstance(exercise.form, Order):
         facts = _order(asked, exercise.form, source)
-    elif isinstance(exercise.form, Settings):
+    elif isinstance(exercise.form, Combination):
         facts = _settings(asked, exercise.form)
     else:
         raise ValueError(f'exercise {number} has no form')
@@ -121,7 +121,7 @@ def _order(asked: _Asked, form: Order, source: str) -> Recording:
                         for order in itertools.permutations(range(len(lines)))}}
 
 
-def _settings(asked: _Asked, form: Settings) -> Recording:
+def _settings(asked: _Asked, form: Combination) -> Recording:
     answers = {}
     for numbers in itertools.product(*(range(len(values)) for values in form.choices.values())):
         chosen = {name: values[at] for (name, values), at in zip(form.choices.items(), numbers)}

@@ -8,7 +8,7 @@ from param_tools.descriptor import Descriptor
 from param_tools.errors import ParameterToolError, describe_error
 from param_tools.node.client import ParameterClient
 from param_tools.node.text import format_value, parse_value
-from param_tutorial.site.recording.recorded import Answer
+from param_tutorial.site.recording.recorded import RecordedAnswer
 from param_tutorial.site.recording.taps import EventTap, NodeLogTap, node_here
 
 # The values that a node has, by the parameters' names.
@@ -36,7 +36,7 @@ class Asker:
         self._events = EventTap(node) if events else None
         self._all_names = self._client.list_parameters()
         self.shown = self.read()
-        self._unlogged: list[tuple[Answer, int]] = []
+        self._unlogged: list[tuple[RecordedAnswer, int]] = []
         # What ``show`` has changed.
         self._moved: set[str] = set()
         self._discard(0)
@@ -47,7 +47,7 @@ class Asker:
             if tap:
                 tap.stop()
 
-    def ask(self, name: str, text: str, state: State) -> Answer:
+    def ask(self, name: str, text: str, state: State) -> RecordedAnswer:
         """Ask for what a hand would have typed, and give the node back what it had.
 
         What the node logged is in the answer after ``flush``.
@@ -62,7 +62,8 @@ class Asker:
             return {'reason': str(error), 'log': []}
         reason = self._set(name, value)
         after = self.read()
-        answer: Answer = {'reason': reason} if reason else {'value': format_value(self.descriptors[name], after[name])}
+        answer: RecordedAnswer = (
+            {'reason': reason} if reason else {'value': format_value(self.descriptors[name], after[name])})
         also = {other: format_value(descriptor, after[other]) for other, descriptor in self.descriptors.items()
                 if (other != name or reason) and not values.same(state[other], after[other])}
         if also:

@@ -9,7 +9,7 @@ import itertools
 
 from param_tutorial.site.recording.asking import Asker, State
 from param_tutorial.site.recording.questions import accepted, is_value, natural, samples, spread
-from param_tutorial.site.recording.recorded import Answer, Row, key
+from param_tutorial.site.recording.recorded import RecordedAnswer, Row, key
 
 _CONTEXTS = 2
 # In how many states of the others the answers that depend on several are recorded.
@@ -75,5 +75,5 @@ def _values(asker: Asker, row: Row) -> list[str]:
     return [text for text in natural(row) if text != row['text'] and is_value(asker.descriptors[row['name']], text)]
 
 
-def _gist(answer: Answer) -> tuple[str | None, str | None, dict[str, str] | None]:
+def _gist(answer: RecordedAnswer) -> tuple[str | None, str | None, dict[str, str] | None]:
     return answer.get('value'), answer.get('reason'), answer.get('also')

@@ -9,7 +9,7 @@ Recording = dict[str, Any]
 Recordings = dict[str, list[Recording]]
 
 
-class Answer(TypedDict, total=False):
+class RecordedAnswer(TypedDict, total=False):
     """What a node said to one text: either 'value' or 'reason'."""
 
     value: str
@@ -42,12 +42,12 @@ class Row(_Shown, total=False):
     """One parameter: how its control stands, and the answers to what was typed into it."""
 
     positions: list[str]
-    answers: dict[str, Answer]
+    answers: dict[str, RecordedAnswer]
     readings: dict[str, str]
     """What texts are read as, where the control writes that in another way."""
     depends: list[str]
     """The parameters on which the answers depend, possibly itself among them."""
-    contexts: dict[str, dict[str, Answer]]
+    contexts: dict[str, dict[str, RecordedAnswer]]
     """Answers where these have changed: by the ``key`` of what has."""
     log_depends: bool
     unasked: bool

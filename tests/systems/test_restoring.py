@@ -1,126 +1,21 @@
-"""parameter_sets: what differs, what restoring does about it, and what it says where it cannot."""
-
-import math
+"""Values brought back: what restoring does, what it says where it cannot, and what a preview says before."""
 
 import hypothesis
 import hypothesis.strategies as st
 import pytest
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools import ParameterHistory, ParameterSet, Rules, compare, restore, values
-from param_tools.errors import InvalidValueError, ParameterFileError
+from param_tools import ParameterHistory, ParameterSet, Rules, all_parameters, compare, preview, restore, values
+from param_tools.errors import NoAnswerError, NodeGoneError, NodeNotFoundError
+from param_tools.systems.restoring import MAY_BE_TAKEN, Outcome, Restored
 from param_tutorial import ParameterClient
+from tests.support.nodes import Arm
 from tests.support.strategies import VALUES
 
-SETS = st.dictionaries(st.sampled_from('abcdef'), st.none() | VALUES | st.just([]))
 NAMES = ('a', 'b', 'c')
 FULL_SETS = st.fixed_dictionaries(dict.fromkeys(NAMES, VALUES))
-
-
-def kinds(difference):
-    return {change.name: change.kind for change in difference}
-
-
-@pytest.mark.slow
-@hypothesis.given(SETS)
-def test_a_set_does_not_differ_from_itself(parameters):
-    copy = {name: list(value) if isinstance(value, list) else value for name, value in parameters.items()}
-    assert not compare(parameters, copy)
-    assert compare(parameters, copy).equal == len(parameters)
-    assert ParameterSet(parameters) == copy
-
-
-@pytest.mark.slow
-@hypothesis.given(SETS, SETS)
-def test_a_difference_tells_each_name_once_and_turns_round(first, second):
-    difference, back = compare(first, second), compare(second, first)
-    assert {change.name for change in difference} == {change.name for change in back}
-    turned = {'added': 'removed', 'removed': 'added'}
-    assert {name: turned.get(kind, kind) for name, kind in kinds(difference).items()} == kinds(back)
-    assert len(difference) + difference.equal == len({*first, *second})
-    assert (ParameterSet(first) == second) is (len(difference) == 0)
-    for change in difference:
-        assert repr(difference).count(f'\n{change.name} ') == 1
-
-
-@pytest.mark.slow
-@hypothesis.given(SETS, SETS)
-def test_a_difference_leads_from_the_first_to_the_second(first, second):
-    built = dict(first)
-    for change in compare(first, second):
-        if change.kind == 'removed':
-            del built[change.name]
-        else:
-            built[change.name] = change.after
-    assert not compare(built, second)
-
-
-@pytest.mark.parametrize(('before', 'after', 'kind'), [
-    (1, 1.0, 'changed type'), (1, True, 'changed type'), (1.0, True, 'changed type'), ('1', 1, 'changed type'),
-    ([1], [1.0], 'changed type'), ([1], 1, 'changed type'), ([], 1, 'changed type'), ([], [1], 'changed value'),
-    (0.0, -0.0, 'changed value'), (1, 2, 'changed value'), (None, 1, 'changed value'), ([1], [1, 2], 'changed value'),
-    (math.nan, 0.0, 'changed value'), (math.nan, math.nan, None), ([math.nan], [math.nan], None), ([], [], None),
-    (None, None, None), ((1, 2), [1, 2], None)])
-def test_the_kinds_of_change(before, after, kind):
-    assert kinds(compare({'x': before}, {'x': after})).get('x') == kind
-
-
-def test_a_difference_as_text_and_as_a_table():
-    difference = compare(ParameterSet({'a': 1, 'b': 2, 'gone': '<b>', 'same': 0, 'unset': None}, 'then'),
-                         ParameterSet({'a': 1.0, 'b': 3, 'same': 0, 'new': [], 'unset': 5}, 'now'))
-    assert repr(difference) == '''then → now: 5 differences, 1 the same
-
-parameter  difference     then         now
-a          changed type   1 (integer)  1.0 (double)
-b          changed value  2            3
-gone       removed        '<b>'        -
-unset      changed value  not set      5
-new        added          -            []'''
-    page = difference._repr_html_()
-    assert '<caption>then → now: 5 differences, 1 the same</caption>' in page
-    assert '<tr><th scope="row">gone</th><td>removed</td><td>&#x27;&lt;b&gt;&#x27;</td><td>-</td></tr>' in page
-    assert difference['b'].after == 3
-    with pytest.raises(KeyError):
-        difference['same']
-    assert repr(compare({'a': 1}, {'a': 1})) == 'before → after: 0 differences, 1 the same'
-    assert 'thead' not in compare({}, {})._repr_html_()
-
-
-def test_a_table_of_huge_arrays_stays_small():
-    difference = compare({'map': [0] * 10_000}, {'map': [1] * 10_000})
-    assert '… (10000 elements)' in repr(difference)
-    assert len(repr(difference)) < 2000 and len(difference._repr_html_()) < 3000
-
-
-def test_one_element_of_a_long_array_that_differs_is_seen():
-    weights = [0.5] * 1000
-    difference = repr(compare({'weights': weights}, {'weights': [*weights[:700], 0.75, *weights[701:]]}))
-    assert '[…, 0.5, …] (from index 700' in difference
-    assert '[…, 0.75, …] (from index 700' in difference
-
-
-@pytest.mark.parametrize('nonsense', [3, None, Node])
-def test_what_is_neither_set_nor_node_raises_an_error(nonsense):
-    with pytest.raises(TypeError, match='is not a node: give its name'):
-        compare(nonsense, {})
-
-
-def test_a_set_cannot_be_changed_and_holds_parameters_only():
-    numbers = [1, 2]
-    kept = ParameterSet({'a': numbers}, 'kept')
-    numbers.append(3)
-    kept['a'].append(4)
-    assert kept['a'] == [1, 2]
-    assert repr(kept) == '<ParameterSet: kept, 1 parameter>'
-    with pytest.raises(TypeError):
-        kept['a'] = 1
-    with pytest.raises(InvalidValueError, match=r'kept: a cannot be a parameter: \{\} is a dict'):
-        ParameterSet({'a': {}}, 'kept')
-    with pytest.raises(InvalidValueError, match='kept: 3 is not a parameter name'):
-        ParameterSet({3: 1}, 'kept')
-    assert ParameterSet({'a': 1}) != {'a': True}
 
 
 class Robot(Node):
@@ -140,34 +35,6 @@ class Robot(Node):
 @pytest.fixture
 def client(ros):
     return ParameterClient(ros.add(Robot))
-
-
-def test_node_with_node_with_file_with_defaults_with_then(ros, client, tmp_path):
-    then = ParameterSet.of(client, 'then')
-    ros.add(Robot, 'twin')
-    assert not compare('/robot', '/twin')
-    client.set_parameters({'speed': 50, 'any': 1})
-    assert kinds(compare('/twin', client)) == {'speed': 'changed value', 'any': 'changed type'}
-    defaults = ParameterSet.defaults(Robot)
-    assert defaults == then
-    assert {node.get_fully_qualified_name() for node in ros.nodes} == {'/robot', '/twin'}
-    assert repr(compare(defaults, client, names=['speed', 'serial', 'nowhere'])) == (
-        'defaults of Robot → /robot: 1 difference, 1 the same\n\n'
-        'parameter  difference     defaults of Robot  /robot\nspeed      changed value  100                50')
-    (tmp_path / 'robot.yaml').write_text('/**: {ros__parameters: {speed: 50, low_c: 20, extra: 1}}')
-    file = ParameterSet.from_file(tmp_path / 'robot.yaml', client)
-    assert file.label == 'robot.yaml'
-    assert kinds(compare(client, file, names=file)) == {'low_c': 'changed value', 'extra': 'added'}
-    assert not compare(then, defaults)
-    with pytest.raises(ParameterFileError):
-        ParameterSet.from_file(tmp_path / 'none.yaml', client)
-
-
-def test_defaults_are_not_those_of_the_node_on_the_stage(ros):
-    node = ros.add(Robot, ros_args=['-p', 'speed:=7'])
-    assert ParameterSet.defaults(Robot)['speed'] == 100
-    assert ParameterSet.of(node)['speed'] == 7
-    assert ros.nodes == (node,)
 
 
 def test_restore_sets_what_differs_in_one_request(client):
@@ -197,13 +64,8 @@ def test_what_no_request_can_change_is_reported_and_the_rest_is_set(client):
     assert repr(restored).startswith('/robot from given values: NOT COMPLETE, 2 of 6 parameters set\n')
     assert client.get_parameters(['serial', 'speed', 'unset', 'low_c', 'numbers']) == {
         'serial': 'S1', 'speed': 100, 'unset': 1.5, 'low_c': 19, 'numbers': []}
-
-
-def test_a_reason_of_several_lines_stays_in_its_row(ros, client):
-    node = ros.nodes[0]
-    node.add_on_set_parameters_callback(lambda _: SetParametersResult(successful=False, reason='no\nand no'))
-    restored = restore(client, {'speed': 50})
-    assert len(repr(restored).splitlines()) == 4
+    passed_over = restore(client, {'serial': 'S2', 'speed': 7}, skip_read_only=True)
+    assert (passed_over.complete, [each.name for each in passed_over]) == (True, ['speed'])
 
 
 def test_one_rejection_leaves_everything_as_it_was(client):
@@ -257,6 +119,57 @@ def test_restoring_makes_equal_whatever_the_values(ros, first, second):
     assert not compare(second, '/open', names=NAMES)
     restore('/open', then)
     assert all(values.same(ParameterSet.of('/open')[name], first[name]) for name in NAMES)
+
+
+def test_a_preview_says_what_restoring_would_do_and_does_nothing(ros):
+    ros.add(Arm)
+    before = all_parameters()
+    wanted = {'joints': 9, 'reach': 5.0, 'gains.kp': 0.31, 'model': 'B2', 'tool': 3, 'nothing': 1, 'offset': 0.5}
+    expected = preview('/arm', wanted)
+    assert {each.name: each.word for each in expected} == {
+        'joints': 'would be set', 'reach': 'out of range', 'gains.kp': 'off the step', 'model': 'read only',
+        'tool': 'wrong type', 'nothing': 'not declared'}
+    assert 'reach' in repr(expected)
+    assert all_parameters() == before
+    done = restore('/arm', wanted, one_by_one=True)
+    assert {each.name for each in done if each.word == 'set'} == {
+        each.name for each in expected if each.word == 'would be set'}
+
+
+def test_a_preview_does_not_claim_that_a_node_would_reject_what_it_has_not_declared(ros):
+    ros.add(Node, 'open', allow_undeclared_parameters=True)
+    row, = preview('/open', {'anything': 1})
+    assert (row.word, row.reason) == ('not declared', MAY_BE_TAKEN)
+    assert ParameterClient('/open').set_parameter('anything', 1).successful
+
+
+@pytest.mark.parametrize(('words', 'unanswered', 'ended'), [
+    ([], {}, 'nothing to do, all values are there'), (['set'], {}, 'complete, 1 parameter set'),
+    (['rejected'], {}, 'NOT RESTORED, nothing was changed'), (['not kept'], {}, 'NOT COMPLETE, 0 of 1 parameter set'),
+    ([], {'/x': NodeGoneError('/x', 'set_parameters')}, 'NOT COMPLETE, 1 without an answer')])
+def test_the_heading_says_how_it_ended(words, unanswered, ended):
+    outcomes = [Outcome('a', 0, 1, word) for word in words]
+    result = Restored('monday.yaml', {'/arm': outcomes, '/lift': []}, unanswered)
+    assert result.heading == f'{2 + len(unanswered)} nodes from monday.yaml: {ended}'
+    assert result.complete is not ended.startswith('NOT')
+
+
+def test_what_became_of_many_nodes_is_one_table():
+    unanswered = {'/left': NodeGoneError('/left', 'set_parameters'), '/right': NodeNotFoundError('/right', []),
+                  '/lift': NoAnswerError('/lift', 'set_parameters', 1)}
+    done = [Outcome('a', 0, 1, 'set'), Outcome('b', 0, 2, 'rejected', 'too\nlarge')]
+    assert repr(Restored('monday.yaml', {'/arm': done}, unanswered)) == '''\
+4 nodes from monday.yaml: NOT COMPLETE, 1 of 2 parameters set, 3 without an answer
+
+node    parameter  wanted  outcome    reason
+/arm    a          1       set
+/arm    b          2       rejected   too large
+/left                      gone
+/right                     not there
+/lift                      no answer'''
+
+
+# -- going back and forth -------------------------------------------------------------------------------------
 
 
 @pytest.mark.slow

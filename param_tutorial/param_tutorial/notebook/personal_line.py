@@ -1,11 +1,11 @@
-"""A line for one learner on one machine: a widget, because a notebook's test does not compare what is in one."""
+"""A line that differs on each machine: a widget, because a notebook's test doesn't compare what is in a widget."""
 
 import ipywidgets as widgets
 
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
 
 
-class Hint(widgets.HTML):
+class PersonalLine(widgets.HTML):
     """Some HTML that differs each time, with the same words in its place where no widget can be shown."""
 
     def __init__(self, markup: str, text: str) -> None:

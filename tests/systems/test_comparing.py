@@ -1,0 +1,175 @@
+"""Sets of parameters and whole systems compared: what differs, how that is shown, and what it is compared with."""
+
+import json
+import math
+from xml.etree import ElementTree
+
+import hypothesis.strategies as st
+import pytest
+from hypothesis import given
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.node import Node
+
+from param_tools import ParameterSet, compare, compare_systems
+from param_tools.errors import InvalidValueError, ParameterFileError
+from param_tools.systems.comparing import of_robot
+from param_tutorial import ParameterClient
+from tests.files.test_parameter_files import NAMES
+from tests.support.strategies import VALUES
+
+SETS = st.dictionaries(st.sampled_from('abcdef'), st.none() | VALUES | st.just([]))
+SYSTEMS = st.dictionaries(st.sampled_from(['/arm', '/left/arm', '/camera_1', '/a/b/c']),
+                          st.dictionaries(NAMES, VALUES, max_size=4), max_size=3)
+
+
+def kinds(difference):
+    return {changed.name: changed.kind for changed in difference}
+
+
+@pytest.mark.slow
+@given(SETS, SETS)
+def test_a_difference_tells_each_name_once_and_turns_round(first, second):
+    difference, back = compare(first, second), compare(second, first)
+    turned = {'added': 'removed', 'removed': 'added'}
+    assert {name: turned.get(kind, kind) for name, kind in kinds(difference).items()} == kinds(back)
+    assert len(difference) + difference.equal == len({*first, *second})
+    assert (ParameterSet(first) == second) is (len(difference) == 0)
+    assert all(repr(difference).count(f'\n{changed.name} ') == 1 for changed in difference)
+    copy = {name: list(value) if isinstance(value, list) else value for name, value in first.items()}
+    assert ParameterSet(first) == copy
+    assert (compare(first, copy).equal, len(compare(first, copy))) == (len(first), 0)
+
+
+@pytest.mark.slow
+@given(SYSTEMS, SYSTEMS)
+def test_a_difference_leads_from_one_system_to_the_other(first, second):
+    difference = compare_systems(first, second)
+    told = json.loads(difference.as_json())
+    built = {node: dict(parameters) for node, parameters in first.items()
+             if {'node': node, 'kind': 'removed'} not in told}
+    built |= {node: dict(parameters) for node, parameters in second.items() if {'node': node, 'kind': 'added'} in told}
+    for node, records in difference.nodes.items():
+        for changed in records:
+            if changed.kind == 'removed':
+                del built[node][changed.name]
+            else:
+                built[node][changed.name] = changed.after
+    assert not compare_systems(built, second)
+    assert len(told) == len(difference) == len(difference.rows())
+
+
+@pytest.mark.parametrize(('before', 'after', 'kind'), [
+    (1, 1.0, 'changed type'), (1, True, 'changed type'), (1.0, True, 'changed type'), ('1', 1, 'changed type'),
+    ([1], [1.0], 'changed type'), ([1], 1, 'changed type'), ([], 1, 'changed type'), ([], [1], 'changed value'),
+    (0.0, -0.0, 'changed value'), (1, 2, 'changed value'), (None, 1, 'changed value'), ([1], [1, 2], 'changed value'),
+    (math.nan, 0.0, 'changed value'), (math.nan, math.nan, None), ([math.nan], [math.nan], None), ([], [], None),
+    (None, None, None), ((1, 2), [1, 2], None)])
+def test_the_kinds_of_difference(before, after, kind):
+    assert kinds(compare({'x': before}, {'x': after})).get('x') == kind
+
+
+def test_a_difference_as_text_and_as_a_table():
+    weights = [0.5] * 999
+    difference = compare(
+        ParameterSet({'a': 1, 'b': 2, 'gone': '<b>', 'same': 0, 'unset': None, 'w': [*weights, 1.0]}, 'then'),
+        ParameterSet({'a': 1.0, 'b': 3, 'same': 0, 'new': [], 'unset': 5, 'w': [*weights, 2.0]}, 'now'))
+    assert repr(difference) == '''then → now: 6 differences, 1 the same
+
+parameter  difference     then                                         now
+a          changed type   1 (integer)                                  1.0 (double)
+b          changed value  2                                            3
+gone       removed        '<b>'                                        -
+unset      changed value  not set                                      5
+w          changed value  […, 1.0, …] (from index 999, 1000 elements)  […, 2.0, …] (from index 999, 1000 elements)
+new        added          -                                            []'''
+    page = difference._repr_html_()
+    assert '<caption>then → now: 6 differences, 1 the same</caption>' in page
+    assert '<tr><th scope="row">gone</th><td>removed</td><td>&#x27;&lt;b&gt;&#x27;</td><td>-</td></tr>' in page
+    assert difference['b'].after == 3
+    with pytest.raises(KeyError):
+        difference['same']
+    assert repr(compare({'a': 1}, {'a': 1})) == 'before → after: 0 differences, 1 the same'
+    assert 'thead' not in compare({}, {})._repr_html_()
+
+
+def test_a_difference_of_systems_as_text_and_as_a_table():
+    difference = compare_systems(
+        {'/arm': {'speed': 0.5, 'name': '<b>'}, '/gone': {}, '/same': {'a': 1}},
+        {'/arm': {'speed': 0.75, 'name': '&'}, '/new': {}, '/same': {'a': 1}}, labels=('monday.yaml', 'now'))
+    assert repr(difference) == '''\
+monday.yaml → now: 2 differences in 1 node, 1 the same, 1 node only in monday.yaml, 1 node only in now
+
+node   parameter  difference           before  after
+/gone             only in monday.yaml
+/new              only in now
+/arm   speed      changed value        0.5     0.75
+/arm   name       changed value        '<b>'   '&\''''
+    html = difference._repr_html_()
+    assert '<th scope="rowgroup" rowspan="2">/arm</th>' in html
+    assert '&lt;b&gt;' in html
+    ElementTree.fromstring(html[html.index('<table'):])
+
+
+def test_a_node_is_a_system_of_one():
+    difference = compare_systems({'/arm': {'x': 1.0}}, {'/arm': {'x': math.nan}}, labels=('then', 'now'))
+    assert repr(difference) == repr(compare(ParameterSet({'x': 1.0}, 'then'), ParameterSet({'x': math.nan}, 'now')))
+    assert json.loads(difference.as_json()) == [
+        {'node': '/arm', 'parameter': 'x', 'kind': 'changed value', 'before': 1.0, 'after': 'nan'}]
+
+
+def test_robots_are_compared_by_the_names_below_their_namespaces():
+    system = {'/robot1/arm': {'a': 1}, '/robot2/arm': {'a': 2}, '/robot10/arm': {}, '/robot1/base': {}}
+    difference = compare_systems(of_robot(system, '/robot1'), of_robot(system, 'robot2/'))
+    assert difference.rows() == [('/base', '', 'only in before', '', ''), ('/arm', 'a', 'changed value', '1', '2')]
+
+
+@pytest.mark.parametrize('nonsense', [3, None, Node])
+def test_what_is_neither_set_nor_node_raises_an_error(nonsense):
+    with pytest.raises(TypeError, match='is not a node: give its name'):
+        compare(nonsense, {})
+
+
+def test_a_set_cannot_be_changed_and_holds_parameters_only():
+    numbers = [1, 2]
+    kept = ParameterSet({'a': numbers}, 'kept')
+    numbers.append(3)
+    kept['a'].append(4)
+    assert kept['a'] == [1, 2]
+    assert repr(kept) == '<ParameterSet: kept, 1 parameter>'
+    with pytest.raises(TypeError):
+        kept['a'] = 1
+    with pytest.raises(InvalidValueError, match=r'kept: a cannot be a parameter: \{\} is a dict'):
+        ParameterSet({'a': {}}, 'kept')
+    with pytest.raises(InvalidValueError, match='kept: 3 is not a parameter name'):
+        ParameterSet({3: 1}, 'kept')
+    assert ParameterSet({'a': 1}) != {'a': True}
+
+
+class Robot(Node):
+    def __init__(self, name='robot'):
+        super().__init__(name)
+        self.declare_parameters('', [('speed', 100), ('low_c', 18), ('serial', 'S1'),
+                                     ('any', 'free', ParameterDescriptor(dynamic_typing=True))])
+
+
+def test_node_with_node_with_file_with_defaults_with_then(ros, tmp_path):
+    client = ParameterClient(ros.add(Robot, ros_args=['-p', 'low_c:=7']))
+    then = ParameterSet.of(client, 'then')
+    ros.add(Robot, 'twin')
+    client.set_parameters({'speed': 50, 'any': 1})
+    changed = {'speed': 'changed value', 'any': 'changed type'}
+    assert kinds(compare(then, client)) == changed
+    assert kinds(compare('/twin', client)) == {'low_c': 'changed value', **changed}
+    # Not those of the node of the same name that is there.
+    defaults = ParameterSet.defaults(Robot)
+    assert defaults == {**then, 'low_c': 18}
+    assert {node.get_fully_qualified_name() for node in ros.nodes} == {'/robot', '/twin'}
+    assert repr(compare(defaults, client, names=['speed', 'serial', 'nowhere'])) == (
+        'defaults of Robot → /robot: 1 difference, 1 the same\n\n'
+        'parameter  difference     defaults of Robot  /robot\nspeed      changed value  100                50')
+    (tmp_path / 'robot.yaml').write_text('/**: {ros__parameters: {speed: 50, low_c: 20, extra: 1}}')
+    file = ParameterSet.from_file(tmp_path / 'robot.yaml', client)
+    assert file.label == 'robot.yaml'
+    assert kinds(compare(client, file, names=file)) == {'low_c': 'changed value', 'extra': 'added'}
+    with pytest.raises(ParameterFileError):
+        ParameterSet.from_file(tmp_path / 'none.yaml', client)
