@@ -218,7 +218,7 @@ SEEDED = [
     ('lift.yaml', 'name: lift', 'name: null', 'read otherwise', 'name: null', 11, 'as null'),
     ('lift.yaml', '"2024-01-01"', '2024-01-01', 'read otherwise', 'since:', 12, 'as a date'),
     ('lift.yaml', 'steps: 40', 'steps: 050', 'read otherwise', 'steps: 050', 12, 'the integer 40'),
-    ('lift.yaml', 'length: 1.2', 'length: 12:30', 'read otherwise', '12:30', 32, 'the integer 750'),
+    ('lift.yaml', ', length: 1.2}', '}\n    tool.length: 12:30', 'read otherwise', '12:30', 18, 'the integer 750'),
     ('navigation.yaml', 'max_particles: 1500', 'max_particles: 01500', 'read otherwise', '01500', 20, 'write 832'),
     # what rcl rejects
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [1, 0.5]', 'unreadable', 'gains', 16, 'must all be of one type'),

@@ -13,8 +13,6 @@ import re
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from decimal import Decimal
-from fractions import Fraction
 from typing import Any
 
 import yaml
@@ -88,15 +86,14 @@ def _strtod(text: str) -> float | None:
 
 def _is_inexact(number: float, hexadecimal: str | None, decimal: str | None) -> bool:
     """True if a number below the smallest normal double differs from its text: C calls that an underflow."""
-    mantissa, _, exponent = (hexadecimal[2:].lower().partition('p') if hexadecimal
-                             else (decimal or '').lower().partition('e'))
+    mantissa, _, exponent = (hexadecimal or decimal or '').lower().partition('p' if hexadecimal else 'e')
     if number == 0.0:  # decided without arithmetic: the exponent may have a million digits
-        return any(digit not in '0.' for digit in mantissa)
-    if decimal:
-        return Fraction(Decimal(decimal)) != Fraction(number)
-    whole, _, part = mantissa.partition('.')
-    exact = Fraction(int(whole + part, 16)) * Fraction(2) ** (int(exponent or 0) - 4 * len(part))
-    return exact != Fraction(number)
+        return any(digit not in '0.x' for digit in mantissa)
+    if hexadecimal:
+        return math.ldexp(number, 1000) != float.fromhex(f'{mantissa}p{int(exponent or 0) + 1000}')
+    from decimal import Decimal
+
+    return Decimal(decimal or 0) != Decimal(number)
 
 
 # -- what is read ---------------------------------------------------------------------------------------------
@@ -243,7 +240,7 @@ class Parser:
         self.block: list[Entry] = []
         self.places_here: dict[str, set[int]] = {}
         self.block_name = ''
-        self.entry = -1
+        self.entry = 0
         self.in_parameters = False
         self.depth = 0
         self.node_path, self.node_parts = '', 0
@@ -338,7 +335,7 @@ class Parser:
         self.item_type = None
         if is_inner and self.assignment is not None:  # which rcl reads as if it began the outer list anew
             self.assignment.scalars.clear()
-        elif self.block:
+        elif self.entry < len(self.block):
             self.block[self.entry].is_empty_array = True
             self._assign(place, is_array=True)
 
@@ -364,7 +361,7 @@ class Parser:
             self._node_key(name, place)
             return
         if self.is_new_map:
-            if not self.block or self.entry >= len(self.block):
+            if self.entry >= len(self.block):
                 raise Rejected(place, f'cannot tell which parameter {name} belongs to; an empty map before it may '
                                       f'be the cause')
             self.parameter_path = self.block[self.entry].name
@@ -549,7 +546,7 @@ def _shortened(path: str, parts: int, separator: str) -> tuple[str, int]:
 
 def wrong_block_name(name: str) -> str:
     """Return what is wrong with the name of a block; nothing if it can be that of a node or a pattern for some."""
-    for part in ('/' + name).replace('//', '/', 1).split('/')[1:]:
+    for part in name.removeprefix('/').split('/'):
         if not re.fullmatch(r'\*\*?|[A-Za-z_][A-Za-z0-9_]*', part):
             return (f'{name!r} is not a node name: it takes letters, digits and underscores between slashes, or * and '
                     f'** for any')
