@@ -163,34 +163,30 @@ class BlockStart:
     """Where ``ros__parameters`` stands."""
 
 
+@dataclass(eq=False)
 class Entry:
-    """One parameter of a block. It may come to hold values of several types; rclpy takes the first."""
+    """One parameter of a block, with all that the files say about it."""
 
-    def __init__(self, name: str, place: Place):
-        self.name = name
-        self.place = place
-        self.scalars: dict[type, Any] = {}
-        self.arrays: dict[type, list[Any]] = {}
-        self.is_empty_array = False
-        self.assignments: list[Assignment] = []
-        """All that the files say about it, in their order."""
+    name: str
+    place: Place
+    assignments: list[Assignment] = field(default_factory=list)
+    """In the order of the files."""
+
+    def last(self, is_array: bool, kind: type) -> Assignment | None:
+        """Return the last assignment of a type."""
+        return next((each for each in reversed(self.assignments)
+                     if each.is_array is is_array and each.kind is kind), None)
+
+    def winner(self) -> Assignment | None:
+        """Return the assignment that the value comes from. Of several types rcl keeps a value each, and rclpy takes the
+        first: of single values before arrays, of boolean, integer, double, string."""
+        found = (self.last(is_array, kind) for is_array in (False, True) for kind in _KINDS)
+        return next(filter(None, found), self.assignments[-1] if self.assignments else None)
 
     def value(self) -> Any:
         """Return what a node gets: ``[]`` for an empty array, None for nothing."""
-        for held in (self.scalars, self.arrays):
-            for kind in _KINDS:
-                if kind in held:
-                    return held[kind]
-        return [] if self.is_empty_array else None
-
-    def winner(self) -> Assignment | None:
-        """Return the assignment that the value comes from."""
-        for is_array, held in ((False, self.scalars), (True, self.arrays)):
-            for kind in _KINDS:
-                if kind in held:
-                    return next((each for each in reversed(self.assignments)
-                                 if (each.is_array, each.kind) == (is_array, kind)), None)
-        return self.assignments[-1] if self.assignments else None
+        winner = self.winner()
+        return winner and winner.value
 
 
 _KINDS = (bool, int, float, str)
@@ -333,10 +329,8 @@ class Parser:
             self._object(place, f'a list cannot stand before {KEY}', self.node_keys)
             return
         self.item_type = None
-        if is_inner and self.assignment is not None:  # which rcl reads as if it began the outer list anew
-            self.assignment.scalars.clear()
-        elif self.entry < len(self.block):
-            self.block[self.entry].is_empty_array = True
+        # A list in a list is read as if the outer one began anew.
+        if not (is_inner and self.assignment) and self.entry < len(self.block):
             self._assign(place, is_array=True)
 
     def _leave_mapping(self) -> None:
@@ -430,21 +424,23 @@ class Parser:
                         event.tag or '')
         kind = type(scalar.value)
         if not self.in_sequence:
-            entry.scalars[kind] = scalar.value
             self._assign(place, is_array=False).scalars.append(scalar)
             return
+        # It is not that of the entry if a map in the list has begun another one.
+        array = self.assignment if self.assignment in entry.assignments else None
         if self.item_type is None:
             self.item_type = kind
-            entry.arrays[kind] = []
-        elif self.item_type is not kind or kind not in entry.arrays:
+            if array is None or array.kind not in (None, kind):
+                array = self._assign(place, is_array=True)
+            array.scalars.clear()
+        array = array or entry.last(True, kind)
+        if self.item_type is not kind or array is None:
             self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is not like '
                                 f'those before it')
             if self.assignment is not None:
                 self.assignment.is_damaged = True
             return
-        entry.arrays[kind].append(scalar.value)
-        if self.assignment is not None:
-            self.assignment.scalars.append(scalar)
+        array.scalars.append(scalar)
 
     def _assign(self, place: Place, *, is_array: bool) -> Assignment:
         entry = self.block[self.entry]
