@@ -239,7 +239,7 @@ class Parser:
         self.entry = 0
         self.in_parameters = False
         self.depth = 0
-        self.node_path, self.node_parts = '', 0
+        self.node_path = ''
         self.node_keys: list[tuple[str, Place]] = []
         self.parameter_path, self.parameter_parts = '', 0
         self.name_place = Place()
@@ -316,7 +316,7 @@ class Parser:
         elif isinstance(event, yaml.MappingStartEvent):
             self.depth += 1
             self.expects_key = True
-            self.is_new_map = not (self.in_parameters and self.depth - self.node_parts == 3)
+            self.is_new_map = not (self.in_parameters and self.depth - len(self.node_keys) == 3)
         elif isinstance(event, yaml.MappingEndEvent):
             self._leave_mapping()
 
@@ -335,17 +335,18 @@ class Parser:
 
     def _leave_mapping(self) -> None:
         if not self.in_parameters:
-            if self.depth == self.node_parts + 1:
+            if self.depth == len(self.node_keys) + 1:
                 self._leave_node_key()
         elif self.parameter_parts:
-            self.parameter_path, self.parameter_parts = _shortened(self.parameter_path, self.parameter_parts, '.')
+            self.parameter_path = _shortened(self.parameter_path, self.parameter_parts, '.')
+            self.parameter_parts -= 1
         else:
             self.in_parameters = False
         self.depth -= 1
 
     def _leave_node_key(self) -> None:
-        self.node_path, self.node_parts = _shortened(self.node_path, self.node_parts, '/')
-        del self.node_keys[self.node_parts:]
+        self.node_path = _shortened(self.node_path, len(self.node_keys), '/')
+        del self.node_keys[-1:]
 
     def _key(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not event.value:
@@ -373,12 +374,11 @@ class Parser:
         if not name.startswith(KEY):
             if not name:
                 raise Rejected(place, 'there is a block without a name')
-            separator = '/' if self.node_parts and not self.node_path.endswith('/') else ''
-            self.node_path = (self.node_path if self.node_parts else '') + separator + name
-            self.node_parts += 1
+            separator = '/' if self.node_keys and not self.node_path.endswith('/') else ''
+            self.node_path += separator + name
             self.node_keys.append((name, place))
             return
-        if not self.node_parts:
+        if not self.node_keys:
             raise Rejected(place, f'there is no node name before {KEY}; start with "/name_of_the_node:" or "/**:"')
         if wrong := wrong_block_name(self.node_path):
             self._object(place, wrong)
@@ -533,11 +533,11 @@ def _c_string(text: str) -> str:
     return text.partition('\0')[0]
 
 
-def _shortened(path: str, parts: int, separator: str) -> tuple[str, int]:
-    """Return a path without its last part, and how many parts remain."""
+def _shortened(path: str, parts: int, separator: str) -> str:
+    """Return a path without its last part."""
     if parts <= 1:
-        return '', 0
-    return path.rpartition(separator)[0] if separator in path else path, parts - 1
+        return ''
+    return path.rpartition(separator)[0] if separator in path else path
 
 
 def wrong_block_name(name: str) -> str:
