@@ -82,7 +82,7 @@ lint: setup-all  ## check code, notebooks and spelling without running them
 	@$(VENV) -m mypy
 	@$(VENV) -m tests.tools.notebook_lint notebooks
 
-release: setup  ## make the wheel, the list of licenses and the SBOM, in build/release/
+release: setup  ## make the wheels, the list of licenses and the SBOM, in build/release/
 	@$(VENV) environment/release.py
 
 # The second lock is a part of the first, at the same versions.

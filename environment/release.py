@@ -3,6 +3,7 @@
 - a wheel that holds the whole course as it lies in the checkout: chapters, parameter files, ROS package, JupyterLab's
   settings. So the package finds beside itself what it finds in a checkout, and `python -m param_tutorial lab` works. A
   .pth file in the wheel puts the ROS package's folder on Python's path.
+- a wheel of the tools alone, param_tools.
 - sbom.json: what a learner's environment consists of, with versions, licenses and hashes, as CycloneDX 1.6. Each of its
   facts is in the lock or in the packages' metadata, so no tool is needed for it.
 - LICENSES.md: the same for people.
@@ -17,8 +18,10 @@ import io
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import xml.etree.ElementTree as ET
 import zipfile
 from pathlib import Path
@@ -76,6 +79,15 @@ def make_wheel() -> Path:
     return wheel
 
 
+def make_tools_wheel() -> None:
+    """Make the wheel of the tools alone, from a copy: setuptools leaves files beside what it builds."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = shutil.copytree(ROOT / 'param_tutorial' / 'param_tools', Path(folder, 'param_tools'),
+                               ignore=shutil.ignore_patterns('__pycache__'))
+        subprocess.run([sys.executable, '-m', 'pip', 'wheel', '--quiet', '--no-deps', '--no-build-isolation',
+                        '--wheel-dir', TARGET, copy], env={**os.environ, 'SOURCE_DATE_EPOCH': '1767225600'}, check=True)
+
+
 def locked() -> dict[str, tuple[str, list[str]]]:
     """Return each package of the lock that this Python gets, with its version and the hashes of its files."""
     found = {}
@@ -129,6 +141,7 @@ def main() -> None:
     """Make it all, and say where it is."""
     TARGET.mkdir(parents=True, exist_ok=True)
     make_lists()
+    make_tools_wheel()
     print(make_wheel().relative_to(ROOT))
 
 

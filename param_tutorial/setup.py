@@ -4,18 +4,22 @@ commands of the tools as extensions of `ros2`.
 pip reads pyproject.toml one folder up instead.
 """
 
+import re
 from glob import glob
+from pathlib import Path
 
 from setuptools import find_packages, setup
 
 PACKAGE = 'param_tutorial'
 IMPORT_PACKAGES = (PACKAGE, 'param_tools')
+# Where both pyproject.toml find it, too.
+VERSION = re.search("^__version__ = '(.+)'$", Path('param_tools/__init__.py').read_text(), re.MULTILINE)[1]
 NODES = ('simple_param_node', 'param_setter_node', 'param_event_monitor', 'param_query_node', 'clawbot_node',
          'pallet_lift_node', 'pid_controller_node', 'cart_node')
 
 setup(
     name=PACKAGE,
-    version='0.1.0',
+    version=VERSION,
     packages=find_packages(include=[f'{each}{rest}' for each in IMPORT_PACKAGES for rest in ('', '.*')]),
     package_data={each: ['**/*.css', '**/*.js', 'ros/*.xml', 'ros1/recording.txt'] for each in IMPORT_PACKAGES},
     data_files=[

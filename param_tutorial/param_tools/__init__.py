@@ -51,6 +51,8 @@ if TYPE_CHECKING:
     from param_tools.systems.snapshot import Snapshot as Snapshot
     from param_tools.systems.snapshot import all_parameters as all_parameters
 
+__version__ = '0.1.0'
+
 # Twice, because editors and type checkers read imports, and nothing should be imported before it is used.
 _HOMES = {
     'Aliases': 'param_tools.node.aliases',

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from param_tools import __version__
 from param_tools.cli.run import node_programs
 from tests.support.paths import PACKAGE, ROOT, ROS_PACKAGE, TOOLS
 
@@ -78,7 +79,7 @@ def test_package_xml_is_that_of_an_ament_python_package(package_xml):
 
 def test_names_versions_and_licences_agree(package_xml, setup_py):
     assert package_xml.findtext('name') == setup_py['name'] == PROJECT['name'].replace('-', '_')
-    assert package_xml.findtext('version') == setup_py['version'] == PROJECT['version']
+    assert package_xml.findtext('version') == setup_py['version'] == __version__
     assert package_xml.findtext('license') == setup_py['license'] == PROJECT['license'] == 'Apache-2.0'
     assert 'Apache License' in (ROOT / 'LICENSE').read_text()
 

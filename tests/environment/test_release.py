@@ -14,17 +14,13 @@ from pathlib import Path
 
 import pytest
 
+import param_tools
 from tests.support.lab import wait_for
 from tests.support.paths import ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(400)]
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
-VERSION = tomllib.loads((ROOT / 'pyproject.toml').read_text())['project']['version']
+VERSION = param_tools.__version__
 LOCKED = re.findall(r'^([\w.-]+)==', (ROOT / 'environment' / 'requirements.lock').read_text(), re.MULTILINE)
 USE = '''
 import param_tutorial
@@ -140,6 +136,7 @@ def names_in(contents):
 
 
 def test_the_wheel_holds_what_git_knows_and_nothing_else(released):
+    assert (released / f'param_tools-{VERSION}-py3-none-any.whl').is_file()
     with zipfile.ZipFile(released / f'param_tutorial-{VERSION}-py3-none-any.whl') as wheel:
         names = {name.removeprefix('param_tutorial_course/') for name in wheel.namelist() if '.dist-info/' not in name}
     known = subprocess.run(['git', 'ls-files', '-z'], cwd=ROOT, capture_output=True, text=True, check=True).stdout

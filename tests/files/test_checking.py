@@ -11,7 +11,6 @@ from hypothesis import HealthCheck, given, settings
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
-from param_tools.errors import ParameterFileError
 from param_tools.files import descriptions
 from param_tools.files.checking import KINDS, check_files
 from param_tools.files.descriptions import DescribedParameter, Descriptions, NodeDescription
@@ -142,8 +141,6 @@ SEEDED = [
     # the header
     ('lift.yaml', '/hall_3/lift:\n  ros__parameters', '/hall_3/lift:\n  ros_parameters', 'no header',
      'ros_parameters', 3, "should be 'ros__parameters'"),
-    ('lift.yaml', '/hall_3/lift:\n  ros__parameters', '/hall_3/lift:\n  ros_params', 'no header', 'ros_params', 3,
-     "should be 'ros__parameters'"),
     ('navigation.yaml', 'map_server:\n  ros__parameters:\n', 'map_server:\n', 'no header', 'map_server:', 1,
      "no 'ros__parameters'"),
     ('controllers.yaml', 'arm_controller:\n  ros__parameters:', 'arm_controller:\n  parameters:', 'no header',
@@ -166,26 +163,20 @@ SEEDED = [
     ('lift.yaml', 'steps: 40', 'steps: 40.0', 'wrong type', 'steps: 40.0', 12, 'write 40'),
     ('lift.yaml', 'steps: 40', 'steps: [40]', 'wrong type', 'steps: [', 12, 'type integer'),
     ('lift.yaml', 'steps: 40', 'steps: 1_000', 'wrong type', 'steps: 1_000', 12, 'rcl reads 1_000 as the string'),
-    ('lift.yaml', 'steps: 40', 'steps: 0b101', 'wrong type', 'steps: 0b101', 12, 'the string'),
-    ('lift.yaml', 'steps: 40', 'steps: 0o50', 'wrong type', 'steps: 0o50', 12, 'the string'),
     ('lift.yaml', 'steps: 40', 'steps: 99999999999999999999', 'wrong type', 'steps: 9', 12, 'is a double'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [1, 2]', 'wrong type', 'gains:', 12, 'write 1.0'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: 1.0', 'wrong type', 'gains:', 12, 'write [1.0]'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: []', 'wrong type', 'gains:', 12, 'an empty array has no type'),
     ('lift.yaml', 'name: lift', 'name: y', 'wrong type', 'name: y', 11, "write 'y'"),
-    ('lift.yaml', 'name: lift', 'name: Off', 'wrong type', 'name: Off', 11, "write 'Off'"),
     ('lift.yaml', 'name: lift', 'name: 7', 'wrong type', 'name: 7', 11, "write '7'"),
-    ('lift.yaml', 'name: lift', 'name: 1e5', 'wrong type', 'name: 1e5', 11, "write '1e5'"),
     ('lift.yaml', 'name: lift', 'name: nan', 'wrong type', 'name: nan', 11, "write 'nan'"),
     ('lift.yaml', "'0123'", '0123', 'wrong type', 'code: 0123', 11, 'the integer 83'),
     ('lift.yaml', 'enabled: true', 'enabled: 1', 'wrong type', 'enabled: 1', 14, 'type boolean'),
-    ('lift.yaml', 'enabled: true', 'enabled: "true"', 'wrong type', 'enabled: "', 14, 'leave the quotes out'),
     ('lift.yaml', "'no'", 'no', 'wrong type', 'password: no', 15, "write 'no'"),
     ('navigation.yaml', 'width: 3', 'width: 3.5', 'wrong type', 'width: 3.5', 14, 'type integer'),
     ('navigation.yaml', '["obstacles", "inflation"]', 'obstacles', 'wrong type', 'plugins: obst', 16,
      'write [obstacles]'),
     ('navigation.yaml', 'tolerance: 1e-3', 'tolerance: 1e-3s', 'wrong type', 'tolerance: 1e-3s', 16, 'the string'),
-    ('controllers.yaml', 'goal_time: 0.0', 'goal_time: 0', 'wrong type', 'goal_time: 0', 18, 'write 0.0'),
     ('controllers.yaml', 'p: 10.0', 'p: 10', 'wrong type', 'p: 10', 21, 'write 10.0'),
     # ranges, steps and validators
     ('lift.yaml', 'speed: 0.25', 'speed: 1.25', 'out of range', 'speed: 1.25', 12, 'between 0.0 and 1.0'),
@@ -197,8 +188,6 @@ SEEDED = [
     ('controllers.yaml', 'interpolation: spline', 'interpolation: cubic', 'invalid', 'cubic', 20, "'spline', 'none'"),
     ('controllers.yaml', 'state_publish_rate: 50.0', 'state_publish_rate: 0.05', 'out of range', '0.05 #', 25,
      'at least 0.1'),
-    ('controllers.yaml', 'action_monitor_rate: 20.0', 'action_monitor_rate: 0.01', 'out of range', ': 0.01\n    all',
-     26, 'at least 0.1'),
     ('controllers.yaml', 'goal: 0.03}', 'goal: 1.03}', 'out of range', '1.03', 42, 'between 0.0 and 1.0'),
     ('controllers.yaml', '[position]', '[torque]', 'invalid', 'torque', 25, "'position', 'velocity'"),
     ('controllers.yaml', '- elbow', '- elbow\n      - elbow', 'invalid', 'shoulder\n', 7, 'same element twice'),
@@ -218,14 +207,9 @@ SEEDED = [
     ('lift.yaml', 'name: lift', 'name: null', 'read otherwise', 'name: null', 11, 'as null'),
     ('lift.yaml', '"2024-01-01"', '2024-01-01', 'read otherwise', 'since:', 12, 'as a date'),
     ('lift.yaml', 'steps: 40', 'steps: 050', 'read otherwise', 'steps: 050', 12, 'the integer 40'),
-    ('lift.yaml', 'length: 1.2', 'length: 12:30', 'read otherwise', '12:30', 32, 'the integer 750'),
-    ('navigation.yaml', 'max_particles: 1500', 'max_particles: 01500', 'read otherwise', '01500', 20, 'write 832'),
+    ('lift.yaml', ', length: 1.2}', '}\n    tool.length: 12:30', 'read otherwise', '12:30', 18, 'the integer 750'),
     # what rcl rejects
-    ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [1, 0.5]', 'unreadable', 'gains', 16, 'must all be of one type'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [[1.0], [0.5]]', 'unreadable', 'gains', 18, 'list of lists'),
-    ('lift.yaml', 'name: lift', 'name:', 'unreadable', 'name:\n', 10, 'name has no value'),
-    ('lift.yaml', 'name: lift', 'name: *lift', 'unreadable', '*lift', 11, 'no aliases'),
-    ('navigation.yaml', 'loop_ms: 10', '\tloop_ms: 10', 'unreadable', '\tloop', 5, 'not YAML'),
 ]
 
 
@@ -253,7 +237,6 @@ def test_a_seeded_error_is_found_where_it_stands(tmp_path, name, old, new, kind,
 LINES = [
     # what is not YAML
     ('    speed: 0.25\n\tname: lift\n', 'unreadable', 4, 1, 'Indent with spaces'),
-    ('\tspeed: 0.25\n', 'unreadable', 3, 1, 'Indent with spaces'),
     ('  \tspeed: 0.25\n', 'unreadable', 3, 3, 'Indent with spaces'),
     ('    name: lift\n    speed:0.25\n', 'unreadable', 4, 5, 'A name ends with a colon and a space'),
     ('    speed:0.25\n    name: lift\n', 'unreadable', 4, 9, 'It goes on with the line above'),
@@ -262,14 +245,12 @@ LINES = [
     ('    steps: 40\n   name: lift\n', 'unreadable', 4, 4, 'The names of one block begin in the same column'),
     ('    name: a: b\n', 'unreadable', 3, 12, "A text with ': ' in it needs quotes"),
     ('    name: @home\n', 'unreadable', 3, 11, 'A text that begins with @ needs quotes'),
-    ('    name: `x`\n', 'unreadable', 3, 11, 'A text that begins with ` needs quotes'),
     ('    name: *.txt\n', 'unreadable', 3, 12, 'A text that begins with * needs quotes'),
     ("    name: 'it's'\n", 'unreadable', 3, 15, 'a quote inside quotes is written twice'),
     ('    name: "lift\n    steps: 40\n', 'unreadable', 3, 11, 'The quote that begins here is not closed'),
     ('    name: "a\\q"\n', 'unreadable', 3, 13, 'A text with a backslash needs single quotes'),
     ('    gains: [1.0, 0.5\n    steps: 40\n', 'unreadable', 4, 10, 'in what begins in line 3'),
     (b'    name: gr\xfcn\n', 'unreadable', 3, 13, "the byte 0xfc would be 'ü' in Windows-1252"),
-    (b'    unit: "\xc2\xb5"\n    name: \xb5\n', 'unreadable', 4, 11, "'µ' in Windows-1252"),
     (b'    unit: "\xc2\xb5\xe9"\n', 'unreadable', 3, 13, "'é' in Windows-1252"),
     (b'    name: \x81\n', 'unreadable', 3, 11, 'this is not UTF-8: the byte 0x81'),
     ('    name: a\x07\n', 'unreadable', 3, 12, 'control characters are not allowed'),
@@ -277,7 +258,6 @@ LINES = [
     ('    speed: &s 0.25\n    tool.length: *s\n', 'unreadable', 4, 18, 'write the value itself instead of *s'),
     ('    tool: &t {kind: fork}\n    <<: *t\n', 'unreadable', 4, 9, 'ROS reads no aliases'),
     ('    gains: [1.0, 1]\n', 'unreadable', 3, 18, 'must all be of one type'),
-    ("    gains: [1.0, '1']\n", 'unreadable', 3, 18, 'must all be of one type'),
     ('    gains:\n      - 1.0\n      - true\n', 'unreadable', 5, 9, 'must all be of one type'),
     ('    name: #lift\n', 'unreadable', 3, 10, 'name has no value'),
     # numbers and tags
@@ -288,7 +268,6 @@ LINES = [
     ('    speed: -.inf\n', 'out of range', 3, 12, 'between 0.0 and 1.0'),
     ('    steps: .inf\n', 'wrong type', 3, 12, 'is a double'),
     ('    steps: 1e1\n', 'wrong type', 3, 12, 'write 10'),
-    ('    steps: "40"\n', 'wrong type', 3, 12, 'leave the quotes out'),
     ('    steps: 9223372036854775808\n', 'wrong type', 3, 12, 'is a double'),
     (f'    steps: {"9" * 5000}\n', 'wrong type', 3, 12, 'type integer'),
     ('    steps: 0x1FG\n', 'wrong type', 3, 12, 'the string'),
@@ -402,11 +381,6 @@ def test_findings_as_text_json_and_annotations(tmp_path):
     annotation = findings.as_github().splitlines()[0]
     assert re.fullmatch(r'::(error|warning) file=[^,:]*a%2Cb\.yaml,line=\d+,col=\d+,title=[a-z ]+::.+', annotation)
     assert '<table' in findings._repr_html_()
-
-
-def test_what_cannot_be_opened_is_no_finding(tmp_path):
-    with pytest.raises(ParameterFileError, match='nowhere'):
-        check_files(tmp_path / 'nowhere.yaml')
 
 
 @pytest.mark.parametrize('content', ['', '# nothing\n', 'a', '[]', b'\xff\xfe\x00', '\x00', '{' * 3000])

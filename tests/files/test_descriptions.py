@@ -168,13 +168,7 @@ def test_a_saved_description_gives_the_reference_that_the_running_node_gives(ros
 # -- nonsense -------------------------------------------------------------------------------------------------
 
 
-MAPS = ''.join(f'  {after}: &{after} {{{", ".join(f"k{number}: *{before}" for number in range(10))}}}\n'
-               for before, after in zip('abcdefgh', 'bcdefghi'))
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize(('content', 'complaint'), [
-    (f'n:\n  a: &a {{x: {{type: int}}}}\n{MAPS}', 'it has more than 100000 maps'),
     ('', 'it is neither a saved description'),
     ('/n:\n  ros__parameters:\n    a: 1\n', 'it is neither'),
     ('a: [', 'line 1: this is not YAML'),

@@ -24,6 +24,9 @@ _MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run']
             'topic': ['topic'], 'launch.verb': ['launch'], 'check': ['check', 'describe'],
             'system': ['snapshot', 'diff', 'restore'], 'changes': ['watch', 'history'], 'panel': ['panel']}
 
+# What is missing where a command needs ROS and there is none.
+_PACKAGES_OF_ROS = ('rclpy', 'rcl_interfaces', 'ament_index_python')
+
 
 @functools.cache
 def _parser(command: str) -> CommandParser:
@@ -60,3 +63,9 @@ def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream,
     except (CommandFailed, ParameterToolError) as error:
         session.complain(error)
         return 1
+    except ModuleNotFoundError as error:
+        if error.name not in _PACKAGES_OF_ROS:
+            raise
+        session.complain(f'This needs ROS, and Python finds no {error.name}: source a ROS installation, or install '
+                         f'the tools with their extra `ros`. `check` needs ROS only to ask running nodes')
+        return 2

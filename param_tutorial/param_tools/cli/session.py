@@ -1,6 +1,7 @@
 """What the verbs of the embedded ``ros2`` share: arguments, streams, finding a node, calling its services.
 
-ROS is imported where it is used: ``ros2 run`` starts a program, which imports it once more.
+ROS is imported where it is used: ``check`` reads files without it, and ``ros2 run`` starts a program, which imports it
+once more.
 """
 
 import argparse
@@ -12,7 +13,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
 from param_tools.errors import NodeNotFoundError, ParameterToolError
-from param_tools.ros import domain
 
 if TYPE_CHECKING:
     from param_tools.ros.executor import BackgroundExecutor
@@ -112,6 +112,8 @@ class Session:
 
         :raises CommandFailed: there is no such node.
         """
+        from param_tools.ros import domain
+
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
         # A hidden node is not looked at without the option; nothing can be waited for then.
         hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
@@ -144,7 +146,7 @@ class Session:
         """Return how long to look for nodes at least, in seconds."""
         if args.spin_time is not None:
             return float(args.spin_time)
-        from param_tools.ros import graph
+        from param_tools.ros import domain, graph
 
         return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.DISCOVERY_SEC
 

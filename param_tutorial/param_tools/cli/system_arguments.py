@@ -1,18 +1,18 @@
-"""What the commands about whole systems take as an argument, and the files that they write."""
+"""What the commands about whole systems take as an argument, and the files that they write.
+
+ROS is imported only for running nodes and programs: a file can be checked without it.
+"""
 
 import argparse
 from collections import Counter
 from pathlib import Path
 
-from param_tools.cli.run_isolated import describe_program
 from param_tools.cli.session import CommandFailed, Session
 from param_tools.errors import NodeError, NodeNotFoundError
 from param_tools.files import descriptions
 from param_tools.files.descriptions import Descriptions
 from param_tools.files.parameter_files import Dump
 from param_tools.files.parsing import matches
-from param_tools.ros.executor import TOOL_NODE_NAME
-from param_tools.systems.describe import describe as describe_nodes
 
 HELP = 'a running node (/talker), several (/robot1/**, /**), a program (package/executable), or a file'
 
@@ -60,6 +60,8 @@ def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]
         _report_twins(session, [name], args)
         return [name]
     session.wait_for_graph(args)
+    from param_tools.ros.executor import TOOL_NODE_NAME
+
     # A process that has just joined hears of names before it hears of what else a node has: see Session.node_names.
     names = {each.full_name for each in session.node_names(hidden=args.include_hidden_nodes)}
     found = sorted(node for node in names if matches(name, node) and node != f'/{TOOL_NODE_NAME}'
@@ -93,7 +95,11 @@ def describe(session: Session, word: str, args: argparse.Namespace) -> Descripti
     if is_file(word):
         return descriptions.read(word)
     if is_program(word):
+        from param_tools.cli.run_isolated import describe_program
+
         return describe_program(*word.split('/'))
+    from param_tools.systems.describe import describe as describe_nodes
+
     found = describe_nodes(nodes_of(session, word, args), timeout_sec=args.timeout, executor=session.executor)
     report_unanswered(session, found.unanswered)
     if pattern(word) == '/**' and not found.unanswered:

@@ -16,6 +16,7 @@ from typing import Any
 from param_tools import values
 from param_tools.descriptor import is_housekeeping
 from param_tools.errors import nearest
+from param_tools.files import rcl_parser
 from param_tools.files.descriptions import DescribedParameter, Descriptions
 from param_tools.files.parameter_files import format_scalar, read_bytes
 from param_tools.files.parsing import (
@@ -134,6 +135,7 @@ class _Check:
         self._loading = loading
         self._parser = Parser(tolerant=True)
         self._files: list[str] = []
+        self._accepted: list[str] = []
         self._reported: set[str] = set()
         self._found: dict[tuple[str, int, int, str, str], FileFinding] = {}
         self._left_to_launch: set[tuple[str, int]] = set()
@@ -155,11 +157,14 @@ class _Check:
             elif rejected.keys[0][0] not in headless:
                 headless.add(rejected.keys[0][0])
                 self._add(file, *_headless(rejected))
+        if not self._parser.rejected:
+            self._accepted.append(file)
         if not self._parser.rejected[before:] and not any(start.file == file for start in self._parser.starts):
             self._add(file, Place(), 'never matched', 'the file holds parameters for no node at all')
 
     def findings(self) -> Findings:
         """Check what was read, and return all findings."""
+        self._ask_rcl()
         self._check_duplicates()
         self._check_blocks()
         judged = self._check_values()
@@ -177,6 +182,16 @@ class _Check:
             found.passed_over = tuple(name for name in self._parser.blocks if name not in self._reported
                                       and not any(matches(name, node) for node in self._against))
         return found
+
+    def _ask_rcl(self) -> None:
+        """Let rcl itself judge what was read without a rejection: its YAML library may be another one than Python's."""
+        if rejection := rcl_parser.first_rejection(self._accepted):
+            index, reason = rejection
+            line = re.search(r'line(?:_num)? (\d+)', reason)
+            hint = (". Its YAML library is older than Python's: inside brackets, put quotes around texts with a colon "
+                    'or a question mark' if reason.startswith('Error parsing a event') else '')
+            self._add(self._accepted[index], Place(int(line[1]) if line else 1), 'unreadable',
+                      f'rcl rejects the file: {reason}{hint}')
 
     def _add(self, file: str, place: Place, kind: str, message: str, node: str = '', parameter: str = '') -> None:
         key = (file, place.line, place.column, kind, parameter)

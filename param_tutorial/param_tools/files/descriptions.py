@@ -56,7 +56,6 @@ _TYPES = {
     'int_array': values.INTEGER_ARRAY, 'double_array': values.DOUBLE_ARRAY, 'string_array': values.STRING_ARRAY}
 _NAMES = {parameter_type: name for name, parameter_type in _TYPES.items()}
 _FIXED = re.compile(r'(string|bool_array|int_array|double_array|string_array)_fixed_([0-9]{1,9})')
-_MOST_BRANCHES = 100_000
 # rclpy.node.Node.PARAM_REL_TOL
 _REL_TOL = 1e-6
 
@@ -278,8 +277,7 @@ class Descriptions(dict[str, NodeDescription]):
         text = yaml.dump({_FORMAT: VERSION, 'complete': self.complete, 'nodes': nodes}, Dumper=_Dumper,
                          sort_keys=False, allow_unicode=True, width=100)
         lines = [f'# {node} is missing: {" ".join(str(error).split())}\n' for node, error in self.unanswered.items()]
-        return Dump('# What nodes declare, saved by param_tutorial: to check parameter files without a robot.\n'
-                    + ''.join(lines) + text, {})
+        return Dump('# What nodes declare: to check parameter files without a robot.\n' + ''.join(lines) + text, {})
 
     def reference(self) -> Reference:
         """Return a table in Markdown for each node, with its name as a heading if there are several."""
@@ -396,20 +394,15 @@ def _read_schema(content: Mapping[Any, Any]) -> Iterator[NodeDescription]:
         yield NodeDescription(f'/{name}', parameters, AS_DECLARED)
 
 
-def _leaves(tree: Mapping[Any, Any], path: tuple[str, ...] = (), visited: Iterator[int] | None = None
-            ) -> Iterator[tuple[tuple[str, ...], Mapping[Any, Any]]]:
+def _leaves(tree: Mapping[Any, Any], path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Mapping[Any, Any]]]:
     """Yield the parameters of a schema: the maps that have a type."""
-    visited = visited or itertools.count()
     for key, branch in tree.items():
         if not isinstance(branch, dict):
             raise _Unfit(f'{".".join((*path, str(key)))} is no parameter: it has no type')
-        # A few lines of aliases can stand for more maps than anybody has time for.
-        if next(visited) > _MOST_BRANCHES:
-            raise _Unfit(f'it has more than {_MOST_BRANCHES} maps')
         if isinstance(branch.get('type'), str):
             yield (*path, str(key)), branch
         else:
-            yield from _leaves(branch, (*path, str(key)), visited)
+            yield from _leaves(branch, (*path, str(key)))
 
 
 def _read_saved(content: Mapping[Any, Any]) -> Descriptions:

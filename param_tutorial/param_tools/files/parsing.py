@@ -13,8 +13,6 @@ import re
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from decimal import Decimal
-from fractions import Fraction
 from typing import Any
 
 import yaml
@@ -88,15 +86,14 @@ def _strtod(text: str) -> float | None:
 
 def _is_inexact(number: float, hexadecimal: str | None, decimal: str | None) -> bool:
     """True if a number below the smallest normal double differs from its text: C calls that an underflow."""
-    mantissa, _, exponent = (hexadecimal[2:].lower().partition('p') if hexadecimal
-                             else (decimal or '').lower().partition('e'))
+    mantissa, _, exponent = (hexadecimal or decimal or '').lower().partition('p' if hexadecimal else 'e')
     if number == 0.0:  # decided without arithmetic: the exponent may have a million digits
-        return any(digit not in '0.' for digit in mantissa)
-    if decimal:
-        return Fraction(Decimal(decimal)) != Fraction(number)
-    whole, _, part = mantissa.partition('.')
-    exact = Fraction(int(whole + part, 16)) * Fraction(2) ** (int(exponent or 0) - 4 * len(part))
-    return exact != Fraction(number)
+        return any(digit not in '0.x' for digit in mantissa)
+    if hexadecimal:
+        return math.ldexp(number, 1000) != float.fromhex(f'{mantissa}p{int(exponent or 0) + 1000}')
+    from decimal import Decimal
+
+    return Decimal(decimal or 0) != Decimal(number)
 
 
 # -- what is read ---------------------------------------------------------------------------------------------
@@ -166,34 +163,30 @@ class BlockStart:
     """Where ``ros__parameters`` stands."""
 
 
+@dataclass(eq=False)
 class Entry:
-    """One parameter of a block. It may come to hold values of several types; rclpy takes the first."""
+    """One parameter of a block, with all that the files say about it."""
 
-    def __init__(self, name: str, place: Place):
-        self.name = name
-        self.place = place
-        self.scalars: dict[type, Any] = {}
-        self.arrays: dict[type, list[Any]] = {}
-        self.is_empty_array = False
-        self.assignments: list[Assignment] = []
-        """All that the files say about it, in their order."""
+    name: str
+    place: Place
+    assignments: list[Assignment] = field(default_factory=list)
+    """In the order of the files."""
+
+    def last(self, is_array: bool, kind: type) -> Assignment | None:
+        """Return the last assignment of a type."""
+        return next((each for each in reversed(self.assignments)
+                     if each.is_array is is_array and each.kind is kind), None)
+
+    def winner(self) -> Assignment | None:
+        """Return the assignment that the value comes from. Of several types rcl keeps a value each, and rclpy takes the
+        first: of single values before arrays, of boolean, integer, double, string."""
+        found = (self.last(is_array, kind) for is_array in (False, True) for kind in _KINDS)
+        return next(filter(None, found), self.assignments[-1] if self.assignments else None)
 
     def value(self) -> Any:
         """Return what a node gets: ``[]`` for an empty array, None for nothing."""
-        for held in (self.scalars, self.arrays):
-            for kind in _KINDS:
-                if kind in held:
-                    return held[kind]
-        return [] if self.is_empty_array else None
-
-    def winner(self) -> Assignment | None:
-        """Return the assignment that the value comes from."""
-        for is_array, held in ((False, self.scalars), (True, self.arrays)):
-            for kind in _KINDS:
-                if kind in held:
-                    return next((each for each in reversed(self.assignments)
-                                 if (each.is_array, each.kind) == (is_array, kind)), None)
-        return self.assignments[-1] if self.assignments else None
+        winner = self.winner()
+        return winner and winner.value
 
 
 _KINDS = (bool, int, float, str)
@@ -243,10 +236,10 @@ class Parser:
         self.block: list[Entry] = []
         self.places_here: dict[str, set[int]] = {}
         self.block_name = ''
-        self.entry = -1
+        self.entry = 0
         self.in_parameters = False
         self.depth = 0
-        self.node_path, self.node_parts = '', 0
+        self.node_path = ''
         self.node_keys: list[tuple[str, Place]] = []
         self.parameter_path, self.parameter_parts = '', 0
         self.name_place = Place()
@@ -323,7 +316,7 @@ class Parser:
         elif isinstance(event, yaml.MappingStartEvent):
             self.depth += 1
             self.expects_key = True
-            self.is_new_map = not (self.in_parameters and self.depth - self.node_parts == 3)
+            self.is_new_map = not (self.in_parameters and self.depth - len(self.node_keys) == 3)
         elif isinstance(event, yaml.MappingEndEvent):
             self._leave_mapping()
 
@@ -336,25 +329,24 @@ class Parser:
             self._object(place, f'a list cannot stand before {KEY}', self.node_keys)
             return
         self.item_type = None
-        if is_inner and self.assignment is not None:  # which rcl reads as if it began the outer list anew
-            self.assignment.scalars.clear()
-        elif self.block:
-            self.block[self.entry].is_empty_array = True
+        # A list in a list is read as if the outer one began anew.
+        if not (is_inner and self.assignment) and self.entry < len(self.block):
             self._assign(place, is_array=True)
 
     def _leave_mapping(self) -> None:
         if not self.in_parameters:
-            if self.depth == self.node_parts + 1:
+            if self.depth == len(self.node_keys) + 1:
                 self._leave_node_key()
         elif self.parameter_parts:
-            self.parameter_path, self.parameter_parts = _shortened(self.parameter_path, self.parameter_parts, '.')
+            self.parameter_path = _shortened(self.parameter_path, self.parameter_parts, '.')
+            self.parameter_parts -= 1
         else:
             self.in_parameters = False
         self.depth -= 1
 
     def _leave_node_key(self) -> None:
-        self.node_path, self.node_parts = _shortened(self.node_path, self.node_parts, '/')
-        del self.node_keys[self.node_parts:]
+        self.node_path = _shortened(self.node_path, len(self.node_keys), '/')
+        del self.node_keys[-1:]
 
     def _key(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not event.value:
@@ -364,7 +356,7 @@ class Parser:
             self._node_key(name, place)
             return
         if self.is_new_map:
-            if not self.block or self.entry >= len(self.block):
+            if self.entry >= len(self.block):
                 raise Rejected(place, f'cannot tell which parameter {name} belongs to; an empty map before it may '
                                       f'be the cause')
             self.parameter_path = self.block[self.entry].name
@@ -382,12 +374,11 @@ class Parser:
         if not name.startswith(KEY):
             if not name:
                 raise Rejected(place, 'there is a block without a name')
-            separator = '/' if self.node_parts and not self.node_path.endswith('/') else ''
-            self.node_path = (self.node_path if self.node_parts else '') + separator + name
-            self.node_parts += 1
+            separator = '/' if self.node_keys and not self.node_path.endswith('/') else ''
+            self.node_path += separator + name
             self.node_keys.append((name, place))
             return
-        if not self.node_parts:
+        if not self.node_keys:
             raise Rejected(place, f'there is no node name before {KEY}; start with "/name_of_the_node:" or "/**:"')
         if wrong := wrong_block_name(self.node_path):
             self._object(place, wrong)
@@ -433,21 +424,23 @@ class Parser:
                         event.tag or '')
         kind = type(scalar.value)
         if not self.in_sequence:
-            entry.scalars[kind] = scalar.value
             self._assign(place, is_array=False).scalars.append(scalar)
             return
+        # It is not that of the entry if a map in the list has begun another one.
+        array = self.assignment if self.assignment in entry.assignments else None
         if self.item_type is None:
             self.item_type = kind
-            entry.arrays[kind] = []
-        elif self.item_type is not kind or kind not in entry.arrays:
+            if array is None or array.kind not in (None, kind):
+                array = self._assign(place, is_array=True)
+            array.scalars.clear()
+        array = array or entry.last(True, kind)
+        if self.item_type is not kind or array is None:
             self._object(place, f'the elements of {entry.name} must all be of one type; {event.value!r} is not like '
                                 f'those before it')
             if self.assignment is not None:
                 self.assignment.is_damaged = True
             return
-        entry.arrays[kind].append(scalar.value)
-        if self.assignment is not None:
-            self.assignment.scalars.append(scalar)
+        array.scalars.append(scalar)
 
     def _assign(self, place: Place, *, is_array: bool) -> Assignment:
         entry = self.block[self.entry]
@@ -540,16 +533,16 @@ def _c_string(text: str) -> str:
     return text.partition('\0')[0]
 
 
-def _shortened(path: str, parts: int, separator: str) -> tuple[str, int]:
-    """Return a path without its last part, and how many parts remain."""
+def _shortened(path: str, parts: int, separator: str) -> str:
+    """Return a path without its last part."""
     if parts <= 1:
-        return '', 0
-    return path.rpartition(separator)[0] if separator in path else path, parts - 1
+        return ''
+    return path.rpartition(separator)[0] if separator in path else path
 
 
 def wrong_block_name(name: str) -> str:
     """Return what is wrong with the name of a block; nothing if it can be that of a node or a pattern for some."""
-    for part in ('/' + name).replace('//', '/', 1).split('/')[1:]:
+    for part in name.removeprefix('/').split('/'):
         if not re.fullmatch(r'\*\*?|[A-Za-z_][A-Za-z0-9_]*', part):
             return (f'{name!r} is not a node name: it takes letters, digits and underscores between slashes, or * and '
                     f'** for any')

@@ -4,14 +4,16 @@ rcl reads neither. PyYAML, and with it ``ros2 param load``, reads 1.1 with some 
 and people, read 1.2.
 """
 
-import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import yaml
 
 from param_tools import values
+
+_KINDS = {bool: 'the boolean', int: 'the integer', float: 'the double', str: 'the text'}
 
 
 @dataclass(frozen=True)
@@ -39,44 +41,30 @@ def read_1_1(text: str, tag: str | None = None) -> Reading:
         return Reading(None, 'something that cannot be read')
     finally:
         loader.dispose()
-    if type(value) in (bool, int, float, str):
+    if value is None or type(value) in _KINDS:
         return Reading(value, _words(value))
-    return Reading(None, 'null' if value is None else f'a {type(value).__name__}')
+    return Reading(None, f'a {type(value).__name__}')
 
 
 # The core schema of YAML 1.2.2, chapter 10.3.
-_INTEGER = re.compile(r'[-+]?[0-9]+')
-_OCTAL = re.compile(r'0o([0-7]+)')
-_HEXADECIMAL = re.compile(r'0x([0-9a-fA-F]+)')
-_REAL = re.compile(r'[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?')
-_INFINITE = re.compile(r'([-+]?)(\.inf|\.Inf|\.INF)')
+_CORE_SCHEMA: tuple[tuple[str, Callable[[str], Any]], ...] = (
+    (r'|~|null|Null|NULL', lambda _: None),
+    (r'true|True|TRUE|false|False|FALSE', lambda text: text[0] in 'tT'),
+    (r'[-+]?[0-9]+', int),
+    (r'0o[0-7]+', lambda text: int(text, 8)),
+    (r'0x[0-9a-fA-F]+', lambda text: int(text, 16)),
+    (r'[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?', float),
+    (r'[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)', lambda text: float(text.replace('.', ''))),
+)
 _LONGEST = 4000  # Python reads no longer integers
 
 
 def read_1_2(text: str) -> Reading:
     """Return what YAML 1.2 makes of a word."""
-    if text in ('', '~', 'null', 'Null', 'NULL'):
-        return Reading(None, 'null')
-    value: Any = text
-    if text in ('true', 'True', 'TRUE', 'false', 'False', 'FALSE'):
-        value = text[0] in 'tT'
-    elif len(text) > _LONGEST:
-        pass
-    elif _INTEGER.fullmatch(text):
-        value = int(text)
-    elif match := _OCTAL.fullmatch(text):
-        value = int(match[1], 8)
-    elif match := _HEXADECIMAL.fullmatch(text):
-        value = int(match[1], 16)
-    elif _REAL.fullmatch(text):
-        value = float(text)
-    elif match := _INFINITE.fullmatch(text):
-        value = float(f'{match[1]}inf')
-    elif text in ('.nan', '.NaN', '.NAN'):
-        value = math.nan
+    convert = next((each for pattern, each in _CORE_SCHEMA if re.fullmatch(pattern, text)), str)
+    value = text if len(text) > _LONGEST else convert(text)
     return Reading(value, _words(value))
 
 
 def _words(value: Any) -> str:
-    kind = {bool: 'the boolean', int: 'the integer', float: 'the double', str: 'the text'}[type(value)]
-    return f'{kind} {values.format_value(value, 60)}'
+    return 'null' if value is None else f'{_KINDS[type(value)]} {values.format_value(value, 60)}'

@@ -1,0 +1,73 @@
+"""The tools without the course: a wheel of their own, which needs PyYAML, and ROS only for running nodes."""
+
+import importlib.metadata
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from param_tools import __version__
+from tests.support.paths import TOOLS
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+PYPROJECT = tomllib.loads((TOOLS / 'pyproject.toml').read_text())
+BAD = '/n:\n  ros__parameters:\n    a: [1, x]\n'
+
+
+def test_the_wheel_is_made_of_every_package():
+    packages = {'.'.join(path.parent.relative_to(TOOLS.parent).parts) for path in TOOLS.rglob('__init__.py')}
+    assert set(PYPROJECT['tool']['setuptools']['packages']) == packages
+
+
+@pytest.fixture(scope='module')
+def python(tmp_path_factory):
+    """Install the wheel and PyYAML, and nothing else, into an empty environment; return its Python."""
+    folder = tmp_path_factory.mktemp('alone')
+    # setuptools leaves files beside what it builds.
+    copy = shutil.copytree(TOOLS, folder / 'param_tools', ignore=shutil.ignore_patterns('__pycache__'))
+    pip = [sys.executable, '-m', 'pip', '--quiet', '--disable-pip-version-check']
+    subprocess.run([*pip, 'wheel', '--no-deps', '--no-build-isolation', '--wheel-dir', folder, copy], check=True)
+    subprocess.run([sys.executable, '-m', 'venv', '--without-pip', folder / 'venv'], check=True)
+    python = folder / 'venv' / 'bin' / 'python'
+    wheel = folder / f'param_tools-{__version__}-py3-none-any.whl'
+    subprocess.run([*pip, '--python', python, 'install', '--no-index', '--no-deps', wheel], check=True)
+    packages, = (folder / 'venv').glob('lib/python*/site-packages')
+    for file in importlib.metadata.files('pyyaml'):
+        (packages / file).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(file.locate(), packages / file)
+    return python
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(('words', 'status', 'said'), [
+    (['good.yaml'], 0, ''),
+    (['bad.yaml'], 1, 'bad.yaml:3:12: unreadable: rcl rejects the file here: the elements of a must all be'),
+    (['good.yaml', '--against', '/n'], 2, 'This needs ROS, and Python finds no rclpy'),
+])
+def test_files_are_checked_with_nothing_but_pyyaml(python, tmp_path, words, status, said):
+    (tmp_path / 'bad.yaml').write_text(BAD)
+    (tmp_path / 'good.yaml').write_text(BAD.replace('x', '2'))
+    done = subprocess.run([python, '-m', 'param_tools', 'check', *words], cwd=tmp_path, capture_output=True, text=True,
+                          env={'PATH': os.defpath, 'HOME': str(tmp_path), 'LANG': 'C.UTF-8'})
+    assert done.returncode == status, done.stderr
+    assert (done.stdout + done.stderr).startswith(said)
+    assert 'Traceback' not in done.stderr
+
+
+def test_a_file_is_checked_without_importing_ros_or_jupyter(tmp_path):
+    path = Path(tmp_path, 'bad.yaml')
+    path.write_text(BAD)
+    program = ('import sys; from param_tools.__main__ import main; status = main(); '
+               'print(status, *sorted({name.partition(".")[0] for name in sys.modules}))')
+    done = subprocess.run([sys.executable, '-c', program, 'check', path], capture_output=True, text=True, check=True)
+    status, *imported = done.stdout.splitlines()[-1].split()
+    assert status == '1'
+    assert 'yaml' in imported
+    assert not {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython', 'ipykernel', 'numpy'} & set(imported)
