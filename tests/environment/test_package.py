@@ -26,11 +26,13 @@ LOCKS = {path.name: path.read_text() for path in (ROOT / 'environment').glob('*.
 LOCK, LEARNER_LOCK = LOCKS['requirements-dev.lock'], LOCKS['requirements.lock']
 PYPROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())
 PROJECT = PYPROJECT['project']
+EXTRAS = {extra: [each for each in requirements if not each.startswith('param-tutorial[')]
+          for extra, requirements in PROJECT['optional-dependencies'].items()}
+COURSE = [*PROJECT['dependencies'], *(each for extra in EXTRAS if extra != 'html' for each in EXTRAS[extra])]
 # What each lock is made from.
 REQUIREMENTS = {
-    'requirements.lock': PROJECT['dependencies'],
-    'requirements-dev.lock': [
-        *PROJECT['dependencies'], *PROJECT['optional-dependencies']['html'], *PYPROJECT['dependency-groups']['test']],
+    'requirements.lock': COURSE,
+    'requirements-dev.lock': [*COURSE, *EXTRAS['html'], *PYPROJECT['dependency-groups']['test']],
     'requirements-hub.lock': PYPROJECT['dependency-groups']['hub'],
     'requirements-uv.lock': PYPROJECT['dependency-groups']['uv'],
 }
@@ -167,17 +169,3 @@ def test_no_two_packages_write_the_same_file():
             owners[file].add(owner)
     assert len(owners) > 10_000
     assert {file: names for file, names in owners.items() if len(names) > 1} == {}
-
-
-def test_the_other_environments_name_the_same_packages():
-    """Those that need no ROS wheels list the packages themselves, in step with pyproject.toml."""
-    wanted = {re.sub(r'[<>=].*', '', each) for each in PROJECT['dependencies']}
-    wanted -= {'ros-jazzy-rclpy[fastrtps]', 'lark'}  # they bring a whole ROS, with all that it needs
-    # Distributions of ROS take colcon's parts together.
-    wanted = {re.sub(r'^colcon-.*', 'colcon-common-extensions', each) for each in wanted}
-    wanted = {each.replace('ros-ament', 'ros-jazzy-ament') for each in wanted}
-    for name in ('environment.yml', 'pixi.toml', 'Dockerfile'):
-        text = (ROOT / 'environment' / name).read_text()
-        assert [package for package in sorted(wanted) if package not in text] == [], name
-    pixi = tomllib.loads((ROOT / 'environment' / 'pixi.toml').read_text())
-    assert pixi['dependencies'].keys() >= wanted

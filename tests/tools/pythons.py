@@ -24,9 +24,7 @@ TESTS = [*(f'tests/{room}' for room in ('nodes', 'parameters', 'runtime', 'widge
 
 def find_uv() -> Path:
     """Return the uv that the set-up has fetched."""
-    packages = (ROOT / 'environment' / 'requirements-uv.lock').read_text().split()
-    version = next(each for each in packages if each.startswith('uv==')).removeprefix('uv==')
-    return ROOT / 'build' / f'uv-{version}'
+    return ROOT / 'build' / 'uv' / 'bin' / 'uv'
 
 
 def make_environment(uv: Path, version: str) -> Path | None:
