@@ -21,8 +21,9 @@ SET_UP = $(OUTER) -c '$(FITS)' 2>/dev/null || { echo "The course needs CPython 3
 help:  ## list these targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
+# What tests need stays once it is there.
 setup:  ## create or repair .venv, with what the lessons need
-	@$(SET_UP) .venv requirements.lock
+	@$(SET_UP) .venv requirements.lock $(if $(wildcard .venv/bin/ruff),requirements-dev.lock)
 
 setup-all:  ## the same, with what tests, website and lint need as well
 	@$(SET_UP) .venv requirements.lock requirements-dev.lock

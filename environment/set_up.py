@@ -17,7 +17,9 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
-AFRESH = [sys.executable, '-I', '-m', 'venv', '--clear']
+# This may be the Python of the environment that is to be made afresh, so the one behind it does that.
+BASE = os.path.realpath(sys.executable)
+AFRESH = [BASE, '-I', '-m', 'venv', '--clear']
 
 
 def check_system() -> None:
@@ -43,7 +45,7 @@ def fetch_uv() -> Path:
     fetched = folder / lock.name
     if not fetched.exists() or fetched.read_bytes() != lock.read_bytes():
         run(*AFRESH, folder)
-        run(folder / 'bin' / 'python', '-I', '-m', 'pip', 'install', '--quiet', '--disable-pip-version-check',
+        run(folder / 'bin' / 'python', '-I', '-m', 'pip', 'install', '-qq', '--disable-pip-version-check',
             '--no-deps', '--require-hashes', '--requirement', lock)
         fetched.write_bytes(lock.read_bytes())
     return folder / 'bin' / 'uv'
@@ -53,7 +55,7 @@ def set_up(folder: Path, locks: list[Path]) -> None:
     """Bring an environment up to date."""
     stamp = folder / 'param_tutorial_setup.txt'
     # Scripts in the environment hold its path, so a checkout that was moved needs a new one.
-    wanted = {str(folder), os.path.realpath(sys.executable)}
+    wanted = {str(folder), BASE}
     wanted |= {hashlib.sha256(path.read_bytes()).hexdigest() for path in (ROOT / 'pyproject.toml', *locks)}
     made_from = set(stamp.read_text().splitlines()) if stamp.exists() else set()
     if wanted <= made_from:

@@ -33,7 +33,7 @@ class Checkout:
         for path in (SCRIPT, SCRIPT.with_name('requirements-uv.lock')):
             shutil.copy(path, self.lock.parent)
         self.lock.write_text(locked('setuptools'))
-        self.lock.with_name('requirements-dev.lock').write_text(locked('setuptools') + locked('six'))
+        self.lock.with_name('requirements-dev.lock').write_text(locked('setuptools') + locked('ruff'))
         (root / 'pyproject.toml').write_text(
             '[build-system]\nrequires = ["setuptools"]\nbuild-backend = "setuptools.build_meta"\n'
             '[project]\nname = "param-tutorial"\nversion = "1"\n[tool.setuptools]\npy-modules = ["param_tutorial"]\n')
@@ -68,17 +68,17 @@ def checkout(tmp_path: Path) -> Checkout:
 @pytest.mark.thorough
 def test_what_is_there_stays_until_a_lock_or_the_folder_changes(checkout):
     assert checkout.make().stdout.startswith('Setting up .venv')
-    assert checkout.has('param_tutorial') and not checkout.has('six')
+    assert checkout.has('param_tutorial') and not checkout.has('ruff')
     mark = checkout.mark()
     # Without a word which Python, that of .venv stays.
     assert [checkout.make(python=python).stdout for python in (sys.executable, '')] == ['', '']
     checkout.make('setup-all')
-    assert checkout.has('six') and mark.exists()
+    assert checkout.has('ruff') and mark.exists()
     assert checkout.make().stdout == ''
 
     checkout.lock.write_text(locked('setuptools') + locked('lark'))
     checkout.make(python='')
-    assert checkout.has('lark') and not mark.exists()
+    assert checkout.has('lark') and checkout.has('ruff') and not mark.exists()
 
     checkout.root = checkout.root.rename(checkout.root.with_name('moved'))
     assert checkout.make().stdout.startswith('Setting up .venv')
@@ -94,17 +94,19 @@ def test_after_a_set_up_that_failed_the_next_one_starts_afresh(checkout):
     assert 'run the same command again' in failed.stderr
     mark = checkout.mark()
     checkout.lock.write_text(good)
-    assert checkout.make().returncode == 0
+    # As after an interruption: its Python runs, but not as one of an environment.
+    (checkout.root / '.venv' / 'pyvenv.cfg').unlink()
+    assert checkout.make(python='').returncode == 0
     assert checkout.has('param_tutorial') and not mark.exists()
 
 
 @pytest.mark.slow
 def test_a_sourced_ros_does_not_reach_the_set_up(checkout, tmp_path):
-    for name in ('hashlib', 'six'):
+    for name in ('hashlib', 'ruff'):
         (tmp_path / f'{name}.py').write_text('raise ImportError("from another Python")\n')
     done = checkout.make('setup-all', PYTHONPATH=str(tmp_path), PIP_USER='1')
     assert done.returncode == 0, done.stderr
-    assert checkout.has('six')
+    assert checkout.has('ruff')
 
 
 @pytest.mark.parametrize('python', ['python3.99', 'false'])

@@ -214,7 +214,7 @@ class CourseLab(Lab):
     def start_again(self) -> str:
         """Type `make lab` while it runs; return what it prints."""
         return subprocess.run(self._command(), env=self._environment, stdin=subprocess.DEVNULL, capture_output=True,
-                              text=True).stdout
+                              text=True, timeout=TIMEOUT_SEC).stdout
 
     def set_environment(self, **variables: str) -> None:
         """Add to what `make lab` finds in its environment."""
