@@ -59,13 +59,6 @@ def test_each_script_that_is_called_is_here_and_can_be_run():
         subprocess.run(['bash', '-n', ROOT / path], check=True)
 
 
-def test_each_workflow_that_is_called_is_here():
-    called = {job['uses'] for workflow in WORKFLOWS for job in yaml.safe_load(workflow.read_text())['jobs'].values()
-              if 'uses' in job}
-    assert called == {'./.github/workflows/test.yml'}
-    assert all((ROOT / path).is_file() for path in called)
-
-
 @pytest.mark.parametrize('workflow', WORKFLOWS, ids=lambda path: path.name)
 def test_a_workflow_may_write_only_where_a_job_says_so(workflow):
     content = yaml.safe_load(workflow.read_text())
