@@ -5,25 +5,28 @@
 # .venv, which are of another build. PATH stays, so the genuine `ros2` is still found; what starts it gives it back what
 # is taken away here.
 unexport PYTHONPATH PYTHONHOME LD_LIBRARY_PATH _ROS_WHEELS_BOOTSTRAP_COMPLETE
+# Nor may packages be sent somewhere else, or held at other versions.
+unexport PIP_USER PIP_TARGET PIP_PREFIX PIP_CONSTRAINT UV_CONSTRAINT UV_OVERRIDE
 # Someone who wants no bytecode beside their own files may have it in this folder, where all of it is git-ignored: the tests
 # start hundreds of processes, and each would compile everything anew.
 unexport PYTHONDONTWRITEBYTECODE
 
 VENV := .venv/bin/python
-OUTER := $(or $(PYTHON),python3)
-# The script says what is wrong with a Python from 3.6 on.
-SET_UP = $(OUTER) -c 'import sys; sys.exit(sys.version_info < (3, 6))' 2>/dev/null \
-    || { echo "$(OUTER) does not run as Python 3: install CPython 3.10 to 3.14, or name it: PYTHON=python3.12 make lab" >&2; exit 1; }; \
-    PYTHON="$(PYTHON)" $(OUTER) environment/setup_venv.py
+# The Python of .venv stays until another one is asked for.
+OUTER := $(or $(PYTHON),$(shell test -x $(VENV) && echo $(VENV)),python3)
+FITS := import sys; sys.exit(sys.implementation.name != "cpython" or not (3, 10) <= sys.version_info < (3, 15))
+SET_UP = $(OUTER) -c '$(FITS)' 2>/dev/null || { echo "The course needs CPython 3.10 to 3.14, and $(OUTER) isn't one:" \
+    "install one and name it, as in PYTHON=python3.12 make lab" >&2; exit 1; }; $(OUTER) environment/set_up.py
 
 help:  ## list these targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
+# What tests need stays once it is there.
 setup:  ## create or repair .venv, with what the lessons need
-	@$(SET_UP)
+	@$(SET_UP) .venv requirements.lock $(if $(wildcard .venv/bin/ruff),requirements-dev.lock)
 
 setup-all:  ## the same, with what tests, website and lint need as well
-	@$(SET_UP) --everything
+	@$(SET_UP) .venv requirements.lock requirements-dev.lock
 
 lab: setup  ## start JupyterLab on your own copies of the chapters, after the set-up if needed
 	@$(VENV) environment/lab.py $(ARGS)
@@ -40,8 +43,9 @@ class: setup  ## one table of a class's progress files: make class FOLDER=…, w
 	@test -n "$(FOLDER)" || { echo "Where are the files? make class FOLDER=…" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.learner class "$(FOLDER)" $(ARGS)
 
-hub: setup  ## start JupyterHub for a class on this machine: see environment/jupyterhub/README.md
-	@$(VENV) environment/jupyterhub/hub.py $(ARGS)
+hub:  ## start JupyterHub for a class on this machine: see environment/jupyterhub/README.md
+	@$(SET_UP) build/jupyterhub requirements.lock requirements-hub.lock
+	@build/jupyterhub/bin/python environment/jupyterhub/hub.py $(ARGS)
 
 SUITE := $(VENV) -m pytest -n 5 --dist loadscope --nbval
 
@@ -87,14 +91,14 @@ release: setup  ## make the wheels, the list of licenses and the SBOM, in build/
 
 # The second lock is a part of the first, at the same versions.
 LOCK := environment/requirements
-COMPILE = build/uv-$$(sed -n 's/^uv==\([^ ]*\).*/\1/p' $(LOCK)-uv.lock) pip compile --quiet --universal \
-    --python-version 3.10 --generate-hashes --no-annotate --custom-compile-command "make lock"
+COMPILE = build/uv/bin/uv pip compile --quiet --universal --upgrade --python-version 3.10 --generate-hashes \
+    --no-annotate --custom-compile-command "make lock"
 lock: export UV_CACHE_DIR ?= $(CURDIR)/build/uv-cache
 lock: setup  ## work out the locks in environment/ anew
-	@$(COMPILE) --upgrade --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml
-	@$(COMPILE) --upgrade --constraints $(LOCK)-dev.lock --output-file $(LOCK).lock pyproject.toml
-	@$(COMPILE) --upgrade --constraints $(LOCK)-dev.lock --group hub --output-file $(LOCK)-hub.lock
-	@$(COMPILE) --upgrade --group uv --output-file $(LOCK)-uv.lock
+	@$(COMPILE) --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml
+	@$(COMPILE) --constraints $(LOCK)-dev.lock --extra course --output-file $(LOCK).lock pyproject.toml
+	@$(COMPILE) --constraints $(LOCK)-dev.lock --group hub --output-file $(LOCK)-hub.lock
+	@$(COMPILE) --group uv --output-file $(LOCK)-uv.lock
 
 # my_lessons/ is the learner's, and stays.
 clean:  ## remove everything that these targets made, but not your copies of the chapters

@@ -6,12 +6,15 @@ changes (theme, layout, history) goes to .venv/jupyter/. The user's own ~/.jupyt
 so a lesson looks the same for everybody and leaves no trace.
 """
 
+import contextlib
 import os
 import shlex
 import shutil
 import sys
-from collections.abc import Mapping, Sequence
+import urllib.request
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from param_tutorial.learner.copies import LESSONS, Copies, CopiesError
 from param_tutorial.progress.record import VARIABLE
@@ -27,63 +30,89 @@ FOREIGN = ('JUPYTER_PATH', 'JUPYTERLAB_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTER
            'MAKEFLAGS', 'MAKELEVEL', 'MFLAGS', 'MAKEOVERRIDES', 'ARGS')
 
 
-def environment(outer: Mapping[str, str]) -> dict[str, str]:
-    """Return the environment for JupyterLab and its kernels, made from the one outside."""
+def prepare() -> list[str]:
+    """Bring the copies up to date, and give this process the environment of JupyterLab and its kernels.
+
+    :return: JupyterLab's options.
+    """
+    copies = Copies.of_learner(ROOT)
+    try:
+        for sentence in copies.deliver():
+            print(sentence, flush=True)
+    except CopiesError as error:
+        sys.exit(str(error))
+    # Terminals open where the server runs, and `make -C ..` is then right in each of them.
+    os.chdir(copies.folder)
     programs = str(Path(sys.executable).parent)
-    return {
-        **{name: value for name, value in outer.items() if name not in FOREIGN},
+    for name in FOREIGN:
+        os.environ.pop(name, None)
+    os.environ |= {
         # So that `!python` in a cell, and `python` in one of JupyterLab's terminals, mean this Python.
-        'PATH': os.pathsep.join([programs, outer.get('PATH', os.defpath)]),
+        'PATH': os.pathsep.join([programs, os.environ.get('PATH', os.defpath)]),
         'PARAM_TUTORIAL_PROGRAMS': programs,
         'VIRTUAL_ENV': sys.prefix,
         # What the learner solves is remembered there; without the variable nothing is remembered.
-        VARIABLE: str(Copies.of_learner(ROOT).progress.path),
+        VARIABLE: str(copies.progress.path),
         'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
         'JUPYTER_CONFIG_DIR': str(STATE / 'config'),
         'JUPYTER_DATA_DIR': str(STATE / 'data'),
         'JUPYTER_RUNTIME_DIR': str(STATE / 'runtime'),
         'IPYTHONDIR': str(STATE / 'ipython'),
     }
-
-
-def command(arguments: Sequence[str], program: str) -> list[str]:
-    """Return JupyterLab's command line; the learner's own arguments come last, so that they win."""
-    copies = Copies.of_learner(ROOT)
     # Jupyter does not run as root unless it is told to. In a container or a robot's shell, root is the only user.
     as_root = ['--allow-root'] if hasattr(os, 'geteuid') and os.geteuid() == 0 else []
     # The chapters' commands are bash's, whichever shell the learner has, and its start-up file puts `python` right.
     bash = shutil.which('bash')
     shell = shlex.join([bash, '--rcfile', str(TERMINAL), '-i']) if bash else None
-    terminal = [f'--ServerApp.terminado_settings=shell_command={shell}'] if shell else []
     return [
-        sys.executable,
-        '-m',
-        program,
         f'--ServerApp.root_dir={copies.folder}',
         f'--NotebookNotary.data_dir={copies.trust}',
         f'--LabApp.default_url=/lab/tree/{START_PAGE}',
         '--LabApp.extension_manager=readonly',
-        *terminal,
+        *([f'--ServerApp.terminado_settings=shell_command={shell}'] if shell else []),
         *as_root,
-        *arguments,
     ]
 
 
-def main(arguments: Sequence[str], program: str = 'jupyterlab') -> None:
-    """Bring the copies up to date, then become JupyterLab.
+def find_running() -> dict[str, Any] | None:
+    """Return what Jupyter Server wrote down about the JupyterLab of this course that runs already, if one does."""
+    from jupyter_server.serverapp import list_running_servers
 
-    :param program: The module that starts it; JupyterHub has its own.
+    straight = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+    for server in list_running_servers(str(STATE / 'runtime')):
+        # After a crash, another process may have the server's number.
+        with contextlib.suppress(OSError), \
+                straight.open(f'{server["url"]}api/status?token={server["token"]}', timeout=5):
+            return dict(server)
+    return None
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Start JupyterLab and say where it is, or say where it is running already.
+
+    :param arguments: The learner's own, which win over what is set here.
     """
-    copies = Copies.of_learner(ROOT)
-    try:
-        for sentence in copies.deliver():
-            print(sentence)
-    except CopiesError as error:
-        sys.exit(str(error))
-    sys.stdout.flush()
-    # Terminals open where the server runs, and `make -C ..` is then right in each of them.
-    os.chdir(copies.folder)
-    os.execve(sys.executable, command(arguments, program), environment(os.environ))
+    options = prepare()
+    if running := find_running():
+        print(f'JupyterLab is running already; open this address in your browser:\n'
+              f'    {running["url"]}lab/tree/{START_PAGE}?token={running["token"]}')
+        return
+    # Imported here, in the environment that it is to work in.
+    from jupyterlab.labapp import LabApp
+    from traitlets.config import Config
+
+    # Without these, JupyterLab prints a page of lines that no learner needs.
+    quiet = {'log_level': 'ERROR'}
+    server = LabApp.initialize_server([*options, *arguments], config=Config({'ServerApp': quiet, 'LabApp': quiet}))
+    is_here = server.ip in ('', 'localhost', '0.0.0.0', '::')
+    # Printed as soon as it listens.
+    server.io_loop.add_callback(
+        print, f"JupyterLab is running; open this address if your browser doesn't:\n"
+               f'    {server.local_url if is_here else server.public_url}\n'
+               f'Press Ctrl+C here twice to stop it.', flush=True)
+    # Otherwise Jupyter Server would print the address, too.
+    server.identity_provider.token_generated = False
+    server.start()
 
 
 if __name__ == '__main__':

@@ -10,4 +10,4 @@ os.environ['PARAM_TUTORIAL_LESSONS'] = str(Path.home() / 'my_lessons')
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import lab
 
-lab.main(sys.argv[1:], 'jupyterhub.singleuser')
+os.execv(sys.executable, [sys.executable, '-m', 'jupyterhub.singleuser', *lab.prepare(), *sys.argv[1:]])

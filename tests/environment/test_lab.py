@@ -33,6 +33,10 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[CourseLab]:
         (home / name).write_text(START_UP)
     lab = CourseLab(tmp_path_factory.mktemp('lab') / 'a lab', [NOTEBOOKS / '01_what_are_parameters.ipynb'])
     lab.set_environment(HOME=str(home), MAKEFLAGS=' -- ARGS=--no-browser', ARGS='--no-browser')
+    # What a crash has left behind, and another process has its number now.
+    lab.runtime.mkdir()
+    (lab.runtime / f'jpserver-{os.getpid()}.json').write_text(json.dumps(
+        {'pid': os.getpid(), 'url': 'http://localhost:9/', 'token': ''}))
     with lab:
         yield lab
 
@@ -108,8 +112,19 @@ def test_the_server_shows_the_copies(lab):
     assert names == {'01_what_are_parameters.ipynb', 'index.md'}
 
 
-def test_what_the_learner_is_told_stands_before_jupyterlabs_own_lines(lab):
-    assert lab.log().startswith('Your own copies of the chapters are in my_lessons/.')
+def test_make_lab_prints_four_lines(lab):
+    copies, start, address, stop = lab.log().splitlines()
+    assert copies.startswith('Your own copies of the chapters are in my_lessons/.')
+    assert start == "JupyterLab is running; open this address if your browser doesn't:"
+    # Jupyter Server keeps a token to itself that it was given.
+    assert address == f'    {lab.url.replace("localhost", "127.0.0.1")}lab/tree/index.md?token=...'
+    assert stop == 'Press Ctrl+C here twice to stop it.'
+
+
+def test_a_second_make_lab_says_where_the_first_one_is(lab):
+    assert lab.start_again() == (
+        f'JupyterLab is running already; open this address in your browser:\n'
+        f'    {lab.url}lab/tree/index.md?token={lab.token}\n')
 
 
 def test_a_folder_that_cannot_be_made_is_one_sentence_and_no_server(tmp_path):

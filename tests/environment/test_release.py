@@ -1,21 +1,20 @@
 """What `make release` makes: a wheel that needs no checkout, a list of licenses, and an SBOM."""
 
+import contextlib
 import json
 import os
 import re
 import signal
 import subprocess
 import sys
-import urllib.error
 import urllib.request
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 import param_tools
-from tests.support.lab import wait_for
 from tests.support.paths import ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(400)]
@@ -23,6 +22,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(400)]
 VERSION = param_tools.__version__
 LOCKED = re.findall(r'^([\w.-]+)==', (ROOT / 'environment' / 'requirements.lock').read_text(), re.MULTILINE)
 USE = '''
+import os
 import param_tutorial
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 node = param_tutorial.start().add(SimpleParamNode)
@@ -30,7 +30,8 @@ param_tutorial.ParameterClient('/simple_param_node').set_parameter('max_speed_rp
 panel = param_tutorial.ParameterPanel('/simple_param_node')
 panel['max_speed_rpm'].value = 130
 panel.settle()
-print(param_tutorial.__file__, node.get_parameter('max_speed_rpm').value)
+print(os.path.dirname(param_tutorial.__file__))
+print(node.get_parameter('max_speed_rpm').value)
 '''
 
 
@@ -45,7 +46,7 @@ def released() -> Path:
 def python(released: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Install the wheel into an empty environment made from the lock; return its Python."""
     venv = tmp_path_factory.mktemp('installed') / 'ein Käse'
-    uv, = (ROOT / 'build').glob('uv-[0-9]*')
+    uv = ROOT / 'build' / 'uv' / 'bin' / 'uv'
     wheel = released / f'param_tutorial-{VERSION}-py3-none-any.whl'
     lock = ROOT / 'environment' / 'requirements.lock'
     environment = {**os.environ, 'UV_OFFLINE': '1',
@@ -60,83 +61,62 @@ def python(released: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def elsewhere(tmp_path: Path) -> Iterator[dict[str, str]]:
-    """Return the environment of a user without a checkout."""
-    yield {'PATH': os.defpath, 'HOME': str(tmp_path), 'LANG': 'C.UTF-8'}
+def start(python: Path, tmp_path: Path) -> Iterator[Callable[..., subprocess.Popen[str]]]:
+    """Yield a function that starts Python as a user without a checkout does; what still runs then is ended."""
+    with contextlib.ExitStack() as stack:
+        def start(*words: str) -> subprocess.Popen[str]:
+            process = stack.enter_context(subprocess.Popen(
+                [python, *words], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                env={'PATH': os.defpath, 'HOME': str(tmp_path), 'LANG': 'C.UTF-8'}))
+            stack.callback(process.send_signal, signal.SIGTERM)
+            return process
+        yield start
 
 
-def test_client_and_panel_work_without_the_checkout(python, elsewhere, tmp_path):
-    done = subprocess.run([python, '-c', USE], cwd=tmp_path, env=elsewhere, capture_output=True, text=True)
-    *file, value = done.stdout.split(' ')
-    assert int(value) == 130, done.stderr
-    assert Path(' '.join(file)).is_relative_to(python.parents[1])
+def address_in(process: subprocess.Popen[str]) -> str:
+    """Wait until a process prints an address."""
+    said = ''
+    while not (found := re.search(r'http://127\S+', said)):
+        line = process.stdout.readline()
+        assert line, said
+        said += line
+    return found[0]
 
 
-def test_a_parameter_file_of_the_course_and_its_ros_package_are_found(python, elsewhere, tmp_path):
-    done = subprocess.run(
-        [python, '-c', 'from pathlib import Path; import param_tutorial\n'
-                       'print((Path(param_tutorial.__file__).parents[2] / "config" / "cart_config.yaml").exists())'],
-        cwd=tmp_path, env=elsewhere, capture_output=True, text=True)
-    assert done.stdout == 'True\n', done.stderr
-    done = subprocess.run([python, '-m', 'param_tutorial', 'launch', 'param_tutorial', 'simple_param_launch.py', '-s'],
-                          cwd=tmp_path, env=elsewhere, capture_output=True, text=True)
-    assert 'Arguments' in done.stdout, done.stderr
+def test_client_panel_and_parameter_files_work_without_the_checkout(python, start):
+    folder, value = start('-c', USE).communicate()[0].splitlines()
+    assert Path(folder).is_relative_to(python.parents[1])
+    assert (Path(folder).parents[1] / 'config' / 'cart_config.yaml').exists()
+    assert int(value) == 130
 
 
-def test_check_works_without_the_checkout(python, elsewhere, tmp_path):
+def test_the_courses_ros_package_is_found(start):
+    process = start('-m', 'param_tutorial', 'launch', 'param_tutorial', 'simple_param_launch.py', '-s')
+    assert 'Arguments' in process.communicate()[0]
+
+
+def test_check_works_without_the_checkout(start, tmp_path):
     (tmp_path / 'arm.yaml').write_text('arm:\n  ros__parameters:\n    speed: [1, two]\n')
-    done = subprocess.run([python, '-m', 'param_tutorial', 'check', 'arm.yaml'], cwd=tmp_path, env=elsewhere,
-                          capture_output=True, text=True)
-    assert done.returncode == 1 and done.stdout.startswith('arm.yaml:3:'), done.stdout + done.stderr
+    process = start('-m', 'param_tutorial', 'check', 'arm.yaml')
+    assert process.communicate()[0].startswith('arm.yaml:3:') and process.returncode == 1
 
 
-def test_the_page_with_a_panel_works_without_the_checkout(python, elsewhere, tmp_path):
-    with subprocess.Popen([python, '-m', 'param_tutorial', 'panel', '--no-browser'], cwd=tmp_path, env=elsewhere,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
-        try:
-            line = process.stdout.readline()
-            address = re.search(r'http://127\S+', line)
-            assert address, line + process.stdout.read()
-            with urllib.request.urlopen(address[0]) as answer:
-                page = answer.read().decode()
-        finally:
-            process.send_signal(signal.SIGINT)
-            process.communicate()
+def test_the_page_with_a_panel_works_without_the_checkout(start):
+    with urllib.request.urlopen(address_in(start('-m', 'param_tutorial', 'panel', '--no-browser'))) as answer:
+        page = answer.read().decode()
     # Of the course's own template, and of the view that the page runs.
     assert '<title>Parameters</title>' in page and 'anywidget' in page
 
 
-def test_lab_copies_the_chapters_into_the_current_folder_and_opens_them(python, elsewhere, tmp_path):
-    log = tmp_path / 'log'
-    with log.open('w') as output:
-        process = subprocess.Popen([python, '-m', 'param_tutorial', 'lab', '--no-browser', '--port=0'], cwd=tmp_path,
-                                   env=elsewhere, stdout=output, stderr=subprocess.STDOUT)
-    try:
-        runtime = tmp_path / 'my_lessons' / '.jupyter' / 'runtime'
-        found = wait_for(lambda: process.poll() is not None or re.search(r'http://127\S+(?=\s)', log.read_text()),
-                         'JupyterLab')
-        assert found is not True, log.read_text()
-        names = wait_for(lambda: names_in(found[0].replace('lab/tree/index.md', 'api/contents')), 'its answer')
-        assert {'index.md', '01_what_are_parameters.ipynb', '11_conclusion.ipynb'} <= names
-        assert runtime.is_dir()
-    finally:
-        process.send_signal(signal.SIGTERM)
-        process.wait()
-
-
-def names_in(contents):
-    """Ask JupyterLab for the names in its folder; None if it does not listen yet, which it says a little too early."""
-    try:
-        with urllib.request.urlopen(contents, timeout=100) as answer:
-            return {each['name'] for each in json.load(answer)['content']}
-    except urllib.error.URLError as error:
-        if not isinstance(error.reason, ConnectionRefusedError):
-            raise
-        return None
+def test_lab_copies_the_chapters_into_the_current_folder_and_opens_them(start, tmp_path):
+    address = address_in(start('-m', 'param_tutorial', 'lab', '--no-browser', '--port=0'))
+    with urllib.request.urlopen(address.replace('lab/tree/index.md', 'api/contents')) as answer:
+        names = {each['name'] for each in json.load(answer)['content']}
+    assert {'index.md', '01_what_are_parameters.ipynb', '11_conclusion.ipynb'} <= names
+    assert (tmp_path / 'my_lessons' / '.jupyter' / 'runtime').is_dir()
 
 
 def test_the_wheel_holds_what_git_knows_and_nothing_else(released):
-    assert (released / f'param_tools-{VERSION}-py3-none-any.whl').is_file()
     with zipfile.ZipFile(released / f'param_tutorial-{VERSION}-py3-none-any.whl') as wheel:
         names = {name.removeprefix('param_tutorial_course/') for name in wheel.namelist() if '.dist-info/' not in name}
     known = subprocess.run(['git', 'ls-files', '-z'], cwd=ROOT, capture_output=True, text=True, check=True).stdout

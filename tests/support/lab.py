@@ -206,6 +206,16 @@ class CourseLab(Lab):
     def _command(self) -> list[str]:
         return [sys.executable, '-c', MAKE_LAB, str(self.course / 'environment'), str(self._folder), *self._options()]
 
+    @property
+    def runtime(self) -> Path:
+        """The folder in which Jupyter Server writes down what runs."""
+        return self._folder / 'runtime'
+
+    def start_again(self) -> str:
+        """Type `make lab` while it runs; return what it prints."""
+        return subprocess.run(self._command(), env=self._environment, stdin=subprocess.DEVNULL, capture_output=True,
+                              text=True, timeout=TIMEOUT_SEC).stdout
+
     def set_environment(self, **variables: str) -> None:
         """Add to what `make lab` finds in its environment."""
         self._environment |= variables

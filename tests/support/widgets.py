@@ -2,9 +2,10 @@
 
 import threading
 
+from param_tools.ros.worker import THREAD_NAME_PREFIX
+
 from param_tools import values
 from param_tools.ros.waiting import wait_until
-from param_tools.ros.worker import THREAD_NAME_PREFIX
 
 
 def worker_threads():

@@ -13,11 +13,11 @@ from tests.support.paths import ROOT
 
 LOCK = ROOT / 'environment' / 'requirements-dev.lock'
 # What runs nodes in this process. Browser, website, builds and commands take minutes, and are about others.
-TESTS = ['tests/nodes', 'tests/parameters', 'tests/runtime', 'tests/widgets', 'notebooks']
+TESTS = [*(f'tests/{room}' for room in ('nodes', 'files', 'node', 'systems', 'ros', 'widgets')), 'notebooks']
 
 
 def main(arguments: list[str]) -> int:
-    uv, = (ROOT / 'build').glob('uv-[0-9]*')
+    uv = ROOT / 'build' / 'uv' / 'bin' / 'uv'
     # The names that pyenv puts on the PATH run only versions that were selected.
     pyenv = Path(os.environ.get('PYENV_ROOT', Path.home() / '.pyenv')) / 'versions'
     # An environment inherited from this Python's rclpy would lead the others to this one's libraries.
