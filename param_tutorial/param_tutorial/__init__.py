@@ -5,7 +5,6 @@ node, ``ParameterPanel`` shows them as controls. The rooms of the package, top t
 (README.md, "Architecture", says what each room is for, and a test holds both against the code):
 
     lessons
-    learner
     exercises
     notebook
     widgets
@@ -14,7 +13,7 @@ node, ``ParameterPanel`` shows them as controls. The rooms of the package, top t
     runtime
     ros1
     pictures
-    progress
+    learner
     nodes
     errors
 """

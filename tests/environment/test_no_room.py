@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 
 from param_tutorial import ParameterClient, ParameterPanel
+from param_tutorial.learner.progress import ProgressFile
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.parameters.change_log import ChangeLog
-from param_tutorial.progress.record import ProgressFile
 from param_tutorial.ros2 import command
 from param_tutorial.runtime import stage
 from tests.support import missing

@@ -8,22 +8,20 @@ import pytest
 from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS, achievements
 from param_tutorial.exercises.results import Finding, Result
-from param_tutorial.progress import record
-from param_tutorial.progress.record import ProgressFile
-from param_tutorial.progress.renumbered import RENUMBERED
+from param_tutorial.learner.progress import RENUMBERED, VARIABLE, ProgressFile
 from tests.support.paths import NOTEBOOKS
 
 
 @pytest.fixture
 def file(monkeypatch, tmp_path):
-    monkeypatch.setenv(record.VARIABLE, str(tmp_path / 'progress.json'))
-    monkeypatch.setattr(record, '_now', lambda: '2026-03-04T10:00:00')
+    monkeypatch.setenv(VARIABLE, str(tmp_path / 'progress.json'))
+    monkeypatch.setattr('param_tutorial.learner.progress._now', lambda: '2026-03-04T10:00:00')
     return ProgressFile(tmp_path / 'progress.json')
 
 
 @pytest.fixture
 def no_file(monkeypatch):
-    monkeypatch.delenv(record.VARIABLE, raising=False)
+    monkeypatch.delenv(VARIABLE, raising=False)
 
 
 @pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)

@@ -18,7 +18,7 @@ from param_tutorial.errors import ExecutorError
 from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06_2, ch07_3, ch11
 from param_tutorial.exercises.results import Finding, Result
-from param_tutorial.progress import record
+from param_tutorial.learner.progress import FILE, VARIABLE, own_progress
 from param_tutorial.runtime import graph, stage
 from param_tutorial.runtime.executor import BackgroundExecutor
 from tests.support.answers import answer, blank, cell, not_yet, notebook, solution
@@ -477,7 +477,7 @@ def test_each_chapter_from_4_on_opens_with_two_questions_on_earlier_ones():
 
 @pytest.mark.parametrize('number', exercises.RECALLS)
 def test_a_recall_says_at_once_whether_it_is_right_and_where_it_was_learned(monkeypatch, tmp_path, number):
-    monkeypatch.setenv(record.VARIABLE, str(tmp_path / record.FILE))
+    monkeypatch.setenv(VARIABLE, str(tmp_path / FILE))
     question = exercises.RECALLS[number]
     assert sum(each.is_right for each in question.choices) == 1
     for each in question.choices:
@@ -486,7 +486,7 @@ def test_a_recall_says_at_once_whether_it_is_right_and_where_it_was_learned(monk
         view.button.click()
         for text in ('Right.' if each.is_right else 'Not so.', f'in chapter {question.chapter}, '):
             assert text in view.said.value
-    made = record.own().read()[0].predicted[number]
+    made = own_progress().read()[0].predicted[number]
     assert (made.choice, made.right) == (question.choices[0].text, question.choices[0].is_right)  # the first counts
     assert f'{number} {"✓" if made.right else "✗"}' in repr(exercises.progress(number.partition('-')[0]))
 

@@ -8,11 +8,11 @@ from typing import NamedTuple
 from param_tutorial.exercises.exercise import Exercise
 from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer
+from param_tutorial.learner.progress import Progress, ProgressFile
+from param_tutorial.learner.storage import write_whole
 from param_tutorial.pictures.medal import medal
 from param_tutorial.pictures.styles import style
 from param_tutorial.pictures.tables import table, with_code
-from param_tutorial.progress.record import Progress, ProgressFile
-from param_tutorial.progress.storage import write_whole
 
 _STYLE = style('exercises/achievements.css')
 HOW = 'Start the course with `make lab`, and what you solve is remembered and ticked here.'
