@@ -16,7 +16,7 @@ setup(
     name=PACKAGE,
     version='0.1.0',
     packages=find_packages(include=[PACKAGE, f'{PACKAGE}.*']),
-    package_data={PACKAGE: ['**/*.css', '**/*.js', 'runtime/*.xml', 'ros1/recording.txt']},
+    package_data={PACKAGE: ['**/*.css', '**/*.js', 'runtime/*.xml', 'pictures/ros1_recording.txt']},
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),
         (f'share/{PACKAGE}', ['package.xml']),

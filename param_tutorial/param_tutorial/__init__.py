@@ -11,7 +11,6 @@ node, ``ParameterPanel`` shows them as controls. The rooms of the package, top t
     ros2
     parameters
     runtime
-    ros1
     pictures
     learner
     nodes
@@ -79,7 +78,7 @@ _HOMES = {
     'wait_until': 'runtime.waiting',
 }
 # And modules: `from param_tutorial import parameter_files`.
-_MODULES = {'descriptions': 'parameters.descriptions', 'parameter_files': 'parameters.files'}
+_MODULES = {'descriptions': 'parameters.descriptions', 'parameter_files': 'parameters.files', 'ros1': 'pictures.ros1'}
 __all__ = list(_HOMES)
 
 

@@ -99,7 +99,7 @@ def test_pictures_need_neither_ros_nor_widgets():
 @pytest.mark.slow
 def test_only_rooms_about_notebooks_need_jupyter():
     for module, path in FILES.items():
-        if room_of_or_none(module) in ('runtime', 'parameters', 'ros2', 'ros1', 'nodes'):
+        if room_of_or_none(module) in ('runtime', 'parameters', 'ros2', 'nodes'):
             assert not outside_imports(path) & {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'}, module
 
 
