@@ -239,11 +239,6 @@ def test_predict_writes_nothing_without_the_variable(monkeypatch, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize('number', ['6.1-99', '', 7])
-def test_a_prediction_number_that_does_not_exist_gets_suggestions(number):
-    assert 'There is no prediction' in repr(exercises.predict(number))
-
-
 def test_one_shell_is_followed_once(bare_ipython):
     for _ in range(3):
         PredictionView(CHOICE, remember_nothing)

@@ -54,16 +54,6 @@ def test_the_first_time_counts(file, monkeypatch):
     assert not progress.predicted['3-1'].right
 
 
-def test_what_was_solved_before_chapter_9_became_two_still_counts(file):
-    for number in ('9a', '9b', '9c'):
-        file.add_solved(number)
-    file.add_prediction('9-3', 'a list of six elements', right=True)
-    progress, note = file.read()
-    assert note == ''
-    assert {'9.1c', '9.2b', '9.1a'} < set(progress.solved)
-    assert progress.predicted['9.1-4'].right
-
-
 def add_many(path: Path, name: str) -> None:
     for number in range(EACH):
         ProgressFile(path).add_solved(f'{name}{number}')
