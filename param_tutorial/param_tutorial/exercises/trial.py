@@ -348,11 +348,11 @@ def cleared(ros: BackgroundExecutor) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _time_limit(limit_sec: float) -> Iterator[None]:
-    """Interrupt the block after a time, if it runs in the main thread.
+    """Interrupt the block after a time: in the main thread, and not on Windows.
 
     :raises WaitTimeoutError: the block was interrupted.
     """
-    if threading.current_thread() is not threading.main_thread():
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
         yield
         return
 

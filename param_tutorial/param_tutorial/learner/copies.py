@@ -7,7 +7,6 @@ JupyterLab knows of whose outputs to trust.
 """
 
 import contextlib
-import datetime
 import errno
 import hashlib
 import os
@@ -21,7 +20,7 @@ from nbformat.sign import NotebookNotary
 from param_tutorial.errors import CopiesError, nearest
 from param_tutorial.learner import ticks
 from param_tutorial.learner.progress import FILE, ProgressFile
-from param_tutorial.learner.storage import write_whole
+from param_tutorial.learner.storage import named_after_now, write_whole
 from param_tutorial.learner.syllabus import number_of, read_syllabus
 
 CHAPTERS = 'notebooks'
@@ -172,11 +171,7 @@ class Copies:
 
         :return: Where it is kept.
         """
-        now = f'{datetime.datetime.now():%Y-%m-%d_%H-%M-%S}'
-        number, kept = 1, self.folder / BACKUPS / now / name
-        while kept.exists():
-            number += 1
-            kept = self.folder / BACKUPS / f'{now}_{number}' / name
+        kept = named_after_now(lambda now: self.folder / BACKUPS / now / name)
         write_whole(kept, (self.folder / name).read_bytes())
         return kept
 

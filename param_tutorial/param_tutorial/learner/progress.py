@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from param_tutorial.errors import ProgressError
-from param_tutorial.learner.storage import only_one, write_whole
+from param_tutorial.learner.storage import named_after_now, only_one, write_whole
 
 VARIABLE = 'PARAM_TUTORIAL_PROGRESS'
 FILE = 'progress.json'
@@ -141,12 +141,8 @@ class ProgressFile:
         return said
 
     def _set_aside(self, why: str) -> Path:
-        now, number = f'{datetime.datetime.now():%Y-%m-%d_%H-%M-%S}', 1
-        kept = self.path.with_name(f'{self.path.stem}-{why}-{now}{self.path.suffix}')
-        while kept.exists():
-            number += 1
-            kept = self.path.with_name(f'{self.path.stem}-{why}-{now}_{number}{self.path.suffix}')
-        return self.path.rename(kept)
+        return self.path.rename(named_after_now(
+            lambda now: self.path.with_name(f'{self.path.stem}-{why}-{now}{self.path.suffix}')))
 
 
 def own_progress() -> ProgressFile | None:
