@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from param_tutorial.learner.copies import LESSONS, Copies, CopiesError
-from param_tutorial.progress.record import VARIABLE
+from param_tutorial.learner.progress import VARIABLE
 
 ROOT = Path(__file__).resolve().parent.parent
 # Where the course is installed, or for many to read, .venv is not the learner's.

@@ -6,13 +6,11 @@ node, ``ParameterPanel`` shows them as controls; these three are of the package 
 downward only (README.md, "Architecture", says what each room is for, and a test holds both against the code):
 
     site
-    learner
     exercises
     notebook
     views
-    ros1
     pictures
-    progress
+    learner
     nodes
 """
 
@@ -31,9 +29,11 @@ if TYPE_CHECKING:
     from param_tutorial.notebook.magics import unload_ipython_extension as unload_ipython_extension
     from param_tutorial.notebook.shell import Shell as Shell
     from param_tutorial.notebook.terminal import Terminal as Terminal
+    from param_tutorial.pictures import ros1 as ros1
 
 # Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
 _HOMES = {
+    'ros1': 'param_tutorial.pictures.ros1',
     'views': 'param_tutorial.views',
     'ParameterClient': 'param_tools.node.client',
     'ParameterPanel': 'param_tools.panel.panel',

@@ -17,8 +17,8 @@ CHAPTER = '03_declaring.ipynb'
 CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.predict('3-1')", "print('decided')",
          'And a value:', "exercises.predict('6.1-2')", "print('decided too')",
          'What is solved:', "exercises.progress('3')", 'The next one solves it:',
-         "from param_tutorial.progress.record import own\n\n"
-         "for number in ('3a', '3b', '3c'):\n    own().add_solved(number)",
+         "from param_tutorial.learner.progress import own_progress\n\n"
+         "for number in ('3a', '3b', '3c'):\n    own_progress().add_solved(number)",
          "exercises.progress('3')")
 
 

@@ -101,7 +101,7 @@ def test_the_tools_know_nothing_of_the_course(arrows):
     (('pictures',), {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
     (('files', 'markup', 'descriptor', 'values', 'errors', 'lazy'),
      {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
-    (('ros', 'node', 'systems', 'cli', 'ros1', 'nodes'), {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'})])
+    (('ros', 'node', 'systems', 'cli', 'nodes'), {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'})])
 def test_what_a_room_does_not_need(rooms, forbidden):
     modules = [module for module in FILES if module not in ABOVE and room_of(module) in rooms]
     assert len(modules) >= len(rooms)

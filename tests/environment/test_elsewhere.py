@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from param_tutorial.progress.record import VARIABLE
+from param_tutorial.learner.progress import VARIABLE
 from tests.support.paths import ROOT
 
 if sys.version_info >= (3, 11):

@@ -8,22 +8,20 @@ import pytest
 from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS, achievements
 from param_tutorial.exercises.results import Finding, Result
-from param_tutorial.progress import record
-from param_tutorial.progress.record import ProgressFile
-from param_tutorial.progress.renumbered import RENUMBERED
+from param_tutorial.learner.progress import RENUMBERED, VARIABLE, ProgressFile
 from tests.support.paths import NOTEBOOKS
 
 
 @pytest.fixture
 def file(monkeypatch, tmp_path):
-    monkeypatch.setenv(record.VARIABLE, str(tmp_path / 'progress.json'))
-    monkeypatch.setattr(record, '_now', lambda: '2026-03-04T10:00:00')
+    monkeypatch.setenv(VARIABLE, str(tmp_path / 'progress.json'))
+    monkeypatch.setattr('param_tutorial.learner.progress._now', lambda: '2026-03-04T10:00:00')
     return ProgressFile(tmp_path / 'progress.json')
 
 
 @pytest.fixture
 def no_file(monkeypatch):
-    monkeypatch.delenv(record.VARIABLE, raising=False)
+    monkeypatch.delenv(VARIABLE, raising=False)
 
 
 @pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
@@ -76,10 +74,6 @@ def test_the_whole_course_has_a_row_for_each_chapter(file):
 
 def test_the_whole_course_without_a_file(no_file):
     assert 'make lab' in repr(exercises.progress()) and '✓' not in repr(exercises.progress())
-
-
-def test_a_chapter_that_there_is_not(no_file):
-    assert 'There is no chapter' in repr(exercises.progress('12'))
 
 
 def finding(done):
@@ -143,14 +137,6 @@ def test_what_was_solved_under_an_old_number_still_counts(file):
     assert set(json.loads(file.path.read_text())['solved']) == {'6a', '6.1c', '6.2c', '3a'}
 
 
-def test_what_was_solved_before_a_chapter_became_two_counts_in_the_new_one(file):
-    file.add_solved('10.4c')
-    assert '✓ 10.5c' in repr(exercises.progress('10.5'))
-    assert '✓' not in repr(exercises.progress('10.4'))
-    file.add_solved('3a')
-    assert set(json.loads(file.path.read_text())['solved']) == {'10.4c', '10.5c', '3a'}
-
-
 def test_every_new_number_is_one_of_the_course():
     known = {*EXERCISES, *PREDICTIONS, *RECALLS, *CHAPTERS}
     assert {number for new in RENUMBERED.values() for number in new} <= known
@@ -159,10 +145,7 @@ def test_every_new_number_is_one_of_the_course():
 
 @pytest.mark.parametrize(('say', 'old', 'new'), [
     (exercises.check, '6a', '6.1c and 6.2c'), (exercises.hint, '6b', '6.2a'), (exercises.predict, '6-1', '6.1-1'),
-    (exercises.recall, '6-r1', '6.1-r1'), (exercises.progress, '6', '6.1 and 6.2')])
+    (exercises.recall, '6-r1', '6.1-r1'), (exercises.progress, '6', '6.1 and 6.2'),
+    (exercises.check, '10.4c', '10.5c')])
 def test_a_copy_of_a_chapter_that_was_divided_says_where_its_exercises_are(say, old, new):
     assert f'{old} is now {new}. Open the new chapter' in repr(say(old)).replace('\n', ' ')
-
-
-def test_a_copy_of_a_chapter_from_before_says_where_its_exercise_is():
-    assert '10.4c is now 10.5c. Open the new chapter' in repr(exercises.check('10.4c')).replace('\n', ' ')

@@ -11,7 +11,7 @@ from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, PREDICTIONS, predicting
 from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, right, wrong
-from param_tutorial.progress import record
+from param_tutorial.learner.progress import VARIABLE, own_progress
 from tests.support.paths import NOTEBOOKS, PACKAGE
 
 CHOICE = Prediction('1-1', 'What is `1`?', (wrong('a text', 'It is a `number`.'), right('a number', 'So it is.')))
@@ -226,22 +226,17 @@ def test_an_answer_that_could_not_be_saved_is_reported():
 # -- as a lesson uses it ---------------------------------------------------------------------------------------
 
 def test_predict_remembers_in_the_learners_file(monkeypatch, tmp_path):
-    monkeypatch.setenv(record.VARIABLE, str(tmp_path / 'progress.json'))
+    monkeypatch.setenv(VARIABLE, str(tmp_path / 'progress.json'))
     first = PREDICTIONS['6.1-1'].choices[0]
     answered(exercises.predict('6.1-1'), first.text)
-    assert record.own().read()[0].predicted['6.1-1'].choice == first.text
+    assert own_progress().read()[0].predicted['6.1-1'].choice == first.text
 
 
 def test_predict_writes_nothing_without_the_variable(monkeypatch, tmp_path):
-    monkeypatch.delenv(record.VARIABLE, raising=False)
+    monkeypatch.delenv(VARIABLE, raising=False)
     monkeypatch.chdir(tmp_path)
     answered(exercises.predict('6.1-2'), '5')
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize('number', ['6.1-99', '', 7])
-def test_a_prediction_number_that_does_not_exist_gets_suggestions(number):
-    assert 'There is no prediction' in repr(exercises.predict(number))
 
 
 def test_one_shell_is_followed_once(bare_ipython):

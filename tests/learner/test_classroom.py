@@ -7,7 +7,9 @@ import pytest
 from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.learner import command
 from param_tutorial.learner.copies import Copies
-from param_tutorial.progress.record import ProgressFile
+from param_tutorial.learner.progress import ProgressFile
+from param_tutorial.learner.syllabus import Lesson, read_syllabus
+from tests.support.paths import NOTEBOOKS
 
 
 @pytest.fixture
@@ -24,6 +26,12 @@ def folder(tmp_path):
     (tmp_path / 'Bob' / '.ipynb_checkpoints').mkdir()
     (tmp_path / 'Bob' / '.ipynb_checkpoints' / 'progress.json').write_text('{')
     return tmp_path
+
+
+def test_the_chapters_name_the_exercises_and_questions_that_there_are():
+    assert read_syllabus(NOTEBOOKS) == [
+        Lesson(each.number, each.name, [exercise.number for exercise in each.exercises],
+               [question.number for question in (*each.recalls, *each.predictions)]) for each in CHAPTERS.values()]
 
 
 def test_one_row_for_each_student_and_bad_files_are_named(folder, capsys):

@@ -1,12 +1,9 @@
 """The folder of the learner's copies: what is delivered, what stays, and what is kept if something goes wrong."""
 
 import errno
-import fcntl
 import json
 import os
-import signal
 import subprocess
-import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -18,23 +15,20 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, rule
 from nbformat.sign import NotebookNotary
 
-from param_tutorial.exercises import CHAPTERS
 from param_tutorial.learner import command
 from param_tutorial.learner.copies import Copies, CopiesError
-from param_tutorial.learner.merging import NOTE
-from param_tutorial.progress import ticks
-from tests.support.lab import wait_for
 from tests.support.paths import NOTEBOOKS, ROOT
 
 FIRST, SECOND, SOLUTION = '01_first.ipynb', '05_1_second.ipynb', 'solutions/01_first.ipynb'
 
 
-def write_chapter(path: Path, *sources: str) -> None:
+def write_chapter(path: Path, *sources: str, tags: tuple[str, ...] = ()) -> None:
     """Write a chapter as it is stored: run, with outputs."""
     cells = [nbformat.v4.new_markdown_cell('# Title', id='cell-00')]
     for number, source in enumerate(sources, start=1):
         cells.append(nbformat.v4.new_code_cell(source, id=f'cell-{number:02}', execution_count=number, outputs=[
             nbformat.v4.new_output('display_data', {'text/html': '<b>42</b>', 'text/plain': '42'})]))
+        cells[-1].metadata.tags = list(tags)
     path.parent.mkdir(parents=True, exist_ok=True)
     nbformat.write(nbformat.v4.new_notebook(cells=cells), path)
 
@@ -80,10 +74,11 @@ def sources(path: Path) -> list[str]:
 
 
 def edit(path: Path, number: int, source: str) -> bytes:
-    """Change the text of a cell as JupyterLab does, outputs and all; return what the file then holds."""
+    """Change the text of a cell as JupyterLab does, and run it; return what the file then holds."""
     notebook = nbformat.read(path, as_version=4)
     notebook.cells[number].source = source
-    notebook.cells[number].outputs = [nbformat.v4.new_output('stream', text='ran')]
+    if notebook.cells[number].cell_type == 'code':
+        notebook.cells[number].outputs = [nbformat.v4.new_output('stream', text='ran')]
     nbformat.write(notebook, path)
     return path.read_bytes()
 
@@ -142,70 +137,37 @@ def test_make_clean_leaves_it_alone(course, copies):
     assert files(copies.folder) == before
 
 
-# What stays
-
-
-def test_a_second_start_changes_nothing(copies):
-    edit(copies.folder / FIRST, 1, 'speed = 99')
-    (copies.folder / '06_mine.ipynb').write_text('my own')
-    (copies.folder / SECOND).rename(copies.folder / 'renamed.ipynb')
-    (copies.folder / SECOND).write_bytes((copies.folder / 'renamed.ipynb').read_bytes())
-    before = files(copies.folder)
-    assert copies.deliver() == []
-    assert files(copies.folder) == before
+# What follows the course
 
 
 def test_an_untouched_copy_is_replaced_by_the_changed_chapter(copies):
     write_chapter(copies.chapters / FIRST, 'speed = 2', 'drive(speed)')
+    (copies.chapters / 'index.md').write_text('# New start')
     assert copies.deliver() == []
     assert sources(copies.folder / FIRST) == ['# Title', 'speed = 2', 'drive(speed)']
-    assert backups(copies) == []
+    assert (copies.folder / 'index.md').read_text() == '# New start'
+    assert not (copies.folder / 'backups').exists()
 
 
-def test_work_gets_into_the_changed_chapter_and_the_former_file_is_kept(copies):
-    before = edit(copies.folder / FIRST, 1, 'speed = 99')
-    write_chapter(copies.chapters / FIRST, 'speed = 1', 'drive(speed, lights=True)', 'stop()')
+def test_a_chapter_whose_tags_have_changed_is_a_new_version(copies):
+    write_chapter(copies.chapters / FIRST, 'speed = 1', 'drive(speed)', tags=('raises-exception',))
+    copies.deliver()
+    assert nbformat.read(copies.folder / FIRST, as_version=4).cells[1].metadata.tags == ['raises-exception']
+
+
+def test_a_copy_that_was_run_is_replaced_too_and_its_outputs_are_kept(copies):
+    edit(copies.folder / FIRST, 1, 'speed = 1')
+    notebook = nbformat.read(copies.folder / FIRST, as_version=4)
+    notebook.cells.append(nbformat.v4.new_code_cell())  # as Shift+Enter does in the last cell
+    text = '\ufeff' + nbformat.v4.writes(notebook).replace('\n', '\r\n')  # an editor of Windows saved it
+    (copies.folder / FIRST).write_bytes(before := text.encode())
+    write_chapter(copies.chapters / FIRST, 'speed = 2')
     said, = copies.deliver()
-    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 99', 'drive(speed, lights=True)', 'stop()']
-    assert backups(copies) == [before]
     kept, = (copies.folder / 'backups').iterdir()
-    assert said == (f'The course has changed my_lessons/{FIRST}. Your work is in the new version; the file as it was '
-                    f'is now my_lessons/backups/{kept.name}/{FIRST}.')
-    assert copies.deliver() == []
-
-
-def test_a_second_change_of_the_chapter_is_brought_in_too(copies):
-    edit(copies.folder / FIRST, 1, 'speed = 99')
-    write_chapter(copies.chapters / FIRST, 'speed = 2', 'drive(speed)')
-    copies.deliver()
-    merged = ['# Title', 'speed = 99', NOTE + '~~~~python\nspeed = 2\n~~~~', 'drive(speed)']
-    assert sources(copies.folder / FIRST) == merged
-    write_chapter(copies.chapters / FIRST, 'speed = 2', 'stop()')
-    copies.deliver()
-    assert sources(copies.folder / FIRST) == [*merged[:3], 'stop()']
-    assert len(backups(copies)) == 2
-
-
-def test_an_older_state_saved_over_the_new_version_gets_the_change_once_more(copies):
-    """As JupyterLab does when the chapter was open meanwhile, and the learner chooses to overwrite."""
-    before = edit(copies.folder / FIRST, 1, 'speed = 99')
-    write_chapter(copies.chapters / FIRST, 'speed = 1', 'stop()')
-    copies.deliver()
-    (copies.folder / FIRST).write_bytes(before)
-    copies.deliver()
-    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 99', 'stop()']
-
-
-@pytest.mark.parametrize('trusted', [True, False])
-def test_a_merged_notebook_is_as_trusted_as_the_learners_was(copies, trusted):
-    edit(copies.folder / FIRST, 1, 'speed = 99')
-    notary = NotebookNotary(data_dir=str(copies.trust))
-    if trusted:
-        notary.sign(nbformat.read(copies.folder / FIRST, as_version=4))
-    write_chapter(copies.chapters / FIRST, 'speed = 1', 'stop()')
-    copies.deliver()
-    assert notary.check_signature(nbformat.read(copies.folder / FIRST, as_version=4)) == trusted
-    notary.store.close()
+    assert said == (f'my_lessons/{FIRST} is now the new version. You had changed no cell; the file with your '
+                    f'outputs is kept as my_lessons/backups/{kept.name}/{FIRST}.')
+    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 2']
+    assert backups(copies) == [before]
 
 
 def test_a_deleted_copy_comes_back(copies):
@@ -216,9 +178,83 @@ def test_a_deleted_copy_comes_back(copies):
     assert files(copies.folder) == before
 
 
+# What stays
+
+
+def test_a_second_start_changes_nothing(copies):
+    edit(copies.folder / FIRST, 1, 'speed = 99')
+    (copies.folder / 'index.md').write_text('# My start')
+    (copies.folder / '06_mine.ipynb').write_text('my own')
+    before = files(copies.folder)
+    assert copies.deliver() == []
+    assert files(copies.folder) == before
+
+
+@pytest.mark.parametrize(('name', 'remedy'), [
+    (FIRST, 'make reset CHAPTER=1 gives you the new one and keeps yours as a backup.'),
+    (SECOND, 'make reset CHAPTER=5.1 gives you the new one and keeps yours as a backup.'),
+    (SOLUTION, 'Rename or delete yours, and the next make lab brings the new one.')])
+def test_a_changed_copy_stays_and_a_sentence_says_how_to_get_the_new_version(copies, name, remedy):
+    edit(copies.folder / name, 1, 'mine = 99')
+    before = files(copies.folder)
+    write_chapter(copies.chapters / name, 'new = 2')
+    for _ in range(2):
+        assert copies.deliver() == [f'There is a new version of my_lessons/{name}. Yours stays as it is, because you '
+                                    f'have changed it. {remedy}']
+    assert files(copies.folder) == before
+
+
+def test_a_changed_page_stays_too(copies):
+    (copies.folder / 'index.md').write_text('# My start')
+    (copies.chapters / 'index.md').write_text('# New start')
+    said, = copies.deliver()
+    assert said.startswith('There is a new version of my_lessons/index.md.')
+    assert (copies.folder / 'index.md').read_text() == '# My start'
+
+
+def test_who_resets_a_changed_chapter_follows_the_course_again(copies):
+    edit(copies.folder / FIRST, 1, 'speed = 99')
+    write_chapter(copies.chapters / FIRST, 'speed = 2')
+    copies.reset('1')
+    assert copies.deliver() == []
+    write_chapter(copies.chapters / FIRST, 'speed = 3')
+    assert copies.deliver() == []
+    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 3']
+
+
+def test_a_copy_from_before_deliveries_were_noted_counts_as_changed_unless_it_is_todays_chapter(copies):
+    for path in (copies.folder / '.delivered').iterdir():
+        path.unlink()
+    write_chapter(copies.chapters / FIRST, 'speed = 2')
+    said, = copies.deliver()
+    assert said.startswith(f'There is a new version of my_lessons/{FIRST}.')
+    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 1', 'drive(speed)']
+    write_chapter(copies.chapters / SECOND, 'turn = 2')
+    copies.deliver()
+    assert sources(copies.folder / SECOND) == ['# Title', 'turn = 2']
+
+
+def test_a_solution_in_the_place_of_its_chapter_is_a_change_too(copies):
+    (copies.folder / FIRST).write_bytes((copies.folder / SOLUTION).read_bytes())
+    assert copies.deliver() == []
+    assert sources(copies.folder / FIRST) == ['# Title', 'solution = 1']
+
+
+def test_the_copy_of_a_chapter_that_was_divided_stays_as_it_is(copies):
+    mine = edit(copies.folder / FIRST, 1, 'speed = 99')
+    (copies.chapters / FIRST).unlink()
+    write_chapter(copies.chapters / '01_1_half.ipynb')
+    assert copies.deliver() == []
+    assert (copies.folder / FIRST).read_bytes() == mine
+    assert (copies.folder / '01_1_half.ipynb').exists()
+
+
+# What is no notebook
+
+
 @pytest.mark.parametrize('content', [
-    b'', b'{"cells": [', b'<<<<<<< HEAD\n', b'\xff\xfe', b'[]', b'{}', b'{"cells": 5, "metadata": {}, "nbformat": 4}',
-    b'{"cells": [{"cell_type": "code"}], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}', b'[' * 100_000])
+    b'', b'{"cells": [', b'\xff\xfe', b'[]', b'{"cells": 5, "metadata": {}, "nbformat": 4}',
+    b'{"cells": [{"cell_type": "code"}], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}'])
 def test_a_copy_that_is_no_notebook_any_more_is_kept_aside(copies, content):
     fresh = files(copies.folder)[FIRST]
     (copies.folder / FIRST).write_bytes(content)
@@ -228,55 +264,15 @@ def test_a_copy_that_is_no_notebook_any_more_is_kept_aside(copies, content):
     assert backups(copies) == [content]
 
 
-def test_line_ends_of_windows_and_a_byte_order_mark_do_no_harm(copies):
-    before = b'\xef\xbb\xbf' + edit(copies.folder / FIRST, 1, 'speed = 99').replace(b'\n', b'\r\n')
-    (copies.folder / FIRST).write_bytes(before)
-    write_chapter(copies.chapters / FIRST, 'speed = 1', 'stop()')
-    copies.deliver()
-    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 99', 'stop()']
-    assert backups(copies) == [before]
-
-
-@pytest.mark.parametrize('metadata', [{}, {'param_tutorial': {'version': '0' * 32}}, {'param_tutorial': 7},
-                                      {'param_tutorial': {'version': '../../elsewhere'}}])
-def test_a_copy_that_does_not_say_its_version_stays_as_it_is(copies, metadata):
-    notebook = nbformat.read(copies.folder / FIRST, as_version=4)
-    notebook.metadata = metadata
-    nbformat.write(notebook, copies.folder / FIRST)
-    before = files(copies.folder)
-    said, = copies.deliver()
-    assert 'does not say which version' in said and 'make reset CHAPTER=01_first' in said
-    assert files(copies.folder) == before
-
-
 def test_a_chapter_that_is_not_a_notebook_is_named_and_the_others_are_delivered(copies):
     """Conflict markers as git leaves them after a merge."""
     before = files(copies.folder)[FIRST]
     (copies.chapters / FIRST).write_text('<<<<<<< HEAD\n')
     write_chapter(copies.chapters / SECOND, 'turn = 2')
     said, = copies.deliver()
-    assert said.startswith(f'notebooks/{FIRST} is not a notebook')
+    assert said == f'notebooks/{FIRST} is not a notebook: git status may say why. Your copy stays as it is.'
     assert files(copies.folder)[FIRST] == before
     assert sources(copies.folder / SECOND) == ['# Title', 'turn = 2']
-
-
-def test_a_page_that_the_learner_changed_stays_until_the_course_changes_it(copies):
-    page = copies.folder / 'index.md'
-    page.write_text('# My start')
-    assert copies.deliver() == []
-    assert page.read_text() == '# My start'
-    (copies.chapters / 'index.md').write_text('# New start')
-    said, = copies.deliver()
-    assert said.startswith('The course has changed my_lessons/index.md.')
-    assert page.read_text() == '# New start'
-    assert backups(copies, 'index.md') == [b'# My start']
-
-
-def test_an_untouched_page_follows_the_course(copies):
-    (copies.chapters / 'index.md').write_text('# New start')
-    assert copies.deliver() == []
-    assert (copies.folder / 'index.md').read_text() == '# New start'
-    assert backups(copies, 'index.md') == []
 
 
 # Fresh again
@@ -293,16 +289,6 @@ def test_a_chapter_is_made_fresh_again_and_what_was_there_is_kept(copies, chapte
     assert backups(copies, SECOND) == [before]
 
 
-def test_the_copy_of_a_chapter_that_was_divided_stays_as_it_is(course, copies):
-    (copies.folder / FIRST).write_text((copies.folder / FIRST).read_text().replace('speed = 1', 'speed = 2'))
-    mine = (copies.folder / FIRST).read_bytes()
-    (course / 'notebooks' / FIRST).unlink()
-    write_chapter(course / 'notebooks' / '01_1_half.ipynb')
-    assert copies.deliver() == []
-    assert (copies.folder / FIRST).read_bytes() == mine
-    assert (copies.folder / '01_1_half.ipynb').exists()
-
-
 def test_a_fresh_chapter_is_left_as_it_is(copies):
     assert copies.reset('1') == f'my_lessons/{FIRST} is fresh already.'
     assert backups(copies) == []
@@ -313,16 +299,12 @@ def test_a_reset_needs_no_earlier_start(course):
     assert list(files(course / 'my_lessons')) == [FIRST]
 
 
-@pytest.mark.parametrize('chapter', ['6', '', '0', '1st', '../01_first', 'conftest', 'solutions/01_first'])
-def test_a_chapter_that_is_not_there_is_an_error_that_names_those_that_are(course, capsys, chapter):
+@pytest.mark.parametrize(('chapter', 'there'), [
+    ('05', 'Did you mean 5.1?'), ('6', 'There is: 1, 5.1'), ('', 'There is: 1, 5.1'), ('1st', 'There is: 1, 5.1'),
+    ('solutions/01_first', 'There is: 1, 5.1')])
+def test_a_chapter_that_is_not_there_is_an_error_that_names_those_that_are(course, capsys, chapter, there):
     assert command.main([chapter, '--course', str(course)]) == 1
-    assert capsys.readouterr().err == f'{chapter!r} is not a chapter. There are: 01_first, 05_1_second\n'
-
-
-def test_the_number_of_several_chapters_is_an_error_that_names_them(course, capsys):
-    write_chapter(course / 'notebooks' / '05_2_third.ipynb')
-    assert command.main(['05', '--course', str(course)]) == 1
-    assert capsys.readouterr().err == "'05' is the number of several. There are: 05_1_second, 05_2_third\n"
+    assert capsys.readouterr().err == f'There is no chapter {chapter!r}. {there}\n'
 
 
 def test_make_reset_says_which_chapter_it_wants():
@@ -338,8 +320,8 @@ def test_make_reset_says_which_chapter_it_wants():
 @pytest.mark.parametrize(('number', 'told'), [
     (errno.ENOSPC, 'The disk is full'), (errno.EROFS, 'Read-only file system'), (errno.EACCES, 'Permission denied')])
 def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, monkeypatch, number, told):
-    edit(copies.folder / FIRST, 1, 'speed = 99')
-    write_chapter(copies.chapters / FIRST, 'speed = 2', 'stop()')
+    edit(copies.folder / FIRST, 1, 'speed = 1')
+    write_chapter(copies.chapters / FIRST, 'speed = 2')
     before = files(copies.folder)
 
     def reject(file: int) -> None:
@@ -352,94 +334,13 @@ def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, mon
     assert not [path for path in copies.folder.rglob('*.new')]
     monkeypatch.undo()
     copies.deliver()
-    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 99', NOTE + '~~~~python\nspeed = 2\n~~~~', 'stop()']
+    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 2']
 
 
 def test_a_file_in_the_place_of_the_folder_is_named(course):
     (course / 'my_lessons').touch()
-    with pytest.raises(CopiesError, match=r'my_lessons could not be brought up to date.*File exists'):
+    with pytest.raises(CopiesError, match=r'could not be brought up to date.*Not a directory: .*my_lessons'):
         Copies(course).deliver()
-
-
-def start(course: Path, code: str) -> subprocess.Popen[str]:
-    """Start Python with `copies` for this course."""
-    code = f'from pathlib import Path\nfrom param_tutorial.learner.copies import Copies\n' \
-           f'copies = Copies(Path({str(course)!r}))\n{code}'
-    return subprocess.Popen([sys.executable, '-c', code], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-
-
-# The steps are the moments right before and right after a file is moved to its place.
-KILL = '''
-import itertools, os, signal
-def kill_at(number):
-    steps, replace = itertools.count(1), Path.replace
-    def step():
-        if next(steps) == number:
-            os.kill(os.getpid(), signal.SIGKILL)
-    def replace_between_steps(self, target):
-        step()
-        replace(self, target)
-        step()
-    Path.replace = replace_between_steps
-'''
-
-
-@pytest.mark.slow
-@pytest.mark.thorough
-def test_a_delivery_that_is_killed_anywhere_is_made_up_for_by_the_next(tmp_path):
-    """Each time one step later, until a delivery comes to its end."""
-    for killed_at in range(1, 100):
-        course = tmp_path / str(killed_at)
-        write_course(course)
-        copies = Copies(course)
-        copies.deliver()
-        before = edit(copies.folder / FIRST, 1, 'speed = 99')
-        write_chapter(copies.chapters / FIRST, 'speed = 2', 'stop()')
-        write_chapter(copies.chapters / SECOND, 'turn = 2')
-        with start(course, f'{KILL}\nkill_at({killed_at})\ncopies.deliver()') as process:
-            process.communicate()
-        copy = copies.folder / FIRST
-        assert copy.read_bytes() == before or before in backups(copies)
-        copies.deliver()
-        assert sources(copy) == ['# Title', 'speed = 99', NOTE + '~~~~python\nspeed = 2\n~~~~', 'stop()']
-        assert sources(copies.folder / SECOND) == ['# Title', 'turn = 2']
-        assert before in backups(copies)
-        if process.returncode == 0:
-            break
-        assert process.returncode == -signal.SIGKILL
-    assert process.returncode == 0 and killed_at > 8
-
-
-def test_the_chapters_have_a_check_for_each_exercise_that_is_known(monkeypatch):
-    """The ticks at a delivery go by the cells in the chapters, those after a check by the exercises themselves."""
-    found = []
-    monkeypatch.setattr(ticks, 'tick', lambda folder, exercises, solved: found.append(exercises))
-    Copies(ROOT).tick()
-    assert {name: numbers for name, numbers in found[0].items() if numbers} == {
-        chapter.name: [each.number for each in chapter.exercises] for chapter in CHAPTERS.values()}
-
-
-@pytest.mark.slow
-def test_of_two_deliveries_at_once_one_waits_for_the_other(copies):
-    before = edit(copies.folder / FIRST, 1, 'speed = 99')
-    write_chapter(copies.chapters / FIRST, 'speed = 2', 'stop()')
-    folder = os.open(copies.folder, os.O_RDONLY)
-    fcntl.flock(folder, fcntl.LOCK_EX)
-    processes = [start(copies.folder.parent, 'copies.deliver()') for _ in range(2)]
-
-    def waiting() -> bool:
-        blocked = [line.split() for line in Path('/proc/locks').read_text().splitlines() if '-> FLOCK' in line]
-        return all(any(str(process.pid) in words for words in blocked) for process in processes)
-
-    try:
-        wait_for(waiting, 'both to wait for the lock')
-        assert (copies.folder / FIRST).read_bytes() == before
-    finally:
-        os.close(folder)
-        said = [process.communicate()[1] for process in processes]
-    assert said == ['', '']
-    assert sources(copies.folder / FIRST) == ['# Title', 'speed = 99', NOTE + '~~~~python\nspeed = 2\n~~~~', 'stop()']
-    assert backups(copies) == [before]
 
 
 some_text = st.sampled_from(['speed = 1', 'speed = 2', 'speed = 99', 'stop()', ''])
@@ -456,6 +357,8 @@ class NothingIsEverLost(RuleBasedStateMachine):
         self.copies = Copies(Path(self._course.name))
         write_course(Path(self._course.name))
         self.copies.deliver()
+        # What the learner has written or run, and not deleted.
+        self.work: set[bytes] = set()
 
     def teardown(self) -> None:
         self._course.cleanup()
@@ -468,11 +371,15 @@ class NothingIsEverLost(RuleBasedStateMachine):
     def a_page_changes(self, text: str) -> None:
         (self.copies.chapters / 'index.md').write_text(text)
 
-    @rule(name=st.sampled_from([FIRST, SECOND]), number=st.integers(0, 2), text=some_text)
+    @rule(name=st.sampled_from([FIRST, SECOND]), number=st.integers(1, 2), text=some_text)
     def the_learner_changes_a_cell(self, name: str, number: int, text: str) -> None:
         path = self.copies.folder / name
-        if path.exists() and (copy := self._read(path)) and number < len(copy.cells):
-            edit(path, number, text)
+        try:
+            before = path.read_bytes()
+            after = edit(path, number, text)
+        except (OSError, ValueError, AttributeError, IndexError):
+            return  # it was deleted, or is no notebook with so many cells
+        self.work = self.work - {before} | {after}
 
     @rule(name=st.sampled_from([FIRST, 'index.md', 'own.ipynb']), content=st.sampled_from([b'', b'mine', b'{"cells":']))
     def the_learner_writes_a_file(self, name: str, content: bytes) -> None:
@@ -480,7 +387,10 @@ class NothingIsEverLost(RuleBasedStateMachine):
 
     @rule(name=st.sampled_from([FIRST, SECOND, 'index.md']))
     def the_learner_deletes_a_file(self, name: str) -> None:
-        (self.copies.folder / name).unlink(missing_ok=True)
+        path = self.copies.folder / name
+        if path.exists():
+            self.work.discard(path.read_bytes())
+            path.unlink()
 
     @rule(full_after=some_room)
     def make_lab(self, full_after: int) -> None:
@@ -505,15 +415,7 @@ class NothingIsEverLost(RuleBasedStateMachine):
                 work()
             except CopiesError as error:
                 assert 'The disk is full' in str(error)
-        delivered = {path.read_bytes() for path in (self.copies.folder / '.delivered').glob('*')}
-        assert before - set(files(self.copies.folder).values()) <= delivered
-
-    @staticmethod
-    def _read(path: Path) -> nbformat.NotebookNode | None:
-        try:
-            return nbformat.read(path, as_version=4)
-        except (ValueError, AttributeError):
-            return None
+        assert self.work & before <= set(files(self.copies.folder).values())
 
 
 NothingIsEverLost.TestCase.settings = settings(max_examples=60, stateful_step_count=12)

@@ -32,8 +32,8 @@ from param_tutorial.exercises.exercise import Exercise
 from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer, Hint, Result
-from param_tutorial.progress import record, ticks
-from param_tutorial.progress.renumbered import RENUMBERED
+from param_tutorial.learner import ticks
+from param_tutorial.learner.progress import RENUMBERED, own_progress
 
 
 def _chapters() -> Iterator[Chapter]:
@@ -69,7 +69,7 @@ def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
     if work is _FORGOTTEN:
         return exercise.without_work()
     result = exercise.check(work)
-    file = record.own()
+    file = own_progress()
     if result.done and file is not None:
         result.text = f'{result.text} {file.add_solved(exercise.number)}'.strip()
         remembered, _ = file.read()
@@ -118,11 +118,11 @@ def progress(number: str = '') -> Answer:
     :param number: Of the chapter, e.g. '3' or '5.2'; by default all chapters, a row for each.
     """
     if not number:
-        return CourseProgress(tuple(CHAPTERS.values()), record.own())
+        return CourseProgress(tuple(CHAPTERS.values()), own_progress())
     chapter = CHAPTERS.get(str(number))
     if chapter is None:
         return _unknown(number, 'chapter', CHAPTERS)
-    return ChapterProgress(chapter, record.own())
+    return ChapterProgress(chapter, own_progress())
 
 
 def certificate(name: str = '') -> Answer:
@@ -130,11 +130,11 @@ def certificate(name: str = '') -> Answer:
 
     :param name: The learner's, for the page; by default there is a line to write it on.
     """
-    return Certificate(tuple(CHAPTERS.values()), record.own(), name)
+    return Certificate(tuple(CHAPTERS.values()), own_progress(), name)
 
 
 def _remember_prediction(number: str, choice: str, is_right: bool) -> str:
-    file = record.own()
+    file = own_progress()
     return '' if file is None else file.add_prediction(number, choice, right=is_right)
 
 

@@ -2,7 +2,6 @@
 
 import contextlib
 import inspect
-import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -158,21 +157,19 @@ class Exercise:
             return self._result([self._nothing_to_try(work)])
         findings: list[Finding] = []
         names: set[str] = set()
-        waited, picture = False, ''
-        began_sec = time.monotonic()
+        picture = ''
         try:
             with no_input.forbidden(error_if_asked), borrowed_stage() as ros:
+                trial = Trial(ros, work)
                 for requirement in self.requirements:
-                    trial = Trial(ros, work, has_waited_in_vain=waited, began_sec=began_sec)
                     try:
                         findings.append(_try_out(requirement, trial))
                     except NoUse as error:
                         findings.append(_finding(requirement, error))
                         break
-                    names.update(trial.names)
-                    waited = trial.has_waited_in_vain
+                    names = set(trial.names)
                 if self._draw and all(finding.done for finding in findings):
-                    picture = _drawn(self._draw, Trial(ros, work, has_waited_in_vain=waited))
+                    picture = _drawn(self._draw, Trial(ros, work))
         except ExecutorError as error:  # no executor can be had, or a callback of the learner's keeps it for good
             untried = [each.sentence for each in self.requirements[len(findings):]]
             findings.append(Finding([*untried, 'the stage is clear afterwards'][0], False, happened=str(error)))
@@ -215,6 +212,7 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
 
     :raises NoUse: none of the others can be tried out either.
     """
+    trial.begin()
     try:
         with cleared(trial.ros):
             _examine(requirement, trial)

@@ -25,7 +25,6 @@ from param_tools.errors import (
     ExecutorError,
     NoAnswerError,
     ParameterToolError,
-    StuckError,
     WaitTimeoutError,
 )
 from param_tools.files.parsing import LOADER
@@ -50,8 +49,6 @@ _SETTLED_SEC = 0.5
 # When a check as a whole should have come to its end, in machine time. What comes close to it gets less and less,
 # though never less than the short limit: a callback that sleeps is asked a dozen times.
 _WHOLE_CHECK_SEC = 6.0
-# How often to look whether a limit is over: machine time is right only for those who look often.
-_RING_PERIOD_SEC = 0.1
 
 # What rclpy raises for a parameter file, with rcl's own words in it.
 _NOT_A_PARAMETER_FILE = re.compile(r"Couldn't parse params file: .*? Error: (.*?), at \S+:\d+", re.DOTALL)
@@ -116,34 +113,26 @@ def _expect_sendable(node: Node) -> None:
                         f'the descriptor of `{name}` cannot be sent: {wrong}') from None
 
 
-class TooLong(BaseException):
-    """The time limit is over. No Exception, lest the learner's own ``except Exception`` catches it."""
-
-    def __init__(self, limit_sec: float):
-        super().__init__()
-        self.limit_sec = limit_sec
-
-    def __str__(self) -> str:
-        return f'it was still running after {self.limit_sec:.2g} s'
+class _TimeIsUp(BaseException):
+    """Interrupts a learner's code. No Exception, lest the code's own ``except Exception`` catches it."""
 
 
 class Trial:
-    """One attempt with a learner's work, for one requirement."""
+    """What tries out a learner's work, one requirement after the other."""
 
-    def __init__(self, ros: BackgroundExecutor, work: Any, *, has_waited_in_vain: bool = False,
-                 began_sec: float | None = None):
-        """
-        :param has_waited_in_vain: In an earlier trial with this work.
-        :param began_sec: When the first trial with this work began, in machine time. By default now.
-        """
+    def __init__(self, ros: BackgroundExecutor, work: Any):
         self.ros = ros
         self.work = work
-        self.names: list[str] = []
+        self.names: set[str] = set()
         """The names of the nodes that were made of the work."""
-        self.has_waited_in_vain = has_waited_in_vain
-        self._began_sec = time.monotonic() if began_sec is None else began_sec
+        self._has_waited_in_vain = False
+        self._began_sec = time.monotonic()
+        self.begin()
+
+    def begin(self) -> None:
+        """Note which threads and failures there are before a requirement is tried out."""
         self._threads_before = threading.enumerate()
-        self._times_shown_before = {id(failure): failure.times_shown for failure in list(ros.failures)}
+        self._times_shown_before = {id(failure): failure.times_shown for failure in list(self.ros.failures)}
 
     @overload
     def start(self, node_class: None = None, *, ros_args: Sequence[str] = (), namespace: str = '',
@@ -175,14 +164,14 @@ class Trial:
         try:
             with _time_limit(self._limit_sec()):
                 node = self.ros.add(node_class, ros_args=[*remapped, *ros_args, *fewer])
-        except (Exception, TooLong, SystemExit) as error:
+        except (Exception, SystemExit) as error:
             # Node.__init__ would have made the handle.
             is_bare = (isinstance(error, AttributeError) and isinstance(error.obj, Node)
                        and getattr(error.obj, 'handle', None) is None)
             raise NoStart('a node that starts', f'its constructor did not finish. {describe_error(error)}' + (
                 '. Does `__init__` begin with `super().__init__(…)`?' if is_bare else '')) from None
         if isinstance(self.work, type) and issubclass(node_class, self.work):
-            self.names.append(node.get_name())
+            self.names.add(node.get_name())
             _expect_sendable(node)
         return node
 
@@ -237,7 +226,7 @@ class Trial:
         try:
             with _time_limit(self._limit_sec()):
                 return function(*args)
-        except (TooLong, WaitTimeoutError) as error:
+        except WaitTimeoutError as error:
             raise NoUse(f'{what} finishes', describe_error(error)) from None
         except (Exception, SystemExit) as error:
             raise NotYet(f'{what} finishes', describe_error(error)) from None
@@ -245,8 +234,7 @@ class Trial:
     def press(self, what: str, function: Callable[[], Any]) -> None:
         """Call a function of the learner's in the executor's thread, as a timer would: it may be an ``async def``.
 
-        :raises NotYet: the function raised an exception.
-        :raises NoUse: it did not return.
+        :raises NoUse: the function raised an exception, or did not return.
         """
         def begin() -> None:
             executor = self.ros.tool_node.executor
@@ -258,8 +246,7 @@ class Trial:
         try:
             self.ros.run(begin, what)
         except (Exception, SystemExit) as error:
-            kind = NoUse if isinstance(error, StuckError) else NotYet
-            raise kind(f'{what} finishes', describe_error(error)) from None
+            raise NoUse(f'{what} finishes', describe_error(error)) from None
         except KeyboardInterrupt:
             raise
         except BaseException:  # the executor has interrupted it
@@ -274,7 +261,7 @@ class Trial:
         :param is_settled: Returns whether nothing is on its way that could make the condition true.
         :raises NotYet: the condition is not true.
         """
-        limit_sec = min(TIME_LIMIT_SEC, _SHORT_TIME_LIMIT_SEC) if self.has_waited_in_vain else TIME_LIMIT_SEC
+        limit_sec = min(TIME_LIMIT_SEC, _SHORT_TIME_LIMIT_SEC) if self._has_waited_in_vain else TIME_LIMIT_SEC
         settled_at: float | None = None
 
         def has_settled() -> bool:
@@ -288,7 +275,7 @@ class Trial:
         try:
             wait_until(lambda: condition() or self._failure() or has_settled(), expected, limit_sec)
         except WaitTimeoutError:
-            self.has_waited_in_vain = True
+            self._has_waited_in_vain = True
             raise NotYet(expected, f'{happened()}, after {limit_sec:g} s') from None
         if not condition():  # looked at again: it may have come true before the failure
             raise NotYet(expected, happened())
@@ -356,34 +343,31 @@ def cleared(ros: BackgroundExecutor) -> Iterator[None]:
         yield
     finally:
         for node in reversed(ros.nodes):
-            if ros.is_running and not any(node is other for other in before):
+            if ros.is_running and node not in before:
                 ros.remove(node)
 
 
 @contextlib.contextmanager
 def _time_limit(limit_sec: float) -> Iterator[None]:
-    """Interrupt the block after a time, in machine time, with TooLong: in the main thread, and on Unix."""
+    """Interrupt the block after a time: in the main thread, and not on Windows.
+
+    :raises WaitTimeoutError: the block was interrupted.
+    """
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
         yield
         return
 
-    deadline = time.monotonic() + limit_sec
-
     def ring(_number: int, _frame: FrameType | None) -> None:
-        nonlocal deadline
-        if time.monotonic() > deadline:
-            # Once more after as long: an exception that comes while Python runs a __del__ is printed and lost.
-            deadline += limit_sec
-            raise TooLong(limit_sec)
+        raise _TimeIsUp
 
     previous = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, _RING_PERIOD_SEC, _RING_PERIOD_SEC)
+    # Again after as long: code may catch everything, and what is raised while Python runs a __del__ is lost.
+    signal.setitimer(signal.ITIMER_REAL, limit_sec, limit_sec)
     try:
-        try:
-            yield
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-    finally:  # also if it has rung once more, on the way out
+        yield
+    except _TimeIsUp:
+        raise WaitTimeoutError(f'it was still running after {limit_sec:.2g} s') from None
+    finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, previous)
 
@@ -407,7 +391,7 @@ def _describe_raised(error: BaseException) -> str:
 
 
 def _is_sentence(error: BaseException) -> bool:
-    return isinstance(error, (TooLong, ParameterToolError))
+    return isinstance(error, ParameterToolError)
 
 
 def describe_error(error: BaseException) -> str:

@@ -1,9 +1,12 @@
-"""The learner's copies of the chapters, which ``make lab`` keeps up to date: ``python -m param_tutorial.learner``.
+"""The learner's files, and a class's: copies of the chapters, and what has been solved. No ROS.
 
-    command      the command line: a chapter fresh again, progress forgotten, a class as a table
-    classroom    what a class has solved
-    copies       the folder of the copies: what is put there, what stays, and what is kept as a backup
-    merging      a changed chapter and a learner's copy become one notebook
+    copies       the folder of the copies: what ``make lab`` puts there, what stays, and what is kept as a backup
+    progress     the file that remembers what a learner has solved and predicted
+    ticks        the start page, with a mark at each chapter
+    classroom    what a class has solved, as one table
+    command      ``python -m param_tutorial.learner``: a chapter fresh again, progress forgotten, the table of a class
+    syllabus     what there is to solve in each chapter
+    storage      files written whole or not at all, and by one process at a time
 
 The stored outputs of the chapters are the tests, so nobody works on the chapters themselves.
 """

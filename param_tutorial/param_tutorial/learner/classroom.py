@@ -5,9 +5,9 @@ import io
 from pathlib import Path
 from typing import NamedTuple
 
-from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.learner.copies import COPIES
-from param_tutorial.progress.record import FILE, Progress, ProgressError, parse
+from param_tutorial.learner.progress import FILE, Progress, ProgressError, parse
+from param_tutorial.learner.syllabus import Lesson
 
 
 class Student(NamedTuple):
@@ -15,22 +15,6 @@ class Student(NamedTuple):
 
     name: str
     progress: Progress
-
-    def solved(self, chapter: str) -> str:
-        """Return how many of a chapter's exercises are solved, as '2/3'."""
-        exercises = CHAPTERS[chapter].exercises
-        return f'{sum(each.number in self.progress.solved for each in exercises)}/{len(exercises)}'
-
-    @property
-    def row(self) -> list[str]:
-        """What stands in the table: chapters, all exercises, predictions and recalls made and right."""
-        made = [each for number, each in self.progress.predicted.items() if number in {**PREDICTIONS, **RECALLS}]
-        return [*map(self.solved, CHAPTERS),
-                f'{sum(number in EXERCISES for number in self.progress.solved)}/{len(EXERCISES)}',
-                f'{len(made)}/{len(PREDICTIONS) + len(RECALLS)}', str(sum(each.right for each in made))]
-
-
-_COLUMNS = ('student', *CHAPTERS, 'all', 'predicted', 'right')
 
 
 def read_class(folder: Path) -> tuple[list[Student], list[str]]:
@@ -54,21 +38,33 @@ def read_class(folder: Path) -> tuple[list[Student], list[str]]:
     return sorted(students, key=lambda each: each.name.casefold()), bad
 
 
-def format_table(students: list[Student]) -> str:
+def format_table(students: list[Student], lessons: list[Lesson]) -> str:
     """Return a table for people, in columns."""
-    rows = [list(_COLUMNS), *([each.name, *each.row] for each in students)]
+    rows = _rows(students, lessons)
     widths = [max(map(len, column)) for column in zip(*rows)]
     return '\n'.join('  '.join([row[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(
         row[1:], widths[1:]))]) for row in rows)
 
 
-def format_csv(students: list[Student]) -> str:
+def format_csv(students: list[Student], lessons: list[Lesson]) -> str:
     """Return the table as comma-separated values, for a spreadsheet; counts only, which no program takes for dates."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator='\n')
-    writer.writerow(_COLUMNS)
-    writer.writerows([each.name, *(cell.partition('/')[0] for cell in each.row)] for each in students)
+    writer.writerows([name, *(cell.partition('/')[0] for cell in cells)] for name, *cells in _rows(students, lessons))
     return text.getvalue().rstrip('\n')
+
+
+def _rows(students: list[Student], lessons: list[Lesson]) -> list[list[str]]:
+    """Return the headings and a row for each student: exercises solved, by chapter and in all, and predictions made."""
+    questions = {number for lesson in lessons for number in lesson.questions}
+    rows = [['student', *(lesson.number for lesson in lessons), 'all', 'predicted', 'right']]
+    for name, progress in students:
+        solved = [sum(number in progress.solved for number in lesson.exercises) for lesson in lessons]
+        totals = [len(lesson.exercises) for lesson in lessons]
+        made = [each for number, each in progress.predicted.items() if number in questions]
+        pairs = [*zip(solved, totals), (sum(solved), sum(totals)), (len(made), len(questions))]
+        rows.append([name, *(f'{count}/{total}' for count, total in pairs), str(sum(each.right for each in made))])
+    return rows
 
 
 def _name_of(path: Path, folder: Path) -> str:

@@ -6,7 +6,9 @@ import sys
 from pathlib import Path
 from typing import NoReturn
 
-from param_tutorial.learner.copies import COPIES, LESSONS, Copies, CopiesError
+from param_tutorial.learner.classroom import format_csv, format_table, read_class
+from param_tutorial.learner.copies import CHAPTERS, COPIES, LESSONS, Copies, CopiesError
+from param_tutorial.learner.syllabus import read_syllabus
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -28,7 +30,7 @@ def main(arguments: list[str] | None = None) -> int:
     if (options.what == 'class') != (options.folder is not None) or (options.csv and options.what != 'class'):
         parser.error('class takes a folder, and nothing else does' if not options.csv else '--csv belongs to class')
     if options.what == 'class':
-        return _show_class(options.folder, as_csv=options.csv)
+        return _show_class(options.folder, options.course / CHAPTERS, as_csv=options.csv)
     copies = Copies.of_learner(options.course.resolve())
     try:
         print(_reset_progress(copies) if options.what == 'reset-progress' else copies.reset(options.what))
@@ -59,15 +61,12 @@ def _reset_progress(copies: Copies) -> str:
     return f'Your progress is forgotten. What was remembered is kept in {kept}.'
 
 
-def _show_class(folder: Path, *, as_csv: bool) -> int:
-    # Imported here: it brings rclpy along, which delivering the copies does not need.
-    from param_tutorial.learner.classroom import format_csv, format_table, read_class
-
+def _show_class(folder: Path, chapters: Path, *, as_csv: bool) -> int:
     students, bad = read_class(folder)
     for each in bad:
         print(each, file=sys.stderr)
     if not students:
         print(f'There is no progress file in {folder}.', file=sys.stderr)
         return 1
-    print(format_csv(students) if as_csv else format_table(students))
+    print((format_csv if as_csv else format_table)(students, read_syllabus(chapters)))
     return 0

@@ -1,31 +1,27 @@
 """The learner's own copies of the chapters, in ``my_lessons/``, a folder that git ignores.
 
-Beside the copies lie ``backups/``, with every file of the learner's as it was before it was changed here, and two
-hidden folders: what was delivered, and what JupyterLab knows of whose outputs to trust.
-
-A copy names the version of the chapter that it was made from, in its own metadata. So it never disagrees with the
-version it was merged into last, whatever is interrupted, and also if JupyterLab saves an older state over it.
+A copy in which the learner has changed nothing follows the course. A changed one stays as it is until the learner
+resets it. ``.delivered/`` tells them apart: an empty file for each text ever delivered, named by a digest of that
+text. ``backups/`` keeps the files of the learner's that were replaced, and ``.trust/`` what
+JupyterLab knows of whose outputs to trust.
 """
 
 import contextlib
-import datetime
 import errno
 import hashlib
 import os
-import re
 import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
 
 import nbformat
-from nbformat.notebooknode import NotebookNode
 from nbformat.sign import NotebookNotary
 
-from param_tools.errors import ParameterToolError
-from param_tutorial.learner.merging import merge
-from param_tutorial.progress import ticks
-from param_tutorial.progress.record import FILE, ProgressFile
-from param_tutorial.progress.storage import only_one, write_whole
+from param_tools.errors import ParameterToolError, nearest
+from param_tutorial.learner import ticks
+from param_tutorial.learner.progress import FILE, ProgressFile
+from param_tutorial.learner.storage import named_after_now, write_whole
+from param_tutorial.learner.syllabus import number_of, read_syllabus
 
 CHAPTERS = 'notebooks'
 COPIES = 'my_lessons'
@@ -34,10 +30,6 @@ LESSONS = 'PARAM_TUTORIAL_LESSONS'
 BACKUPS = 'backups'
 DELIVERED = '.delivered'
 TRUST = '.trust'
-# Where the version of the chapter stands in a copy's metadata.
-_KEY = 'param_tutorial'
-# The cell that checks an exercise. The room ``exercises`` knows them too, but importing it loads rclpy.
-_CHECK = re.compile(r'"id": "check-([\w-]+)"')
 
 
 class CopiesError(ParameterToolError):
@@ -62,13 +54,13 @@ class Copies:
         return cls(course, Path(folder) if folder else None)
 
     def deliver(self) -> list[str]:
-        """Put a copy of each chapter where there is none, and bring what has changed into the others.
+        """Put a copy of each chapter where there is none, and replace those that the learner has not changed.
 
-        :return: What the learner should know, a sentence each.
+        :return: What the learner should know, a sentence or two for each copy.
         :raises CopiesError: the folder can't be written; each copy is then as before or up to date.
         """
         first = not (self.folder / DELIVERED).exists()
-        with self._folder_of_ours():
+        with self._made_folder():
             said = [sentence for name in self._names() if (sentence := self._bring(name))]
         self.tick()
         if first:
@@ -83,12 +75,8 @@ class Copies:
 
     def tick(self) -> None:
         """Mark on the start page what the learner has solved."""
-        exercises = {}
-        for path in sorted(self.chapters.glob('[0-9]*.ipynb')):
-            found = _CHECK.findall(path.read_text('utf-8', 'replace'))
-            exercises[path.stem] = [number.replace('-', '.') for number in found]
         progress, _ = self.progress.read()
-        ticks.tick(self.folder, exercises, progress.solved)
+        ticks.tick(self.folder, {each.name: each.exercises for each in read_syllabus(self.chapters)}, progress.solved)
 
     def reset(self, chapter: str) -> str:
         """Make the copy of one chapter fresh again.
@@ -98,13 +86,12 @@ class Copies:
         :raises CopiesError: there is no such chapter, or the folder can't be written.
         """
         name = self._find(chapter)
-        copy = self.folder / name
-        with self._folder_of_ours():
-            fresh = _Chapter(self.chapters / name)
-            if _bytes_of(copy) == fresh.text.encode():
+        copy, fresh = self.folder / name, _fresh(self.chapters / name)
+        with self._made_folder():
+            if _bytes_of(copy) == fresh:
                 return f'{self._say(copy)} is fresh already.'
             kept = self._back_up(name) if copy.exists() else None
-            self._give(fresh, name)
+            self._give(name, fresh)
         said = f'{self._say(copy)} is fresh again.'
         if kept:
             said += (f' What was there is now {self._say(kept)}. If the chapter is open in JupyterLab, choose '
@@ -119,175 +106,126 @@ class Copies:
 
     def _find(self, chapter: str) -> Path:
         """Return the file of the chapter with this number or name."""
-        names = sorted(path.name for path in self.chapters.glob('[0-9]*.ipynb'))
-        wanted = chapter.strip().removesuffix('.ipynb').replace('.', '_').lstrip('0') + '_'
-        found = [name for name in names if wanted != '_' and (Path(name).stem.lstrip('0') + '_').startswith(wanted)]
-        if len(found) != 1:
-            reason = 'is the number of several' if found else 'is not a chapter'
-            there = ', '.join(name.removesuffix('.ipynb') for name in found or names) or 'none'
-            raise CopiesError(f'{chapter!r} {reason}. There are: {there}')
-        return Path(found[0])
+        names = {number_of(path.stem): path.name for path in sorted(self.chapters.glob('[0-9]*.ipynb'))}
+        wanted = number_of(chapter.strip().removesuffix('.ipynb'))
+        if wanted not in names:
+            raise CopiesError(f'There is no chapter {chapter!r}{nearest(wanted, list(names), "There are none")}')
+        return Path(names[wanted])
 
     def _bring(self, name: Path) -> str | None:
-        return self._bring_notebook(name) if name.suffix == '.ipynb' else self._bring_page(name)
-
-    def _bring_notebook(self, name: Path) -> str | None:
-        """Bring one notebook up to date.
+        """Bring one copy up to date, unless the learner has changed it.
 
         :return: What the learner should know of it, if anything.
         """
         try:
-            fresh = _Chapter(self.chapters / name)
+            fresh = _fresh(self.chapters / name)
         except CopiesError as error:
             return f'{error} Your copy stays as it is.'
-        copy = self.folder / name
+        copy, new = self.folder / name, self._delivered(_digest(name, fresh))
         content = _bytes_of(copy)
         if content is None:
-            self._give(fresh, name)
+            self._give(name, fresh)
             return None
-        mine = _parse(content)
-        if mine is None:
+        mine = _digest(name, content)
+        if not mine:
             kept = self._back_up(name)
-            self._give(fresh, name)
+            self._give(name, fresh)
             return (f'{self._say(copy)} was not a notebook any more. A fresh copy is in its place; what was there is '
                     f'now {self._say(kept)}.')
-        version = _version_of(mine)
-        if version == fresh.version:
-            self._write_delivered(fresh)
+        if self._delivered(mine) == new:
+            new.touch()
             return None
-        base = _bytes_of(self._delivered(version))
-        if base is None:
-            return (f'{self._say(copy)} does not say which version of the chapter it was made from, so it stays as it '
-                    f'is. make reset CHAPTER={name.stem} gives you a fresh copy and keeps this one.')
-        if content == base:
-            self._give(fresh, name)
+        if self._delivered(mine).exists():
+            return self._replace(name, fresh, has_outputs=b'"output_type":' in content)
+        if new.exists():
             return None
-        kept, trusted = self._back_up(name), self._is_trusted(mine)
-        self._write_delivered(fresh)
-        merged = merge(nbformat.v4.reads(base.decode()), mine, fresh.notebook)
-        self._write_notebook(copy, nbformat.v4.writes(merged) + '\n', trusted=trusted)
-        return (f'The course has changed {self._say(copy)}. Your work is in the new version; the file as it was is '
-                f'now {self._say(kept)}.')
+        is_chapter = name.suffix == '.ipynb' and name.parent == Path()
+        remedy = (f'make reset CHAPTER={number_of(name.stem)} gives you the new one and keeps yours as a backup.'
+                  if is_chapter else 'Rename or delete yours, and the next make lab brings the new one.')
+        return (f'There is a new version of {self._say(copy)}. Yours stays as it is, because you have changed it. '
+                f'{remedy}')
 
-    def _bring_page(self, name: Path) -> str | None:
-        """Bring a page or a picture up to date. There is nothing to merge it by: a new one takes its place."""
-        content, copy = (self.chapters / name).read_bytes(), self.folder / name
-        mine, kept = _bytes_of(copy), None
-        if mine is not None and name == Path(ticks.PAGE):
-            # Our own marks are no change of the learner's.
-            mine = ticks.without_ticks(mine.decode(errors='surrogateescape')).encode(errors='surrogateescape')
-        if mine != content:
-            changed_by_learner = mine is not None and not self._delivered(_digest(mine)).exists()
-            if changed_by_learner and self._delivered(_digest(content)).exists():
-                return None
-            kept = self._back_up(name) if changed_by_learner else None
-            write_whole(copy, content)
-        # Last: what is not recorded as delivered is brought again.
-        self._record(_digest(content), content)
-        if kept is None:
+    def _replace(self, name: Path, fresh: bytes, *, has_outputs: bool) -> str | None:
+        """Give the new version of a file in which the learner has changed nothing."""
+        if not has_outputs:
+            self._give(name, fresh)
             return None
-        return f'The course has changed {self._say(copy)}. The page as it was is now {self._say(kept)}.'
+        kept = self._back_up(name)
+        self._give(name, fresh)
+        return (f'{self._say(self.folder / name)} is now the new version. You had changed no cell; the file with '
+                f'your outputs is kept as {self._say(kept)}.')
 
-    def _give(self, fresh: '_Chapter', name: Path) -> None:
+    def _give(self, name: Path, fresh: bytes) -> None:
         """Put a fresh copy in its place; what was there is not kept."""
-        self._write_delivered(fresh)
-        self._write_notebook(self.folder / name, fresh.text, trusted=True)
+        if name.suffix == '.ipynb':
+            # First: a signature without its notebook does no harm. Nor does a notebook without, until it has outputs.
+            with contextlib.suppress(sqlite3.Error):
+                notary = NotebookNotary(data_dir=str(self.trust))
+                with contextlib.closing(notary.store):
+                    notary.sign(nbformat.v4.reads(fresh.decode()))
+        write_whole(self.folder / name, fresh)
+        self._delivered(_digest(name, fresh)).touch()
 
-    def _write_delivered(self, fresh: '_Chapter') -> None:
-        """Keep what is delivered, to compare with later; before the copy, which names it."""
-        self._record(fresh.version, fresh.text.encode())
-
-    def _record(self, version: str, content: bytes) -> None:
-        if not self._delivered(version).exists():
-            write_whole(self._delivered(version), content)
-
-    def _delivered(self, version: str) -> Path:
-        return self.folder / DELIVERED / version
+    def _delivered(self, digest: str) -> Path:
+        """Return the file that is there if a text with this digest was ever delivered."""
+        return self.folder / DELIVERED / digest
 
     def _back_up(self, name: Path) -> Path:
         """Keep a file of the learner's as it is.
 
         :return: Where it is kept.
         """
-        now = f'{datetime.datetime.now():%Y-%m-%d_%H-%M-%S}'
-        number, kept = 1, self.folder / BACKUPS / now / name
-        while kept.exists():
-            number += 1
-            kept = self.folder / BACKUPS / f'{now}_{number}' / name
+        kept = named_after_now(lambda now: self.folder / BACKUPS / now / name)
         write_whole(kept, (self.folder / name).read_bytes())
         return kept
-
-    def _write_notebook(self, path: Path, text: str, *, trusted: bool) -> None:
-        if trusted:
-            # First: a signature without its notebook does no harm. Nor does a notebook without, until it has outputs.
-            with contextlib.suppress(sqlite3.Error), self._notary() as notary:
-                notary.sign(nbformat.v4.reads(text))
-        write_whole(path, text.encode())
-
-    def _is_trusted(self, notebook: NotebookNode) -> bool:
-        """True if JupyterLab takes all outputs of this notebook for the learner's own."""
-        with self._notary() as notary:
-            return bool(notary.check_signature(notebook))
-
-    @contextlib.contextmanager
-    def _notary(self) -> Iterator[NotebookNotary]:
-        notary = NotebookNotary(data_dir=str(self.trust))
-        with contextlib.closing(notary.store):
-            yield notary
 
     def _say(self, path: Path) -> str:
         return str(path.relative_to(self._course) if path.is_relative_to(self._course) else path)
 
     @contextlib.contextmanager
-    def _folder_of_ours(self) -> Iterator[None]:
-        """Make the folder, let one process at a time work in it, and say in one sentence what the system rejects."""
+    def _made_folder(self) -> Iterator[None]:
+        """Make the folder, and say in one sentence what the system rejects."""
         try:
-            self.folder.mkdir(parents=True, exist_ok=True)
+            (self.folder / DELIVERED).mkdir(parents=True, exist_ok=True)
             self.trust.mkdir(mode=0o700, exist_ok=True)
-            with only_one(self.folder):
-                yield
+            yield
         except OSError as error:
             raise CopiesError(_explain(error, self.folder)) from error
 
 
-class _Chapter:
-    """A chapter as the learner gets it: without outputs, and with the name of its version."""
+def _fresh(path: Path) -> bytes:
+    """Return a file of the course as the learner gets it: a notebook without outputs, anything else as it is.
 
-    def __init__(self, path: Path):
-        notebook = _parse(path.read_bytes())
-        if notebook is None:
-            raise CopiesError(f'{path.parent.name}/{path.name} is not a notebook: git status may say why.')
-        for cell in notebook.cells:
-            if cell.cell_type == 'code':
-                cell.outputs, cell.execution_count = [], None
-        notebook.metadata.pop('widgets', None)
-        self.version = _digest(nbformat.v4.writes(notebook).encode())
-        notebook.metadata[_KEY] = {'version': self.version}
-        self.notebook: NotebookNode = notebook
-        self.text: str = nbformat.v4.writes(notebook) + '\n'
-
-
-def _parse(content: bytes) -> NotebookNode | None:
-    """Return a notebook, or None if this is none that JupyterLab could open."""
-    try:
-        notebook = nbformat.v4.reads(content.decode('utf-8-sig'))
-        for cell in notebook.cells:
-            # Whatever has no text and no metadata is no cell.
-            cell.source.splitlines(), cell.metadata.items()
-        return notebook if notebook.nbformat == 4 and isinstance(notebook.metadata, dict) else None
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        return None
+    :raises CopiesError: it should be a notebook and is none.
+    """
+    content = path.read_bytes()
+    if path.suffix != '.ipynb':
+        return content
+    if not _digest(path, content):
+        raise CopiesError(f'{path.parent.name}/{path.name} is not a notebook: git status may say why.')
+    notebook = nbformat.v4.reads(content.decode())
+    for cell in notebook.cells:
+        if cell.cell_type == 'code':
+            cell.outputs, cell.execution_count = [], None
+    return f'{nbformat.v4.writes(notebook)}\n'.encode()
 
 
-def _version_of(notebook: NotebookNode) -> str:
-    """Return the version of the chapter that a copy was made from; 'unknown' if it does not say."""
-    found = notebook.metadata.get(_KEY)
-    version = found.get('version') if isinstance(found, dict) else None
-    return version if isinstance(version, str) and re.fullmatch('[0-9a-f]+', version) else 'unknown'
+def _digest(name: Path, content: bytes) -> str:
+    """Return the digest of a name and of what a learner can change in that file.
 
-
-def _digest(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()[:32]
+    Of a notebook that is the text of its cells: outputs come and go, and JupyterLab adds an empty cell at the end. Of
+    the start page it is all but our own marks. The digest of a notebook that JupyterLab could not open is empty.
+    """
+    if name.suffix == '.ipynb':
+        try:
+            cells = nbformat.v4.reads(content.decode('utf-8-sig')).cells
+            texts = [(cell.cell_type, cell.source.splitlines(), cell.metadata.get('tags') or []) for cell in cells]
+        except (ValueError, TypeError, KeyError, AttributeError):
+            return ''
+        content = repr([text for text in texts if any(map(str.strip, text[1]))]).encode()
+    elif name == Path(ticks.PAGE):
+        content = ticks.without_ticks(content.decode(errors='surrogateescape')).encode(errors='surrogateescape')
+    return hashlib.sha256(f'{name}\n'.encode() + content).hexdigest()[:32]
 
 
 def _bytes_of(path: Path) -> bytes | None:

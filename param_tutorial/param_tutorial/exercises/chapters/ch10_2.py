@@ -90,10 +90,7 @@ def found_in(trial: Trial, rover_class: type[Node]) -> None:
                  if not (value is None and name in held)}
         return found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted)
 
-    try:
-        trial.press('`inspect()`', button)
-    except NotYet as error:
-        raise NoUse(error.expected, error.happened) from None
+    trial.press('`inspect()`', button)
     trial.wait(lambda: not inspector.count_unanswered() and asks_no_more(trial, inspector) and has_found_all(),
                f'`self.found` is `{shorten(repr(wanted), 400)}`',
                lambda: f'it is `{shorten(repr(inspector.found), 400)}`{_lost(inspector)}',

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from param_tutorial import ros1
-from param_tutorial.ros1 import record
+from param_tutorial.pictures import ros1
+from param_tutorial.pictures.ros1 import Step
 from tests.support import missing
 from tests.support.paths import ROOT
+from tests.tools import ros1_record
 
-RECORD = Path(record.__file__)
+RECORD = Path(ros1_record.__file__)
 # ROS 1 comes as packages of Debian, for Debian's own Python.
 DEBIANS_PYTHON = '/usr/bin/python3'
 
@@ -70,29 +71,29 @@ def test_without_ros1_it_says_what_to_install():
     done = asked(python=sys.executable)
     assert done.returncode == 2
     assert 'finds no python3-rosmaster' in done.stderr
-    assert f'apt-get install --no-install-recommends {" ".join(record.PACKAGES)}' in done.stderr
+    assert f'apt-get install --no-install-recommends {" ".join(ros1_record.PACKAGES)}' in done.stderr
 
 
 def test_ci_installs_the_packages():
     script = (ROOT / '.ci/run').read_text()
-    assert all(package in script for package in record.PACKAGES)
+    assert all(package in script for package in ros1_record.PACKAGES)
 
 
 @pytest.mark.parametrize('file', ['pyproject.toml', 'param_tutorial/setup.py'])
 def test_the_recording_is_installed(file):
-    assert f'ros1/{record.RECORDING.name}' in (ROOT / file).read_text()
+    assert f'pictures/{ros1.RECORDING.name}' in (ROOT / file).read_text()
 
 
 def test_a_recording_is_read_and_written_alike():
-    text = record.RECORDING.read_text()
-    assert record.render(*record.parse(text)) == text
+    text = ros1.RECORDING.read_text()
+    assert ros1_record.render(*ros1.parse(text)) == text
 
 
 def test_a_step_has_lines_and_its_answer_too():
-    head, (scene,) = record.parse('a\n\nb\n\n== one\n/r>>> if 1:\n...     2\n...\n... 3\n3\n\n4\n! it ends\n$ ls\n')
+    head, scenes = ros1.parse('a\n\nb\n\n== one\n/r>>> if 1:\n...     2\n...\n... 3\n3\n\n4\n! it ends\n$ ls\n')
     assert head == 'a\n\nb'
-    assert scene == record.Scene('one', (
-        record.Step('/r>>>', 'if 1:\n    2\n\n3', '3\n\n4'), record.Step('!', 'it ends'), record.Step('$', 'ls')))
+    assert scenes == {'one': (
+        Step('/r>>>', 'if 1:\n    2\n\n3', '3\n\n4'), Step('!', 'it ends'), Step('$', 'ls'))}
 
 
 def test_an_unknown_scene_raises_an_error_with_the_likeliest_one():
@@ -103,7 +104,7 @@ def test_an_unknown_scene_raises_an_error_with_the_likeliest_one():
 
 
 def test_a_scene_is_shown_as_it_was_typed():
-    shown = ros1.Recorded((record.Step('/r>>>', "x = '<'\nx", "'<'"), record.Step('!', '/r is killed')))
+    shown = ros1.Recorded((Step('/r>>>', "x = '<'\nx", "'<'"), Step('!', '/r is killed')))
     assert repr(shown) == "/r>>> x = '<'\n      x\n'<'\n(/r is killed)"
     assert '&lt;' in shown._repr_html_() and "'<'" not in shown._repr_html_()
     assert shown.answers == ["'<'", '']
@@ -113,7 +114,7 @@ def test_a_scene_is_shown_as_it_was_typed():
 
 
 def test_answers_stand_beside_the_steps():
-    steps = (record.Step('/r>>>', 'a', '1'), record.Step('/r>>>', 'b'), record.Step('!', 'c'))
+    steps = (Step('/r>>>', 'a', '1'), Step('/r>>>', 'b'), Step('!', 'c'))
     shown = ros1.Recorded(steps).beside(None, lambda: {}['no'], ...)
     assert shown.answers == ['None', "KeyError: 'no'", '—']
     rows = [line.split() for line in repr(shown).splitlines()[2:]]
@@ -122,12 +123,12 @@ def test_answers_stand_beside_the_steps():
 
 
 def test_long_lines_stay_in_their_column():
-    shown = repr(ros1.Recorded((record.Step('/r>>>', 'word ' * 40),)).beside('word ' * 40))
+    shown = repr(ros1.Recorded((Step('/r>>>', 'word ' * 40),)).beside('word ' * 40))
     assert max(map(len, shown.splitlines())) <= 2 * 58 + 2
 
 
 @pytest.mark.parametrize('answers', [(), (1,), (1, 2, 3)])
 def test_an_answer_too_few_or_too_many_is_told(answers):
-    two = ros1.Recorded((record.Step('/r>>>', 'a'), record.Step('/r>>>', 'b')))
+    two = ros1.Recorded((Step('/r>>>', 'a'), Step('/r>>>', 'b')))
     with pytest.raises(ValueError, match=f'2 steps were recorded, so beside.. takes 2 answers and not {len(answers)}'):
         two.beside(*answers)

@@ -1,7 +1,8 @@
 """The file that remembers what a learner has solved and predicted.
 
 It is JSON: for each solved exercise when that was, and for each prediction what the learner committed to, whether it
-was right, and when. The first time counts; later ones change nothing.
+was right, and when. The first time counts; later ones change nothing. Nothing is remembered unless ``make lab`` has
+named the file in an environment variable, so tests write nothing.
 """
 
 import datetime
@@ -12,12 +13,26 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from param_tools.errors import ParameterToolError
-from param_tutorial.progress.renumbered import RENUMBERED
-from param_tutorial.progress.storage import only_one, write_whole
+from param_tutorial.learner.storage import named_after_now, only_one, write_whole
 
 VARIABLE = 'PARAM_TUTORIAL_PROGRESS'
 FILE = 'progress.json'
 _VERSION = 1
+
+# Old numbers, from before a chapter was divided, and the new ones that an achievement under the old number counts for.
+# An exercise that asks for more than its predecessor is not among them and has to be solved anew.
+RENUMBERED = {
+    '6a': ('6.1c', '6.2c'), '6b': ('6.2a',), '6c': ('6.1b',),
+    '6-1': ('6.1-1',), '6-2': ('6.1-2',), '6-3': ('6.1-3',), '6-4': ('6.1-5',), '6-7': ('6.1-7',),
+    '6-5': ('6.2-1',), '6-6': ('6.2-2',), '6-8': ('6.2-5',),
+    '6-r1': ('6.1-r1',), '6-r2': ('6.1-r2',),
+    '6': ('6.1', '6.2'),
+    '9a': ('9.1c',), '9b': ('9.2b',), '9c': ('9.1a',),
+    '9-1': ('9.2-1',), '9-2': ('9.2-2',), '9-3': ('9.1-4',), '9-4': ('9.2-4',), '9-5': ('9.1-7',),
+    '9-r1': ('9.1-r1',), '9-r2': ('9.1-r2',),
+    '9': ('9.1', '9.2'),
+    '10.4c': ('10.5c',),
+}
 
 
 class ProgressError(ParameterToolError):
@@ -60,7 +75,7 @@ def parse(content: bytes) -> Progress:
         for each in progress.predicted.values():
             if not isinstance(each.choice, str) or not isinstance(each.right, bool):
                 raise ProgressError('a prediction in it is damaged')
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise ProgressError(f'it holds no progress ({type(error).__name__})') from None
     # The old numbers stay: an older version of the course may read the file next.
     for old, new in RENUMBERED.items():
@@ -130,15 +145,11 @@ class ProgressFile:
         return said
 
     def _set_aside(self, why: str) -> Path:
-        now, number = f'{datetime.datetime.now():%Y-%m-%d_%H-%M-%S}', 1
-        kept = self.path.with_name(f'{self.path.stem}-{why}-{now}{self.path.suffix}')
-        while kept.exists():
-            number += 1
-            kept = self.path.with_name(f'{self.path.stem}-{why}-{now}_{number}{self.path.suffix}')
-        return self.path.rename(kept)
+        return self.path.rename(named_after_now(
+            lambda now: self.path.with_name(f'{self.path.stem}-{why}-{now}{self.path.suffix}')))
 
 
-def own() -> ProgressFile | None:
+def own_progress() -> ProgressFile | None:
     """Return the learner's file; None if nothing is to be remembered, as in tests."""
     path = os.environ.get(VARIABLE)
     return ProgressFile(Path(path)) if path else None

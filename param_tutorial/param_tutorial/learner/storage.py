@@ -1,8 +1,10 @@
 """Files that are written whole or not at all, and folders in which one process at a time works."""
 
 import contextlib
+import datetime
+import itertools
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 
@@ -21,6 +23,16 @@ def write_whole(path: Path, content: bytes) -> None:
         new.replace(path)
     finally:
         new.unlink(missing_ok=True)
+
+
+def named_after_now(path_for: Callable[[str], Path]) -> Path:
+    """Return a path that is not there yet, named after the date and time.
+
+    :param path_for: Returns the path with a date and time in it.
+    """
+    now = f'{datetime.datetime.now():%Y-%m-%d_%H-%M-%S}'
+    times = itertools.chain([now], (f'{now}_{number}' for number in itertools.count(2)))
+    return next(path for path in map(path_for, times) if not path.exists())
 
 
 @contextlib.contextmanager

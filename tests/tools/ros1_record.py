@@ -1,14 +1,14 @@
-"""Ask the real ROS 1 what stands in recording.txt, and write down what it says.
+"""Ask the real ROS 1 what stands in ros1_recording.txt, and write down what it says.
 
     apt-get install --no-install-recommends python3-rosmaster python3-rosparam python3-rospy python3-dynamic-reconfigure
-    /usr/bin/python3 record.py            writes each answer in recording.txt anew
-    /usr/bin/python3 record.py --check    changes nothing; status 1 and the differences if ROS 1 says something else,
-                                          2 if it cannot be asked
+    /usr/bin/python3 tests/tools/ros1_record.py            writes each answer in the recording anew
+    /usr/bin/python3 tests/tools/ros1_record.py --check    changes nothing; status 1 and the differences if ROS 1 says
+                                                           something else, 2 if it cannot be asked
 
 ROS 1 has come to its end, but Debian has kept it. Its Python half is enough here: the master with its parameter
-server, rospy, rosparam and dynamic_reconfigure. This file runs under Debian's own Python, and imports nothing of the
-course. What is typed in recording.txt goes to the master, to real nodes (one process each) or to a shell, all of them
-on the loopback device.
+server, rospy, rosparam and dynamic_reconfigure. This file runs under Debian's own Python, which can import the one
+module of the course that reads the recording. What is typed there goes to the master, to real nodes (one process each)
+or to a shell, all of them on the loopback device.
 """
 
 import argparse
@@ -27,14 +27,17 @@ import tempfile
 import threading
 import time
 import traceback
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
 
-RECORDING = Path(__file__).with_name('recording.txt')
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / 'param_tutorial'))
+
+from param_tutorial.pictures.ros1 import RECORDING, Step, parse
+
 PACKAGES = ('python3-rosmaster', 'python3-rosparam', 'python3-rospy', 'python3-dynamic-reconfigure')
 TIME_LIMIT_SEC = 20.0
 # How long a node is given while the master is frozen. It will not answer, so a longer wait proves no more.
@@ -45,62 +48,16 @@ NO_ANSWER = '(no answer)'
 ADDRESS = f'127.{os.getpid() >> 16}.{os.getpid() >> 8 & 255}.{os.getpid() & 255}'
 PORT = 11311
 
-# -- what a recording is: pure text, also read by the lessons ----------------------------------------------------
-
-_SCENE = re.compile(r'== (\S.*)')
-_STEP = re.compile(r'(master>>>|/\S*>>>|\$|!) (.*)')
-_MORE = re.compile(r'\.\.\.( .*|)')
+# The steps of each scene, by its name.
+Scenes = Mapping[str, tuple[Step, ...]]
 
 
-@dataclass(frozen=True)
-class Step:
-    """Something that was typed or done, and what came of it."""
-
-    prompt: str
-    """Who: ``/robot>>>`` a node, ``master>>>`` the master, ``$`` a shell, ``!`` the one who does what it says."""
-    typed: str
-    answer: str = ''
-    """Empty where nothing was printed, which in ROS 1 means: done."""
-
-
-@dataclass(frozen=True)
-class Scene:
-    """Steps that begin with an empty parameter server and fresh nodes."""
-
-    name: str
-    steps: tuple[Step, ...]
-
-
-def parse(text: str) -> tuple[str, list[Scene]]:
-    """Read a recording.
-
-    :return: What stands before the first scene, and the scenes.
-    """
-    head: list[str] = []
-    scenes: dict[str, list[Step]] = {}
-    steps: list[Step] = []
-    for line in text.splitlines():
-        if match := _SCENE.fullmatch(line):
-            steps = scenes[match[1]] = []
-        elif not scenes:
-            head.append(line)
-        elif match := _STEP.fullmatch(line):
-            steps.append(Step(match[1], match[2]))
-        elif (match := _MORE.fullmatch(line)) and not steps[-1].answer:
-            steps[-1] = replace(steps[-1], typed=f'{steps[-1].typed}\n{match[1][1:]}')
-        elif steps:
-            steps[-1] = replace(steps[-1], answer=f'{steps[-1].answer}\n{line}'.lstrip('\n'))
-    return '\n'.join(head).strip(), [
-        Scene(name, tuple(replace(step, answer=step.answer.rstrip()) for step in steps))
-        for name, steps in scenes.items()]
-
-
-def render(head: str, scenes: list[Scene]) -> str:
+def render(head: str, scenes: Scenes) -> str:
     """Write a recording, as ``parse`` reads it."""
     parts = [head]
-    for scene in scenes:
-        lines = [f'== {scene.name}']
-        for step in scene.steps:
+    for name, steps in scenes.items():
+        lines = [f'== {name}']
+        for step in steps:
             first, *more = step.typed.split('\n')
             lines += [f'{step.prompt} {first}', *(f'... {line}'.rstrip() for line in more)]
             lines += [step.answer] * bool(step.answer)
@@ -307,28 +264,27 @@ def _set_environment(folder: str) -> None:
         os.environ.pop(name, None)
 
 
-def record(scenes: list[Scene]) -> list[Scene]:
+def record(scenes: Scenes) -> Scenes:
     """Do every step of every scene, and return them with the answers of now."""
-    recorded = []
-    for scene in scenes:
+    recorded = {}
+    for name, steps in scenes.items():
         with tempfile.TemporaryDirectory() as folder:
             _set_environment(folder)
             system = System(folder)
             try:
-                recorded.append(Scene(scene.name, tuple(
-                    replace(step, answer=system.ask(step)) for step in scene.steps)))
+                recorded[name] = tuple(replace(step, answer=system.ask(step)) for step in steps)
             except RecordingError as error:
-                raise RecordingError(f'in the scene "{scene.name}": {error}') from None
+                raise RecordingError(f'in the scene "{name}": {error}') from None
             finally:
                 system.end()
     return recorded
 
 
 def main() -> int:
-    """Write recording.txt anew, or compare."""
-    parser = argparse.ArgumentParser(description='Ask the real ROS 1 what stands in recording.txt.')
+    """Write the recording anew, or compare."""
+    parser = argparse.ArgumentParser(description='Ask the real ROS 1 what stands in ros1_recording.txt.')
     parser.add_argument('--check', action='store_true', help='compare, and change nothing')
-    parser.add_argument('recording', nargs='?', type=Path, default=RECORDING, help='by default recording.txt')
+    parser.add_argument('recording', nargs='?', type=Path, default=RECORDING, help='by default that of the course')
     arguments = parser.parse_args()
     modules = {name: name.removeprefix('python3-').replace('-', '_') for name in PACKAGES}
     missing = [name for name, module in modules.items() if not importlib.util.find_spec(module)]

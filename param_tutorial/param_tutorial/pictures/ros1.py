@@ -1,29 +1,71 @@
-"""What the real ROS 1 says, recorded, for lessons that put it beside what ROS 2 says now. No ROS.
+"""What the real ROS 1 says, recorded, for lessons that put it beside what ROS 2 says now.
 
     ros1.scene('types')                     what was typed into ROS 1, and its answers
     ros1.scene('types').beside(a, b, c)     the same, each step beside an answer of ROS 2
     ros1.scene('types')[1:3]                some of its steps
 
-The scenes stand in recording.txt, as text to read. ``record`` types them into ROS 1 again, under Debian's Python.
+The scenes stand in ros1_recording.txt, as text to read. ``tests/tools/ros1_record.py`` types them into ROS 1 again.
 """
 
 import functools
 import html
+import re
 import textwrap
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from itertools import zip_longest
+from pathlib import Path
 from typing import Any
 
 from param_tools.errors import nearest
 from param_tools.markup.styles import style
 from param_tools.markup.tables import Markup, table
-from param_tutorial.ros1.record import RECORDING, Scene, Step, parse
 
+RECORDING = Path(__file__).with_name('ros1_recording.txt')
+_SCENE = re.compile(r'== (\S.*)')
+_STEP = re.compile(r'(master>>>|/\S*>>>|\$|!) (.*)')
+_MORE = re.compile(r'\.\.\.( .*|)')
 _LEFT, _RIGHT = 'ROS 1, recorded', 'ROS 2, now'
 _NO_COUNTERPART = '—'
 _WIDTH = 58
 _CSS_CLASS = 'param-ros1'
 # JupyterLab's own rules for tables and <pre> are as specific as these, so some of these have to be important.
-_STYLE = style('param_tutorial/ros1/recorded.css')
+_STYLE = style('param_tutorial/pictures/ros1.css')
+
+
+@dataclass(frozen=True)
+class Step:
+    """Something that was typed or done, and what came of it."""
+
+    prompt: str
+    """Who: ``/robot>>>`` a node, ``master>>>`` the master, ``$`` a shell, ``!`` the one who does what it says."""
+    typed: str
+    answer: str = ''
+    """Empty where nothing was printed, which in ROS 1 means: done."""
+
+
+def parse(text: str) -> tuple[str, Mapping[str, tuple[Step, ...]]]:
+    """Read a recording.
+
+    :return: What stands before the first scene, and the steps of each scene by its name. Each scene begins with an
+        empty parameter server and fresh nodes.
+    """
+    head: list[str] = []
+    scenes: dict[str, list[Step]] = {}
+    steps: list[Step] = []
+    for line in text.splitlines():
+        if match := _SCENE.fullmatch(line):
+            steps = scenes[match[1]] = []
+        elif not scenes:
+            head.append(line)
+        elif match := _STEP.fullmatch(line):
+            steps.append(Step(match[1], match[2]))
+        elif (match := _MORE.fullmatch(line)) and not steps[-1].answer:
+            steps[-1] = replace(steps[-1], typed=f'{steps[-1].typed}\n{match[1][1:]}')
+        elif steps:
+            steps[-1] = replace(steps[-1], answer=f'{steps[-1].answer}\n{line}'.lstrip('\n'))
+    return '\n'.join(head).strip(), {
+        name: tuple(replace(step, answer=step.answer.rstrip()) for step in steps) for name, steps in scenes.items()}
 
 
 def scene(name: str) -> 'Recorded':
@@ -34,12 +76,12 @@ def scene(name: str) -> 'Recorded':
     scenes = _scenes()
     if name not in scenes:
         raise KeyError(f'there is no scene {name!r}{nearest(str(name), list(scenes), "The recording is empty")}')
-    return Recorded(scenes[name].steps)
+    return Recorded(scenes[name])
 
 
 @functools.cache
-def _scenes() -> dict[str, Scene]:
-    return {each.name: each for each in parse(RECORDING.read_text(encoding='utf-8'))[1]}
+def _scenes() -> Mapping[str, tuple[Step, ...]]:
+    return parse(RECORDING.read_text(encoding='utf-8'))[1]
 
 
 class Recorded:

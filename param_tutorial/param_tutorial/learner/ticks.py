@@ -5,7 +5,7 @@ import re
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
-from param_tutorial.progress.storage import only_one, write_whole
+from param_tutorial.learner.storage import write_whole
 
 PAGE = 'index.md'
 # The number of a chapter, our mark if there is one, and the link to the chapter.
@@ -35,7 +35,7 @@ def with_ticks(text: str, exercises: Mapping[str, Collection[str]], solved: Coll
 def tick(folder: Path, exercises: Mapping[str, Collection[str]], solved: Collection[str]) -> None:
     """Bring the marks on the start page in a folder up to date; a page that can't be written stays as it is."""
     page = folder / PAGE
-    with contextlib.suppress(OSError, UnicodeDecodeError), only_one(folder):
+    with contextlib.suppress(OSError, UnicodeDecodeError):
         text = page.read_text(encoding='utf-8')
         ticked = with_ticks(text, exercises, solved)
         if ticked != text:

@@ -3,7 +3,7 @@
 import re
 
 from param_tutorial.exercises import CHAPTERS
-from param_tutorial.progress.ticks import tick, with_ticks, without_ticks
+from param_tutorial.learner.ticks import tick, with_ticks, without_ticks
 from tests.support.paths import NOTEBOOKS
 
 PAGE = (NOTEBOOKS / 'index.md').read_text()
