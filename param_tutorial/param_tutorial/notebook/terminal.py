@@ -14,15 +14,11 @@ import subprocess
 import threading
 import time
 import weakref
-from pathlib import Path
 
 from param_tools.cli import genuine
-from param_tools.cli.run import signals_held
 from param_tools.errors import WaitTimeoutError
 from param_tools.ros import domain, environment, stage
-from param_tools.ros.interrupts import Latch
-from param_tools.ros.processes import Guard, ends
-from param_tools.ros.waiting import machine_time, within
+from param_tools.ros.processes import Guard
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 
@@ -77,8 +73,7 @@ class Terminal:
                 arguments[:1] = [installed] if installed else genuine.embedded_words()
         elif arguments[0] == 'ros2':
             arguments, variables = genuine.command(arguments[1:])
-        is_embedded = arguments[:len(genuine.embedded_words())] == genuine.embedded_words()
-        with interruptible(), signals_held(hears_of_it=is_embedded):
+        with interruptible():
             self._process = subprocess.Popen(
                 arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, text=True, errors='replace', start_new_session=True, cwd=folder,
@@ -87,8 +82,7 @@ class Terminal:
                      'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
         # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
         self._guard = Guard(self._process.pid)
-        # In place of Thread.is_alive() and join(), which Ctrl+C leaves wrong: see BackgroundExecutor.
-        self._all_read = Latch()
+        self._all_read = threading.Event()
         threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True).start()
         _open.add(self)
 
@@ -112,7 +106,7 @@ class Terminal:
 
         :raises WaitTimeoutError: no such line came in time, or the command ended without it.
         """
-        deadline = machine_time() + timeout_sec
+        deadline = time.monotonic() + timeout_sec
         with self._lock:
             while True:
                 at = self._text.find(until, self._read)
@@ -121,7 +115,7 @@ class Terminal:
                     lines, self._read = self._text[self._read:end], end + 1
                     return lines
                 ended = self._all_read.is_set()
-                if ended or machine_time() > deadline:
+                if ended or time.monotonic() > deadline:
                     why = 'the command ended' if ended else f'{timeout_sec:g} s passed'
                     raise WaitTimeoutError(f'{why} before a line with {until!r} came from {self.command!r}; '
                                            f'what came:\n{self._text[self._read:] or "(nothing)"}')
@@ -134,35 +128,15 @@ class Terminal:
             killed before, it would leave them running.
         :return: Its exit status; negative if a signal ended it.
         """
-        self._wait_until_it_rests()
         if self._process.poll() is None:
             os.killpg(self._process.pid, signal.SIGINT)
-        if not within(timeout_sec, ends(self._process)):
+        try:
+            self._process.wait(timeout_sec)
+        except subprocess.TimeoutExpired:
             os.killpg(self._process.pid, signal.SIGKILL)
-            self._process.wait()  # nothing can ignore that, and a busy machine may take its time
+            self._process.wait()
         self._all_read.wait(timeout_sec)
         return self._process.returncode
-
-    def _wait_until_it_rests(self, timeout_sec: float = 1.0) -> None:
-        """Wait until none of the command's processes computes, or the time has passed.
-
-        A Ctrl+C that comes while rclpy 7.1.6 makes a Task leads to an AttributeError in Task.__del__, printed by
-        Python. A hand never meets these microseconds; a cell that has just had an answer from the node does.
-        """
-        deadline = machine_time() + timeout_sec
-        while 'R' in self._states() and machine_time() < deadline:
-            time.sleep(0.005)
-
-    def _states(self) -> set[str]:
-        """Return the states of the main threads in the command's session, one letter each as in proc(5)."""
-        states = set()
-        for stat in Path('/proc').glob('[0-9]*/stat'):
-            with contextlib.suppress(OSError):  # it has ended meanwhile
-                # The second field is the program's name in parentheses, which may hold anything.
-                state, _, _, session, *_ = stat.read_text().rpartition(')')[2].split()
-                if int(session) == self._process.pid:
-                    states.add(state)
-        return states
 
     def _collect(self) -> None:
         assert self._process.stdout  # a pipe
@@ -187,7 +161,7 @@ class Terminal:
 def end_all() -> None:
     """End all commands that still run."""
     for terminal in list(_open):
-        terminal.interrupt(3.0)
+        terminal.interrupt(8.0)
 
 
 # A cell that ran twice has lost the first of its terminals, and an interrupted one never came to its Ctrl+C. When the
