@@ -159,7 +159,7 @@ def test_what_only_a_full_installation_has_is_rejected_by_name(launch_file, text
     ('x_launch.py', 'x = 1', "required function 'generate_launch_description"),
     ('x_launch.py', 'x =', 'SyntaxError'),
     ('x_launch.py', 'import no_such_module', "No module named 'no_such_module'"),
-    ('x_launch.py', 'def generate_launch_description():\n    return 5', 'must return a LaunchDescription, and returned 5'),
+    ('x_launch.py', 'def generate_launch_description():\n    return 5', 'must return a LaunchDescription'),
     ('x_launch.py', 'def generate_launch_description():\n    return 1 / 0', 'ZeroDivisionError'),
     ('x_launch.py', 'from launch import LaunchDescription\nLaunchDescription([1])', 'takes actions such as Node'),
 ])
@@ -304,7 +304,7 @@ def test_the_string_of_an_argument_is_read_as_yaml(context, text, value):
 @pytest.mark.parametrize('text', ['null', '2026-01-31', '2026-02-31', '{a: b}', '[1, a]', '[]', '[true, 1]', 'a: b: c'])
 def test_a_string_that_yaml_makes_no_parameter_of_is_an_error_that_says_how_to_keep_it(context, text):
     context.arguments['n'] = text
-    with pytest.raises(LaunchFailed, match=r'^n: .* read as YAML\. .*ParameterValue\(\.\.\., value_type=str\) keeps it'):
+    with pytest.raises(LaunchFailed, match=r'^n: .* read as YAML\. .*value_type=str\) keeps it one'):
         values_of({'n': given('n')}, context)
     assert values_of({'n': ParameterValue(given('n'), value_type=str)}, context) == {'n': text}
 
@@ -408,8 +408,8 @@ def test_arguments_are_shown_and_checked(launch_file):
 
 def test_of_two_declarations_the_first_is_shown_and_defaults_are_described(launch_file):
     path = launch_file("""
-        DeclareLaunchArgument('a', default_value=LaunchConfiguration('b')), DeclareLaunchArgument('b', default_value=''),
-        DeclareLaunchArgument('a', default_value='2'),
+        DeclareLaunchArgument('a', default_value=LaunchConfiguration('b')),
+        DeclareLaunchArgument('b', default_value=''), DeclareLaunchArgument('a', default_value='2'),
         DeclareLaunchArgument('path', default_value=[PathJoinSubstitution([FindPackageShare('p'), 'x']), '.yaml'])""")
     assert re.findall(r"    '.*':|default: .*\)", launch('--show-args', path)[0]) == [
         "    'a':", "default: LaunchConfig('b'))", "    'b':", "default: '')",

@@ -76,7 +76,7 @@ def as_new_processes(commands: list[list[str]]) -> Iterator[Answer]:
 
 
 def as_new_process(words: list[str]) -> Answer:
-    done = subprocess.run([sys.executable, '-m', 'param_tutorial', *words], capture_output=True, text=True,
+    done = subprocess.run([sys.executable, '-m', 'param_tools', *words], capture_output=True, text=True,
                           stdin=subprocess.DEVNULL)
     return done.stdout, done.stderr, done.returncode
 

@@ -11,7 +11,6 @@ from param_tools.errors import ParameterToolError
 from param_tools.files.checking import Findings, check_files
 from param_tools.files.descriptions import Descriptions
 from param_tools.files.parameter_files import Dump
-from param_tools.markup.wording import format_count
 
 _FORMATS = {'text': Findings.text, 'json': Findings.as_json, 'github': Findings.as_github}
 
@@ -84,10 +83,6 @@ def describe(session: Session, args: argparse.Namespace) -> int:
         found.unanswered.update(each.unanswered)
         found.complete = found.complete or each.complete
     dump = found.dump() if args.format == 'yaml' else Dump(found.reference().text, {})
-    if args.save is None:
-        session.stdout.write(dump.text)
-    else:
-        system_arguments.save(session, dump, args.save)
-        total = sum(len(each.parameters) for each in found.values())
-        session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
+    system_arguments.write(session, dump, args.save, nodes=len(found),
+                           parameters=sum(len(each.parameters) for each in found.values()))
     return 1 if found.unanswered else 0

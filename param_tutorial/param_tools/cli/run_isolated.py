@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -19,15 +20,12 @@ from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions
 from param_tools.files.descriptions import AS_DECLARED, Descriptions
 from param_tools.ros import domain, stage
-from param_tools.ros.processes import ends
-from param_tools.ros.waiting import machine_time, within
 from param_tools.systems.describe import describe
 
-# All of these in machine time.
-START_TIMEOUT_SEC = 20.0
+START_TIMEOUT_SEC = 40.0
 # A program doesn't say when its last node is there. Two looks of the same, so far apart, must do.
 _LOOK_PERIOD_SEC = 0.5
-_STOP_TIMEOUT_SEC = 5.0
+_STOP_TIMEOUT_SEC = 10.0
 _PROGRAM = ('import sys; sys.path.insert(0, sys.argv.pop(1)); from param_tools.cli.run_isolated import main; '
             'sys.exit(main(sys.argv[1], sys.argv[2:]))')
 
@@ -45,11 +43,12 @@ def describe_program(package: str, executable: str) -> Descriptions:
                                  env=domain.environment_without_domain(), stdin=subprocess.DEVNULL,
                                  stdout=subprocess.DEVNULL, stderr=complaint)
         try:
-            if not within(2 * START_TIMEOUT_SEC, ends(child)):
-                raise CommandFailed(f'{package}/{executable} could not be described in time')
-        except BaseException:  # also Ctrl+C: the child stops the program when it is asked to end
+            child.wait(2 * START_TIMEOUT_SEC)
+        except BaseException as error:  # also Ctrl+C: the child stops the program when it is asked to end
             child.send_signal(signal.SIGINT)
             child.wait()
+            if isinstance(error, subprocess.TimeoutExpired):
+                raise CommandFailed(f'{package}/{executable} could not be described in time') from None
             raise
         if child.returncode:
             complaint.seek(0)
@@ -79,22 +78,30 @@ def _describe(program: Sequence[str]) -> Descriptions:
         except OSError as error:
             raise CommandFailed(f'it cannot be started: {error.strerror}') from None
         try:
-            deadline = machine_time() + START_TIMEOUT_SEC
+            deadline = time.monotonic() + START_TIMEOUT_SEC
             before: Descriptions | None = None
             while True:
                 found = describe(defaults_from=AS_DECLARED, executor=ros)
                 if found and not found.unanswered and found == before:
                     return Descriptions(found.values())
                 before = found
-                if within(_LOOK_PERIOD_SEC, ends(process)):
+                if _ends_within(_LOOK_PERIOD_SEC, process):
                     output.seek(0)
                     said = output.read().strip().splitlines()
                     raise CommandFailed(f'it ended with exit status {process.returncode}'
                                         + (f': {said[-1]}' if said else ''))
-                if machine_time() > deadline:
+                if time.monotonic() > deadline:
                     raise CommandFailed(f'no node of it answered within {START_TIMEOUT_SEC:g} s')
         finally:
             _stop(process)
+
+
+def _ends_within(seconds: float, process: 'subprocess.Popen[bytes]') -> bool:
+    try:
+        process.wait(seconds)
+    except subprocess.TimeoutExpired:
+        return False
+    return True
 
 
 def _stop(process: 'subprocess.Popen[bytes]') -> None:
@@ -104,5 +111,5 @@ def _stop(process: 'subprocess.Popen[bytes]') -> None:
             os.killpg(process.pid, how)
         except ProcessLookupError:
             return
-        if within(_STOP_TIMEOUT_SEC, ends(process)):
+        if _ends_within(_STOP_TIMEOUT_SEC, process):
             return

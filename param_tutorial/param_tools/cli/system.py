@@ -18,7 +18,6 @@ from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_
 from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions, parameter_files
 from param_tools.files.editing import update_file
-from param_tools.markup.wording import format_count
 from param_tools.systems.sets import Difference, ParameterSet, WordTable, compare, preview
 from param_tools.systems.sets import restore as restore_node
 from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all, read_saved
@@ -59,13 +58,10 @@ def snapshot(session: Session, args: argparse.Namespace) -> int:
     found = take(session, args.nodes, args)
     if args.update is not None:
         _update(session, found, args.update)
-    elif args.save is None:
-        session.stdout.write(found.dump().text)
     else:
         dump = found.dump()
-        system_arguments.save(session, dump, args.save)
-        total = sum(map(len, found.values())) - len(dump.left_out)
-        session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
+        system_arguments.write(session, dump, args.save, nodes=len(found),
+                               parameters=sum(map(len, found.values())) - len(dump.left_out))
     return 1 if found.unanswered else 0
 
 

@@ -10,6 +10,7 @@ import os
 import signal
 import sys
 import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -41,9 +42,12 @@ def _run(name: str) -> int:
 
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, end)
+    # Executor.__del__ of rclpy 7.1 fails if its constructor found the context shut down.
+    sys.unraisablehook = lambda unraisable: None if came else sys.__unraisablehook__(unraisable)
     try:
         importlib.import_module(f'{__package__}.{name}').main()
     except Exception:
+        time.sleep(0.1)  # rclpy may have heard of a signal before Python has run the handler above
         if not came:
             raise
     return 0
