@@ -14,7 +14,7 @@ from param_tools import values
 from param_tools.cli import system_arguments
 from param_tools.cli.changes import past
 from param_tools.cli.run_isolated import describe_program
-from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
+from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
 from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions, parameter_files
 from param_tools.files.editing import update_file
@@ -33,9 +33,7 @@ from param_tools.systems.systems import (
 
 def add_to(commands: Commands) -> None:
     """Add the commands ``snapshot``, ``diff`` and ``restore``."""
-    add_snapshot_arguments(commands.add_parser('snapshot', help='save the parameters of many nodes'))
-    add_diff_arguments(commands.add_parser('diff', help='compare nodes, files, defaults and robots'))
-    add_restore_arguments(commands.add_parser('restore', help='bring saved parameters back'))
+    add_commands(commands, COMMANDS)
 
 
 # -- snapshot -----------------------------------------------------------------------------------------------
@@ -267,3 +265,9 @@ def _print(session: Session, wanted: Sized, each: Mapping[str, WordTable], toget
     """Print one table of all nodes; what there is to say of one node alone does not need its name in each row."""
     for table in each.values() if len(wanted) == 1 else [together]:
         session.print(table)
+
+
+COMMANDS: CommandTable = {
+    'snapshot': ('save the parameters of many nodes', add_snapshot_arguments),
+    'diff': ('compare nodes, files, defaults and robots', add_diff_arguments),
+    'restore': ('bring saved parameters back', add_restore_arguments)}
