@@ -10,14 +10,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from param_tools.ros.executor import BackgroundExecutor
 
-_SIGNALS = (signal.SIGINT, signal.SIGTERM)
-
 
 def main() -> int:
     """Run the command that the process's arguments say, in the domain that its environment says."""
-    # The program that starts this process may have held signals back until now. `run` goes on with that until it has
-    # found a program: a node of ours then takes over, and ends well whatever has come meanwhile.
-    signal.pthread_sigmask(signal.SIG_BLOCK if sys.argv[1:2] == ['run'] else signal.SIG_UNBLOCK, _SIGNALS)
     # Where the shell has closed one (`>&-`), nothing is printed; a socket must not take its number.
     sys.stdout, sys.stderr = (each or os.fdopen(os.open(os.devnull, os.O_WRONLY), 'w')
                               for each in (sys.stdout, sys.stderr))
@@ -46,9 +41,8 @@ def main() -> int:
         print(f'cannot write the output: {error.strerror}', file=sys.stderr)
         return 2
     finally:
-        # All that is left is to tidy up, where an interrupt would only be complained of.
-        for number in _SIGNALS:
-            signal.signal(number, signal.SIG_IGN)
+        # All that is left is to tidy up, where a second Ctrl+C would only cause a traceback.
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _print_no_more() -> None:

@@ -112,7 +112,7 @@ def test_the_page_shows_and_changes_a_node_and_ends_with_its_kernel(browser, arm
     assert process.wait() == 0
     wait_for(lambda: not any(each.is_running() for each in family), 'its kernel to end')
     assert process.stdout.read() == 'Only programs on this machine can reach it. Ctrl+C ends it.\n'
-    assert list(tmp_path.glob('param_tutorial_panel_*')) == []
+    assert list(tmp_path.glob('param_tools_panel_*')) == []
     page.close()
 
 

@@ -153,7 +153,7 @@ def test_a_terminal_that_knows_only_ascii_gets_every_line(file, tmp_path):
     schema = tmp_path / 'schema.yaml'
     schema.write_text('lift:\n  size_mm:\n    type: int\n    default_value: 1\n')
     path = file('/lift:\n  ros__parameters:\n    größe_mm: 1\n')
-    done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'check', path, '--against', f'/lift={schema}'],
+    done = subprocess.run([sys.executable, '-m', 'param_tools', 'check', path, '--against', f'/lift={schema}'],
                           capture_output=True, text=True, env={**os.environ, 'PYTHONIOENCODING': 'ascii'})
     assert (done.returncode, done.stderr) == (1, '')
     assert "/lift has no parameter 'gr\\xf6\\xdfe_mm'" in done.stdout
@@ -161,14 +161,14 @@ def test_a_terminal_that_knows_only_ascii_gets_every_line(file, tmp_path):
 
 def test_a_full_disk_behind_the_output_is_said():
     with Path('/dev/full').open('w') as full:
-        done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'check', '--help'], stdout=full,
+        done = subprocess.run([sys.executable, '-m', 'param_tools', 'check', '--help'], stdout=full,
                               stderr=subprocess.PIPE, text=True)
     assert (done.returncode, done.stderr) == (2, 'cannot write the output: No space left on device\n')
 
 
 @pytest.mark.parametrize(('closed', 'is_printed'), [('1', False), ('2', True)])
 def test_a_command_works_where_the_shell_has_closed_an_output(closed, is_printed):
-    done = subprocess.run(['sh', '-c', f'exec "$0" -m param_tutorial check --help {closed}>&-', sys.executable],
+    done = subprocess.run(['sh', '-c', f'exec "$0" -m param_tools check --help {closed}>&-', sys.executable],
                           capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, '')
     assert ('--against' in done.stdout) is is_printed

@@ -1,4 +1,4 @@
-"""The embedded ``ros2``: the verbs that the course teaches, for machines without an installed ROS.
+"""The embedded ``ros2``: the most used verbs, for machines without an installed ROS.
 
 ros2cli is not on PyPI. These commands print what ros2cli 0.32.2 (Jazzy) prints: ``param`` and ``node list`` byte for
 byte, as 61 recordings in tests/cli/transcripts have it, the others as its source says. They differ on purpose:
@@ -9,30 +9,31 @@ byte, as 61 recordings in tests/cli/transcripts have it, the others as its sourc
   ``param dump`` writes a parameter ``a.b`` under its full name if there is an ``a``, too.
 - A call that the node never answers ends with a sentence after some seconds, instead of never. "Node not found" is said
   only when discovery has finished. There is no daemon, and simulated time makes no difference.
-- ``run`` and ``launch`` find the course's own package without a build, and a notebook's cell rejects what would keep it
-  busy. ``run`` passes SIGTERM on to its program.
+- ``run`` and ``launch`` find provided packages (``ros.environment``) without a build, and a notebook's cell rejects a
+  command that would keep it busy. ``run`` passes SIGTERM on to its program.
 - ``pkg create`` writes Python packages only, and no LICENSE.
-- ``launch`` reads Python files, with the actions and substitutions that the lessons use, and rejects all else by its
-  name. It works out everything before it starts the first program, and keeps no log files.
+- ``launch`` reads Python files, with the actions and substitutions that ``launch/reading.py`` lists, and rejects all
+  others by their names. It works out everything before it starts the first program, and keeps no log files.
 - The commands that the genuine one has not (``genuine.OWN_COMMANDS``) follow its conventions, and extend it where it
   is.
 - Of other commands, verbs and options, a usage error says that the genuine ros2 has more.
 
-    command    one command, in this process
-    param      param list, get, set, describe, dump, load, delete
-    node       node list, info
-    run        run: the nodes of the course, and the programs of packages that colcon has built
-    service    service list
-    topic      topic list
-    pkg        pkg create: a new Python package; executables, list, prefix
-    launch     launch: what a launch file describes
-    check      check and describe: parameter files against what nodes declare
-    system     snapshot, diff and restore: the parameters of whole systems
-    changes    watch and history: every change of a parameter
-    sources    what those commands take for a system
-    isolated   a program in a ROS domain of its own, to describe its nodes
-    extension  those commands for the genuine ros2
-    index      where packages are installed
-    session    what the verbs share
-    genuine    the installed ros2, where there is one
+    command           one command, in this process
+    param             param list, get, set, describe, dump, load, delete
+    node              node list, info
+    run               run: the nodes of provided packages, and the programs of packages that colcon has built
+    service           service list
+    topic             topic list
+    pkg               pkg create: a new Python package; executables, list, prefix
+    launch            launch: what a launch file describes
+    check             check and describe: parameter files against what nodes declare
+    system            snapshot, diff and restore: the parameters of whole systems
+    changes           watch and history: every change of a parameter
+    panel             panel: the parameter panel as a page in the browser
+    system_arguments  what the commands of check, system and changes take for a system, and the files they write
+    run_isolated      a program in a ROS domain of its own, to describe its nodes
+    extension         the commands of check, system and changes for the genuine ros2
+    index             where packages are installed
+    session           what the verbs share
+    genuine           the installed ros2, where there is one
 """

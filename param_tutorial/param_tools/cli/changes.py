@@ -9,7 +9,7 @@ import re
 import time
 from pathlib import Path
 
-from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
+from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
 from param_tools.cli.system_arguments import pattern
 from param_tools.errors import ParameterToolError
 from param_tools.files.parsing import matches
@@ -22,8 +22,7 @@ _LOOK_PERIOD_SEC = 0.5
 
 def add_to(commands: Commands) -> None:
     """Add the commands ``watch`` and ``history``."""
-    add_watch_arguments(commands.add_parser('watch', help='print every change of parameters, and keep a log of them'))
-    add_history_arguments(commands.add_parser('history', help='print what a log holds, or the values at a time'))
+    add_commands(commands, COMMANDS)
 
 
 def add_watch_arguments(parser: argparse.ArgumentParser) -> None:
@@ -153,3 +152,8 @@ def _state(log: ChangeLog, path: str, text: str) -> Snapshot:
         raise CommandFailed(f'{path} does not reach back to {text}'
                             + (f': it begins at {log.records[0].time:%Y-%m-%d %H:%M:%S}' if log else ''))
     return log.at(when)
+
+
+COMMANDS: CommandTable = {
+    'watch': ('print every change of parameters, and keep a log of them', add_watch_arguments),
+    'history': ('print what a log holds, or the values at a time', add_history_arguments)}

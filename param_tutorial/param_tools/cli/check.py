@@ -6,20 +6,18 @@ The exit status is made for scripts: 0 if nothing was found, 1 if something was,
 import argparse
 
 from param_tools.cli import system_arguments
-from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
+from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
 from param_tools.errors import ParameterToolError
 from param_tools.files.checking import Findings, check_files
 from param_tools.files.descriptions import Descriptions
 from param_tools.files.parameter_files import Dump
-from param_tools.markup.wording import format_count
 
 _FORMATS = {'text': Findings.text, 'json': Findings.as_json, 'github': Findings.as_github}
 
 
 def add_to(commands: Commands) -> None:
     """Add the commands ``check`` and ``describe``."""
-    add_check_arguments(commands.add_parser('check', help='find the mistakes in parameter files'))
-    add_describe_arguments(commands.add_parser('describe', help='save what nodes declare, to check files without them'))
+    add_commands(commands, COMMANDS)
 
 
 def add_check_arguments(parser: argparse.ArgumentParser) -> None:
@@ -84,10 +82,11 @@ def describe(session: Session, args: argparse.Namespace) -> int:
         found.unanswered.update(each.unanswered)
         found.complete = found.complete or each.complete
     dump = found.dump() if args.format == 'yaml' else Dump(found.reference().text, {})
-    if args.save is None:
-        session.stdout.write(dump.text)
-    else:
-        system_arguments.save(session, dump, args.save)
-        total = sum(len(each.parameters) for each in found.values())
-        session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
+    system_arguments.write(session, dump, args.save, nodes=len(found),
+                           parameters=sum(len(each.parameters) for each in found.values()))
     return 1 if found.unanswered else 0
+
+
+COMMANDS: CommandTable = {
+    'check': ('find the mistakes in parameter files', add_check_arguments),
+    'describe': ('save what nodes declare, to check files without them', add_describe_arguments)}

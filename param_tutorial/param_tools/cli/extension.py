@@ -8,6 +8,7 @@ so nothing here needs an installed ROS.
 import argparse
 import os
 import sys
+from collections.abc import Callable
 
 from param_tools.cli import changes, check, system
 from param_tools.cli.session import CommandFailed, Session
@@ -18,15 +19,11 @@ from param_tools.ros import stage
 class _Command:
     NAME: str | None = None
     EXTENSION_POINT_VERSION = '0.1'
-
-    @staticmethod
-    def add(parser: argparse.ArgumentParser) -> None:
-        """Add what the command takes, in the embedded ros2 too."""
-        raise NotImplementedError
+    _add_arguments: Callable[[argparse.ArgumentParser], None]
 
     def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:
         """Add what the command takes."""
-        self.add(parser)
+        type(self)._add_arguments(parser)
 
     def main(self, *, parser: argparse.ArgumentParser, args: argparse.Namespace) -> int | str:
         """Run the command; return its exit status, or what to complain of."""
@@ -39,43 +36,17 @@ class _Command:
             return str(error)
 
 
-class CheckCommand(_Command):
-    """Find the mistakes in parameter files."""
-
-    add = staticmethod(check.add_check_arguments)
-
-
-class DescribeCommand(_Command):
-    """Save what nodes declare, to check files without them."""
-
-    add = staticmethod(check.add_describe_arguments)
+def _extension(name: str) -> type[_Command]:
+    explanation, add_arguments = {**check.COMMANDS, **system.COMMANDS, **changes.COMMANDS}[name]
+    # ros2cli shows the first line of the docstring as help.
+    return type(f'{name.capitalize()}Command', (_Command,), {
+        '__doc__': f'{explanation[0].upper()}{explanation[1:]}.', '_add_arguments': staticmethod(add_arguments)})
 
 
-class SnapshotCommand(_Command):
-    """Save the parameters of many nodes."""
-
-    add = staticmethod(system.add_snapshot_arguments)
-
-
-class DiffCommand(_Command):
-    """Compare nodes, files, defaults and robots."""
-
-    add = staticmethod(system.add_diff_arguments)
-
-
-class RestoreCommand(_Command):
-    """Bring saved parameters back."""
-
-    add = staticmethod(system.add_restore_arguments)
-
-
-class WatchCommand(_Command):
-    """Print every change of parameters, and keep a log of them."""
-
-    add = staticmethod(changes.add_watch_arguments)
-
-
-class HistoryCommand(_Command):
-    """Print what a log holds, or the values at a time."""
-
-    add = staticmethod(changes.add_history_arguments)
+CheckCommand = _extension('check')
+DescribeCommand = _extension('describe')
+SnapshotCommand = _extension('snapshot')
+DiffCommand = _extension('diff')
+RestoreCommand = _extension('restore')
+WatchCommand = _extension('watch')
+HistoryCommand = _extension('history')

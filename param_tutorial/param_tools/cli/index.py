@@ -110,7 +110,7 @@ def _stand_in(package: str, source: Path) -> str:
     marker.parent.mkdir(parents=True)
     marker.touch()
     share.mkdir()
-    # config/ may also stand beside the package, as in the course.
+    # config/ may also stand beside the package.
     for name, folders in (('launch', [source]), ('config', [source, source.parent])):
         if found := next((each / name for each in folders if (each / name).is_dir()), None):
             (share / name).symlink_to(found)

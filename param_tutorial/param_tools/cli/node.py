@@ -5,14 +5,12 @@ from collections.abc import Sequence
 
 from rclpy.node import HIDDEN_NODE_PREFIX, NodeNameNonExistentError
 
-from param_tools.cli.session import CommandFailed, Commands, NodeName, Session, add_discovery_options
+from param_tools.cli.session import CommandFailed, Commands, NodeName, Session, add_discovery_options, add_verbs
 
 
 def add_to(commands: Commands) -> None:
     """Add the command ``node`` and its verbs."""
-    node = commands.add_parser('node', help='nodes in the graph')
-    node.set_defaults(help_of=node)
-    verbs = node.add_subparsers(metavar='verb', title='verbs')
+    verbs = add_verbs(commands, 'node', 'nodes in the graph')
     listing = verbs.add_parser('list', help='list the nodes')
     add_discovery_options(listing)
     listing.add_argument('-a', '--all', action='store_true', help='hidden nodes, too')

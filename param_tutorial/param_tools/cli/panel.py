@@ -46,9 +46,9 @@ _TEMPLATE = '''{%- extends 'voila/templates/lab/index.html.j2' -%}
 {%- endblock notebook_css -%}
 '''
 _CODE = '''import os
-import param_tutorial
+import param_tools
 os.chdir({folder!r})
-param_tutorial.start()
+param_tools.start()
 {show}'''
 
 
@@ -114,7 +114,7 @@ def _require_name(node: str) -> str:
 @contextlib.contextmanager
 def _files(nodes: Sequence[str]) -> Iterator[Path]:
     """Make the notebook and the template in a folder that nobody else can read, and remove it afterwards."""
-    with tempfile.TemporaryDirectory(prefix='param_tutorial_panel_') as name:
+    with tempfile.TemporaryDirectory(prefix='param_tools_panel_') as name:
         folder = Path(name)
         template = folder / 'data' / 'voila' / 'templates' / 'panel'
         template.mkdir(parents=True)
@@ -137,9 +137,9 @@ def _files(nodes: Sequence[str]) -> Iterator[Path]:
 def _notebook(nodes: Sequence[str]) -> dict[str, Any]:
     """Return a notebook that shows the panel of one node, or a list of nodes with the panels of several."""
     if len(nodes) == 1:
-        show = f'param_tutorial.ParameterPanel({nodes[0]!r})'
+        show = f'param_tools.ParameterPanel({nodes[0]!r})'
     else:
-        show = ''.join(['browser = param_tutorial.ParameterPanel()\n', *(f'browser.show({node!r})\n' for node in nodes),
+        show = ''.join(['browser = param_tools.ParameterPanel()\n', *(f'browser.show({node!r})\n' for node in nodes),
                         'browser'])
     # Relative paths in the panel's form for files are those of the shell.
     code = _CODE.format(folder=os.getcwd(), show=show)  # noqa: PTH109 - a text for the cell

@@ -21,8 +21,9 @@ from param_tools.cli.session import (
     Commands,
     NodeName,
     Session,
-    add_discovery_options,
     add_node_options,
+    add_parameter_options,
+    add_verbs,
     without_services,
 )
 from param_tools.node.client import to_message
@@ -32,13 +33,9 @@ from param_tools.ros.executor import TOOL_NODE_NAME
 
 def add_to(commands: Commands) -> None:
     """Add the command ``param`` and its verbs."""
-    param = commands.add_parser('param', help='parameters of nodes')
-    param.set_defaults(help_of=param)
-    verbs = param.add_subparsers(metavar='verb', title='verbs')
-
+    verbs = add_verbs(commands, 'param', 'parameters of nodes')
     listing = verbs.add_parser('list', help='list the parameters of a node, or of all nodes')
-    add_discovery_options(listing)
-    listing.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
+    add_parameter_options(listing)
     listing.add_argument('--param-prefixes', nargs='+', default=[], metavar='PREFIX',
                          help='only parameters below these prefixes')
     listing.add_argument('--param-type', action='store_true', help='print the types, too')

@@ -1,7 +1,7 @@
 """ros2 pkg create, executables, list and prefix.
 
 ``create`` writes a new Python package (ament_python) into a workspace. The files do what those of ros2pkg's templates
-do; their text is the course's own. The other verbs tell what has been built and sourced.
+do; their text is our own. The other verbs print what has been built and sourced.
 """
 
 import argparse
@@ -11,13 +11,12 @@ import os
 import re
 import shutil
 import subprocess
-from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
 from param_tools.cli import index
 from param_tools.cli.run import installed_programs
-from param_tools.cli.session import CommandFailed, Commands, Session
+from param_tools.cli.session import CommandFailed, Commands, Session, add_verbs
 
 BUILD_TYPE = 'ament_python'
 # The names for which the genuine command writes a LICENSE file.
@@ -27,22 +26,9 @@ LICENSES = ('Apache-2.0', 'BSL-1.0', 'BSD-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 
 _LINTERS = ('copyright', 'flake8', 'pep257')
 
 
-@dataclass(frozen=True)
-class _Package:
-    name: str
-    description: str
-    license: str
-    maintainer: str
-    email: str
-    dependencies: tuple[str, ...]
-    node: str | None
-
-
 def add_to(commands: Commands) -> None:
     """Add the command ``pkg`` and its verbs."""
-    pkg = commands.add_parser('pkg', help='packages')
-    pkg.set_defaults(help_of=pkg)
-    verbs = pkg.add_subparsers(metavar='verb', title='verbs')
+    verbs = add_verbs(commands, 'pkg', 'packages')
     create = verbs.add_parser('create', help='write a new Python package')
     create.add_argument('package_name', help='name of the package')
     create.add_argument('--package-format', '--package_format', type=int, default=3, choices=[3],
@@ -107,34 +93,33 @@ def create_package(session: Session, args: argparse.Namespace) -> None:
         session.print('Supported licenses:', *LICENSES, sep='\n')
         return
     _check(args)
-    maintainer = args.maintainer_name or getpass.getuser()
-    package = _Package(
-        args.package_name, args.description, args.license, maintainer,
-        args.maintainer_email or _email_of_git() or f'{maintainer}@todo.todo', tuple(args.dependencies), args.node_name)
-    folder = Path(args.destination_directory) / package.name
-    if folder.exists():
+    args.maintainer_name = args.maintainer_name or getpass.getuser()
+    args.maintainer_email = args.maintainer_email or _email_of_git() or f'{args.maintainer_name}@todo.todo'
+    # As the genuine command prints it: ./name where no folder is given.
+    folder = os.path.join(args.destination_directory, args.package_name)
+    if Path(folder).exists():
         raise CommandFailed(
-            f'\nAborted!\nThe directory already exists: {_path(args, package.name)}\nEither remove the directory or '
+            f'\nAborted!\nThe directory already exists: {folder}\nEither remove the directory or '
             f'choose a different destination directory or package name')
-    _print_properties(session, args, package)
-    session.print('creating folder', _path(args, package.name))
-    folder.mkdir(parents=True)
-    for name, text in _files(package).items():
+    _print_properties(session, args)
+    session.print('creating folder', folder)
+    Path(folder).mkdir(parents=True)
+    for name, text in _files(args).items():
         if text is None:
-            if name == package.name:
+            if name == args.package_name:
                 session.print('creating source folder')
-            session.print('creating folder', _path(args, package.name, name))
-            (folder / name).mkdir()
+            session.print('creating folder', os.path.join(folder, name))
+            Path(folder, name).mkdir()
         else:
-            session.print('creating', _path(args, package.name, name))
-            (folder / name).write_text(text, encoding='utf-8')
-    _print_note_on_license(session, package)
+            session.print('creating', os.path.join(folder, name))
+            Path(folder, name).write_text(text, encoding='utf-8')
+    _print_note_on_license(session, args.license)
 
 
 def _check(args: argparse.Namespace) -> None:
     if args.build_type != BUILD_TYPE:
         raise CommandFailed(
-            f"The course's own ros2 writes packages of --build-type {BUILD_TYPE} only, not {args.build_type}, which is "
+            f'The embedded ros2 writes packages of --build-type {BUILD_TYPE} only, not {args.build_type}, which is '
             f'what the genuine command writes unless told otherwise. environment/README.md says how to get that one')
     if args.package_name == 'test':
         raise CommandFailed("Aborted since 'ament_python' packages can't be named 'test'. Please choose a different "
@@ -152,66 +137,62 @@ def _email_of_git() -> str:
     return subprocess.run(['git', 'config', 'user.email'], stdout=subprocess.PIPE, text=True).stdout.strip()
 
 
-def _path(args: argparse.Namespace, *parts: str) -> str:
-    return os.path.join(args.destination_directory, *parts)
-
-
-def _print_properties(session: Session, args: argparse.Namespace, package: _Package) -> None:
+def _print_properties(session: Session, args: argparse.Namespace) -> None:
     session.print('going to create a new package')
-    session.print('package name:', package.name)
+    session.print('package name:', args.package_name)
     session.print('destination directory:', os.path.abspath(args.destination_directory))
     session.print('package format:', args.package_format)
     session.print('version:', '0.0.0')
-    session.print('description:', package.description)
-    session.print('maintainer:', [f'{package.maintainer} <{package.email}>'])
-    session.print('licenses:', [package.license])
+    session.print('description:', args.description)
+    session.print('maintainer:', [f'{args.maintainer_name} <{args.maintainer_email}>'])
+    session.print('licenses:', [args.license])
     session.print('build type:', BUILD_TYPE)
-    session.print('dependencies:', list(package.dependencies))
-    if package.node:
-        session.print('node_name:', package.node)
+    session.print('dependencies:', args.dependencies)
+    if args.node_name:
+        session.print('node_name:', args.node_name)
 
 
-def _print_note_on_license(session: Session, package: _Package) -> None:
-    if package.license in LICENSES:
-        session.print(f'\n[WARNING]: No LICENSE file has been created: the text of {package.license} is not at hand '
+def _print_note_on_license(session: Session, license_name: str) -> None:
+    if license_name in LICENSES:
+        session.print(f'\n[WARNING]: No LICENSE file has been created: the text of {license_name} is not at hand '
                       f'here. The genuine command writes it.')
         return
-    session.print(f"\n[WARNING]: Unknown license '{package.license}'.  This has been set in the package.xml, but no "
+    session.print(f"\n[WARNING]: Unknown license '{license_name}'.  This has been set in the package.xml, but no "
                   f'LICENSE file has been created.\nIt is recommended to use one of the ament license identifiers:')
     session.print(*LICENSES, sep='\n')
 
 
-def _files(package: _Package) -> dict[str, str | None]:
+def _files(args: argparse.Namespace) -> dict[str, str | None]:
     """Return the text of each file, and None for a folder, by path and in the order in which they are made."""
+    name = args.package_name
     files = {
-        'package.xml': _package_xml(package),
-        package.name: None,
-        'setup.py': _setup_py(package),
-        'setup.cfg': (f'[develop]\nscript_dir=$base/lib/{package.name}\n'
-                      f'[install]\ninstall_scripts=$base/lib/{package.name}\n'),
+        'package.xml': _package_xml(args),
+        name: None,
+        'setup.py': _setup_py(args),
+        'setup.cfg': f'[develop]\nscript_dir=$base/lib/{name}\n[install]\ninstall_scripts=$base/lib/{name}\n',
         'resource': None,
-        f'resource/{package.name}': '',
-        f'{package.name}/__init__.py': '',
+        f'resource/{name}': '',
+        f'{name}/__init__.py': '',
         'test': None,
         **{f'test/test_{linter}.py': _linter_test(linter) for linter in _LINTERS},
     }
-    if package.node:
-        files[f'{package.name}/{package.node}.py'] = _node(package)
+    if args.node_name:
+        files[f'{name}/{args.node_name}.py'] = _node(name)
     return files
 
 
-def _package_xml(package: _Package) -> str:
-    depends = ''.join(f'  <depend>{escape(name)}</depend>\n' for name in package.dependencies)
+def _package_xml(args: argparse.Namespace) -> str:
+    depends = ''.join(f'  <depend>{escape(name)}</depend>\n' for name in args.dependencies)
     tests = ''.join(f'  <test_depend>{name}</test_depend>\n' for name in (
         *(f'ament_{linter}' for linter in _LINTERS), 'python3-pytest'))
     return f'''<?xml version="1.0"?>
 <?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
 <package format="3">
-  <name>{package.name}</name>
+  <name>{args.package_name}</name>
   <version>0.0.0</version>
-  <description>{escape(package.description)}</description>
-  <maintainer email="{escape(package.email)}">{escape(package.maintainer)}</maintainer>
-  <license>{escape(package.license)}</license>
+  <description>{escape(args.description)}</description>
+  <maintainer email="{escape(args.maintainer_email)}">{escape(args.maintainer_name)}</maintainer>
+  <license>{escape(args.license)}</license>
 
 {depends}{chr(10) if depends else ''}{tests}
   <export>
@@ -221,11 +202,11 @@ def _package_xml(package: _Package) -> str:
 '''
 
 
-def _setup_py(package: _Package) -> str:
-    entry = f"            '{package.node} = {package.name}.{package.node}:main',\n" if package.node else ''
+def _setup_py(args: argparse.Namespace) -> str:
+    entry = f"            '{args.node_name} = {args.package_name}.{args.node_name}:main',\n" if args.node_name else ''
     return f'''from setuptools import find_packages, setup
 
-package_name = {package.name!r}
+package_name = {args.package_name!r}
 
 setup(
     name=package_name,
@@ -237,10 +218,10 @@ setup(
     ],
     install_requires=['setuptools'],
     zip_safe=True,
-    maintainer={package.maintainer!r},
-    maintainer_email={package.email!r},
-    description={package.description!r},
-    license={package.license!r},
+    maintainer={args.maintainer_name!r},
+    maintainer_email={args.maintainer_email!r},
+    description={args.description!r},
+    license={args.license!r},
     extras_require={{'test': ['pytest']}},
     entry_points={{
         'console_scripts': [
@@ -262,9 +243,9 @@ def test_{linter}():
 '''
 
 
-def _node(package: _Package) -> str:
+def _node(package: str) -> str:
     return f'''def main():
-    print('Hi from {package.name}.')
+    print('Hi from {package}.')
 
 
 if __name__ == '__main__':

@@ -1,7 +1,6 @@
 """ros2 run: start a program of a package, as a process of its own."""
 
 import argparse
-import contextlib
 import importlib.util
 import os
 import pkgutil
@@ -9,14 +8,12 @@ import shlex
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from param_tools.cli import index
 from param_tools.cli.session import CommandFailed, Commands, Session
 from param_tools.ros.environment import provided_packages
-
-_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 def add_to(commands: Commands) -> None:
@@ -58,35 +55,12 @@ def _wait_for_end(command: Sequence[str]) -> int:
     """Run a command, and return its exit status, as ``subprocess`` has it.
 
     Ctrl+C reaches this process and the program alike, and the program decides what comes of it. SIGTERM is passed on;
-    the genuine command ends and leaves the program running. SIGINT to this process alone is passed on to a node of
-    ours, which doesn't mind hearing of Ctrl+C twice. Others might, so for them it does nothing, as in the genuine
-    command.
+    the genuine command ends and leaves the program running.
     """
-    passed_on = _SIGNALS if is_our_node(command) else (signal.SIGTERM,)
-    came: list[int] = []
-    program: subprocess.Popen[bytes] | None = None
-
-    def pass_on(number: int, _frame: object) -> None:
-        if program is None:
-            came.append(number)
-        elif number in passed_on:
-            program.send_signal(number)
-
-    # What a shell has started with & ignores Ctrl+C, and so does the program then.
-    before = {number: signal.signal(number, pass_on) for number in (signal.SIGINT, signal.SIGTERM)
-              if signal.getsignal(number) is not signal.SIG_IGN}
-    try:
-        with signals_held(hears_of_it=is_our_node(command)):
-            started = subprocess.Popen(command)
-        # Another process may have held them back when it started this one, for the sake of the program.
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, _SIGNALS)
-        program = started
-        for number in came:  # before there was a program that they could reach
-            program.send_signal(number)
-        return program.wait()
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
+    program = subprocess.Popen(command)
+    signal.signal(signal.SIGINT, lambda *_: None)
+    signal.signal(signal.SIGTERM, lambda *_: program.terminate())
+    return program.wait()
 
 
 def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ, *,
@@ -133,23 +107,3 @@ def _provided_program(package: str, program: str, environment: Mapping[str, str]
     if program not in node_programs(package):
         raise CommandFailed('No executable found')
     return [sys.executable, '-m', nodes, program]
-
-
-@contextlib.contextmanager
-def signals_held(*, hears_of_it: bool) -> Iterator[None]:
-    """Hold SIGINT and SIGTERM back in this thread while it starts or becomes a program that lets them through itself.
-
-    A signal that comes before the first line of a Python program has run would end it as one that knows of no signals.
-
-    :param hears_of_it: Whether the program does. Nothing is held back from any other program.
-    """
-    before = signal.pthread_sigmask(signal.SIG_BLOCK if hears_of_it else signal.SIG_UNBLOCK, _SIGNALS)
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
-def is_our_node(command: Sequence[str]) -> bool:
-    """True if these words start a node of a provided package in a Python of its own."""
-    return any(list(command[:3]) == [sys.executable, '-m', nodes] for nodes in provided_packages().values())

@@ -22,10 +22,10 @@ from param_tools.files.descriptions import AS_DECLARED, Descriptions
 from param_tools.ros import domain, stage
 from param_tools.systems.describe import describe
 
-START_TIMEOUT_SEC = 20.0
+START_TIMEOUT_SEC = 40.0
 # A program doesn't say when its last node is there. Two looks of the same, so far apart, must do.
 _LOOK_PERIOD_SEC = 0.5
-_STOP_TIMEOUT_SEC = 5.0
+_STOP_TIMEOUT_SEC = 10.0
 _PROGRAM = ('import sys; sys.path.insert(0, sys.argv.pop(1)); from param_tools.cli.run_isolated import main; '
             'sys.exit(main(sys.argv[1], sys.argv[2:]))')
 
@@ -44,13 +44,11 @@ def describe_program(package: str, executable: str) -> Descriptions:
                                  stdout=subprocess.DEVNULL, stderr=complaint)
         try:
             child.wait(2 * START_TIMEOUT_SEC)
-        except subprocess.TimeoutExpired:
+        except BaseException as error:  # also Ctrl+C: the child stops the program when it is asked to end
             child.send_signal(signal.SIGINT)
             child.wait()
-            raise CommandFailed(f'{package}/{executable} could not be described in time') from None
-        except BaseException:  # also Ctrl+C: the child stops the program when it is asked to end
-            child.send_signal(signal.SIGINT)
-            child.wait()
+            if isinstance(error, subprocess.TimeoutExpired):
+                raise CommandFailed(f'{package}/{executable} could not be described in time') from None
             raise
         if child.returncode:
             complaint.seek(0)
@@ -87,7 +85,7 @@ def _describe(program: Sequence[str]) -> Descriptions:
                 if found and not found.unanswered and found == before:
                     return Descriptions(found.values())
                 before = found
-                if _ends_within(process, _LOOK_PERIOD_SEC):
+                if _ends_within(_LOOK_PERIOD_SEC, process):
                     output.seek(0)
                     said = output.read().strip().splitlines()
                     raise CommandFailed(f'it ended with exit status {process.returncode}'
@@ -98,6 +96,14 @@ def _describe(program: Sequence[str]) -> Descriptions:
             _stop(process)
 
 
+def _ends_within(seconds: float, process: 'subprocess.Popen[bytes]') -> bool:
+    try:
+        process.wait(seconds)
+    except subprocess.TimeoutExpired:
+        return False
+    return True
+
+
 def _stop(process: 'subprocess.Popen[bytes]') -> None:
     """Stop a program and all that it has started."""
     for how in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
@@ -105,13 +111,5 @@ def _stop(process: 'subprocess.Popen[bytes]') -> None:
             os.killpg(process.pid, how)
         except ProcessLookupError:
             return
-        if _ends_within(process, _STOP_TIMEOUT_SEC):
+        if _ends_within(_STOP_TIMEOUT_SEC, process):
             return
-
-
-def _ends_within(process: 'subprocess.Popen[bytes]', seconds: float) -> bool:
-    try:
-        process.wait(seconds)
-    except subprocess.TimeoutExpired:
-        return False
-    return True

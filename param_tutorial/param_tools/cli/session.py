@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 # As rclpy.node has it.
 HIDDEN_NODE_PREFIX = '_'
 SERVICE_TIMEOUT_SEC = 5.0
-MORE_ELSEWHERE = ("This is the course's own ros2, with the commands and options that the lessons use. The genuine one "
-                  'has more: environment/README.md says how to get it.')
+MORE_ELSEWHERE = ('This is the embedded ros2, with a part of the commands and options. The genuine ros2 has more: '
+                  'environment/README.md says how to get it.')
 # What add_subparsers() returns; argparse has no public name for it.
 Commands: TypeAlias = 'argparse._SubParsersAction[CommandParser]'
 
@@ -218,6 +218,23 @@ class CommandParser(argparse.ArgumentParser):
         raise Printed(self.format_help(), 0)
 
 
+# What a command does, and the function that adds its arguments to a parser; by the command's name.
+CommandTable: TypeAlias = dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]]
+
+
+def add_commands(commands: Commands, table: CommandTable) -> None:
+    """Add commands without verbs."""
+    for name, (explanation, add_arguments) in table.items():
+        add_arguments(commands.add_parser(name, help=explanation))
+
+
+def add_verbs(commands: Commands, command: str, explanation: str) -> Commands:
+    """Add a command that has verbs, and return what its verbs are added to."""
+    parser = commands.add_parser(command, help=explanation)
+    parser.set_defaults(help_of=parser)
+    return parser.add_subparsers(metavar='verb', title='verbs')
+
+
 def add_discovery_options(parser: argparse.ArgumentParser) -> None:
     """Add the options that all verbs about nodes have."""
     parser.add_argument(
@@ -227,10 +244,15 @@ def add_discovery_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--no-daemon', action='store_true', help='accepted; there is no daemon here')
 
 
-def add_graph_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that all verbs about several nodes have."""
+def add_parameter_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that all verbs about parameters have."""
     add_discovery_options(parser)
     parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
+
+
+def add_graph_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that all verbs about several nodes have."""
+    add_parameter_options(parser)
     parser.add_argument('--timeout', type=float, metavar='N', default=SERVICE_TIMEOUT_SEC,
                         help=f'wait up to N seconds for each answer of a node (default: {SERVICE_TIMEOUT_SEC:g})')
 
@@ -240,8 +262,7 @@ def add_node_options(parser: argparse.ArgumentParser, one: str | None = None) ->
 
     :param one: '?' if the node need not be named.
     """
-    add_discovery_options(parser)
-    parser.add_argument('--include-hidden-nodes', action='store_true', help='consider hidden nodes as well')
+    add_parameter_options(parser)
     # The genuine one takes whole seconds, too.
     parser.add_argument('--timeout', type=int, metavar='N', help='wait up to N seconds for the node to appear')
     parser.add_argument('node_name', nargs=one, help='name of the node')

@@ -13,11 +13,10 @@ from param_tools import values
 from param_tools.cli import system_arguments
 from param_tools.cli.changes import past
 from param_tools.cli.run_isolated import describe_program
-from param_tools.cli.session import CommandFailed, Commands, Session, add_graph_options
+from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
 from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions, parameter_files
 from param_tools.files.editing import update_file
-from param_tools.markup.wording import format_count
 from param_tools.node.client import ParameterClient
 from param_tools.systems.comparing import compare_systems, defaults_of, of_robot
 from param_tools.systems.restoring import Preview, Restored, preview
@@ -28,9 +27,7 @@ from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, 
 
 def add_to(commands: Commands) -> None:
     """Add the commands ``snapshot``, ``diff`` and ``restore``."""
-    add_snapshot_arguments(commands.add_parser('snapshot', help='save the parameters of many nodes'))
-    add_diff_arguments(commands.add_parser('diff', help='compare nodes, files, defaults and robots'))
-    add_restore_arguments(commands.add_parser('restore', help='bring saved parameters back'))
+    add_commands(commands, COMMANDS)
 
 
 # -- snapshot -----------------------------------------------------------------------------------------------
@@ -53,13 +50,10 @@ def snapshot(session: Session, args: argparse.Namespace) -> int:
     found = take(session, args.nodes, args)
     if args.update is not None:
         _update(session, found, args.update)
-    elif args.save is None:
-        session.stdout.write(found.dump().text)
     else:
         dump = found.dump()
-        system_arguments.save(session, dump, args.save)
-        total = sum(map(len, found.values())) - len(dump.left_out)
-        session.print(f'Saved {format_count(total, "parameter")} of {format_count(len(found), "node")} to {args.save}')
+        system_arguments.write(session, dump, args.save, nodes=len(found),
+                               parameters=sum(map(len, found.values())) - len(dump.left_out))
     return 1 if found.unanswered else 0
 
 
@@ -246,3 +240,9 @@ def _bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], args:
         session.print(result)
     system_arguments.report_unanswered(session, unanswered)
     return 0 if (not unanswered if isinstance(result, Preview) else result.complete) else 1
+
+
+COMMANDS: CommandTable = {
+    'snapshot': ('save the parameters of many nodes', add_snapshot_arguments),
+    'diff': ('compare nodes, files, defaults and robots', add_diff_arguments),
+    'restore': ('bring saved parameters back', add_restore_arguments)}

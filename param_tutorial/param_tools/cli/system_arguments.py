@@ -13,6 +13,7 @@ from param_tools.files import descriptions
 from param_tools.files.descriptions import Descriptions
 from param_tools.files.parameter_files import Dump
 from param_tools.files.parsing import matches
+from param_tools.markup.wording import format_count
 
 HELP = 'a running node (/talker), several (/robot1/**, /**), a program (package/executable), or a file'
 
@@ -30,6 +31,15 @@ def is_program(word: str) -> bool:
 def pattern(word: str) -> str:
     """Return a node's name, or a pattern of names, with the slash that one may leave out."""
     return '/' + word.strip('/')
+
+
+def write(session: Session, dump: Dump, path: str | None, *, parameters: int, nodes: int) -> None:
+    """Write a file and say how much it holds; without a path, write to standard output."""
+    if path is None:
+        session.stdout.write(dump.text)
+    else:
+        save(session, dump, path)
+        session.print(f'Saved {format_count(parameters, "parameter")} of {format_count(nodes, "node")} to {path}')
 
 
 def save(session: Session, dump: Dump, path: str) -> None:

@@ -4,14 +4,12 @@ import argparse
 
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
-from param_tools.cli.session import Commands, Session, add_discovery_options
+from param_tools.cli.session import Commands, Session, add_discovery_options, add_verbs
 
 
 def add_to(commands: Commands) -> None:
     """Add the command ``topic`` and its verb."""
-    topic = commands.add_parser('topic', help='topics in the graph')
-    topic.set_defaults(help_of=topic)
-    listing = topic.add_subparsers(metavar='verb', title='verbs').add_parser('list', help='list the topics')
+    listing = add_verbs(commands, 'topic', 'topics in the graph').add_parser('list', help='list the topics')
     add_discovery_options(listing)
     listing.add_argument('-t', '--show-types', action='store_true', help='print the types, too')
     listing.add_argument('-c', '--count-topics', action='store_true', help='only how many there are')

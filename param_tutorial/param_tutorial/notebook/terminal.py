@@ -16,7 +16,6 @@ import time
 import weakref
 
 from param_tools.cli import genuine
-from param_tools.cli.run import signals_held
 from param_tools.errors import WaitTimeoutError
 from param_tools.ros import domain, environment, stage
 from param_tools.ros.processes import Guard
@@ -75,8 +74,7 @@ class Terminal:
                 arguments[:1] = [installed] if installed else genuine.embedded_words()
         elif arguments[0] == 'ros2':
             arguments, variables = genuine.command(arguments[1:])
-        is_embedded = arguments[:len(genuine.embedded_words())] == genuine.embedded_words()
-        with interruptible(), signals_held(hears_of_it=is_embedded):
+        with interruptible():
             self._process = subprocess.Popen(
                 arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, text=True, errors='replace', start_new_session=True, cwd=folder,
@@ -137,7 +135,7 @@ class Terminal:
             self._process.wait(timeout_sec * PATIENCE)
         except subprocess.TimeoutExpired:
             os.killpg(self._process.pid, signal.SIGKILL)
-            self._process.wait()  # nothing can ignore that, and a busy machine may take its time
+            self._process.wait()
         self._all_read.wait(timeout_sec)
         return self._process.returncode
 
@@ -164,7 +162,7 @@ class Terminal:
 def end_all() -> None:
     """End all commands that still run."""
     for terminal in list(_open):
-        terminal.interrupt(3.0)
+        terminal.interrupt(8.0)
 
 
 # A cell that ran twice has lost the first of its terminals, and an interrupted one never came to its Ctrl+C. When the

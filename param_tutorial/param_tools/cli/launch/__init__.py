@@ -1,12 +1,13 @@
 """ros2 launch: start what a launch file describes, and end it all with Ctrl+C.
 
-``launch`` and ``launch_ros`` are not on PyPI. This reads the same files, as far as they keep to what the lessons use,
-and starts the programs with the same ``--ros-args``; everything else is rejected by its name.
+``launch`` and ``launch_ros`` are not on PyPI. This reads the same files as long as they keep to what
+``reading.MODULES`` lists, starts the programs with the same ``--ros-args``, and rejects everything else by its name.
 
     verb           the command: which file, with which arguments
-    reading        runs a launch file, with stand-ins for the modules that it imports
-    description    the actions of launch and launch_ros, and the command lines that they stand for
-    values         which values a launch file may give to a parameter, and what becomes of each
+    reading        runs a launch file, with our own classes under the names that it imports
+    actions        the actions, among them Node with the command line that it stands for
+    parameters     the values and files that a Node takes as its parameters
     substitutions  strings that are known only when the launch file is carried out
+    context        what is known while a launch file is carried out
     processes      the programs while they run: their output, their end, Ctrl+C
 """

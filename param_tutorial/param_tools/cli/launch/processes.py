@@ -1,4 +1,4 @@
-"""The programs of a launch file while they run."""
+"""The programs of a launch file while they run: their output, their end, and Ctrl+C."""
 
 import contextlib
 import itertools
@@ -11,12 +11,11 @@ import time
 from collections.abc import Iterable
 from typing import IO, NamedTuple
 
-from param_tools.cli.run import is_our_node, signals_held
 from param_tools.cli.session import TextStream
 
-# As launch: so long for Ctrl+C, then so long for SIGTERM.
+# As in launch: so long for Ctrl+C, then so long for SIGTERM.
 GRACE_SEC = 5.0
-_LOOK_PERIOD_SEC = 0.1
+_SIGNALS = {signal.SIGINT: 'ctrl-c (SIGINT)', signal.SIGTERM: 'SIGTERM'}
 
 
 class Program(NamedTuple):
@@ -52,10 +51,7 @@ class Launcher:
 
     def run(self, programs: Iterable[Program]) -> None:
         """Start programs, and wait until all have ended; Ctrl+C or SIGTERM ends them."""
-        # A signal is one more event in the queue, so none comes between a program's start and its place in the list.
-        before = {number: signal.signal(number, lambda number, _frame: self._events.put(number))
-                  for number in (signal.SIGINT, signal.SIGTERM)}
-        interrupted = False
+        before = {number: signal.signal(number, lambda number, _frame: self._events.put(number)) for number in _SIGNALS}
         try:
             for program in programs:
                 self._start(program)
@@ -64,24 +60,19 @@ class Launcher:
                 if isinstance(event, str):
                     del self._running[event]
                 else:
-                    which = 'ctrl-c (SIGINT)' if event == signal.SIGINT else 'SIGTERM'
-                    self.log('WARNING', 'launch', f'user interrupted with {which}')
-                    interrupted = True
+                    self.log('WARNING', 'launch', f'user interrupted with {_SIGNALS[signal.Signals(event)]}')
                     self._end_all()
         finally:
-            # After a first Ctrl+C this process is about to end: a second must not keep it from tidying up.
-            if not interrupted:
-                for number, handler in before.items():
-                    signal.signal(number, handler)
+            for number, handler in before.items():
+                signal.signal(number, handler)
 
     def _start(self, program: Program) -> None:
         name = f'{program.name}-{next(self._numbers)}'
         try:
             # In a session of its own: Ctrl+C reaches it once, through this launcher.
-            with signals_held(hears_of_it=is_our_node(program.command)):
-                process = subprocess.Popen(
-                    program.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                    text=True, errors='replace', start_new_session=True)
+            process = subprocess.Popen(
+                program.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                text=True, errors='replace', start_new_session=True)
         except OSError as error:
             self.log('ERROR', name, f'exception occurred while executing process: {error.strerror}: '
                                    f'{program.command[0]}')
@@ -91,8 +82,8 @@ class Launcher:
         threading.Thread(target=self._watch, args=(name, program, process), daemon=True).start()
 
     def _watch(self, name: str, program: Program, process: subprocess.Popen[str]) -> None:
-        readers = [threading.Thread(target=self._copy, args=(name, process.stdout, program.show_stdout), daemon=True),
-                   threading.Thread(target=self._copy, args=(name, process.stderr, program.show_stderr), daemon=True)]
+        readers = [threading.Thread(target=self._copy, args=(name, lines, shown), daemon=True)
+                   for lines, shown in ((process.stdout, program.show_stdout), (process.stderr, program.show_stderr))]
         for reader in readers:
             reader.start()
         for reader in readers:
@@ -105,28 +96,21 @@ class Launcher:
             self.log('ERROR', name, f"process has died [pid {process.pid}, exit code {status}, cmd '{command}'].")
         self._events.put(name)
 
-    def _copy(self, name: str, lines: IO[str], show: bool) -> None:
+    def _copy(self, name: str, lines: IO[str], shown: bool) -> None:
         with lines:
             for line in lines:
-                if show:
+                if shown:
                     self._print(f'[{name}] {line.rstrip(os.linesep)}')
 
     def _end_all(self) -> None:
         for number, escalation in ((signal.SIGINT, 'SIGTERM'), (signal.SIGTERM, 'SIGKILL'), (signal.SIGKILL, '')):
             for process in self._running.values():
-                with contextlib.suppress(ProcessLookupError):
-                    process.send_signal(number)
+                process.send_signal(number)
             deadline = time.monotonic() + GRACE_SEC
-            while self._running:
-                try:
-                    event = self._events.get(timeout=_LOOK_PERIOD_SEC)
-                except queue.Empty:
-                    if time.monotonic() < deadline:
-                        continue
-                    break
-                if isinstance(event, str):  # another Ctrl+C changes nothing
-                    del self._running[event]
-            for name in self._running:
-                if escalation:
-                    self.log('ERROR', name, f"process failed to terminate '{GRACE_SEC:g}' seconds after receiving "
-                                            f"'{signal.Signals(number).name}', escalating to '{escalation}'")
+            while self._running and (left := deadline - time.monotonic()) > 0:
+                with contextlib.suppress(queue.Empty):
+                    event = self._events.get(timeout=left)
+                    self._running.pop(str(event), None)  # a further Ctrl+C changes nothing
+            for name in self._running if escalation else ():
+                self.log('ERROR', name, f"process failed to terminate '{GRACE_SEC:g}' seconds after receiving "
+                                        f"'{signal.Signals(number).name}', escalating to '{escalation}'")

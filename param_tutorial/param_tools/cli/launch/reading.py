@@ -1,32 +1,31 @@
-"""Reading a launch file: for that moment, and for no longer, ``import launch`` finds the classes of ``description``."""
+"""Reading a launch file: while it runs, and no longer, ``import launch`` finds the classes of this package."""
 
 import contextlib
 import sys
-from collections.abc import Iterator, Sequence
-from importlib.abc import MetaPathFinder
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NoReturn
 
 from param_tools.cli.index import provided_packages_installed
-from param_tools.cli.launch import description, substitutions, values
-from param_tools.cli.launch.description import LaunchDescription
-from param_tools.cli.launch.substitutions import FULL_INSTALLATION, LaunchFailed
+from param_tools.cli.launch import actions, parameters, substitutions
+from param_tools.cli.launch.actions import LaunchDescription
+from param_tools.cli.launch.context import FULL_INSTALLATION, LaunchFailed
 
-_PARAMETER_DESCRIPTIONS: dict[str, Any] = {
-    'ParameterFile': description.ParameterFile, 'ParameterValue': values.ParameterValue}
+_PARAMETERS: dict[str, Any] = {
+    'ParameterFile': parameters.ParameterFile, 'ParameterValue': parameters.ParameterValue}
 
-# Which names each module has here.
+# The modules, and the names in each, that a launch file may import.
 MODULES: dict[str, dict[str, Any]] = {
-    'launch': {'LaunchDescription': description.LaunchDescription},
-    'launch.actions': {'DeclareLaunchArgument': description.DeclareLaunchArgument},
+    'launch': {'LaunchDescription': actions.LaunchDescription},
+    'launch.actions': {'DeclareLaunchArgument': actions.DeclareLaunchArgument},
     'launch.substitutions': {name: getattr(substitutions, name) for name in (
         'LaunchConfiguration', 'PathJoinSubstitution', 'TextSubstitution')},
     'launch_ros': {},
-    'launch_ros.actions': {'Node': description.Node, 'SetParameter': description.SetParameter},
-    'launch_ros.descriptions': _PARAMETER_DESCRIPTIONS,
+    'launch_ros.actions': {'Node': actions.Node, 'SetParameter': actions.SetParameter},
+    'launch_ros.descriptions': _PARAMETERS,
     'launch_ros.substitutions': {'FindPackageShare': substitutions.FindPackageShare},
-    'launch_ros.parameter_descriptions': _PARAMETER_DESCRIPTIONS,
+    'launch_ros.parameter_descriptions': _PARAMETERS,
 }
 _PACKAGES = {name.partition('.')[0] for name in MODULES}
 
@@ -37,10 +36,10 @@ def load_description(path: Path) -> LaunchDescription:
     :raises LaunchFailed: it is not a launch file in Python, or needs what only a full installation has.
     """
     if path.suffix != '.py':
-        raise LaunchFailed(f"{path.name} is no launch file in Python, and the course's own ros2 launch reads no other. "
+        raise LaunchFailed(f'{path.name} is no launch file in Python, and the embedded ros2 launch reads no other. '
                            f'{FULL_INSTALLATION}')
     scope: dict[str, Any] = {'__name__': path.stem, '__file__': str(path)}
-    with provided_packages_installed(), _stand_ins():
+    with provided_packages_installed(), _importable():
         try:
             exec(compile(path.read_text(encoding='utf-8'), str(path), 'exec'), scope)
             if 'generate_launch_description' not in scope:
@@ -50,27 +49,25 @@ def load_description(path: Path) -> LaunchDescription:
         except LaunchFailed:
             raise
         except Exception as error:
-            # Node(respawn=True), for example.
-            hint = f'. {FULL_INSTALLATION}' if 'unexpected keyword argument' in str(error) else ''
-            raise LaunchFailed(f'Caught exception when trying to load file of format [py]: '
-                               f'{type(error).__name__}: {error}{hint}') from error
+            raise LaunchFailed(_explanation(error)) from error
     if not isinstance(found, LaunchDescription):
         raise LaunchFailed(f'generate_launch_description() of {path.name} must return a LaunchDescription, and '
                            f'returned {found!r}')
     return found
 
 
-class _Refuse(MetaPathFinder):
-    """Raise a sentence for a module that is missing here."""
-
-    def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> None:
-        if name.partition('.')[0] in _PACKAGES:
-            raise LaunchFailed(f"the course's own ros2 launch has no module {name}; it has {', '.join(MODULES)}. "
-                               f'{FULL_INSTALLATION}')
+def _explanation(error: Exception) -> str:
+    if isinstance(error, ModuleNotFoundError) and str(error.name).partition('.')[0] in _PACKAGES:
+        return (f'the embedded ros2 launch has no module {error.name}; it has {", ".join(MODULES)}. '
+                f'{FULL_INSTALLATION}')
+    # Node(respawn=True), for example.
+    hint = f'. {FULL_INSTALLATION}' if 'unexpected keyword argument' in str(error) else ''
+    return f'Caught exception when trying to load file of format [py]: {type(error).__name__}: {error}{hint}'
 
 
 @contextlib.contextmanager
-def _stand_ins() -> Iterator[None]:
+def _importable() -> Iterator[None]:
+    """Let the imports of a launch file find MODULES, and no installed ``launch``."""
     outer = {name: module for name, module in sys.modules.items() if name.partition('.')[0] in _PACKAGES}
     for name in outer:
         del sys.modules[name]
@@ -79,19 +76,16 @@ def _stand_ins() -> Iterator[None]:
         package, _, part = name.rpartition('.')
         if package:
             setattr(sys.modules[package], part, sys.modules[name])
-    finder = _Refuse()
-    sys.meta_path.insert(0, finder)
     try:
         yield
     finally:
-        sys.meta_path.remove(finder)
         for name in [name for name in sys.modules if name.partition('.')[0] in _PACKAGES]:
             del sys.modules[name]
         sys.modules.update(outer)
 
 
 def _module(name: str) -> ModuleType:
-    module = ModuleType(name, f'The part of {name} that the lessons use.')
+    module = ModuleType(name, f'The part of {name} that the embedded ros2 launch has.')
     module.__path__ = []
     module.__dict__.update(MODULES[name])
 
@@ -100,7 +94,7 @@ def _module(name: str) -> ModuleType:
         if wanted.startswith('__'):
             raise AttributeError(wanted)
         known = ', '.join(MODULES[name]) or 'no names of its own'
-        raise LaunchFailed(f"the course's own ros2 launch has no {name}.{wanted}; of {name} it has {known}. "
+        raise LaunchFailed(f'the embedded ros2 launch has no {name}.{wanted}; of {name} it has {known}. '
                            f'{FULL_INSTALLATION}')
 
     # PEP 562: what a module has under this name is asked for names that it lacks.

@@ -1,32 +1,14 @@
-"""Strings that are known only when a launch file is carried out, and what else may stand where one is expected."""
+"""Substitutions: strings that are known only when a launch file is carried out.
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+Where a launch file takes a substitution, it also takes a string, and several of both, which are joined.
+"""
+
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 from param_tools.cli import index
-from param_tools.cli.session import CommandFailed
-
-FULL_INSTALLATION = 'A full installation knows more: environment/README.md says how to get one'
-
-
-class LaunchFailed(CommandFailed):
-    """What a launch file asks for cannot be done."""
-
-
-@dataclass
-class Context:
-    """What is known while a description is carried out."""
-
-    arguments: dict[str, str]
-    """The launch configurations: what was given, and the defaults of what was not."""
-    folder: Path
-    """Where parameter files may be written."""
-    warn: Callable[[str], object]
-    """Warn the learner."""
-    parameters: list[tuple[str, Any]] = field(default_factory=list)
-    """What ``SetParameter`` gives to every node that comes later."""
+from param_tools.cli.launch.context import Context, LaunchFailed
 
 
 class Substitution:
@@ -37,7 +19,7 @@ class Substitution:
         raise NotImplementedError
 
     def describe(self) -> str:
-        """Return it as ``--show-args`` shows it."""
+        """Return the substitution as ``--show-args`` prints it."""
         raise NotImplementedError
 
 
@@ -70,7 +52,7 @@ class LaunchConfiguration(Substitution):
         return perform(self.default, context)
 
     def describe(self) -> str:
-        return f'LaunchConfiguration({describe(self.variable_name)})'
+        return f'LaunchConfig({describe(self.variable_name)})'
 
 
 class PathJoinSubstitution(Substitution):
@@ -83,7 +65,7 @@ class PathJoinSubstitution(Substitution):
         return str(Path(*(perform(part, context) for part in self.substitutions)))
 
     def describe(self) -> str:
-        return f'PathJoin({" + ".join(map(describe, self.substitutions))})'
+        return f"PathJoin('{describe(self.substitutions)}')"
 
 
 class FindPackageShare(Substitution):
@@ -99,36 +81,38 @@ class FindPackageShare(Substitution):
         return f'FindPackageShare(pkg={describe(self.package)})'
 
 
+def is_list(value: Any) -> bool:
+    """True for a value with several parts, which a string and a dictionary are not."""
+    return isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping))
+
+
 def is_substitution(value: Any) -> bool:
-    """True for a substitution, and for several strings and substitutions in a row."""
+    """True for a substitution, and for a list of strings and substitutions with at least one substitution."""
     return isinstance(value, Substitution) or (
-        isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping))
-        and all(isinstance(part, (str, Substitution)) for part in value)
+        is_list(value) and all(isinstance(part, (str, Substitution)) for part in value)
         and any(isinstance(part, Substitution) for part in value))
 
 
 def expect_string(value: Any) -> None:
-    """Expect what ``perform`` takes: a string, a substitution, or several of them in a row.
+    """Expect what ``perform`` takes: a string, a substitution, or a list of these.
 
-    :raises LaunchFailed: it is something else.
+    :raises LaunchFailed: the value is something else.
     """
-    parts = value if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)) else (value,)
-    if not all(isinstance(part, (str, Substitution)) for part in parts):
+    if not all(isinstance(part, (str, Substitution)) for part in (value if is_list(value) else [value])):
         raise LaunchFailed(f'the launch file has {value!r} where a string or a substitution belongs')
 
 
 def perform(value: Any, context: Context) -> str:
-    """Return the string that something stands for."""
+    """Return the string that a value stands for."""
     expect_string(value)
     if isinstance(value, str):
         return value
-    if isinstance(value, Substitution):
-        return value.perform(context)
-    return ''.join(perform(part, context) for part in value)
+    return value.perform(context) if isinstance(value, Substitution) else ''.join(
+        perform(part, context) for part in value)
 
 
 def describe(value: Any) -> str:
-    """Return something that ``perform`` takes as ``--show-args`` shows it."""
+    """Return a value that ``perform`` takes as ``--show-args`` prints it."""
     if isinstance(value, str):
         return repr(value)
     return value.describe() if isinstance(value, Substitution) else ' + '.join(map(describe, value))

@@ -1,4 +1,4 @@
-"""The command: which file, with which arguments."""
+"""The command ``launch``: find the launch file, give it its arguments, and start its programs."""
 
 import argparse
 import os
@@ -6,11 +6,11 @@ import tempfile
 from pathlib import Path
 
 from param_tools.cli import index
-from param_tools.cli.launch.description import DeclareLaunchArgument, LaunchDescription, SetParameter
-from param_tools.cli.launch.processes import Launcher, Program
+from param_tools.cli.launch.actions import DeclareLaunchArgument, LaunchDescription
+from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.processes import Launcher
 from param_tools.cli.launch.reading import load_description
-from param_tools.cli.launch.substitutions import Context, LaunchFailed, describe, perform
-from param_tools.cli.run import find_program
+from param_tools.cli.launch.substitutions import describe
 from param_tools.cli.session import CommandFailed, Commands, Session
 
 
@@ -44,38 +44,12 @@ def launch_file(session: Session, args: argparse.Namespace) -> int:
         context = Context(
             arguments, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text))
         try:
-            launcher.run(programs(load_description(path), context))
+            launcher.run(load_description(path).execute(context))
         except LaunchFailed as error:
             # To standard output, as all that launch logs.
             launcher.log('ERROR', 'launch', f'Caught exception in launch (see debug for traceback): {error}')
             return 1
     return 0
-
-
-def programs(description: LaunchDescription, context: Context) -> list[Program]:
-    """Return what is to be started.
-
-    All is worked out before the first is started, so that a mistake leaves nothing running.
-
-    :raises LaunchFailed: something that the launch file asks for cannot be done.
-    """
-    programs = []
-    for entity in description.entities:
-        try:
-            if isinstance(entity, DeclareLaunchArgument):
-                entity.declare(context)
-                continue
-            if isinstance(entity, SetParameter):
-                entity.set(context)
-                continue
-            executable = perform(entity.executable, context)
-            # launch_ros, unlike `ros2 run`, finds none in a sub-folder.
-            program = find_program(perform(entity.package, context), executable, sub_folders=False)
-            stdout, stderr = entity.streams_on_screen(context)
-            programs.append(Program(entity.command(program, context), executable, stdout, stderr))
-        except CommandFailed as error:
-            raise LaunchFailed(str(error)) from error
-    return programs
 
 
 def _path_and_arguments(args: argparse.Namespace) -> tuple[Path, list[str]]:
@@ -111,9 +85,8 @@ def _argument(word: str) -> tuple[str, str]:
 def _show_arguments(session: Session, description: LaunchDescription) -> None:
     session.print("Arguments (pass arguments as '<name>:=<value>'):")
     declared: dict[str, DeclareLaunchArgument] = {}
-    for entity in description.entities:
-        if isinstance(entity, DeclareLaunchArgument):
-            declared.setdefault(entity.name, entity)
+    for argument in description.declared_arguments():
+        declared.setdefault(argument.name, argument)
     for each in declared.values():
         session.print(f"\n    '{each.name}':\n        {each.description}")
         if each.default_value is not None:

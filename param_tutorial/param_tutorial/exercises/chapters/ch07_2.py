@@ -14,11 +14,10 @@ import yaml
 
 from param_tools.cli import genuine
 from param_tools.cli.index import share_folder_of
-from param_tools.cli.launch.description import DeclareLaunchArgument, LaunchDescription
+from param_tools.cli.launch.actions import LaunchDescription
+from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.reading import load_description
-from param_tools.cli.launch.substitutions import Context, LaunchFailed
-from param_tools.cli.launch.verb import programs
 from param_tools.errors import WaitTimeoutError
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_no_gap
@@ -76,7 +75,7 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
 
         def work_out() -> tuple[LaunchDescription, list[Program]]:
             description = load_description(path)
-            return description, programs(description, Context(dict(arguments), Path(folder), warn=lambda _: None))
+            return description, description.execute(Context(dict(arguments), Path(folder), warn=lambda _: None))
 
         try:
             description, found = trial.call('the launch file', work_out)
@@ -96,7 +95,7 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
         short = {path: f'{position}.yaml' for position, path in enumerate(paths)}
         return Launched([short.get(word, word) for word in words],
                         {name: Path(path).read_text(encoding='utf-8') for path, name in short.items()},
-                        [each.name for each in description.entities if isinstance(each, DeclareLaunchArgument)])
+                        [each.name for each in description.declared_arguments()])
 
 
 def _gaps(text: str) -> list[str]:
