@@ -15,8 +15,9 @@ import traitlets
 from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.nodes.clawbot_node import State
 from param_tutorial.pictures import track
+from param_tutorial.pictures.scripts import bundle
 from param_tutorial.pictures.styles import sheet
-from param_tutorial.widgets.front import Front, script
+from param_tutorial.widgets.front import Front
 from param_tutorial.widgets.view import View
 
 
@@ -30,7 +31,7 @@ class Start(NamedTuple):
 class _Front(Front):
     """The vehicle in the browser."""
 
-    _esm = script('widgets/driving.js')
+    _esm = bundle('widgets/driving_widget.js')
     _css = sheet('pictures/track.css') + sheet('widgets/driving.css')
     markup = traitlets.Unicode(track.view_markup()).tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)

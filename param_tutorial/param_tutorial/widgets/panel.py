@@ -35,6 +35,7 @@ from param_tutorial.parameters.files import Dump, as_path, render
 from param_tutorial.parameters.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
 from param_tutorial.parameters.text import format_value
 from param_tutorial.pictures.panel import PanelRow, arrange, panel_markup
+from param_tutorial.pictures.scripts import bundle
 from param_tutorial.pictures.styles import sheet, style
 from param_tutorial.pictures.wording import format_count
 from param_tutorial.runtime.executor import BackgroundExecutor
@@ -43,7 +44,7 @@ from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets.cells import close_with_cell
 from param_tutorial.widgets.control import Control
 from param_tutorial.widgets.edits import Edits, State
-from param_tutorial.widgets.front import Front, script
+from param_tutorial.widgets.front import Front
 from param_tutorial.widgets.recordable import ControlFacts
 from param_tutorial.widgets.view import FollowingView, View
 
@@ -58,7 +59,7 @@ _HITS = 8
 class _Front(Front):
     """The panel in the browser: markup, and what changes in it."""
 
-    _esm = script('widgets/file_form.js', 'widgets/panel.js')
+    _esm = bundle('widgets/panel_widget.js')
     markup = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
     search = traitlets.Unicode().tag(sync=True)
@@ -67,7 +68,7 @@ class _Front(Front):
 class _BrowserFront(Front):
     """The list of nodes in the browser."""
 
-    _esm = script('widgets/browser.js')
+    _esm = bundle('widgets/browser.js')
     _css = sheet('pictures/panel.css') + sheet('widgets/browser.css')
     state = traitlets.Dict().tag(sync=True)
 

@@ -8,6 +8,7 @@ from typing import Any
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace
 
+from param_tutorial.pictures.scripts import bundle
 from param_tutorial.pictures.styles import sheet
 
 SITE = Path(__file__).parents[1] / 'site'
@@ -19,12 +20,11 @@ class BuildError(Exception):
 
 
 def write_static(source: Path) -> None:
-    """Write, beside Sphinx's sources, the styles and scripts that the notebook's own views bring along."""
+    """Write the scripts of all pages, and the styles of the notebook's own views, beside Sphinx's sources."""
     (source / 'static').mkdir(exist_ok=True)
-    # A page on a disk can't load a module; what a module exports is JupyterLab's affair.
-    for name in ('panel.js', 'driving.js'):
-        script = sheet(f'widgets/{name}').partition('\n/** In JupyterLab')[0]
-        (source / 'static' / name).write_text(script, encoding='utf-8')
+    # A page on a disk can load no module, and the names in a script that is none are the whole page's.
+    script = f"(() => {{\n'use strict';\n{bundle('lessons/site/scripts/main.js')}}})();\n"
+    (source / 'static' / 'lessons.js').write_text(script, encoding='utf-8')
     for path in ('pictures/track.css', 'pictures/panel.css', 'widgets/driving.css', 'widgets/side_by_side.css'):
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 
