@@ -100,11 +100,11 @@ def test_each_package_below_the_ros_package_is_installed(setup_py):
     assert set(setup_py['packages']) == on_disk
 
 
-def test_style_sheets_are_installed_by_pip_and_by_colcon(setup_py):
-    sheets = set(PACKAGE.rglob('*.css'))
-    assert len(sheets) >= 10
+def test_style_sheets_and_scripts_are_installed_by_pip_and_by_colcon(setup_py):
+    files = {*PACKAGE.rglob('*.css'), *PACKAGE.rglob('*.js')}
+    assert len(files) >= 20
     for data in (PYPROJECT['tool']['setuptools']['package-data'], setup_py['package_data']):
-        assert sheets <= {path for pattern in data['param_tutorial'] for path in PACKAGE.glob(pattern)}
+        assert files <= {path for pattern in data['param_tutorial'] for path in PACKAGE.glob(pattern)}
 
 
 def test_marker_and_parameter_files_are_installed(setup_py):
@@ -122,6 +122,13 @@ def test_marker_and_parameter_files_are_installed(setup_py):
 def test_the_lock_names_no_address(lock):
     assert '://' not in lock
     assert not re.search(r'^\s*--(?!hash=sha256:)', lock, re.MULTILINE)
+
+
+def test_the_lock_of_the_javascript_tools_names_no_address_of_a_package():
+    packages = json.loads((ROOT / 'package-lock.json').read_text())['packages']
+    assert len(packages) > 3
+    assert [name for name, package in packages.items() if 'resolved' in package] == []
+    assert [name for name, package in packages.items() if name and 'integrity' not in package] == []
 
 
 @pytest.mark.parametrize(('lock', 'name'), DIRECT)
