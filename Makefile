@@ -80,11 +80,19 @@ lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
 bench: setup-all  ## run the benchmarks
 	@$(VENV) -m tests.tools.bench $(ARGS)
 
-lint: setup-all  ## check code, notebooks and spelling without running them
+# Node.js comes with the packages of the tests, biome and TypeScript from npm.
+NODE := .venv/bin/node
+JS_TOOLS := node_modules/.package-lock.json
+$(JS_TOOLS): package.json package-lock.json | setup-all
+	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
+
+lint: setup-all $(JS_TOOLS)  ## check code, notebooks and spelling without running them
 	@$(VENV) -m ruff check .
 	@$(VENV) -m codespell_lib --dictionary - --dictionary environment/words.txt
 	@$(VENV) -m mypy
 	@$(VENV) -m tests.tools.notebook_lint notebooks
+	@$(NODE) node_modules/.bin/biome check --error-on-warnings
+	@$(NODE) node_modules/.bin/tsc
 
 release: setup  ## make the wheels, the list of licenses and the SBOM, in build/release/
 	@$(VENV) environment/release.py
@@ -94,15 +102,16 @@ LOCK := environment/requirements
 COMPILE = build/uv/bin/uv pip compile --quiet --universal --upgrade --python-version 3.10 --generate-hashes \
     --no-annotate --custom-compile-command "make lock"
 lock: export UV_CACHE_DIR ?= $(CURDIR)/build/uv-cache
-lock: setup  ## work out the locks in environment/ anew
+lock: setup-all  ## work out the locks in environment/ anew
 	@$(COMPILE) --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml
 	@$(COMPILE) --constraints $(LOCK)-dev.lock --extra course --output-file $(LOCK).lock pyproject.toml
 	@$(COMPILE) --constraints $(LOCK)-dev.lock --group hub --output-file $(LOCK)-hub.lock
 	@$(COMPILE) --group uv --output-file $(LOCK)-uv.lock
+	@.venv/bin/npm update --package-lock-only --omit-lockfile-registry-resolved --no-audit --no-fund
 
 # my_lessons/ is the learner's, and stays.
 clean:  ## remove everything that these targets made, but not your copies of the chapters
-	rm -rf .venv build .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv build node_modules .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons \

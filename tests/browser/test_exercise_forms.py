@@ -10,12 +10,14 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from playwright.sync_api import expect
 
+from param_tools.markup.scripts import bundle
 from param_tutorial.exercises import EXERCISES
 from param_tutorial.exercises.forms import Blanks, Combination, Order
 from param_tutorial.exercises.results import markup
 from param_tutorial.site.pages import forms
 from param_tutorial.site.recording import answers
-from tests.support.paths import NOTEBOOKS, ROOT
+from tests.support.paths import NOTEBOOKS
+from tests.tools.site_rules import KEEP
 
 pytestmark = [
     pytest.mark.slow, pytest.mark.thorough, pytest.mark.usefixtures('ros'),
@@ -25,7 +27,6 @@ pytestmark = [
 WITH_FORM = [number for number, exercise in EXERCISES.items() if exercise.form]
 PREDICTIONS = [number for number in WITH_FORM if isinstance(EXERCISES[number].form, Blanks)
                and not EXERCISES[number].form.choices and not EXERCISES[number].form.is_text]
-STATIC = ROOT / 'param_tutorial' / 'param_tutorial' / 'lessons' / 'site' / '_static'
 
 
 def source(number, kind):
@@ -47,11 +48,10 @@ def page_of(browser, tmp_path):
     complaints = []
 
     def open_page(number, recording=None):
-        scripts = ''.join(f'<script>{(STATIC / name).read_text(encoding="utf-8")}</script>'
-                          for name in ('progress.js', 'exercises.js', 'lesson.js'))
+        script = f'<script type="module">{bundle("param_tutorial/site/scripts/main.js")}</script>'
         path = tmp_path / f'{number}.html'
         form = forms.draw(recording or recorded(number), EXERCISES[number].title)
-        path.write_text(f'<!doctype html><meta charset="utf-8"><title>A form</title>{form}{scripts}', encoding='utf-8')
+        path.write_text(f'<!doctype html><meta charset="utf-8"><title>A form</title>{form}{script}', encoding='utf-8')
         page = context.new_page()
         page.on('pageerror', lambda error: complaints.append(str(error)))
         page.goto(path.as_uri())
@@ -132,8 +132,17 @@ def test_what_is_said_to_a_value_that_nobody_tried_is_what_the_check_says(page_o
         assert check(page)[1] == in_browser(page, expected), value
 
 
-def test_python_values_are_read_as_python_reads_them(page_of):
-    page = page_of('7.3c')
+@pytest.fixture(scope='module')
+def read_value(browser):
+    """Return a function that reads a text as the page's script does: the value as Python shows it, and its type."""
+    page = browser.new_page()
+    script = f'{bundle("param_tutorial/site/scripts/python_value.js")}\nwindow.readPythonValue = readPythonValue;'
+    page.add_script_tag(type='module', content=script)
+    yield functools.partial(page.evaluate, 'text => readPythonValue(text)')
+    page.close()
+
+
+def test_python_values_are_read_as_python_reads_them(read_value):
     doubles = st.floats(-1e9, 1e9).map(lambda number: round(number, 3))
     plain = st.one_of(st.integers(), doubles, st.booleans(), st.none())
     letters = st.characters(codec='utf-8', exclude_characters='\\"', exclude_categories=['C', 'Z']) | st.just(' ')
@@ -141,7 +150,7 @@ def test_python_values_are_read_as_python_reads_them(page_of):
     @settings(deadline=None, suppress_health_check=list(HealthCheck))
     @given(st.one_of(plain, st.text(letters), st.lists(plain, max_size=3)))
     def read(value):
-        found = page.evaluate('text => PythonValue.read(text)', f' {value!r} ')
+        found = read_value(f' {value!r} ')
         assert (found['text'], found['type']) == (repr(value), type(value).__name__)
 
     read()
@@ -151,10 +160,10 @@ def test_python_values_are_read_as_python_reads_them(page_of):
     ('.5', '0.5'), ('5.', '5.0'), ('1e2', '100.0'), ('+7', '7'), ('1_000', '1000'), ('-0.50', '-0.5'), ("''", "''"),
     ('"old"', "'old'"), ("['dock',]", "['dock']"), ('("a", "b")', "['a', 'b']"), ('[1,2.0 ]', '[1, 2.0]'),
     ('( )', '[]')])
-def test_other_ways_to_write_a_value(page_of, typed, shown):
+def test_other_ways_to_write_a_value(read_value, typed, shown):
     means = ast.literal_eval(typed)
     assert repr(list(means) if isinstance(means, tuple) else means) == shown
-    assert page_of('7.3c').evaluate('text => PythonValue.read(text).text', typed) == shown
+    assert read_value(typed)['text'] == shown
 
 
 @pytest.mark.parametrize('typed', ['dead', '007', "'dead", '1,5', '[1, x]', '5 m', "it's", '[[1], x]', '{}', '1__0'])
@@ -197,7 +206,7 @@ def test_an_answer_in_another_window_appears_in_this_one(page_of):
 @pytest.mark.parametrize('kept', ['["0"]', '["0", "1", "7"]', '{}', 'nonsense', '[0, 1, 2]', 'null'])
 def test_what_no_longer_fits_the_form_is_left_out(page_of, kept):
     page = page_of('7.3c')
-    page.evaluate('kept => LessonProgress.keepExercise("7.3c", kept, true)', kept)
+    page.evaluate(KEEP, [[[['7.3c', '7.3c'], {'text': kept, 'isDone': True}]], [['7.3c', 1]]])
     page.reload()
     page.wait_for_function("document.documentElement.dataset.lesson === 'ready'")
     assert 'not yet' in check(page)[0]

@@ -253,6 +253,7 @@ def test_nothing_on_the_panel_keeps_anybody_from_using_it(planner):
 
 def test_what_is_being_typed_outlives_whatever_else_happens(planner):
     lab, page = planner
+    page.row('rooms').get_by_role('button', name='Elements of rooms').click()
     box = page.box('map_name')
     box.focus()
     page.page.keyboard.press('Home')
@@ -263,6 +264,7 @@ def test_what_is_being_typed_outlives_whatever_else_happens(planner):
     lab.ask_kernel("node.declare_parameter('late', 1)")
     expect(page.row('late')).to_be_visible()
     expect(page.box('map_name')).to_be_focused()
+    expect(page.row('rooms').get_by_role('textbox', name='Element 2 of rooms')).to_have_value('yard, left')
     page.page.keyboard.type(' old ')
     expect(page.box('map_name')).to_have_value('big old hall')
     page.page.keyboard.press('Enter')

@@ -25,7 +25,7 @@ from param_tutorial.site.recording import run
 from tests.support import lesson, missing
 from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import ROOT, wait_for
-from tests.tools.site_rules import check_page, open_page
+from tests.tools.site_rules import KEEP, check_page, open_page
 
 # Sphinx and its extensions tell each other, in each release, what the next one will bring.
 pytestmark = [
@@ -501,15 +501,6 @@ def test_a_bad_link_is_ignored_with_a_sentence(page, settings, said):
     expect(page.get_by_role('button', name='Back to the start')).to_be_disabled()
 
 
-KEEP = """async ([answers, sizes]) => {
-    const db = await new Promise(resolve => {
-        const request = indexedDB.open('ros2-parameters-lessons');
-        request.onsuccess = () => resolve(request.result) });
-    const transaction = db.transaction(['answers', 'sizes'], 'readwrite');
-    const done = new Promise(resolve => { transaction.oncomplete = resolve });
-    for (const [key, value] of answers) transaction.objectStore('answers').put(value, key);
-    for (const [key, value] of sizes) transaction.objectStore('sizes').put(value, key);
-    await done }"""
 FIRST = ['1_limits', '6.1-1']
 
 

@@ -84,11 +84,11 @@ def test_each_package_below_the_ros_package_is_installed(setup_py):
     assert set(setup_py['packages']) == on_disk
 
 
-def test_style_sheets_are_installed_by_pip_and_by_colcon(setup_py):
-    sheets = {*PACKAGE.rglob('*.css'), *TOOLS.rglob('*.css')}
-    assert len(sheets) >= 10
+def test_style_sheets_and_scripts_are_installed_by_pip_and_by_colcon(setup_py):
+    files = {path for package in (PACKAGE, TOOLS) for ending in ('css', 'js') for path in package.rglob(f'*.{ending}')}
+    assert len(files) >= 20
     for data in (PYPROJECT['tool']['setuptools']['package-data'], setup_py['package_data']):
-        assert sheets <= {path for package in (PACKAGE, TOOLS) for pattern in data[package.name]
+        assert files <= {path for package in (PACKAGE, TOOLS) for pattern in data[package.name]
                           for path in package.glob(pattern)}
 
 
@@ -96,6 +96,13 @@ def test_style_sheets_are_installed_by_pip_and_by_colcon(setup_py):
 def test_the_lock_names_no_address(lock):
     assert '://' not in lock
     assert not re.search(r'^\s*--(?!hash=sha256:)', lock, re.MULTILINE)
+
+
+def test_the_lock_of_the_javascript_tools_names_no_address_of_a_package():
+    packages = json.loads((ROOT / 'package-lock.json').read_text())['packages']
+    assert len(packages) > 3
+    assert [name for name, package in packages.items() if 'resolved' in package] == []
+    assert [name for name, package in packages.items() if name and 'integrity' not in package] == []
 
 
 @pytest.mark.parametrize(('lock', 'name'), DIRECT)

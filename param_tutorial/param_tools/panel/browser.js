@@ -2,26 +2,33 @@
 
    What is opened stands below it, as panels of their own. */
 
-function element(tag, className, text) {
-  const made = document.createElement(tag);
-  made.className = className;
-  if (text !== undefined) made.textContent = text;
-  return made;
-}
+import {make, one} from './dom.js';
+import {initialize} from './front.js';
 
+/**
+ * @import {RenderProps} from '@anywidget/types'
+ *
+ * @typedef {{name: string, says: string, is_bad: boolean, is_open: boolean, hits: [string, string][]}} ListedNode
+ * @typedef {{state: {nodes: ListedNode[], status: string}}} Traits
+ */
+
+/** @param {RenderProps<Traits>} props */
 function render({model, el}) {
-  const search = element('input', 'param-search');
-  search.type = 'search';
-  search.placeholder = 'Search nodes and parameters: names, descriptions, values';
+  const search = make('input', {
+    className: 'param-search',
+    type: 'search',
+    placeholder: 'Search nodes and parameters: names, descriptions, values',
+  });
   search.setAttribute('aria-label', 'Search nodes and parameters');
-  const status = element('span', 'param-status');
+  const status = make('span', {className: 'param-status'});
   status.setAttribute('role', 'status');
-  const head = element('div', 'param-head');
-  head.append(element('span', 'param-node', 'Nodes'), status, search);
-  const list = element('ul', 'node-list');
-  el.append(head, list);
+  const list = make('ul', {className: 'node-list'});
+  el.append(make('div', {className: 'param-head'}, make('span', {className: 'param-node'}, 'Nodes'), status, search));
+  el.append(list);
+  /** @type {Map<string, HTMLElement>} */
   const lines = new Map();
 
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
   function find() {
     clearTimeout(timer);
@@ -35,36 +42,40 @@ function render({model, el}) {
     find();
   });
 
+  /** @param {string} name */
   function line(name) {
-    const made = element('li', 'node-line');
-    const open = element('button', 'node-open', name);
-    open.type = 'button';
+    const open = make('button', {type: 'button', className: 'node-open'}, name);
     open.addEventListener('click', () => model.send({do: 'toggle', node: name}));
-    made.append(open, element('span', 'node-says'), element('span', 'node-hits'));
-    return made;
+    const [says, hits] = ['node-says', 'node-hits'].map(className => make('span', {className}));
+    return make('li', {className: 'node-line'}, open, says, hits);
   }
 
   function show() {
     const {nodes, status: words} = model.get('state');
     status.textContent = words;
-    for (const [name, old] of lines) if (!nodes.some(each => each.name === name)) { old.remove(); lines.delete(name); }
+    for (const [name, old] of lines) {
+      if (nodes.some(each => each.name === name)) continue;
+      old.remove();
+      lines.delete(name);
+    }
     nodes.forEach((node, index) => {
-      if (!lines.has(node.name)) lines.set(node.name, line(node.name));
-      const at = lines.get(node.name);
-      if (list.children[index] !== at) list.insertBefore(at, list.children[index] || null);
-      at.querySelector('.node-open').setAttribute('aria-expanded', String(node.is_open));
-      const says = at.querySelector('.node-says');
+      const at = lines.get(node.name) ?? line(node.name);
+      lines.set(node.name, at);
+      if (list.children[index] !== at) list.insertBefore(at, list.children[index] ?? null);
+      one(at, '.node-open').setAttribute('aria-expanded', String(node.is_open));
+      const says = one(at, '.node-says');
       says.textContent = node.says;
       says.classList.toggle('param-status-bad', node.is_bad);
-      const hits = at.querySelector('.node-hits');
+      const hits = one(at, '.node-hits');
       if (hits.dataset.hits === JSON.stringify(node.hits)) return;
       hits.dataset.hits = JSON.stringify(node.hits);
-      hits.replaceChildren(...node.hits.map(([hit, value]) => {
-        const found = element('button', 'node-hit', `${hit} = ${value}`);
-        found.type = 'button';
-        found.addEventListener('click', () => model.send({do: 'open', node: node.name, search: hit}));
-        return found;
-      }));
+      hits.replaceChildren(
+        ...node.hits.map(([hit, value]) => {
+          const found = make('button', {type: 'button', className: 'node-hit'}, `${hit} = ${value}`);
+          found.addEventListener('click', () => model.send({do: 'open', node: node.name, search: hit}));
+          return found;
+        }),
+      );
     });
   }
 

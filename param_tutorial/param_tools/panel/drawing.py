@@ -225,7 +225,7 @@ class _Drawing:
                 f'<div class="param-line"><label for="{name}">{html.escape(label)}</label>'
                 f'{_box(row, state, common)}{unit}{items}{slider}{back}</div>'
                 f'<div class="param-note param-help" id="{name}-help">{_help(row)}</div>'
-                f'<div class="param-note" id="{name}-said">{_message(state)}</div></div>')
+                f'<div class="param-note" id="{name}-said" data-role="said">{_message(state)}</div></div>')
 
 
 def _box(row: PanelRow, state: RowState, common: str) -> str:

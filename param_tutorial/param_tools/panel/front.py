@@ -7,17 +7,6 @@ from typing import Any
 import anywidget
 import traitlets
 
-from param_tools.markup.styles import sheet
-
-
-def script(*paths: str) -> str:
-    """Return the module of a view: its files, after what all of them need.
-
-    :param paths: As for ``sheet``; the last one exports ``{initialize, render}``.
-    :raises FileNotFoundError: one is not there, or was not installed.
-    """
-    return ''.join(map(sheet, ('param_tools/panel/front.js', *paths)))
-
 
 class Front(anywidget.AnyWidget):
     """A view in the browser. ``front.js`` says what it adds to an anywidget."""

@@ -30,6 +30,7 @@ from param_tools.errors import (
     describe_error,
 )
 from param_tools.files.parameter_files import Dump, as_path, render
+from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet, style
 from param_tools.markup.wording import format_count
 from param_tools.node.client import ParameterClient, node_name
@@ -39,7 +40,7 @@ from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.panel.control import Control
 from param_tools.panel.drawing import PanelRow, arrange, panel_markup
 from param_tools.panel.edits import Edits, State
-from param_tools.panel.front import Front, script
+from param_tools.panel.front import Front
 from param_tools.panel.recordable import ControlFacts
 from param_tools.panel.view import FollowingView, View
 from param_tools.ros.executor import BackgroundExecutor
@@ -58,7 +59,7 @@ _HITS = 8
 class _Front(Front):
     """The panel in the browser: markup, and what changes in it."""
 
-    _esm = script('param_tools/panel/file_form.js', 'param_tools/panel/panel.js')
+    _esm = bundle('param_tools/panel/panel_widget.js')
     markup = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
     search = traitlets.Unicode().tag(sync=True)
@@ -67,7 +68,7 @@ class _Front(Front):
 class _BrowserFront(Front):
     """The list of nodes in the browser."""
 
-    _esm = script('param_tools/panel/browser.js')
+    _esm = bundle('param_tools/panel/browser.js')
     _css = sheet('param_tools/panel/panel.css') + sheet('param_tools/panel/browser.css')
     state = traitlets.Dict().tag(sync=True)
 

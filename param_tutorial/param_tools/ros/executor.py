@@ -162,7 +162,7 @@ class BackgroundExecutor:
         self._names: list[tuple[str, str]] = []
         self._stopping = False
         self._stuck_in = ''
-        self._refusal = self._error_if_asked
+        self._objection = self._error_if_asked
         with contextlib.ExitStack() as undo:  # a process that may open no more files, say, gets no participant of DDS
             # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
             # are off because a thread's output lands in whichever cell is running: node_log reads /rosout instead.
@@ -171,7 +171,7 @@ class BackgroundExecutor:
             undo.callback(utilities.try_shutdown)
             self.context = utilities.get_default_context()
             self._executor = _WatchedExecutor(context=self.context)
-            self._executor.before_callback = functools.partial(no_input.forbid, self._refusal)
+            self._executor.before_callback = functools.partial(no_input.forbid, self._objection)
             self.tool_node = Node(TOOL_NODE_NAME, start_parameter_services=False, enable_rosout=False)
             undo.callback(self.tool_node.destroy_node)
             self.tool_node.create_subscription(
@@ -186,7 +186,7 @@ class BackgroundExecutor:
             self._thread = threading.Thread(target=self._spin, name='ros-background-executor', daemon=True)
             self._let_go_of_rclpy = undo.enter_context(contextlib.ExitStack())
             self._let_go_of_rclpy.callback(tutorial_lines.replace(self, self._executor))
-            self._let_go_of_rclpy.callback(no_input.allow, self._refusal)
+            self._let_go_of_rclpy.callback(no_input.allow, self._objection)
             self._thread.start()
             undo.pop_all()
 

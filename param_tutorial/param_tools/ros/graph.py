@@ -1,7 +1,7 @@
 """The ROS graph as one node sees it: which nodes there are, and how long to wait for one.
 
 Discovery takes time: a process that has just joined learns of the others one by one, in a tenth of a second on an idle
-machine. Nothing tells when it is finished. So whoever looks for something looks until it is there or DISCOVERY_SEC have
+machine. Nothing tells when it is finished. So a search goes on until it has found something or DISCOVERY_SEC have
 passed; and a list of nodes waits until nothing new has come for QUIET_SEC.
 """
 

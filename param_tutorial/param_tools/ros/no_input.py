@@ -5,37 +5,37 @@ import contextlib
 from collections.abc import Callable, Iterator
 
 # Returns what input() raises, or None where it asks as usual; called in the thread that asks.
-Refusal = Callable[[], Exception | None]
+Objection = Callable[[], Exception | None]
 
 
 class _Input:
     """Stands in for ``input``."""
 
-    def __init__(self, ask: Callable[..., str], refusal: Refusal):
-        self.ask, self.refusal = ask, refusal
+    def __init__(self, ask: Callable[..., str], objection: Objection):
+        self.ask, self.objection = ask, objection
 
     def __call__(self, *prompt: object) -> str:
-        if error := self.refusal():
+        if error := self.objection():
             raise error
         return self.ask(*prompt)
 
 
-def forbid(refusal: Refusal) -> None:
+def forbid(objection: Objection) -> None:
     """Let ``input()`` raise an exception. Jupyter puts its own ``input`` in place for each cell, so call this often."""
-    if not (isinstance(builtins.input, _Input) and builtins.input.refusal is refusal):
-        builtins.input = _Input(builtins.input, refusal)
+    if not (isinstance(builtins.input, _Input) and builtins.input.objection is objection):
+        builtins.input = _Input(builtins.input, objection)
 
 
-def allow(refusal: Refusal) -> None:
+def allow(objection: Objection) -> None:
     """Undo ``forbid``."""
-    if isinstance(builtins.input, _Input) and builtins.input.refusal is refusal:
+    if isinstance(builtins.input, _Input) and builtins.input.objection is objection:
         builtins.input = builtins.input.ask
 
 
 @contextlib.contextmanager
-def forbidden(refusal: Refusal) -> Iterator[None]:
+def forbidden(objection: Objection) -> Iterator[None]:
     """Let ``input()`` raise an exception in this block."""
-    ask, builtins.input = builtins.input, _Input(builtins.input, refusal)
+    ask, builtins.input = builtins.input, _Input(builtins.input, objection)
     try:
         yield
     finally:

@@ -130,7 +130,8 @@ def course_archive(folder: str) -> bytes:
     names = [name for name in _git('ls-files', '-z').split('\0') if name and (ROOT / name).is_file()]
     if not names:  # no clone: what a clone has, as far as one can tell
         names = [str(path.relative_to(ROOT)) for path in ROOT.rglob('*') if path.is_file() and not any(
-            part.startswith(('.', '__')) or part in ('build', 'my_lessons') or part.endswith('.egg-info')
+            part.startswith(('.', '__')) or part.endswith('.egg-info')
+            or part in ('build', 'my_lessons', 'node_modules')
             for part in path.relative_to(ROOT).parts)]
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, 'w', zipfile.ZIP_DEFLATED) as archive:

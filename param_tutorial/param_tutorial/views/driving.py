@@ -13,8 +13,9 @@ from typing import Any, NamedTuple
 import traitlets
 
 from param_tools.errors import NodeNotFoundError
+from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
-from param_tools.panel.front import Front, script
+from param_tools.panel.front import Front
 from param_tools.panel.view import View
 from param_tutorial.nodes.clawbot_node import State
 from param_tutorial.pictures import track
@@ -30,7 +31,7 @@ class Start(NamedTuple):
 class _Front(Front):
     """The vehicle in the browser."""
 
-    _esm = script('param_tutorial/views/driving.js')
+    _esm = bundle('param_tutorial/views/driving_widget.js')
     _css = sheet('param_tutorial/pictures/track.css') + sheet('param_tutorial/views/driving.css')
     markup = traitlets.Unicode(track.view_markup()).tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)

@@ -1,7 +1,7 @@
 """Draws recordings as HTML: native controls with labels, words beside every picture, and nothing to load.
 
-What was recorded stands in the page, packed, beside the controls; ``site/_static/lesson.js`` unpacks it and
-answers with it. Without a script the page still shows everything as it stood.
+What was recorded stands in the page, packed, beside the controls; the scripts in ``site/scripts`` unpack it and answer
+with it. Without a script the page still shows everything as it stood.
 """
 
 import base64

@@ -1,4 +1,4 @@
-"""Draws the form in which a reader answers an exercise on a page; ``site/_static/exercises.js`` answers with what the
+"""Draws the form in which a reader answers an exercise on a page; ``site/scripts/exercises.js`` answers with what the
 exercise's check said to it when the page was made.
 """
 

@@ -1,4 +1,4 @@
-"""The words of the course that a page explains where they stand; ``site/_static/glossary.js`` marks them."""
+"""The words of the course that a page explains where they stand; ``site/scripts/glossary.js`` marks them."""
 
 import json
 import re

@@ -8,6 +8,7 @@ from typing import Any
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace
 
+from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
 
 THEME = Path(__file__).parents[1] / 'theme'
@@ -19,12 +20,11 @@ class BuildError(Exception):
 
 
 def write_static(source: Path) -> None:
-    """Write, beside Sphinx's sources, the styles and scripts that the notebook's own views bring along."""
+    """Write the scripts of all pages, and the styles of the notebook's own views, beside Sphinx's sources."""
     (source / 'static').mkdir(exist_ok=True)
-    # A page on a disk can't load a module; what a module exports is JupyterLab's affair.
-    for path in ('param_tools/panel/panel.js', 'param_tutorial/views/driving.js'):
-        script = sheet(path).partition('\n/** In JupyterLab')[0]
-        (source / 'static' / Path(path).name).write_text(script, encoding='utf-8')
+    # A page on a disk can load no module, and the names in a script that is none are the whole page's.
+    script = f"(() => {{\n'use strict';\n{bundle('param_tutorial/site/scripts/main.js')}}})();\n"
+    (source / 'static' / 'lessons.js').write_text(script, encoding='utf-8')
     for path in ('param_tutorial/pictures/track.css', 'param_tools/panel/panel.css', 'param_tutorial/views/driving.css',
                  'param_tutorial/views/side_by_side.css'):
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')

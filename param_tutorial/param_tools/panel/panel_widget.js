@@ -1,0 +1,106 @@
+/* A parameter panel in JupyterLab: the kernel holds the state, and takes what is entered; see `panel.py`. */
+
+import {focusedBeside, make, uniqueName} from './dom.js';
+import {FileForm} from './file_form.js';
+import {initialize} from './front.js';
+import {ParameterPanel} from './panel.js';
+
+/**
+ * @import {RenderProps} from '@anywidget/types'
+ * @import {PanelState, Wire} from './panel.js'
+ */
+
+/**
+ * Begin the ids of a panel's markup with another name, and what refers to them: a notebook may show a panel twice.
+ * @param {HTMLElement} root
+ * @param {string} prefix
+ */
+function renameIds(root, prefix) {
+  for (const each of root.querySelectorAll('[id]')) each.id = `${prefix}-${each.id}`;
+  for (const each of root.querySelectorAll('label')) each.htmlFor = `${prefix}-${each.htmlFor}`;
+  for (const each of root.querySelectorAll('[aria-describedby]')) {
+    const ids = each.getAttribute('aria-describedby')?.split(' ') ?? [];
+    each.setAttribute('aria-describedby', ids.map(id => `${prefix}-${id}`).join(' '));
+  }
+}
+
+/** @param {RenderProps<{markup: string, state: PanelState, search: string}>} props */
+function render({model, el}) {
+  const client = uniqueName();
+  /** @type {Wire} */
+  const wire = {
+    patience: 'Waiting for the kernel, which is still running a cell\u2026',
+    enter: (name, entry) => model.send({do: 'enter', name, client, ...entry}),
+    bringBack: name => model.send({do: 'reset', name}),
+    undo: () => model.send({do: 'undo'}),
+    redo: () => model.send({do: 'redo'}),
+    gather: isWanted => model.send({do: isWanted ? 'gather' : 'discard'}),
+    apply: () => model.send({do: 'apply'}),
+  };
+  const root = make('div');
+  el.append(root);
+  const form = new FileForm(`param-file-${client}`, wish => model.send({client, ...wish}));
+  /** @type {ParameterPanel | undefined} */
+  let panel;
+  let search = model.get('search');
+
+  function build() {
+    // A panel that does not wait for its node is there before there is anything to show.
+    if (!model.get('markup')) return;
+    const focused = /** @type {HTMLElement | null} */ (focusedBeside(root));
+    const shown = make('div', {innerHTML: model.get('markup')});
+    renameIds(shown, `panel-${client}`);
+    const old = panel;
+    panel = new ParameterPanel(shown, wire);
+    if (old) panel.takeOver(old);
+    // At first there may be too few parameters for a search.
+    if (panel.search && search) [panel.search.value, search] = [search, ''];
+    form.settle(shown);
+    root.replaceChildren(shown);
+    show();
+    panel.find();
+    if (focused && form.element.contains(focused)) focused.focus();
+    else if (focused && old?.root.contains(focused)) focusHeir(panel, focused);
+  }
+
+  function show() {
+    if (!panel) return;
+    panel.show(model.get('state'));
+    form.update(panel.isLocked);
+  }
+
+  /** @param {any} message */
+  function onMessage(message) {
+    if (!panel || message.client !== client) return;
+    if ('form' in message) form.answer(message);
+    else panel.answer(message.name, message.number);
+  }
+
+  build();
+  model.on('change:markup', build);
+  model.on('change:state', show);
+  model.on('msg:custom', onMessage);
+  return () => {
+    model.off('change:markup', build);
+    model.off('change:state', show);
+    model.off('msg:custom', onMessage);
+  };
+}
+
+/**
+ * Give the focus to what stands in the place of an element that had it.
+ * @param {ParameterPanel} panel
+ * @param {HTMLElement} focused
+ */
+function focusHeir(panel, focused) {
+  if (!focused.className) return;
+  const name = /** @type {HTMLElement | null} */ (focused.closest('.param-row'))?.dataset.name;
+  const row = panel.rows.get(name ?? '');
+  const heir = (row?.element ?? panel.root).querySelector(`.${focused.className}`);
+  if (heir instanceof HTMLElement) heir.focus();
+  if (!row?.isTyping || heir !== row.box) return;
+  const {selectionStart, selectionEnd} = /** @type {HTMLInputElement} */ (focused);
+  /** @type {HTMLInputElement} */ (heir).setSelectionRange(selectionStart, selectionEnd);
+}
+
+export default {initialize, render};
