@@ -11,7 +11,6 @@
     ├── AliasError                  names of parameters cannot stand for one another (also ValueError)
     └── NodeError                   about one node; carries ``.node``
         ├── NodeNotFoundError       there is no node of that name                   (also LookupError)
-        ├── DiscoveryTimeoutError   nor is it known that there is none              (also TimeoutError)
         ├── NoAnswerError           the node is there and did not answer in time    (also TimeoutError)
         ├── NodeGoneError           the node went away in mid-call                  (also ConnectionError)
         ├── CallbackError           the node's own callback raised instead of answering
@@ -76,13 +75,6 @@ class NodeError(ParameterToolError):
         super().__init__(message)
         self.node = node
 
-
-class DiscoveryTimeoutError(NodeError, TimeoutError):
-    """Whether there is such a node, or service of a node, could not be found out in time."""
-
-    def __init__(self, node: str, cause: WaitTimeoutError):
-        super().__init__(node, f'cannot say whether {node} is there: {cause}')
-        self.__cause__ = cause
 
 
 class NodeNotFoundError(NodeError, LookupError):

@@ -1,10 +1,8 @@
 """The embedded ros2 where no recording goes: mistakes, nodes that are late, busy, gone or double, and run."""
 
-import contextlib
 import io
 import os
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -13,18 +11,16 @@ import psutil
 import pytest
 from rcl_interfaces.msg import Parameter as ParameterMessage
 from rcl_interfaces.msg import ParameterDescriptor
-from rcl_interfaces.srv import GetParameters, ListParameters
+from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools.cli import command, session
 from param_tools.cli.run import node_programs
-from param_tools.errors import DiscoveryTimeoutError
-from param_tools.ros import domain, executor, graph, stage
+from param_tools.ros import domain, executor, stage
 from param_tutorial import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.interrupts import interruptible
-from tests.support import missing
 from tests.support.processes import CAN_STAND_STILL, standing_still
 
 EMBEDDED = [sys.executable, '-m', 'param_tools']
@@ -79,14 +75,6 @@ while not told:
 node.destroy_node()
 rclpy.shutdown()
 '''
-
-
-@contextlib.contextmanager
-def unheard_participant(domain_id):
-    """Open the port of a participant that says nothing, in this block."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listening:
-        listening.bind(('127.0.0.1', 7400 + 250 * domain_id + 10 + 2 * 100))
-        yield
 
 
 def ready(process):
@@ -212,7 +200,6 @@ def test_a_dump_survives_a_parameter_that_is_also_a_prefix(ros):
 
 
 def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(ros, monkeypatch):
-    monkeypatch.setattr(graph, 'PATIENCE_SEC', 1e9)  # it is known, and not found out by waiting
     ros.add(Odd, 'odd')
     ros.add(Odd, 'mute', start_parameter_services=False)
     sentence = 'Wait for service timed out waiting for parameter services for node'
@@ -303,36 +290,6 @@ def test_an_unknown_node_is_waited_for_as_long_as_asked(ros):
     assert run('param', 'get', '--timeout', '30', '/late', 'anything') == ('Integer value is: 1\n', '', 0)
 
 
-@pytest.mark.slow
-def test_a_node_that_may_have_services_is_left_out_with_a_word(ros, monkeypatch):
-    """If the service that rclpy creates last is missing, nobody can know that no further one is coming."""
-    monkeypatch.setattr(graph, 'PATIENCE_SEC', 0.2)
-    ros.add(SimpleParamNode)
-    ros.add(Odd, 'vague', start_parameter_services=False,
-            parameter_overrides=[Parameter('start_type_description_service', value=False)])
-    stdout, stderr, status = run('param', 'list')
-    assert (stdout.count(':\n'), status) == (1, 0)
-    assert stderr == ('WARNING: /vague is left out: timed out after 0.2 s waiting for list_parameters of /vague: was '
-                      'the node created with start_parameter_services=False?\n')
-
-
-@pytest.mark.slow
-def test_that_a_node_is_not_there_is_said_only_if_it_is_known(ros, monkeypatch):
-    ros.add(SimpleParamNode)
-    assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
-    wait_until(lambda: graph.is_complete(ros.tool_node), 'the graph', 30)
-    monkeypatch.setattr(graph, 'PATIENCE_SEC', 0.2)
-    with unheard_participant(ros.domain_id):
-        assert not graph.is_complete(ros.tool_node)
-        why = 'timed out after 0.2 s waiting for 1 ROS process to announce its nodes: suspended, or in a debugger?'
-        assert run('param', 'get', '/nobody', 'x') == ('', f'{why}\n', 1)
-        assert run('node', 'list') == ('/simple_param_node\n', f'WARNING: nodes may be missing here: {why}\n', 0)
-        assert run('param', 'get', '/simple_param_node', 'max_speed_rpm') == ('Integer value is: 100\n', '', 0)
-        with pytest.raises(DiscoveryTimeoutError, match=f'cannot say whether /nobody is there: {why}'):
-            ros.services.call('/nobody', 'list_parameters', ListParameters.Request(), discovery_timeout_sec=0.0)
-    assert graph.is_complete(ros.tool_node)
-
-
 # -- topics and services -------------------------------------------------------------------------------------
 
 
@@ -399,68 +356,7 @@ def test_services_are_listed(ros):
     assert '/lab/_hidden\n' in run('service', '--include-hidden-services', 'list')[0]
 
 
-@pytest.mark.slow
-def test_a_killed_process_does_not_stand_for_one_that_has_not_been_heard(ros):
-    killed = subprocess.Popen(program_of('killed'), stdout=subprocess.PIPE, text=True)
-    with killed:
-        ready(killed)
-        wait_until(lambda: '/killed' in ros.services.node_names(), 'the node', 30)
-        killed.kill()
-    assert graph.is_complete(ros.tool_node)
-    with unheard_participant(ros.domain_id):
-        assert '/killed' in ros.services.node_names()  # nobody has said that it is gone
-        assert not graph.is_complete(ros.tool_node)
-    wait_until(lambda: '/killed' not in ros.services.node_names(), 'the lease to end', 30)
-
-
 # A node whose goodbye reaches nobody, because its process has closed the sockets that send. The process goes on.
-LEAVES_SILENTLY = '''
-import os, sys, rclpy
-from rclpy.node import Node
-from param_tools.ros.udp_ports import open_sockets
-rclpy.init()
-node = Node('silent')
-print('ready', flush=True)
-sys.stdin.readline()
-senders = {f'socket:[{each.inode}]' for each in open_sockets() if each.port >= 32768}
-for descriptor in os.listdir('/proc/self/fd'):
-    if os.path.lexists(path := f'/proc/self/fd/{descriptor}') and os.readlink(path) in senders:
-        os.dup2(os.open(os.devnull, os.O_RDWR), int(descriptor))
-node.destroy_node()
-rclpy.shutdown()
-print('ready', flush=True)
-sys.stdin.readline()
-'''
-
-
-@pytest.mark.slow
-def test_a_process_whose_goodbye_was_lost_does_not_hide_one_that_has_not_been_heard(ros):
-    """As when two commands run at once: one leaves before it has heard of the other."""
-    with subprocess.Popen([sys.executable, '-c', LEAVES_SILENTLY], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                          text=True) as process:
-        ready(process)
-        wait_until(lambda: '/silent' in ros.services.node_names() and graph.is_complete(ros.tool_node), 'the node', 30)
-        print(file=process.stdin, flush=True)
-        ready(process)
-        with unheard_participant(ros.domain_id):
-            is_complete = graph.is_complete(ros.tool_node)
-            assert '/silent' in ros.services.node_names()  # nobody has said that it is gone
-        assert not is_complete
-        assert graph.is_complete(ros.tool_node)
-        process.communicate()
-    wait_until(lambda: '/silent' not in ros.services.node_names(), 'the lease to end', 30)
-
-
-@pytest.mark.slow
-def test_a_process_in_a_container_of_this_machine_counts_as_heard(ros, start_process):
-    """It is on the host's network and has its own process numbers, as with `docker run --network host`."""
-    apart = ['unshare', '--pid', '--fork', '--kill-child']
-    if subprocess.run([*apart, 'true'], capture_output=True, check=False).returncode:
-        missing.skip('no namespace of processes can be made: not root, or in a container')
-    ready(start_process(*apart, *program_of('contained'), stdout=subprocess.PIPE))
-    wait_until(lambda: '/contained' in ros.services.node_names(), 'the node', 30)
-    wait_until(lambda: graph.is_complete(ros.tool_node), 'the graph', 30)
-    assert run('param', 'get', '/nobody', 'x') == ('', 'Node not found\n', 1)
 
 
 # -- run ------------------------------------------------------------------------------------------------------

@@ -5,9 +5,7 @@ Each in a context of its own, since the executor of the stage doesn't look at ca
 
 import asyncio
 import contextlib
-import gc
 import threading
-import traceback
 
 import pytest
 import rclpy
@@ -190,28 +188,6 @@ def test_services_and_subscriptions_may_await_under_rclpys_own_executor():
         wait_until(slow.publisher.get_subscription_count, 'the subscription')
         slow.publisher.publish(ParameterEvent())
         assert slow.has_heard.wait(60)
-
-
-def test_on_the_stage_subscriptions_may_await(ros):
-    slow = ros.add(Slow)
-    wait_until(slow.publisher.get_subscription_count, 'the subscription')
-    slow.publisher.publish(ParameterEvent())
-    assert slow.has_heard.wait(60)
-
-
-# If a later rclpy awaits them, chapter 5.3 may say so.
-@pytest.mark.slow
-@pytest.mark.filterwarnings('ignore:coroutine .* was never awaited')
-def test_on_the_stage_services_are_not_awaited(ros):
-    slow = ros.add(Slow)
-    assert slow.client.wait_for_service(60)
-    slow.client.call_async(GetParameters.Request())
-    wait_until(lambda: ros.errors, 'the coroutine to be sent as an answer')
-    assert isinstance(ros.errors[0], TypeError)
-    assert 'send_response' in ''.join(traceback.format_exception(ros.errors[0]))
-    # The coroutine goes here, with its warning, and not in another test.
-    ros.failures.clear()
-    gc.collect()
 
 
 # rclpy calls parameter callbacks, and never awaits what an `async def` returns.

@@ -35,8 +35,8 @@ from param_tools.errors import (
     ParameterNotDeclaredError,
     ParameterRejectedError,
 )
+from param_tools.ros.graph import DISCOVERY_SEC
 from param_tools.ros.service_types import SERVICE_TYPES
-from param_tools.ros.services import DISCOVERY_TIMEOUT_SEC
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from tests.support.processes import CAN_STAND_STILL, standing_still
@@ -104,7 +104,7 @@ def remote_node():
 
 @pytest.mark.slow
 def test_a_client_with_time_waits_for_a_node_that_starts_late(ros):
-    starts = threading.Timer(DISCOVERY_TIMEOUT_SEC + 0.5, ros.add, [Everything])
+    starts = threading.Timer(DISCOVERY_SEC + 0.5, ros.add, [Everything])
     starts.start()
     try:
         assert ParameterClient('/lab/everything', timeout_sec=30.0).get_parameter('count') == 3
@@ -395,7 +395,7 @@ def test_a_node_in_another_process(ros, remote_node):
 
 @pytest.mark.slow
 def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatch):
-    """A server that does not know yet where to answer drops its answer (see Services.greet)."""
+    """A server that does not know yet where to answer drops its answer (see Services._carry)."""
     class Counting(Node):
         def __init__(self):
             super().__init__('counting')
@@ -410,11 +410,11 @@ def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatc
     lost = {'list_parameters': 1, 'set_parameters': 1}
     send = ros.services._send
 
-    def send_and_lose_the_first(client, name, service, *details):
-        future = send(client, name, service, *details)
+    def send_and_lose_the_first(name, service, *details):
+        future = send(name, service, *details)
         if lost.get(service, 0) > 0:
             lost[service] -= 1
-            client.remove_pending_request(future)
+            ros.services._client(name, service).remove_pending_request(future)
         return future
 
     monkeypatch.setattr(ros.services, '_send', send_and_lose_the_first)
@@ -432,10 +432,9 @@ def test_a_node_that_does_not_answer(ros, remote_node):
     with standing_still(remote_node):
         with pytest.raises(NoAnswerError, match=r'/remote did not answer list_parameters within 0\.3 s'):
             client.list_parameters()
-        answers = []
-        ros.services.call_async('/remote', 'list_parameters', ListParameters.Request(), answers.append, timeout_sec=0.1)
-        param_tutorial.wait_until(lambda: answers, 'the call to expire')
-        assert isinstance(answers[0].exception(), NoAnswerError)
+        late = ros.services.call_async('/remote', 'list_parameters', ListParameters.Request(), timeout_sec=0.1)
+        param_tutorial.wait_until(late.done, 'the call to expire')
+        assert isinstance(late.exception(), NoAnswerError)
     assert ParameterClient('/remote', timeout_sec=30).get_parameter('robot_name') == 'Clawbot'
     assert ros.services._pending == {}
 

@@ -59,7 +59,7 @@ def test_without_an_executor_it_says_what_to_do(cell):
     stdout, stderr, status = cell('%ros2 node list')
     assert (stdout, status) == ('', 1)
     assert stderr.count('\n') == 1
-    assert 'param_tutorial.start()' in stderr
+    assert 'call start() first' in stderr
 
 
 @pytest.mark.parametrize('value', ['{robot}', '$robot', '[{a: 1}]', 'a > b', 'a | b', 'x#1', 'a;b', 'back\\slash'])

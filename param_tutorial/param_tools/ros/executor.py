@@ -228,6 +228,7 @@ class BackgroundExecutor:
         with rclpy_private.before_init_of(node, functools.partial(self._make_room, ros_args)):
             try:
                 node.__init__(*args, **kwargs)  # type: ignore[misc]
+                name = _full_name(node)  # fails if the class does not call Node.__init__
             except BaseException:
                 # Half a node still has services on the network that nobody would ever serve.
                 rclpy_private.destroy_unfinished(node)
@@ -236,7 +237,7 @@ class BackgroundExecutor:
         node.destroy_node = functools.partial(self._destroy, node, node.destroy_node)  # type: ignore[method-assign]
         # Known before it is spun: its first callback, and listeners to the graph, may look for it.
         self._nodes.append(node)
-        self.run(lambda: self._executor.add_node(node), f'add {_full_name(node)}')
+        self.run(lambda: self._executor.add_node(node), f'add {name}')
         if self.is_running:
             self.run(self._tell_of_nodes, 'look at the graph')
         return node

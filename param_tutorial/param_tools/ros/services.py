@@ -111,7 +111,8 @@ class Services:
 
         :param node: Fully qualified name.
         :param service: One of SERVICE_TYPES.
-        :param timeout_sec: How long the node may take to answer. It may also take ``graph.DISCOVERY_SEC`` to come.
+        :param timeout_sec: How long the node may take to answer. It may also take ``graph.DISCOVERY_SEC`` to come, or this
+            time if it is longer than TIMEOUT_SEC.
         :raises NodeNotFoundError: there is no such node.
         :raises NodeError: it has no such service.
         :raises NoAnswerError: it did not answer in time.
@@ -126,10 +127,9 @@ class Services:
         future = self.call_async(node, service, request, timeout_sec=timeout_sec)
         future.add_done_callback(lambda _: finished.set())
         # The executor ends a call that is late, as long as no callback keeps it busy.
-        patience_sec = timeout_sec + graph.DISCOVERY_SEC + _GRACE_SEC
-        if not (waiting.wait_for(finished, timeout_sec) or waiting.wait_for(finished, 0.0)):
+        if not waiting.wait_for(finished, timeout_sec):
             self._executor.free()
-            if not waiting.wait_for(finished, patience_sec - timeout_sec):
+            if not waiting.wait_for(finished, max(graph.DISCOVERY_SEC, timeout_sec) + _GRACE_SEC):
                 self._forget(future)
                 raise self._no_answer(node, service, timeout_sec)
         return future.result()
@@ -159,7 +159,7 @@ class Services:
             # Requests are sent in the order of the calls; rclpy's executor runs the newest task first.
             while line[0] is not future:
                 await _NextTurn()
-            await self._find(node, service)
+            await self._find(node, service, timeout_sec)
             # A server that has just been discovered may know the client's request and not yet where to answer; rmw
             # then waits a tenth of a second and drops the answer. Questions can simply be repeated. A set should not
             # be, so it is preceded by an empty one, which no callback hears of.
@@ -178,17 +178,18 @@ class Services:
             if not self._waiting_coroutines:
                 self._clock.cancel()
 
-    async def _find(self, node: str, service: str) -> None:
-        """Wait until a service of a node is ready.
+    async def _find(self, node: str, service: str, timeout_sec: float) -> None:
+        """Wait until a service of a node is ready: not for long, unless the caller has more time than usual.
 
         :raises NodeNotFoundError: there is no such node.
         :raises NodeError: it has no such service.
         """
-        end = deadline(graph.DISCOVERY_SEC)
+        patience_sec = graph.DISCOVERY_SEC if timeout_sec <= TIMEOUT_SEC else timeout_sec
+        end = deadline(patience_sec)
         while not self.is_ready(node, service):
             if time.monotonic() > end:
                 if node not in self.node_names(hidden=True):
-                    network_sec = None if domain.is_limited_to_this_host() else graph.DISCOVERY_SEC
+                    network_sec = None if domain.is_limited_to_this_host() else patience_sec
                     raise NodeNotFoundError(node, self.node_names(), network_sec)
                 raise NodeError(node, f'{node} is running but offers no {service} service: it was created with '
                                       f'start_parameter_services=False, or is just leaving')
