@@ -11,7 +11,6 @@ downward only (README.md, "Architecture", says what each room is for, and a test
     notebook
     views
     ros1
-    pictures
     progress
     nodes
 """

@@ -44,7 +44,8 @@ wait || true
 make setup-all
 .venv/bin/python --version
 .venv/bin/python -m pytest -q -n 4 --dist loadscope --no-loadscope-reorder --nbval -m 'not slow' \\
-    tests/nodes tests/files tests/node tests/systems tests/ros tests/widgets tests/notebook tests/cli tests/exercises notebooks
+    tests/nodes tests/files tests/node tests/systems tests/ros tests/widgets tests/views tests/notebook tests/cli \\
+    tests/exercises notebooks
 '''
 
 

@@ -10,9 +10,9 @@ from param_tools.markup.tables import table, with_code
 from param_tutorial.exercises.exercise import Exercise
 from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer
-from param_tutorial.pictures.medal import medal
 from param_tutorial.progress.record import Progress, ProgressFile
 from param_tutorial.progress.storage import write_whole
+from param_tutorial.views.drawing.medal import medal
 
 _STYLE = style('param_tutorial/exercises/achievements.css')
 HOW = 'Start the course with `make lab`, and what you solve is remembered and ticked here.'

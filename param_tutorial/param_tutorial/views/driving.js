@@ -1,7 +1,7 @@
 /* A vehicle on its track, with the button that lets it drive.
 
    The same in JupyterLab, where a kernel says what the vehicle does (see `render` at the end), and on a page of the
-   website, where a recording does (see `lesson.js`). The markup is Python's: `pictures/track.py`. */
+   website, where a recording does (see `lesson.js`). The markup is Python's: `drawing/driving.py`. */
 
 // What moves is drawn so often. Twice as often costs a browser without a graphics card twice as much, and looks the same.
 const FRAMES_PER_SEC = 30;

@@ -25,8 +25,8 @@ def write_static(source: Path) -> None:
     for path in ('param_tools/panel/panel.js', 'param_tutorial/views/driving.js'):
         script = sheet(path).partition('\n/** In JupyterLab')[0]
         (source / 'static' / Path(path).name).write_text(script, encoding='utf-8')
-    for path in ('param_tutorial/pictures/track.css', 'param_tools/panel/panel.css', 'param_tutorial/views/driving.css',
-                 'param_tutorial/views/side_by_side.css'):
+    for path in ('param_tutorial/views/drawing/track.css', 'param_tools/panel/panel.css',
+                 'param_tutorial/views/driving.css', 'param_tutorial/views/side_by_side.css'):
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 
 
