@@ -9,7 +9,6 @@ downward only (README.md, "Architecture", says what each room is for, and a test
     exercises
     notebook
     views
-    pictures
     learner
     nodes
 """
@@ -29,11 +28,11 @@ if TYPE_CHECKING:
     from param_tutorial.notebook.magics import unload_ipython_extension as unload_ipython_extension
     from param_tutorial.notebook.shell import Shell as Shell
     from param_tutorial.notebook.terminal import Terminal as Terminal
-    from param_tutorial.pictures import ros1 as ros1
+    from param_tutorial.views.drawing import ros1 as ros1
 
 # Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
 _HOMES = {
-    'ros1': 'param_tutorial.pictures.ros1',
+    'ros1': 'param_tutorial.views.drawing.ros1',
     'views': 'param_tutorial.views',
     'ParameterClient': 'param_tools.node.client',
     'ParameterPanel': 'param_tools.panel.panel',

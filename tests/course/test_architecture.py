@@ -97,16 +97,26 @@ def test_the_tools_know_nothing_of_the_course(arrows):
             if module.startswith('param_tools') and other.startswith('param_tutorial')] == []
 
 
+PAGE_AND_ROS = {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}
+
+
 @pytest.mark.parametrize('rooms, forbidden', [
-    (('pictures',), {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
-    (('files', 'markup', 'descriptor', 'values', 'errors', 'lazy'),
-     {'rclpy', 'rcl_interfaces', 'ipywidgets', 'IPython'}),
+    (('files', 'markup', 'descriptor', 'values', 'errors', 'lazy'), PAGE_AND_ROS),
     (('ros', 'node', 'systems', 'cli', 'nodes'), {'ipywidgets', 'IPython', 'ipykernel', 'jupyter_client'})])
 def test_what_a_room_does_not_need(rooms, forbidden):
     modules = [module for module in FILES if module not in ABOVE and room_of(module) in rooms]
     assert len(modules) >= len(rooms)
     for module in modules:
         assert not outside_imports(FILES[module]) & forbidden, module
+
+
+def test_drawings_import_no_widget_no_ros_and_nothing_that_does(arrows):
+    drawings = {module for module in FILES if module.startswith('param_tutorial.views.drawing.')}
+    assert len(drawings) > 15
+    for module in drawings:
+        assert not outside_imports(FILES[module]) & PAGE_AND_ROS, module
+        assert {room_of(other) for other in arrows[module] if other not in drawings} <= {'nodes', 'markup', 'views'}
+        assert not [other for other in arrows[module] if room_of(other) == 'views' and 'drawing' not in other]
 
 
 def outside_imports(path: Path) -> set[str]:

@@ -15,11 +15,11 @@ from param_tools.panel import recordable
 from param_tools.panel.view import View
 from param_tutorial import ParameterPanel
 from param_tutorial.nodes.clawbot_node import ClawbotNode
-from param_tutorial.pictures import track
 from param_tutorial.site import archive
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.recording import album, interview, recorder
 from param_tutorial.views import EventView, LogView, RobotView
+from param_tutorial.views.drawing import driving
 from param_tutorial.views.robot import vehicle_of
 from tests.support.albums import unpack
 from tests.support.paths import PACKAGE
@@ -157,7 +157,7 @@ def test_a_change_on_the_way_is_filmed_as_the_node_goes_on(ros):
             robot.step(number * album.TURN_SEC)
             before = client.get_parameter(name)
             client.set_parameter(name, value).raise_for_reason()
-            scenes = track.film(vehicle_of(robot, robot.motion[0])).scenes
+            scenes = driving.film(vehicle_of(robot, robot.motion[0])).scenes
             assert turns[f'{name}={text}\n{number}']['scenes'] == [
                 [pytest.approx(at_sec, abs=1e-3), *words, lean_rad] for at_sec, *words, lean_rad in scenes]
             robot.step(math.inf)

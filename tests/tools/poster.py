@@ -1,8 +1,8 @@
 """Draw the robot of the start page, which drives without a kernel: `python -m tests.tools.poster`."""
 
 from param_tutorial.nodes.clawbot_node import Settings, plan
-from param_tutorial.pictures import track
-from param_tutorial.pictures.robot import Robot
+from param_tutorial.views.drawing import driving
+from param_tutorial.views.drawing.robot import Robot
 from tests.support.paths import NOTEBOOKS
 
 FILE = NOTEBOOKS / 'images' / 'robot.svg'
@@ -13,7 +13,7 @@ def poster() -> str:
     settings = Settings(max_speed_mps=1.05, max_acceleration_mps2=0.5)
     robot = Robot(name='Clawbot', serial_number='SN-CLAW-001', wheel_m=0.1, settings=settings,
                   motion=plan(0.0, 0.0, settings))
-    return track.poster(robot, times=3, pause_sec=2.0)
+    return driving.poster(robot, times=3, pause_sec=2.0)
 
 
 if __name__ == '__main__':

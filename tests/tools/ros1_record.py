@@ -36,7 +36,7 @@ from typing import Any, cast
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / 'param_tutorial'))
 
-from param_tutorial.pictures.ros1 import RECORDING, Step, parse
+from param_tutorial.views.drawing.ros1 import RECORDING, Step, parse
 
 PACKAGES = ('python3-rosmaster', 'python3-rosparam', 'python3-rospy', 'python3-dynamic-reconfigure')
 TIME_LIMIT_SEC = 20.0

@@ -94,7 +94,7 @@ def test_its_thread_is_known_as_one_of_a_view_and_ends_with_it(ros, make):
     """Each test of widgets waits for these threads to end, which guards nothing if their names are wrong."""
     assert worker_threads() == []
     view = make()
-    (view._live._reader if isinstance(view, ParameterPanel) else view._worker).wake()
+    (view._live._reader if isinstance(view, ParameterPanel) else view._job).wake()
     assert worker_threads() != []
     view.close()
     wait_until(lambda: not worker_threads(), 'the thread of the closed view to end')

@@ -1,6 +1,6 @@
 """The controls of a panel: which editor a parameter gets, and the values at which its slider can stand.
 
-``parameters.text`` formats and parses what is typed; ``pictures.panel`` draws the controls.
+``node.text`` formats and parses what is typed; ``drawing`` draws the controls.
 """
 
 import math

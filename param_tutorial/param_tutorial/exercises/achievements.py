@@ -12,7 +12,7 @@ from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer
 from param_tutorial.learner.progress import Progress, ProgressFile
 from param_tutorial.learner.storage import write_whole
-from param_tutorial.pictures.medal import medal
+from param_tutorial.views.drawing.medal import medal
 
 _STYLE = style('param_tutorial/exercises/achievements.css')
 HOW = 'Start the course with `make lab`, and what you solve is remembered and ticked here.'

@@ -17,7 +17,7 @@ from param_tools.ros.schedule import Job
 from param_tools.ros.services import TIMEOUT_SEC
 from param_tutorial.nodes.cart_node import AISLE_M, SIGHT_M
 from param_tutorial.nodes.clawbot_node import SAFETY_GAP_M, Motion, Settings, State, plan
-from param_tutorial.pictures.cart import Cart
+from param_tutorial.views.drawing.cart import Cart
 from param_tutorial.views.driving import DrivingView, Start
 
 _SHOW_PERIOD_SEC = 0.05

@@ -1,6 +1,6 @@
 """A vehicle on its track, as a widget with a button: what the views of the robot and the cart have in common.
 
-``pictures.track`` draws it so that the browser moves it by itself, and ``driving.js`` shows it. A picture is sent only
+``drawing.driving`` draws it so that the browser moves it by itself, and ``driving.js`` shows it. A picture is sent only
 when the vehicle begins a motion or ends it; on the way, a few words for each thing that it begins to do. While it
 stands still, nothing is sent.
 """
@@ -18,7 +18,7 @@ from param_tools.markup.styles import sheet
 from param_tools.panel.front import Front
 from param_tools.panel.view import View
 from param_tutorial.nodes.clawbot_node import State
-from param_tutorial.pictures import track
+from param_tutorial.views.drawing import driving
 
 
 class Start(NamedTuple):
@@ -32,8 +32,8 @@ class _Front(Front):
     """The vehicle in the browser."""
 
     _esm = bundle('param_tutorial/views/driving_widget.js')
-    _css = sheet('param_tutorial/pictures/track.css') + sheet('param_tutorial/views/driving.css')
-    markup = traitlets.Unicode(track.view_markup()).tag(sync=True)
+    _css = sheet('param_tutorial/views/drawing/track.css') + sheet('param_tutorial/views/driving.css')
+    markup = traitlets.Unicode(driving.view_markup()).tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)
     take = traitlets.Int().tag(sync=True)
     """The number of the picture: the same one may be shown again, from its beginning."""
@@ -47,7 +47,7 @@ class DrivingView(View):
     def __init__(self) -> None:
         self._text = ''
         # What is shown, and the word for what it does.
-        self._vehicle: track.Vehicle | None = None
+        self._vehicle: driving.Vehicle | None = None
         self._word = ''
         self._front = _Front()
         self._front.on_msg(self._on_message)
@@ -68,7 +68,7 @@ class DrivingView(View):
             with contextlib.suppress(NodeNotFoundError):
                 self.drive()
 
-    def _draw(self, vehicle: track.Vehicle, elapsed_sec: float) -> None:
+    def _draw(self, vehicle: driving.Vehicle, elapsed_sec: float) -> None:
         """Show a vehicle so many seconds after its motion began, unless the browser is at it already."""
         moment = vehicle.at(elapsed_sec)
         # The same drive may begin anew.
@@ -79,7 +79,7 @@ class DrivingView(View):
         is_moving = elapsed_sec < vehicle.motion.duration_sec
         with self._front.hold_sync():
             if not is_moving or not goes_on:
-                self._show_picture(track.moving(vehicle) if is_moving else track.still(moment))
+                self._show_picture(driving.moving(vehicle) if is_moving else driving.still(moment))
             self._front.scene = list(moment.scene)
 
     def _draw_nothing(self, words: str) -> None:
@@ -98,7 +98,7 @@ class DrivingView(View):
 
     in_motion = True
 
-    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> track.Vehicle | None:
+    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> driving.Vehicle | None:
         """Return the vehicle as it stands, or as it begins to drive and then arrives at once; None without one.
 
         :param start: Where it is to begin on the way.
@@ -109,7 +109,7 @@ class DrivingView(View):
         """Return what a page without a kernel needs to draw it as it stands."""
         shown = self.look()
         if shown is None:
-            return {**super().snapshot(), 'html': f'{track.STYLE}<div class="robot-view">{self._front.picture}</div>'}
+            return {**super().snapshot(), 'html': f'{driving.STYLE}<div class="robot-view">{self._front.picture}</div>'}
         return {'kind': 'robot', 'node': self.node, 'look': shown}
 
     def look(self) -> dict[str, Any] | None:
@@ -118,7 +118,7 @@ class DrivingView(View):
         if vehicle is None:
             return None
         moment = vehicle.at(vehicle.motion.duration_sec)
-        return {'picture': track.still(moment), 'scene': list(moment.scene)}
+        return {'picture': driving.still(moment), 'scene': list(moment.scene)}
 
     def moments(self, step_sec: float) -> list[Start]:
         """Return where a drive is after each so many seconds, until it ends."""
@@ -136,5 +136,5 @@ class DrivingView(View):
         vehicle = self._vehicle_to_show(driving=True, start=start)
         if vehicle is None:
             return None
-        film = track.film(vehicle)
+        film = driving.film(vehicle)
         return {'picture': film.picture, 'end': film.end, 'scenes': [list(each) for each in film.scenes]}

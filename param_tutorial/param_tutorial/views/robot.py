@@ -2,17 +2,15 @@
 
 import math
 from collections.abc import Callable
-from typing import Any, TypeGuard
-
-from rclpy.exceptions import InvalidHandle
-from rclpy.node import Node
+from typing import Any
 
 from param_tools.errors import NodeNotFoundError
 from param_tools.panel.view import FollowingView, nothing
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import full_name
 from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, SENSOR_MOUNT_M, ClawbotNode, Motion, plan
-from param_tutorial.pictures.robot import Robot
+from param_tutorial.views.base import name_of
+from param_tutorial.views.drawing.robot import Robot
 from param_tutorial.views.driving import DrivingView, Start
 
 # How long to look for a robot that is known to be coming.
@@ -47,7 +45,7 @@ class RobotView(DrivingView, FollowingView):
         """
         robot = self._robot_here()
         if robot is None:
-            raise NodeNotFoundError(self._name, [node.get_fully_qualified_name() for node in self._executor.nodes]
+            raise NodeNotFoundError(self._name, [name_of(node) for node in self._executor.nodes]
                                     if self._executor else [])
         robot.drive()
 
@@ -76,7 +74,7 @@ class RobotView(DrivingView, FollowingView):
     def _find_robot(self) -> ClawbotNode | None:
         """Find the node that has the name now, and listen to it."""
         nodes = self._executor.nodes if self._executor else ()
-        robot = next((node for node in nodes if _is_robot(node, self._name)), None)
+        robot = next((node for node in nodes if isinstance(node, ClawbotNode) and name_of(node) == self._name), None)
         if robot is not self._robot:
             self._stop_motion()
             self._robot = robot
@@ -132,10 +130,3 @@ def vehicle_of(robot: ClawbotNode, motion: Motion) -> Robot:
                  wheel_m=value('simulation.wheel_radius_meters'), sensor_mount_m=SENSOR_MOUNT_M,
                  temperature_c=value('simulation.ambient_temperature_c'), settings=robot.settings, motion=motion,
                  waiting_for=robot.waiting_for() if motion.end.word == 'WAITING' else '')
-
-
-def _is_robot(node: Node, name: str) -> TypeGuard[ClawbotNode]:
-    try:
-        return isinstance(node, ClawbotNode) and node.get_fully_qualified_name() == name
-    except InvalidHandle:  # destroyed after the list of nodes was made
-        return False

@@ -11,7 +11,7 @@ from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.graph import name_of
 from param_tools.ros.service_types import SERVICE_TYPES
-from param_tutorial.pictures.diagrams import NodeGraph
+from param_tutorial.views.drawing.ros_graph import NodeGraph
 
 _NOTEBOOK = 'this notebook'
 # The DDS topic on which the requests for a parameter service travel (https://design.ros2.org/articles/

@@ -22,8 +22,8 @@ from param_tools.panel.view import View
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
 from param_tutorial.nodes.pid_controller_node import SETTLING_BAND, Figures, StepResponse, response_of
-from param_tutorial.pictures.plots import Band, plot_responses
-from param_tutorial.pictures.wheel import Wheel
+from param_tutorial.views.drawing.plots import Band
+from param_tutorial.views.drawing.step_response import Wheel, plot_responses
 
 _STYLE = style('param_tutorial/views/step_response.css')
 # Changes that follow each other sooner are one drag: the curve of before is the one from before all of it.

@@ -12,7 +12,7 @@ from param_tutorial.exercises.expectations import ClientInCorner, WithSecondJudg
 from param_tutorial.exercises.forms import Combination, Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
-from param_tutorial.pictures import track
+from param_tutorial.views.drawing import driving
 from param_tutorial.views.robot import vehicle_of
 
 CHAPTER = '01_what_are_parameters'
@@ -131,7 +131,7 @@ def in_time(trial: Trial) -> None:
 @park.show
 def parking(trial: Trial) -> str:
     robot = pulling_away(trial)
-    return track.replay(vehicle_of(robot, robot.motion[0]))
+    return driving.replay(vehicle_of(robot, robot.motion[0]))
 
 
 free = Exercise('1b', 'Free a number', CHAPTER, NODE_CLASS, node_name='pump', hints=(

@@ -42,8 +42,8 @@ from param_tutorial.exercises.forms import Combination
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.notebook.terminal import Terminal
-from param_tutorial.pictures import track
 from param_tutorial.views.cart import cart_on_trip
+from param_tutorial.views.drawing import driving
 
 CHAPTER = '11_conclusion'
 DECLARE = 'Declare'
@@ -475,7 +475,7 @@ def at_once(trial: Trial) -> None:
 
 @tune.show
 def trip(trial: Trial) -> str:
-    return track.replay(cart_on_trip('/cart_node', *tuned(trial).settings()))
+    return driving.replay(cart_on_trip('/cart_node', *tuned(trial).settings()))
 
 
 EXERCISES = (declare, judge, act, save, launch, tune)

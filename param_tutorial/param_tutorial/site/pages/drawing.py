@@ -24,9 +24,9 @@ from param_tools.panel.drawing import LINES, TEXT, PanelRow, RowState, panel_mar
 from param_tutorial.exercises.predicting import STYLE as PREDICTION_STYLE
 from param_tutorial.exercises.predicting import verdict
 from param_tutorial.exercises.prediction import Prediction, plain_answer
-from param_tutorial.pictures import track
 from param_tutorial.site.recording.album import TURN_SEC
 from param_tutorial.site.recording.recorded import Recording, Row
+from param_tutorial.views.drawing import driving
 
 RUN_IT = 'run the notebook'
 # So many numbers in a row are worth telling.
@@ -108,11 +108,11 @@ class Drawer:
 
     def _robot(self, recording: Recording, name: str) -> str:
         look, node = recording['look'], html.escape(recording['node'])
-        sentence = track.Scene(*look['scene']).sentence
+        sentence = driving.Scene(*look['scene']).sentence
         return (
             f'<div role="group" class="rec rec-robot robot-view" id="{name}" data-node="{node}" '
             f'aria-label="{node} on its track">'
-            f'{track.view_markup(look["picture"], sentence)}{packed({"films": recording["films"]})}</div>')
+            f'{driving.view_markup(look["picture"], sentence)}{packed({"films": recording["films"]})}</div>')
 
     def _log(self, recording: Recording, name: str) -> str:
         title = html.escape(f'Log of {recording["node"]}')

@@ -25,8 +25,8 @@ def write_static(source: Path) -> None:
     # A page on a disk can load no module, and the names in a script that is none are the whole page's.
     script = f"(() => {{\n'use strict';\n{bundle('param_tutorial/site/scripts/main.js')}}})();\n"
     (source / 'static' / 'lessons.js').write_text(script, encoding='utf-8')
-    for path in ('param_tutorial/pictures/track.css', 'param_tools/panel/panel.css', 'param_tutorial/views/driving.css',
-                 'param_tutorial/views/side_by_side.css'):
+    for path in ('param_tutorial/views/drawing/track.css', 'param_tools/panel/panel.css',
+                 'param_tutorial/views/driving.css', 'param_tutorial/views/side_by_side.css'):
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 
 

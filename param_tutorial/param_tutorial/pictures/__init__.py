@@ -1,1 +1,0 @@
-"""Pictures and pieces of HTML: data in, text out. No ROS, no widgets."""

@@ -1,0 +1,178 @@
+"""The ladder that a value climbs on its way into a node, and from which it falls when the node rejects it.
+
+Drawn from what was recorded (``set_recorder``), slower than it happened: the node itself is done in less than a
+thousandth of a second.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from param_tutorial.views.drawing import svg
+from param_tutorial.views.drawing.timeline import Step
+
+_ROW, _TOP, _BOTTOM = 44, 46, 16
+_NAME_X, _LADDER_X, _RAIL, _MARK_X, _WORDS_X, _STORED_X = 14, 206, 44, 272, 294, 700
+_LETTERS, _VALUE_LETTERS, _STORED_LETTERS = 44, 9, 14
+_CLIMB_SEC, _STAY_SEC, _FALL_SEC = 0.45, 0.55, 0.7
+
+# From the ground up: the word of the recorded step, and what stands beside the rung.
+_RUNGS = (('asked', 'request'), ('pre-set', 'pre-set callbacks'), ('checks', "rclpy's own checks"),
+          ('on-set', 'on-set callbacks'), ('stored', 'stored'), ('event', '/parameter_events'),
+          ('post-set', 'post-set callbacks'), ('answer', 'answer'))
+_GROUND = 0
+_CHECKS = 2
+_STORED = 4
+
+
+@dataclass(frozen=True)
+class _Rung:
+    """What became of the value at one rung."""
+
+    title: str
+    words: str
+    stored: str
+    value: str
+    """On its way beyond this rung."""
+    mark: str
+    """'passed', 'rejected', 'idle' if there was nothing to pass, 'unreached'."""
+
+
+class Climb(svg.AnimatedPicture):
+    """One set of a parameter as a value on the ladder; at rest the value is where it has got to."""
+
+    def __init__(self, node: str, name: str, steps: Sequence[Step], objection: str = '') -> None:
+        """
+        :param steps: What happened, as it was recorded.
+        :param objection: Why the node did not take the value; empty if it did.
+        :raises ValueError: there is no step.
+        """
+        if not steps:
+            raise ValueError('a Climb takes one step at least')
+        self.subject, self._name, self._objection = node, name, objection
+        self._rungs = tuple(_rungs(name, steps, objection))
+        self._reached = [rung for rung in self._rungs if rung.mark != 'unreached']
+        self._is_answered = steps[-1].what != 'no answer'
+        self._falls = bool(objection) and not any(step.what == 'stored' for step in steps)
+
+    @property
+    def sentence(self) -> str:
+        """What came of it."""
+        asked, last = self._rungs[_GROUND].value, self._reached[-1]
+        told = f'{self._name} = {svg.cut(asked, 40)}'
+        if not self._is_answered:
+            return f'{told}: an exception at {last.title}, and the caller gets no answer.'
+        if self._objection:
+            return f'{told} is rejected at {last.title}.'
+        return f'{told} is accepted.' if asked == last.stored else f'{told} is accepted, and {last.stored} is stored.'
+
+    @property
+    def text(self) -> str:
+        reached = [f'{number}, {rung.title}: {rung.words}; stored is {rung.stored}'
+                   for number, rung in enumerate(self._reached, start=1)]
+        return f'The ladder of {self.subject}. {self.sentence} {". ".join(reached)}.'
+
+    @property
+    def _height(self) -> float:
+        return _y(_GROUND) + _ROW / 2 + _BOTTOM
+
+    def _parts(self, animation: svg.Animation) -> Iterator[str]:
+        left, right, foot = _LADDER_X - _RAIL, _LADDER_X + _RAIL, _y(_GROUND) + _ROW / 2 + 4
+        yield svg.path(f'M{left} {foot}V{_TOP - 16}M{right} {foot}V{_TOP - 16}', 'thick')
+        yield svg.path(''.join(f'M{left} {_y(index) + 17}H{right}' for index in range(len(_RUNGS))))
+        # Above this line nobody can say no.
+        border = _y(_STORED) + _ROW / 2
+        yield svg.path(f'M{right + 8} {border}H{_STORED_X}', 'dashed')
+        yield svg.words(640, border - 7, 'too late to reject', 'faint', anchor='end')
+        yield svg.words(_STORED_X, 22, f'stored {svg.cut(self._name, 22)}', 'bold', anchor='end')
+        yield svg.words(_WORDS_X, 22, 'what happens', 'bold', anchor='start')
+        yield svg.words(_NAME_X, 22, 'rung', 'bold', anchor='start')
+        arrivals = [index * (_CLIMB_SEC + _STAY_SEC) for index in range(len(_RUNGS))]
+        for index, rung in enumerate(self._rungs):
+            kind = 'faint' if rung.mark in ('unreached', 'idle') else 'bold'
+            yield svg.paragraph(_NAME_X, _y(index) + 4, svg.in_two_lines(rung.title, 17), kind, anchor='start')
+            if rung in self._reached:
+                yield svg.group(self._beside(index, rung), animation.appear(arrivals[index] + .3 * _STAY_SEC))
+        yield self._value(arrivals, animation)
+
+    def _beside(self, index: int, rung: _Rung) -> Iterator[str]:
+        """Yield what happens at a rung, and what is stored then."""
+        y, stored = _y(index), svg.cut(rung.stored, _STORED_LETTERS)
+        yield {'passed': svg.check(_MARK_X, y), 'rejected': svg.cross(_MARK_X, y)}.get(
+            rung.mark, svg.path(f'M{_MARK_X - 6} {y}h10', 'thin'))
+        yield svg.paragraph(_WORDS_X, y + 4.5, svg.in_two_lines(rung.words, _LETTERS),
+                            'bold' if rung.mark == 'rejected' else '', anchor='start')
+        is_new = index > 0 and rung.stored != self._rungs[index - 1].stored
+        yield svg.words(_STORED_X, y + 4.5, stored, 'value' if is_new else 'faint', anchor='end')
+        if is_new:
+            width = svg.LETTER_WIDTH * len(stored) + 14
+            yield svg.box(_STORED_X - width + 7, y - 13, width, 26, 'line')
+
+    def _value(self, arrivals: Sequence[float], animation: svg.Animation) -> str:
+        """Return the value: it climbs, changes where a callback changes it, and falls where it is rejected."""
+        asked, top, ground = self._rungs[_GROUND].value, len(self._reached) - 1, _y(_GROUND)
+        stops = [(0.0, ground)]
+        for index in range(1, top + 1):
+            stops += [(arrivals[index] - _CLIMB_SEC, _y(index - 1)), (arrivals[index], _y(index))]
+        # The values that it has on its way, each with the moment from which it has it.
+        faces = [(0.0, asked, 'token')]
+        faces += [(arrivals[index] + .5 * _STAY_SEC, rung.value, 'token') for index, rung in enumerate(self._reached)
+                  if rung.value != self._rungs[max(0, index - 1)].value]
+        if self._falls:
+            falls_sec = arrivals[top] + _STAY_SEC
+            # It bounces once on the ground.
+            stops += [(falls_sec, _y(top)), (falls_sec + .75 * _FALL_SEC, ground),
+                      (falls_sec + .88 * _FALL_SEC, ground - 12), (falls_sec + _FALL_SEC, ground)]
+            faces.append((falls_sec - .2, asked, 'token-bad'))
+        ends_sec = [*(from_sec for from_sec, _, _ in faces[1:]), None]
+        return svg.group(
+            (svg.group(svg.token(svg.cut(value, _VALUE_LETTERS), kind), animation.shown(from_sec, to_sec))
+             for (from_sec, value, kind), to_sec in zip(faces, ends_sec)),
+            animation.travel((at_sec, _LADDER_X, y) for at_sec, y in stops))
+
+
+def _rungs(name: str, steps: Sequence[Step], objection: str) -> Iterator[_Rung]:
+    by_rung = {what: [step for step in steps if step.what == what] for what, _ in _RUNGS}
+    last = len(_RUNGS) - 1
+    if objection:
+        stopped = [index for index, (what, _) in enumerate(_RUNGS[:-1])
+                   if any(step.objection for step in by_rung[what])]
+        # rclpy's own checks leave no trace but the answer.
+        last = stopped[-1] if stopped else _CHECKS
+    asked = value = steps[0].proposed
+    stored = steps[0].stored
+    for index, (what, title) in enumerate(_RUNGS):
+        here = by_rung[what]
+        value = next((step.proposed for step in reversed(here) if step.proposed), value)
+        if index > last:
+            yield _Rung(title, '', stored, value, 'unreached')
+            continue
+        stored = here[-1].stored if here else stored
+        if objection and index == last:
+            yield _Rung(title, _calls(here) if here else objection, stored, value, 'rejected')
+            continue
+        words = {'asked': f'set {name} to {svg.cut(asked, 24)}', 'checks': 'declared, not locked, type, range, step',
+                 'stored': f'{svg.cut(value, 24)} is written', 'event': 'a message tells everybody',
+                 'answer': 'successful'}.get(what) or _calls(here)
+        yield _Rung(title, words, stored, value, 'passed' if here or index == _CHECKS else 'idle')
+
+
+def _calls(steps: Sequence[Step]) -> str:
+    """Return in words what the callbacks of one rung said."""
+    told = []
+    for step in steps:
+        if step.objection.startswith('raises '):
+            told.append(f'{step.who} {step.objection}')
+        elif step.objection:
+            told.append(f'{step.who} rejects: {step.objection}')
+        elif step.what == 'on-set':
+            told.append(f'{step.who} accepts')
+        elif step.what == 'pre-set':
+            told.append(f'{step.who} gives {svg.cut(step.proposed, 20)}' if step.proposed else step.happened)
+        else:
+            told.append(f'{step.who} acts on {svg.cut(step.proposed, 20)}')
+    return '; '.join(told) or 'there is none'
+
+
+def _y(index: int) -> float:
+    """Return where the middle of a rung is; the first is at the bottom."""
+    return _TOP + _ROW * (len(_RUNGS) - 1 - index) + 10.0

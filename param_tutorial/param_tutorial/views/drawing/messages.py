@@ -1,0 +1,109 @@
+"""A message on /parameter_events on its way: from the node that has changed, over the topic, to each that listens."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from param_tutorial.views.drawing import svg
+
+_TOP, _ROW, _BOX, _BOTTOM = 48, 52, 38, 40
+_LEFT_X, _BOX_WIDTH, _TOPIC_X, _TOPIC_WIDTH, _RIGHT_X = 14, 212, 296, 128, 494
+_TOPIC_MIDDLE, _TOPIC_END = _TOPIC_X + _TOPIC_WIDTH / 2, _TOPIC_X + _TOPIC_WIDTH
+_LEAVE_SEC, _TO_TOPIC_SEC, _AT_TOPIC_SEC, _TO_EARS_SEC = 0.3, 0.9, 0.4, 0.9
+_AT_SEC = _LEAVE_SEC + _TO_TOPIC_SEC
+_ON_SEC = _AT_SEC + _AT_TOPIC_SEC
+_ENVELOPE = svg.box(-15, -10, 30, 20, 'token', rounding=2) + svg.path('M-15 -9l15 11l15 -11')
+_MOST_ROWS = 8
+
+
+class MessageTraffic(svg.AnimatedPicture):
+    """Who publishes on /parameter_events and who subscribes to it; at rest each listener has the message."""
+
+    subject = '/parameter_events'
+
+    def __init__(self, tells: Sequence[str], listens: Mapping[str, bool], sender: str = '',
+                 changes: Sequence[str] = ()) -> None:
+        """
+        :param tells: Nodes that publish.
+        :param listens: Nodes that subscribe; False for a node that asks for more than the publishers offer, so that it
+            gets nothing.
+        :param sender: The node whose message travels; empty for none.
+        :param changes: What the message says, e.g. ``['changed speed = 2']``.
+        """
+        self._sender, self._changes = sender, tuple(changes)
+        tells = sorted({*tells, *([sender] if sender else [])})
+        # A node that sends something is never left out.
+        self._tells = sorted(sorted(tells, key=lambda each: each != sender)[:_MOST_ROWS])
+        self._listens = dict(sorted(listens.items())[:_MOST_ROWS])
+        self._rows = max(len(self._tells), len(self._listens), 2)
+
+    @property
+    def sentence(self) -> str:
+        """What happens."""
+        if not self._sender:
+            return 'Nothing has changed yet.'
+        got = sum(self._listens.values())
+        return f'A message from {self._sender} goes to {got or "no"} listener{"" if got == 1 else "s"}.'
+
+    @property
+    def text(self) -> str:
+        deaf = [name for name, hears in self._listens.items() if not hears]
+        parts = [f'Publish on /parameter_events: {_joined(self._tells)}',
+                 f'subscribe to it: {_joined(name for name, hears in self._listens.items() if hears)}']
+        parts += [f'subscribe to it and get nothing, since their QoS is incompatible: {_joined(deaf)}'] if deaf else []
+        says = f' It says: {"; ".join(self._changes)}.' if self._sender else ''
+        return f'{"; ".join(parts)}. {self.sentence}{says}'
+
+    @property
+    def _height(self) -> float:
+        return _TOP + self._rows * _ROW + _BOTTOM
+
+    def _parts(self, animation: svg.Animation) -> Iterator[str]:
+        middle_y = _TOP + self._rows * _ROW / 2
+        yield svg.words(_LEFT_X + _BOX_WIDTH / 2, 24, 'publish', 'bold')
+        yield svg.words(_RIGHT_X + _BOX_WIDTH / 2, 24, 'subscribe', 'bold')
+        yield svg.box(_TOPIC_X, _TOP, _TOPIC_WIDTH, self._rows * _ROW, rounding=22)
+        yield svg.words(_TOPIC_MIDDLE, middle_y - 26, '/parameter_events', 'small')
+        yield svg.words(_TOPIC_MIDDLE, middle_y + 38, 'a topic', 'faint')
+        for y, name in self._column(self._tells):
+            sends = name == self._sender
+            yield svg.arrow(_LEFT_X + _BOX_WIDTH + 4, y, _TOPIC_X - 3, y, 'line' if sends else 'thin')
+            yield svg.named_box(_LEFT_X, y - _BOX / 2, _BOX_WIDTH, _BOX, name, kind='token' if sends else 'blank')
+        for y, name in self._column(self._listens):
+            yield from self._listener(y, name, self._listens[name], animation)
+        if not self._sender:
+            return
+        told = svg.cut('; '.join(self._changes), 92)
+        yield svg.words(_LEFT_X, self._height - 13, f'the message: {told}', 'bold', anchor='start')
+        sender_y = next(y for y, name in self._column(self._tells) if name == self._sender)
+        yield svg.group(_ENVELOPE, animation.travel(
+            [(_LEAVE_SEC, _LEFT_X + _BOX_WIDTH, sender_y), (_LEAVE_SEC + .7 * _TO_TOPIC_SEC, _TOPIC_X, sender_y),
+             (_AT_SEC, _TOPIC_MIDDLE, middle_y), (_ON_SEC, _TOPIC_MIDDLE, middle_y)], goes=True))
+        for y, name in self._column(self._listens):
+            if self._listens[name]:
+                yield svg.group(_ENVELOPE, animation.travel(
+                    [(_ON_SEC, _TOPIC_MIDDLE, middle_y), (_ON_SEC + .4 * _TO_EARS_SEC, _TOPIC_END, y),
+                     (_ON_SEC + _TO_EARS_SEC, _RIGHT_X - 4, y)], from_sec=_ON_SEC))
+
+    def _column(self, names: Iterable[str]) -> list[tuple[float, str]]:
+        """Return where the middle of each node's box is; fewer boxes than rows stand in the middle."""
+        names = list(names)
+        return [(_TOP + ((self._rows - len(names)) / 2 + number + .5) * _ROW, name)
+                for number, name in enumerate(names)]
+
+    def _listener(self, y: float, name: str, hears: bool, animation: svg.Animation) -> Iterator[str]:
+        begin, end, middle = _TOPIC_END + 3, _RIGHT_X - 4, _RIGHT_X + _BOX_WIDTH / 2
+        if hears:
+            yield svg.arrow(begin, y, end, y, 'line' if self._sender else 'thin')
+        else:
+            yield svg.path(f'M{begin} {y}H{end}', 'dashed') + svg.cross(begin + 22, y)
+        note = '' if hears else 'gets nothing: incompatible QoS'
+        told = hears and self._sender
+        # A note without words leaves its place to the one that comes with the message.
+        yield svg.named_box(_RIGHT_X, y - _BOX / 2, _BOX_WIDTH, _BOX, name, ' ' if told else note)
+        if told:
+            yield svg.group([svg.check(middle - 23, y + 8, 4.5),
+                             svg.words(middle - 12, y + 13, 'gets it', 'small', anchor='start')],
+                            animation.appear(_ON_SEC + _TO_EARS_SEC))
+
+
+def _joined(names: Iterable[str]) -> str:
+    return ', '.join(names) or 'nobody'

@@ -1,0 +1,228 @@
+"""Record what becomes of each set of parameters on its way through a node.
+
+``record_change`` returns a picture of one set; LadderView and NumberLineView show one set after another.
+"""
+
+import contextlib
+import weakref
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from rcl_interfaces.msg import ParameterEvent, SetParametersResult
+from rclpy.exceptions import ParameterNotDeclaredException
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+from param_tools import values
+from param_tools.errors import CallbackError, ExecutorError
+from param_tools.node.client import ParameterClient, changes
+from param_tools.ros import rclpy_private, stage
+from param_tools.ros.executor import BackgroundExecutor, function_name
+from param_tools.ros.listeners import Listeners
+from param_tutorial.views.drawing.timeline import Step, Timeline
+
+
+@dataclass(frozen=True)
+class RecordedSet:
+    """One set of a parameter, from the request to the answer."""
+
+    value: Any
+    """What was asked for."""
+    timeline: Timeline
+    """What happened, with the names of node and parameter; of several parameters, those of the first."""
+    stored: Any
+    """What the node has when it is over; None if there is no such parameter."""
+    objection: str
+    """Why the node did not take the value, in the node's words; empty if it did."""
+
+
+def record_change(node: Node, name: str, value: Any, *,
+                  executor: BackgroundExecutor | None = None) -> Timeline:
+    """Ask a node to set one parameter, and record what happens in it, in that order.
+
+    The record holds the calls of the node's callbacks, the moment when the value is stored, and the message on
+    /parameter_events; the node behaves as without a record. An exception in a callback is drawn too.
+
+    :param node: Spun by the executor; what happens in another process cannot be looked into.
+    :raises ExecutorError: the node is not spun by the executor.
+    :raises InvalidValueError: no parameter can hold this value.
+    """
+    ros = executor or stage.current()
+    records: list[RecordedSet] = []
+    stop_following = follow_sets(node, records.append, executor=ros)
+    try:
+        with contextlib.suppress(CallbackError):
+            ParameterClient(node, executor=ros).set_parameter(name, value)
+    finally:
+        stop_following()
+    return next(record.timeline for record in reversed(records) if record.timeline.name == name)
+
+
+def follow_sets(node: Node, listener: Callable[[RecordedSet], object], *,
+                executor: BackgroundExecutor | None = None) -> Callable[[], None]:
+    """Call a listener, in the node's thread, with a record of each set: by a service, or in the node's own code.
+
+    Unlike a message on /parameter_events, a record also tells of values that the node rejects. The node behaves as
+    without a record.
+
+    :param node: Spun by the executor; what happens in another process cannot be looked into.
+    :return: Call it to stop listening; safe to call when the executor has stopped.
+    :raises ExecutorError: the node is not spun by the executor.
+    """
+    ros = executor or stage.current()
+    if not any(node is each for each in ros.nodes):
+        raise ExecutorError(f'{node!r} is not on this stage: only a node that came from ros.add() can be recorded')
+
+    def begin() -> Callable[[], None]:
+        if node not in _recorders:
+            _recorders[node] = _SetRecorder(node)
+        return _recorders[node].add(listener)
+
+    remove = ros.run(begin, 'begin to record')
+
+    def stop_following() -> None:
+        with contextlib.suppress(ExecutorError):
+            ros.run(remove, 'end recording')
+    return stop_following
+
+
+class _SetRecorder:
+    """Records what happens in one node, for all who follow it. Used in the node's thread only."""
+
+    def __init__(self, node: Node):
+        self._node = node
+        self._listeners: Listeners[[RecordedSet]] = Listeners()
+        # A callback may set parameters too.
+        self._records: list[_Record] = []
+        self._stop_observing = rclpy_private.observe_changes(node, self._call, self._publish, self._set)
+
+    def add(self, listener: Callable[[RecordedSet], object]) -> Callable[[], None]:
+        """Add a listener; when the last one is removed, the node is as it was before."""
+        remove_listener = self._listeners.add(listener)
+
+        def remove() -> None:
+            remove_listener()
+            if not self._listeners and _recorders.get(self._node) is self:
+                del _recorders[self._node]
+                self._stop_observing()
+        return remove
+
+    def _set(self, set_parameters: rclpy_private.SetParameters, parameters: list[Parameter]) -> SetParametersResult:
+        if not parameters or not all(isinstance(each, Parameter) for each in parameters):
+            return set_parameters(parameters)
+        record = _Record(self._node, parameters)
+        self._records.append(record)
+        objection = ''
+        try:
+            result = set_parameters(parameters)
+        except ParameterNotDeclaredException as error:
+            # Who asks by a service gets it as the answer.
+            objection = str(error)
+            raise
+        except BaseException as error:
+            record.note('no answer', 'the caller would wait forever')
+            objection = f'{type(error).__name__}: {error}'
+            raise
+        else:
+            objection = '' if result.successful else result.reason or 'no reason given'
+            if result.successful:
+                record.note('answer', 'successful', goes_to='you')
+            return result
+        finally:
+            self._records.pop()
+            if objection and record.steps[-1].what != 'no answer':
+                record.note('answer', f'rejected: {objection}', goes_to='you', objection=objection)
+            self._listeners.call(RecordedSet(parameters[0].value, record.timeline, record.stored, objection))
+
+    def _call(self, kind: str, callback: rclpy_private.ParameterCallback, parameters: list[Parameter]) -> Any:
+        # A declaration calls the on-set callbacks too.
+        return self._records[-1].call(kind, callback, parameters) if self._records else callback(parameters)
+
+    def _publish(self, publish: Callable[[ParameterEvent], None], event: ParameterEvent) -> None:
+        if self._records:
+            self._records[-1].publish(publish, event)
+        else:
+            publish(event)
+
+
+_recorders: weakref.WeakKeyDictionary[Node, _SetRecorder] = weakref.WeakKeyDictionary()
+
+
+class _Record:
+    """What happens during one set. It is called in place of each callback, calls it, and notes what comes of it."""
+
+    def __init__(self, node: Node, parameters: list[Parameter]):
+        self._node, self._name = node, parameters[0].name
+        self.steps: list[Step] = []
+        value = values.format_value(parameters[0].value)
+        self.note('asked', f'set {self._name} to {value}', comes_from='you', proposed=value)
+
+    @property
+    def timeline(self) -> Timeline:
+        """What has happened so far."""
+        return Timeline(self._node.get_fully_qualified_name(), self._name, self.steps)
+
+    @property
+    def stored(self) -> Any:
+        """The value that the node has now; None if there is no such parameter, or it has no value."""
+        return self._node.get_parameter_or(self._name).value if self._node.has_parameter(self._name) else None
+
+    def note(self, what: str, told: str, **others: str) -> None:
+        """Write down a step, and what is stored in this moment."""
+        stored = values.format_value(self.stored) if self._node.has_parameter(self._name) else 'nothing'
+        self.steps.append(Step(what, told, stored, **others))
+
+    def call(self, kind: str, callback: rclpy_private.ParameterCallback, parameters: list[Parameter]) -> Any:
+        """Call a callback, and write down what it sees and what comes of it."""
+        index, who = len(self.steps), _name(callback)
+        told = f'{who} sees {self._format_parameters(parameters)}'
+        proposed, objection = self._proposed(parameters), ''
+        self.note(kind, told, who=who)
+        try:
+            answer = callback(parameters)
+        except BaseException as error:
+            objection = f'raises {type(error).__name__}'
+            told += f', {objection}'
+            raise
+        else:
+            if kind == 'pre-set':
+                told += f', gives {self._format_parameters(answer)}'
+                proposed, objection = self._proposed(answer), 'gives nothing' if answer == [] else ''
+            elif kind == 'on-set':
+                accepts = getattr(answer, 'successful', False)
+                told += ', accepts' if accepts else ', rejects'
+                objection = '' if accepts else getattr(answer, 'reason', '') or 'no reason given'
+            return answer
+        finally:
+            # What is stored is that of the moment when the callback began.
+            self.steps[index] = replace(self.steps[index], happened=told, proposed=proposed, objection=objection)
+
+    def publish(self, publish: Callable[[ParameterEvent], None], event: ParameterEvent) -> None:
+        """Publish an event; rclpy does so as soon as the value is stored."""
+        told = ', '.join(f'{name} = {values.format_value(value)}' for name, value in changes(event).items())
+        self.note('stored', 'the value is written')
+        publish(event)
+        self.note('event', told, goes_to='everybody')
+
+    def _proposed(self, parameters: object) -> str:
+        """Return the value of the parameter in a list as text; empty if it is not in there."""
+        found = [each.value for each in parameters if isinstance(each, Parameter) and each.name == self._name] \
+            if isinstance(parameters, list) else []
+        return values.format_value(found[-1]) if found else ''
+
+    def _format_parameters(self, parameters: object) -> str:
+        """Return proposed parameters as a text: the value alone if it is the one that was asked for."""
+        if not isinstance(parameters, list) or not all(isinstance(each, Parameter) for each in parameters):
+            return f'{values.format_value(parameters)}, which is not a list of parameters'
+        if [each.name for each in parameters] == [self._name]:
+            return values.format_value(parameters[0].value)
+        return ', '.join(f'{each.name} = {values.format_value(each.value)}' for each in parameters) or 'nothing'
+
+
+def _name(callback: rclpy_private.ParameterCallback) -> str:
+    """Return a callback's name as its author would say it; each node has one of rclpy's own, for use_sim_time."""
+    owner = getattr(callback, '__self__', None)
+    if type(owner).__module__.startswith('rclpy.'):
+        return f"rclpy's {type(owner).__name__}"
+    return function_name(callback)

@@ -1,0 +1,133 @@
+"""The ladder: how far a value gets, with whose words, and what lies where at the end."""
+
+import pytest
+
+from param_tools.errors import CallbackError, NodeNotFoundError
+from param_tutorial import ParameterClient
+from param_tutorial.views import LadderView, MessageView, NumberLineView
+from param_tutorial.views.drawing.ladder import Climb
+from param_tutorial.views.drawing.timeline import Step
+from tests.support.drawings import kinds, words
+from tests.support.widgets import texts
+from tests.views.conftest import Robot, wait_for_text
+
+ASKED = Step('asked', '', '100', proposed='900')
+PRE = Step('pre-set', '', '100', who='trim', proposed='300')
+JUDGE = Step('on-set', '', '100', who='judge', proposed='300')
+ACCEPTED = [ASKED, PRE, JUDGE, Step('stored', '', '300'), Step('event', '', '300'),
+            Step('post-set', '', '300', who='act', proposed='300'), Step('answer', '', '300')]
+REJECTED = [ASKED, PRE, Step('on-set', '', '100', who='judge', proposed='300', objection='too fast'),
+            Step('answer', '', '100', objection='too fast')]
+OUT_OF_RANGE = [ASKED, Step('answer', '', '100', objection='out of range')]
+RAISED = [ASKED, Step('pre-set', '', '100', who='trim', objection='raises TypeError'), Step('no answer', '', '100')]
+RAISED_LATE = [*ACCEPTED[:5], Step('post-set', '', '300', who='act', proposed='300', objection='raises ValueError'),
+               Step('no answer', '', '300')]
+
+
+def climb(steps, objection=''):
+    return Climb('/robot', 'speed', steps, objection)
+
+
+def falls(picture):
+    """True if the value lies on the ground, rejected, at the end."""
+    return kinds(picture).count('token-bad') == 1
+
+
+def test_an_accepted_value_climbs_all_rungs_and_may_change_on_the_way():
+    assert climb(ACCEPTED).text == (
+        'The ladder of /robot. speed = 900 is accepted, and 300 is stored. '
+        '1, request: set speed to 900; stored is 100. 2, pre-set callbacks: trim gives 300; stored is 100. '
+        "3, rclpy's own checks: declared, not locked, type, range, step; stored is 100. "
+        '4, on-set callbacks: judge accepts; stored is 100. 5, stored: 300 is written; stored is 300. '
+        '6, /parameter_events: a message tells everybody; stored is 300. '
+        '7, post-set callbacks: act acts on 300; stored is 300. 8, answer: successful; stored is 300.')
+    assert not falls(climb(ACCEPTED)) and 'cross' not in kinds(climb(ACCEPTED))
+
+
+@pytest.mark.parametrize(('steps', 'rung', 'reason'), [
+    (REJECTED, 'on-set callbacks', 'judge rejects: too fast'),
+    (OUT_OF_RANGE, "rclpy's own checks", 'out of range'),
+])
+def test_a_rejected_value_falls_from_the_rung_that_rejects_it(steps, rung, reason):
+    picture = climb(steps, steps[-1].objection)
+    assert picture.sentence == f'speed = 900 is rejected at {rung}.'
+    assert picture.text.endswith(f'{rung}: {reason}; stored is 100.')
+    assert reason in words(picture) and falls(picture) and 'cross' in kinds(picture)
+
+
+def test_the_picture_says_when_no_node_answers():
+    early, late = climb(RAISED, 'TypeError: no'), climb(RAISED_LATE, 'ValueError: no')
+    assert early.sentence == 'speed = 900: an exception at pre-set callbacks, and the caller gets no answer.'
+    assert falls(early)
+    # It is stored by then, so it does not fall.
+    assert 'post-set callbacks: act raises ValueError; stored is 300' in late.text
+    assert not falls(late)
+
+
+def test_a_rung_without_callbacks_is_passed_by():
+    assert '2, pre-set callbacks: there is none' in climb([ASKED, JUDGE, *ACCEPTED[3:]]).text
+
+
+def test_long_words_are_wrapped_and_cut():
+    steps = [*OUT_OF_RANGE[:1], Step('answer', '', '100', objection='because ' * 30)]
+    assert all(len(text) < 60 for text in words(climb(steps, 'because ' * 30)) if 'rejected' not in text)
+
+
+def test_a_climb_of_nothing_is_rejected():
+    with pytest.raises(ValueError, match='one step'):
+        climb([])
+
+
+# -- the view ------------------------------------------------------------------------------------------------
+
+def test_a_value_climbs_the_ladder_or_falls_from_it_when_anybody_sets_it(robot, client):
+    view = LadderView(robot)
+    assert view.text == 'Set a parameter, and see how far the value climbs.'
+    client.set_parameter('speed', 900)
+    wait_for_text(view, 'speed = 900 is accepted, and 300 is stored')
+    assert 'trim gives 300' in texts(view) and '@keyframes' in texts(view)
+    client.set_parameter('speed', -5)
+    wait_for_text(view, 'judge rejects: minus five; stored is 300')
+    with pytest.raises(CallbackError):
+        client.set_parameter('speed', 'fast')
+    wait_for_text(view, 'an exception at pre-set callbacks, and the caller gets no answer')
+    before = texts(view)
+    view._job.call_now(5.0)
+    # While nothing happens, nothing is sent.
+    assert texts(view) == before
+
+
+def test_the_ladder_of_one_parameter_leaves_others_alone(robot, client):
+    view, everything = LadderView(robot, 'speed'), LadderView(robot)
+    client.set_parameter('speed', 5)
+    client.set_parameter('opening', 50)
+    wait_for_text(everything, 'opening = 50')
+    wait_for_text(view, 'speed = 5 is accepted')
+
+
+def test_a_node_that_is_not_there_is_waited_for_and_a_new_one_is_followed(ros):
+    view = LadderView('robot')
+    assert 'is not running' in view.text
+    ros.add(Robot)
+    wait_for_text(view, 'Set a parameter')
+    ParameterClient(ros.add(Robot)).set_parameter('speed', 8)
+    wait_for_text(view, 'speed = 8')
+    with pytest.raises(NodeNotFoundError, match='/nobody'):
+        LadderView('nobody', 'speed', 1)
+
+
+@pytest.mark.slow
+def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, client):
+    accepted, rejected = LadderView(robot, 'speed', 900), LadderView(robot, 'speed', -5)
+    line, message = NumberLineView(client, 'opening', 45), MessageView(client, 'speed', 7)
+    assert [repr(view) for view in (accepted, rejected, line)] == [
+        '<LadderView: speed = 900 is accepted, and 300 is stored.>',
+        '<LadderView: speed = -5 is rejected at on-set callbacks.>',
+        '<NumberLineView: opening = 45 is rejected; 40 stays.>']
+    assert 'It says: changed speed = 7.' in message.text and repr(message) == '<MessageView: /robot accepted speed = 7>'
+    before = [texts(view) for view in (accepted, rejected, line, message)]
+    other = LadderView(robot)
+    client.set_parameters({'speed': 8, 'opening': 50})
+    wait_for_text(other, 'opening = 50')
+    assert [texts(view) for view in (accepted, rejected, line, message)] == before
+    assert 'gets no answer' in LadderView(robot, 'speed', 'fast').text

@@ -1,0 +1,40 @@
+"""Layers of a value: which one is on top, what a later source changes below, and that a wrong story is noticed."""
+
+import pytest
+
+from param_tutorial.views import LayersView
+from param_tutorial.views.drawing.layers import Layers
+from tests.support.drawings import words
+
+BLOCKS = [('default', 100), ('all.yaml', '/**', 300), ('robot.yaml', '/robot', 200), ('-p', '/**', 400)]
+
+
+def test_the_last_layer_covers_the_others():
+    layers = Layers('speed', [('default', 100), ('file', 180), ('-p', 200), ('set', 150)])
+    assert layers.text == (
+        'Layers of speed, from the top: set 150; -p 200; file 180; default 100. speed = 150, from set.')
+    assert words(layers).count('covered') == 3 and words(layers).count('on top: this counts') == 1
+
+
+def test_a_source_that_goes_into_a_covered_layer_stays_covered():
+    layers = Layers('speed', BLOCKS, has=200)
+    assert layers.text == ('Layers of speed, from the top: /robot: robot.yaml 200; /**: all.yaml 300, then -p 400; '
+                           'default 100. speed = 200, from robot.yaml.')
+    assert 'the node has 200' in words(layers)
+
+
+def test_what_the_layers_do_not_explain_is_said():
+    layers = Layers('speed', BLOCKS, has=400)
+    assert layers.sentence == 'The node has speed = 400, which these layers do not explain.'
+    assert 'on top' in words(layers) and 'on top: this counts' not in words(layers)
+
+
+def test_a_source_that_ends_with_its_value_says_it_once():
+    layers = Layers('speed', [('default', 100), ('-p 400', 400)])
+    assert layers.text == 'Layers of speed, from the top: -p 400; default 100. speed = 400, from -p 400.'
+    assert {'-p 400', 'default: 100'} < set(words(layers))
+
+
+def test_layers_of_nothing_are_rejected():
+    with pytest.raises(ValueError, match='one source'):
+        LayersView('speed', [])

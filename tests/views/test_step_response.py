@@ -1,0 +1,211 @@
+"""Step responses: what the view says and draws, when it sends something, how the wheel turns, and that it lets go."""
+
+import math
+import re
+from xml.etree import ElementTree
+
+import pytest
+from rclpy.node import Node
+
+from param_tools.ros import stage
+from param_tutorial import ParameterClient, wait_until
+from param_tutorial.nodes.pid_controller_node import Figures, Gains, Motor, PidControllerNode, simulate
+from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from param_tutorial.views import StepResponseView, plot_responses
+from param_tutorial.views.drawing.step_response import Wheel
+from param_tutorial.views.step_response import Goals
+
+KP, KI = 'gains.wheel_joint.p', 'gains.wheel_joint.i'
+START = ('wheel_joint with p = 0.1, i = 0, d = 0: rise time 0.26 s, overshoot 4.5 %, settling time 0.67 s, '
+         'steady-state error 2.86 rad/s')
+
+
+@pytest.fixture
+def controller(ros):
+    return ros.add(PidControllerNode)
+
+
+@pytest.fixture
+def view(controller):
+    view = StepResponseView(controller)
+    yield view
+    view.close()
+
+
+def shows(view, words):
+    wait_until(lambda: words in view.text, f'the view to say {words}; it says {view.text!r}')
+
+
+def markup(view):
+    """Return what the browser draws: the picture, and the figures."""
+    return [each.value for each in view.children[1:]]
+
+
+def test_it_shows_the_response_with_its_figures_and_the_same_in_words(view):
+    assert view.text == START
+    picture, figures = markup(view)
+    assert re.search(r'<svg role="img" aria-label="speed in rad/s over time in s. reference: 10 rad/s. wheel_joint: '
+                     r'rise time 0.26 s', picture)
+    assert 'p = 0.1, i = 0, d = 0' in picture
+    assert re.search(r'@keyframes (wheel-\w+) .*class="step-wheel".*animation:\1 3.00s linear both', picture)
+    assert '<div class="step-figures" role="status">' in figures
+    for part in ('rise time 0.26 s', 'overshoot 4.5 %', 'settling time 0.67 s', 'steady-state error 2.86 rad/s'):
+        assert f'<span>{part}' in figures
+
+
+def test_a_change_sends_each_part_once_and_what_makes_no_difference_sends_nothing(view, controller):
+    sent = []
+    for each in view.children:
+        each.observe(lambda change: sent.append(change.new), 'value')
+    client = ParameterClient(controller)
+    client.set_parameters_atomically({KP: 0.4, KI: 0.4})
+    shows(view, 'i = 0.4')
+    view.settle()
+    assert len(sent) == 2
+    client.set_parameter(KP, 0.4)
+    client.set_parameters_atomically({KP: 0.9, KI: -1.0})  # which the node rejects
+    for _ in range(3):
+        view.settle()
+    assert len(sent) == 2 and 'p = 0.4, i = 0.4' in view.text
+
+
+def test_each_figure_says_by_shape_and_word_whether_it_meets_its_goal(view):
+    figures = markup(view)[1]
+    assert 'overshoot 4.5 % <b class="step-met">✓ goal met: below 5 %</b>' in figures
+    assert 'settling time 0.67 s <b class="step-missed">✗ not yet: below 0.4 s</b>' in figures
+    assert 'error 2.86 rad/s <b class="step-missed">✗ not yet: within 0.1 rad/s</b>' in figures
+    assert '<span>rise time 0.26 s</span>' in figures
+    assert 'target: 9.7 to 10.3 from 0.4 on' in markup(view)[0]
+    unsteady = Figures(12.0, -2.0, None, None, None)
+    assert list(Goals().verdicts(unsteady)) == [
+        ('no steady speed', False, 'a steady speed'), ('12.00 rad/s at the end', None, '')]
+
+
+def test_the_curve_of_before_a_drag_stays_and_a_page_without_a_kernel_does_not_get_it(view, controller):
+    assert 'before' not in markup(view)[0]
+    client = ParameterClient(controller)
+    view._drawn_sec -= 60
+    client.set_parameter(KP, 0.2)
+    shows(view, 'p = 0.2')
+    wait_until(lambda: '>before<' in markup(view)[0], 'the curve of before')
+    before = view._before
+    view._drawn_sec += 60  # still the same drag
+    client.set_parameter(KP, 0.3)
+    shows(view, 'p = 0.3')
+    view.settle()
+    assert view._before is before
+    assert '>before<' not in view.look() and '>before<' not in view.snapshot()['html']
+    first = view.look()
+    client.set_parameter(KP, 0.5)
+    client.set_parameter(KP, 0.3)
+    shows(view, 'p = 0.3')
+    assert view.look() == first
+
+
+def test_it_follows_a_controller_that_is_restarted_and_survives_one_that_is_gone(ros, view, controller):
+    ros.remove(controller)
+    shows(view, '/pid_controller_node is not running')
+    # The words for a screen reader are there first.
+    wait_until(lambda: 'is not running' in markup(view)[1] and '<svg' not in markup(view)[0], 'the picture to go')
+    ros.add(PidControllerNode, ros_args=['-p', f'{KP}:=0.4'])
+    shows(view, 'p = 0.4')
+
+
+def test_another_joint_and_other_goals_can_be_chosen_and_names_are_text(ros):
+    ros.add(PidControllerNode, ros_args=['-p', "dof_names:=['<b>', right]", '-p', 'gains.right.p:=0.4'])
+    first = StepResponseView('pid_controller_node')
+    assert first.text.startswith('<b> with p = 0.1') and '<b>' not in markup(first)[0]
+    right = StepResponseView('pid_controller_node', joint='right', goals=Goals(3.0, 1.0, 1.0))
+    assert right.text.startswith('right with p = 0.4')
+    assert '✗ not yet: below 1 %' in markup(right)[1] and '✓ goal met: within 3 rad/s' in markup(right)[1]
+
+
+@pytest.mark.parametrize(('node_class', 'options', 'missing'), [
+    (SimpleParamNode, {}, 'dof_names'), (PidControllerNode, {'joint': 'elbow'}, 'gains.elbow.p')])
+def test_what_it_cannot_simulate_it_names(ros, node_class, options, missing):
+    node = ros.add(node_class)
+    view = StepResponseView(ParameterClient(node), **options)
+    assert view.text == (f'{node.get_fully_qualified_name()} has no parameter {missing}, '
+                         f'so there is nothing to simulate.')
+    view.close()
+
+
+class Careless(Node):
+    """Has the parameters of a controller, and takes any value for them."""
+
+    def __init__(self, like, **others):
+        super().__init__('careless')
+        own = {name: value for name, value in ParameterClient(like).get_parameters().items() if '.' in name}
+        self.declare_parameters('', [*({**own, 'dof_names': ['wheel_joint'], 'update_rate': 100, **others}).items()])
+
+
+@pytest.mark.parametrize('others', [
+    {'update_rate': 0}, {'update_rate': 'often'}, {KP: math.nan}, {KP: 'much'}, {'simulation.inertia_kgm2': 0.0}])
+def test_values_that_cannot_be_simulated_are_reported(ros, controller, others):
+    ros.add(Careless, controller, **others)
+    view = StepResponseView('careless')
+    assert view.text.startswith('/careless holds values with which nothing can be simulated: ')
+    view.close()
+
+
+def test_its_repr_says_nothing_of_the_moment_and_closed_it_listens_to_nothing(ros, controller):
+    before = len(ros._graph_listeners), len(stage._change_listeners)
+    view = StepResponseView(controller)
+    assert repr(view) == '<StepResponseView: /pid_controller_node>'
+    view.close()
+    view.close()
+    assert repr(view) == '<StepResponseView: /pid_controller_node, closed>'
+    assert (len(ros._graph_listeners), len(stage._change_listeners)) == before
+    ParameterClient(controller).set_parameter(KP, 0.4)
+    assert view.text == START
+
+
+# -- the plot and the wheel ----------------------------------------------------------------------------------
+
+def respond(*gains, **options):
+    return simulate(Gains(*gains), Motor(), 10.0, **{'rate_hz': 100, 'duration_sec': 3.0, **options})
+
+
+def test_a_plot_tells_the_figures_in_words_instead_of_its_points():
+    plot = plot_responses({'P': respond(0.1), 'PI': respond(0.1, 0.2)})
+    assert plot.text == ('speed in rad/s over time in s. reference: 10 rad/s. '
+                         f'P: {respond(0.1).figures}. PI: {respond(0.1, 0.2).figures}')
+
+
+def test_a_plot_goes_through_the_response_and_ends_with_it():
+    picture = ElementTree.fromstring(plot_responses({'P': respond(0.1)})._repr_html_())
+    # The key of the lines stands from right to left.
+    corners = picture.findall('polyline')[0].get('points').split()
+    assert len(corners) == 151
+    assert corners[0] == '56.0,216.0'
+    x, y = map(float, corners[-1].split(','))
+    # The axis holds half as much again as the reference.
+    assert (x, y) == (620.0, pytest.approx(216 - 176 * 7.143 / 15, abs=0.3))
+
+
+@pytest.mark.parametrize(('responses', 'error', 'words'), [
+    ({}, ValueError, 'one to three responses; got 0'), ({name: respond(0.1) for name in 'abcd'}, ValueError, 'got 4'),
+    (3, TypeError, 'a dictionary of step responses'), ({'p': 'fast'}, TypeError, 'a dictionary of step responses')])
+def test_what_cannot_be_plotted_is_rejected(responses, error, words):
+    with pytest.raises(error, match=words):
+        plot_responses(responses)
+
+
+def test_a_wheel_that_turns_backwards_is_drawn_below_the_axis():
+    swinging = respond(0.0, 2.0)
+    assert min(swinging.speeds) < -10
+    plot = ElementTree.fromstring(plot_responses({'I': swinging})._repr_html_())
+    heights = [float(corner.split(',')[1]) for line in plot.findall('polyline')
+               for corner in line.get('points').split()]
+    assert min(heights) >= 40 and max(heights) <= 216
+    assert '-20' in {text.text for text in plot.iter('text')}
+
+
+def test_the_wheel_turns_as_far_as_the_speed_says_and_rests_there():
+    steady = Wheel([(number / 100, 10.0) for number in range(301)])
+    assert steady.duration_sec == pytest.approx(3.0) and len(steady.angles) < 45
+    assert steady.angles[-1] == pytest.approx((3.0, 30.0))
+    assert 'style="transform:rotate(1718.9deg);animation' in steady.html()
+    assert [angle for _, angle in Wheel([(0.0, 0.0), (1.0, 2.0), (2.0, 2.0)]).angles] == pytest.approx([0.0, 1.0, 3.0])
+    with pytest.raises(ValueError, match='two points'):
+        Wheel([(0.0, 0.0)])

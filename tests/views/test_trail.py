@@ -1,0 +1,78 @@
+"""The trail of values: what stands at rest, what travels, and which stories are rejected."""
+
+import pytest
+
+from param_tutorial import ParameterClient
+from param_tutorial.views import DeclarationsView
+from param_tutorial.views.drawing.trail import Trail
+from tests.support.drawings import kinds, words
+from tests.views.conftest import Weather
+
+
+@pytest.fixture
+def build():
+    trail = Trail('node.py', ['src', 'install', 'the node'])
+    trail.add('you edit', ['new', 'old', ...], ('', 'src'))
+    trail.add('ros2 run', ['new', 'old', 'old'], ('install', 'the node'), note='the old code')
+    return trail
+
+
+def test_each_moment_says_what_moved_and_what_every_place_holds(build):
+    assert build.text == (
+        'node.py, moment by moment. you edit: new arrives at src; src new, install old. '
+        'ros2 run: old arrives at the node; src new, install old, the node old; the old code.')
+    assert build.sentence == 'ros2 run: the old code.'
+
+
+def test_at_rest_every_value_stands_in_its_moment(build):
+    assert words(build).count('new') == 2 and words(build).count('old') == 3
+    assert kinds(build).count('token') == 2
+
+
+def test_what_is_not_taken_bounces_and_leaves_a_cross():
+    trail = Trail('/robot', ['outside', 'node'])
+    trail.add('set sped', [90, ...], ('outside', 'node', 90, 'rejected'), note='undeclared')
+    assert trail.text.endswith('set sped: 90 bounces off node (rejected); outside 90; undeclared.')
+    assert {'cross', 'token-bad'} <= set(kinds(trail)) and 'token' not in kinds(trail)
+
+
+def test_what_travels_over_a_value_strikes_it_out():
+    trail = Trail('/robot', ['outside', 'default', 'node'])
+    trail.add('speed', [150, ..., 150], ('outside', 'node'))
+    assert 'thick' not in kinds(trail)
+    trail.add('speed', [150, 100, 150], ('outside', 'node'))
+    assert 'thick' in kinds(trail)
+
+
+@pytest.mark.parametrize(('values', 'moves', 'message'), [
+    ([1, 2, 3], [], '3 values for 2 places'),
+    ([1, 2], [('a', 'c')], "'c' is not one of the places"),
+    ([1, ...], [('a', 'b')], 'b holds nothing'),
+])
+def test_a_story_that_cannot_be_is_rejected(values, moves, message):
+    with pytest.raises(ValueError, match=message):
+        Trail('x', ['a', 'b']).add('now', values, *moves)
+
+
+@pytest.mark.parametrize('places', [[], ['a', 'a']])
+def test_places_are_there_and_are_told_apart(places):
+    with pytest.raises(ValueError, match='each once'):
+        Trail('x', places)
+
+
+# -- the trail of a node's declarations ----------------------------------------------------------------------
+
+def test_the_table_fills_with_defaults_and_overrides(ros):
+    view = DeclarationsView(Weather, {'high_c': 30, 'hihg_c': 20})
+    assert 'low_c: -5 arrives at the node has; declare_parameter -5, the node has -5.' in view.text
+    assert 'high_c: 30 arrives at the node has; from outside 30, declare_parameter 40, the node has 30' in view.text
+    assert 'hihg_c: 20 bounces off the node has (ignored); from outside 20; an override, never declared.' in view.text
+    assert ParameterClient('/weather').get_parameter('high_c') == 30
+
+
+def test_requests_from_outside_get_in_or_bounce(ros):
+    view = DeclarationsView(Weather)
+    view.set_parameter('high_c', 35)
+    view.set_parameter('hihg_c', 20)
+    assert 'set high_c: 35 arrives at the node has' in view.text
+    assert 'set hihg_c: 20 bounces off the node has (rejected); from outside 20; undeclared.' in view.text
