@@ -180,7 +180,7 @@ def test_an_unset_parameter_says_so_until_it_is_set(arm):
     assert shows(arm, 'calibrated_at') == ('now',)
 
 
-# -- whatever a node describes --------------------------------------------------------------------------
+# -- whatever a node is called or describes ---------------------------------------------------------------
 
 
 # Where arithmetic with doubles goes wrong.
@@ -267,3 +267,28 @@ def test_a_range_of_doubles_declared_with_integers_leaves_the_panel_alive(ros):
     enter(panel, 'speed', '2')
     panel.settle()
     assert (panel['speed'].value, panel['gain'].value) == (2.0, 0.0)
+
+
+NAMES = ['n' * 1000, '.', 'a..b', 'ends.', '.begins', 'with space', 'new\nline', 'tab\t', 'ümlaut.ß', '🤖', '"quoted"',
+         "it's", '/**', '/arm', '-p', 'a:=b', 'ros__parameters', '*', '#', '{}', '[1]', 'null', 'true', '1', '<b>',
+         '&amp;']
+
+
+class Odd(Node):
+    """Has parameters of names that no guideline allows, and rclpy does."""
+
+    def __init__(self):
+        super().__init__('odd')
+        for number, name in enumerate(NAMES):
+            self.declare_parameter(name, number)
+
+
+def test_a_parameter_of_any_name_is_shown_and_changed(ros):
+    client = ParameterClient(ros.add(Odd))
+    panel = ParameterPanel('/odd')
+    for number, name in enumerate(NAMES):
+        enter(panel, name, str(number + 100))
+    panel.settle()
+    for number, name in enumerate(NAMES):
+        assert client.get_parameter(name) == number + 100
+        assert shows(panel, name) == (str(number + 100),)

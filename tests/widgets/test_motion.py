@@ -86,18 +86,6 @@ def test_the_ladder_of_one_parameter_leaves_others_alone(robot, client):
     wait_for_text(view, 'speed = 5 is accepted')
 
 
-def test_two_pictures_and_a_recorder_share_one_node(robot, client):
-    first, second = LadderView(robot), LadderView(robot)
-    first.close()
-    client.set_parameter('speed', 5)
-    wait_for_text(second, 'speed = 5')
-    assert 'trim sees 6, gives 6' in repr(param_tutorial.record_change(robot, 'speed', 6))
-    second.close()
-    # Nothing stays wrapped.
-    assert [type(each).__name__ for each in robot._pre_set_parameters_callbacks] == ['method']
-    assert '_set_parameters_atomically' not in vars(robot)
-
-
 def test_the_ladder_follows_a_node_that_is_replaced(ros, robot):
     view = LadderView('/robot')
     robot = ros.add(Robot)
@@ -110,15 +98,6 @@ def test_a_node_that_is_not_there_is_waited_for(ros):
     assert 'is not running' in view.text
     ros.add(Robot)
     wait_for_text(view, 'Set a parameter')
-
-
-def test_while_nothing_happens_nothing_is_sent(robot, client):
-    view = LadderView(robot)
-    client.set_parameter('speed', 5)
-    wait_for_text(view, 'speed = 5')
-    before = texts(view)
-    view._worker.call_now(5.0)
-    assert texts(view) == before
 
 
 @pytest.mark.slow
@@ -170,25 +149,9 @@ def test_a_locked_number_and_one_without_limits(robot, client):
     wait_for_text(free, 'speed = -5 is rejected')
 
 
-def test_what_a_callback_trims_lands_where_it_is_stored(robot, client):
-    view = NumberLineView(robot, 'speed')
-    client.set_parameter('speed', 900)
-    wait_for_text(view, 'stored is 300')
-
-
 def test_the_number_line_of_no_number_says_so(robot):
     assert NumberLineView(robot, 'note').text == 'note is not a number.'
     assert 'no parameter wings' in NumberLineView(robot, 'wings').text
-
-
-@pytest.mark.slow
-def test_the_number_line_of_a_node_that_leaves_and_comes_back(ros, robot):
-    view = NumberLineView(robot, 'opening')
-    ros.remove(robot)
-    wait_for_text(view, '/robot')
-    param_tutorial.wait_until(lambda: 'stored' not in view.text, 'the node to be gone')
-    ParameterClient(ros.add(Robot)).set_parameter('opening', 20)
-    wait_for_text(view, 'stored is 20')
 
 
 # -- messages ------------------------------------------------------------------------------------------------

@@ -161,12 +161,6 @@ def test_a_request_is_stopped_by_the_first_check_that_it_fails(ros):
     assert repr(view) == '<ChecksView: 1 of 9 get through all checks.>' and view.node == '/strict'
 
 
-@pytest.mark.slow
-def test_no_check_is_shown_for_a_node_that_is_not_there(ros):
-    with pytest.raises(NodeNotFoundError):
-        ChecksView('/nobody', [('speed', 1)])
-
-
 def test_requests_one_by_one_and_as_one_show_what_the_node_keeps(weather):
     view, client = RequestsView('winter'), ParameterClient(weather)
     view.send('one by one', weather, {'high_c': -10, 'low_c': -30})

@@ -4,14 +4,11 @@ import math
 import re
 
 import pytest
-from rclpy.node import Node
 
-import param_tutorial
 from param_tutorial import ParameterClient, RobotView, wait_until
 from param_tutorial.errors import NodeNotFoundError
 from param_tutorial.nodes.clawbot_node import ClawbotNode
-from param_tutorial.runtime import stage, worker
-from param_tutorial.widgets import robot as robot_module
+from param_tutorial.runtime import stage
 from tests.support.widgets import press
 
 FOREVER = math.inf
@@ -52,28 +49,6 @@ def test_a_drive_is_sent_as_its_phases(view, robot):
     assert f'{robot.motion[0].duration_sec:.4f}s linear both' in picture(view)
 
 
-@pytest.mark.slow
-def test_a_picture_for_each_motion_words_for_each_thing_it_begins_to_do_and_nothing_while_it_stands(view, robot):
-    pictures, scenes = [], []
-    view._front.observe(lambda change: pictures.append(change.new), 'picture')
-    view._front.observe(lambda change: scenes.append(change.new), 'scene')
-    view.drive()
-    shows(view, 'SPEEDING UP')
-    for seconds, word in ((2.5, 'CRUISING'), (1.5, 'BRAKING'), (FOREVER, 'STOPPED')):
-        robot.react([])  # as when a parameter is set to what it is
-        assert view._worker.call_now(5.0)
-        robot.step(seconds)
-        shows(view, word)
-    end_sec = pytest.approx(robot.motion[0].duration_sec, abs=1e-4)
-    assert [(at_sec, word) for at_sec, word, *_ in scenes] == [
-        (0.0, 'SPEEDING UP'), (2.5, 'CRUISING'), (4.0, 'BRAKING'), (end_sec, 'STOPPED')]
-    assert ['@keyframes' in each for each in pictures] == [True, False]
-    robot.step(1000.0)
-    robot.react([])
-    param_tutorial.wait_until(lambda: view._worker._thread is None, "the view's thread to end")
-    assert len(scenes) == 4 and len(pictures) == 2
-
-
 def test_a_second_drive_on_the_way_begins_the_picture_anew(view, robot):
     view.drive()
     shows(view, 'SPEEDING UP')
@@ -111,14 +86,6 @@ def test_what_it_waits_for_is_kept_up_to_date(view, robot):
     wait_until(lambda: '-10 °C is below' in view.text, 'the view to say how cold it is')
     client.set_parameters({'simulation.ambient_temperature_c': -20})  # still too cold, so the robot waits on
     wait_until(lambda: '-20 °C is below' in view.text, f'the view to follow; it says {view.text!r}')
-
-
-def test_a_robot_that_goes_while_the_view_looks_for_it_is_gone(ros, view, robot, monkeypatch):
-    nodes = ros.nodes
-    ros.remove(robot)
-    monkeypatch.setattr(type(ros), 'nodes', nodes)  # as if the list had been made just before
-    assert view._worker.call_now(5.0)
-    assert 'is not running' in view.text
 
 
 def test_the_picture_has_a_text_alternative_and_the_words_a_live_region(view, robot):
@@ -189,19 +156,4 @@ def test_it_may_be_made_before_its_robot(ros):
     assert view.text == '/clawbot_node is not running. It comes back here when it does.'
     ros.add(ClawbotNode, real_time=False)
     shows(view, 'READY')
-    view.close()
-
-
-@pytest.mark.slow
-def test_it_looks_as_often_as_it_says_for_a_robot_that_is_coming_and_then_no_more(ros, monkeypatch):
-    """The graph has a node of this name, but this process has no robot to show, or not yet."""
-    monkeypatch.setattr(worker, '_LOOK_PERIOD_SEC', 3600.0)  # the worker by itself looks never
-    monkeypatch.setattr(robot_module, '_LOOKS_FOR_ROBOT', 7)
-    view = RobotView('clawbot_node')
-    looks = []
-    show = view._worker._step
-    monkeypatch.setattr(view._worker, '_step', lambda: looks.append(show()) or looks[-1])
-    ros.add(Node, 'clawbot_node')
-    # Each change of the graph restarts the count, and there may be more than one.
-    wait_until(lambda: looks[-7:] == [robot_module._LOOK_PERIOD_SEC] * 6 + [None], 'the view to give up', 60.0)
     view.close()

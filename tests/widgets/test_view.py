@@ -17,7 +17,7 @@ from param_tutorial.runtime import stage
 from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.widgets.log import LogView
 from param_tutorial.widgets.panel import ParameterPanel
-from tests.support.widgets import texts, worker_threads
+from tests.support.widgets import texts
 
 
 @pytest.mark.parametrize('view', [ParameterPanel, StepResponseView])
@@ -86,15 +86,3 @@ def test_after_closing_nothing_listens_any_more(ros):
         gc.collect()
         return not any(reference() for reference in gone)
     wait_until(all_gone, 'the closed widgets to be collected')
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize('make', [LogView, EventView, lambda: ParameterPanel('/arm'), lambda: RobotView('/arm')])
-def test_its_thread_is_known_as_one_of_a_view_and_ends_with_it(ros, make):
-    """Each test of widgets waits for these threads to end, which guards nothing if their names are wrong."""
-    assert worker_threads() == []
-    view = make()
-    (view._live._reader if isinstance(view, ParameterPanel) else view._worker).wake()
-    assert worker_threads() != []
-    view.close()
-    wait_until(lambda: not worker_threads(), 'the thread of the closed view to end')
