@@ -55,8 +55,7 @@ def test_a_second_drive_on_the_way_begins_the_picture_anew(view, robot):
     take = view._front.take
     robot.step(1.0)
     view.drive()
-    assert view._worker.call_now(5.0)
-    assert (view._front.take, view._front.scene[:2]) == (take + 1, [0.0, 'SPEEDING UP'])
+    wait_until(lambda: (view._front.take, view._front.scene[:2]) == (take + 1, [0.0, 'SPEEDING UP']), 'the new drive')
 
 
 def test_a_parameter_changed_on_the_way_is_sent_from_where_the_robot_is(view, robot):
