@@ -56,14 +56,6 @@ def test_a_change_on_the_way_counts_from_there(view, clock):
     assert 'after 10.25 s' in view.text
 
 
-def test_a_change_after_the_arrival_moves_nothing(view, clock):
-    view.drive()
-    clock[0] += 60
-    ParameterClient('/cart_node').set_parameter('max_speed_mps', 0.5)
-    view.settle()
-    assert view.text.startswith('STOPPED')
-
-
 def test_one_picture_for_the_drive_and_words_for_each_thing_that_it_begins_to_do(view, clock):
     pictures, words = [], []
     view._front.observe(lambda change: pictures.append(change.new), 'picture')

@@ -199,7 +199,7 @@ def describing(ros):
 
 
 # Many examples for one node and one panel.
-MANY = settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+MANY = settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def check_that_it_works(describing, value, descriptor):

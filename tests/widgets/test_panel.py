@@ -407,7 +407,7 @@ def test_what_a_callback_changes_is_undone_with_it(ros):
 
 
 @pytest.mark.slow
-@settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.sampled_from([
     ('enabled', 'true'), ('enabled', 'false'), ('tool', 'saw'), ('tool', 'drill'), ('offset', '1'), ('offset', '2.5'),
     ('joints', '9'), ('joints', '77'), ('gains.kp', '0.9'), ('names', '[a]'), ('order', '[]'), ('serial', 'x')]),
