@@ -175,23 +175,6 @@ finally:
     robot.wait()
 '''
 
-SLOW_ROBOT = (
-    '# A robot\nOn the stage, and long on its way:',
-    'from param_tutorial import ParameterClient, RobotView, start\n'
-    'from param_tutorial.nodes.clawbot_node import ClawbotNode\n\n'
-    "robot = start().add(ClawbotNode)\nParameterClient(robot).set_parameter('max_acceleration_mps2', 0.02)\n"
-    'RobotView(robot)',
-)
-
-# Seconds of a drive, and in how many of its frames the robot has moved, a second.
-MOVED = '''seconds => new Promise(done => {
-    const seen = new Set(), begin = performance.now();
-    const look = now => {
-        seen.add(getComputedStyle(document.querySelector('.robot-mover')).transform);
-        now - begin < 1000 * seconds ? requestAnimationFrame(look) : done(seen.size / seconds);
-    };
-    requestAnimationFrame(look) })'''
-
 LARGE = (
     '# Large\nMany parameters:',
     '''import param_tutorial
@@ -390,7 +373,9 @@ def lesson_in_browser(rounds: int, idle_sec: float) -> list[Row]:
         kernel = psutil.Process(int(lab.ask_kernel("__import__('os').getpid()")))
         # What a lesson has just done (threads that end, garbage) is not idling.
         page.page.wait_for_timeout(5000)
-        share, = _loads(page, idle_sec, [kernel])
+        before, start = sum(kernel.cpu_times()[:2]), time.monotonic()
+        page.page.wait_for_timeout(1000 * idle_sec)
+        share = 100 * (sum(kernel.cpu_times()[:2]) - before) / (time.monotonic() - start)
         memory = kernel.memory_info().rss / 2**20
     began = statistics.median(seconds)
     return [Row('kernel start to first panel on screen', f'{began:.2f} s, at best {min(seconds):.2f} s',
@@ -411,38 +396,6 @@ def _until_shown(page: LabPage, shown: Locator) -> float:
     took = time.monotonic() - start
     page.run_all()
     return took
-
-
-def robot_in_browser(seconds: float) -> list[Row]:
-    """Measure how smoothly the robot moves, and what that costs; the browser is all its processes."""
-    with _opened(SLOW_ROBOT) as (lab, page):
-        page.run_all()
-        kernel = [psutil.Process(int(lab.ask_kernel("__import__('os').getpid()")))]
-        browser = [each for each in psutil.Process().children(recursive=True) if 'chrom' in each.name()]
-        page.page.wait_for_timeout(3000)  # whatever JupyterLab does after running a cell
-        still, _ = _loads(page, seconds, kernel, browser)
-        page.page.get_by_role('button', name='Drive').click()
-        expect(page.page.locator('.robot-word')).to_have_text('SPEEDING UP')
-        moving = _loads(page, seconds, kernel, browser)
-        frames = page.page.evaluate(MOVED, seconds)
-
-    def load(what: str, percent: float, most: float) -> Row:
-        return Row(f'CPU while the robot is {what}', f'{percent:.1f} % of a core', f'at most {most:g} %',
-                   percent <= most)
-
-    return [Row('frames in which the robot has moved', f'{frames:.0f} per second', 'at least 20', frames >= 20),
-            load('moving: kernel', moving[0], 15), load('moving: browser', moving[1], 10),
-            load('still: kernel', still, 1)]
-
-
-def _loads(page: LabPage, seconds: float, *groups: list[psutil.Process]) -> list[float]:
-    """Return the processor time of each group in percent of one core."""
-    def used_sec() -> list[float]:
-        return [sum(sum(each.cpu_times()[:2]) for each in group) for group in groups]
-
-    used, begin = used_sec(), time.monotonic()
-    page.page.wait_for_timeout(1000 * seconds)
-    return [100 * (after - before) / (time.monotonic() - begin) for before, after in zip(used, used_sec())]
 
 
 def large_panels(rounds: int) -> list[Row]:
@@ -484,7 +437,7 @@ def main() -> int:
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
                     lambda: whole_system(1 if quick else 5), lambda: many_parameters(1 if quick else 5),
                     lambda: lesson_in_browser(1 if quick else 10, 5.0 if quick else 20.0),
-                    lambda: large_panels(1 if quick else 5), lambda: robot_in_browser(2.0 if quick else 5.0)):
+                    lambda: large_panels(1 if quick else 5)):
         for row in measure():
             rows.append(row)
             verdict = {True: 'met', False: 'NOT MET', None: ''}[row.met]
