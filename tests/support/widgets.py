@@ -2,8 +2,6 @@
 
 import threading
 
-from param_tutorial.parameters import values
-from param_tutorial.runtime.waiting import wait_until
 from param_tutorial.runtime.worker import THREAD_NAME_PREFIX
 
 
@@ -61,8 +59,3 @@ def says(panel, name):
 def is_locked(panel, name):
     """True if the control of a parameter is disabled."""
     return _row(panel, name).get('is_locked', False)
-
-
-def wait_for_value(panel, name, value):
-    """Wait, without asking the panel to hurry."""
-    wait_until(lambda: values.same(panel[name].value, value), f'{name} to become {value!r}')

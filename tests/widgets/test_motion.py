@@ -78,14 +78,6 @@ def test_what_the_node_sets_itself_climbs_too(ros, robot):
     wait_for_text(view, 'speed = 7 is accepted')
 
 
-def test_the_ladder_of_one_parameter_leaves_others_alone(robot, client):
-    view, everything = LadderView(robot, 'speed'), LadderView(robot)
-    client.set_parameter('speed', 5)
-    client.set_parameter('opening', 50)
-    wait_for_text(everything, 'opening = 50')
-    wait_for_text(view, 'speed = 5 is accepted')
-
-
 def test_the_ladder_follows_a_node_that_is_replaced(ros, robot):
     view = LadderView('/robot')
     robot = ros.add(Robot)
@@ -116,17 +108,9 @@ def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, cl
     assert [texts(view) for view in (accepted, rejected, line, message)] == before
 
 
-def test_a_callback_that_raises_while_it_asks_is_shown_too(robot):
-    assert 'gets no answer' in LadderView(robot, 'speed', 'fast').text
-
-
 def test_a_node_that_is_not_there_cannot_be_asked(ros):
     with pytest.raises(NodeNotFoundError, match='/nobody'):
         LadderView('nobody', 'speed', 1)
-
-
-def test_a_rejected_value_sends_no_message(robot):
-    assert 'Nothing has changed yet' in MessageView(robot, 'speed', -5).text
 
 
 # -- the number line -----------------------------------------------------------------------------------------

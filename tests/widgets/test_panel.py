@@ -88,14 +88,6 @@ def test_a_change_made_elsewhere_shows_without_being_asked_for(arm):
                           'the panel to follow')
 
 
-def test_two_panels_stay_in_step(arm):
-    other = ParameterPanel(NODE)
-    slide(arm, 'joints', 2)
-    wait_until(lambda: shows(other, 'joints') == ('9', 2), 'the second panel to follow the first')
-    enter(other, 'joints', '1')
-    wait_until(lambda: shows(arm, 'joints') == ('1', 0), 'the first panel to follow the second')
-
-
 def test_a_dynamic_parameter_that_has_become_bytes_still_shows_what_it_was(arm):
     """An empty list is an array of bytes to rclpy, and no number can be written as one."""
     enter(arm, 'payload', '[]')
@@ -111,12 +103,6 @@ def test_a_dynamic_parameter_follows_its_type(arm):
     ParameterClient(NODE).set_parameter('payload', ['a', 'b'])
     wait_until(lambda: shows(arm, 'payload') == ('[a, b]',), 'the panel to follow')
     wait_until(lambda: arm['payload'].descriptor.type is values.STRING_ARRAY, 'the new type')
-
-
-def test_a_panel_is_asked_like_a_dictionary(arm):
-    assert list(arm) == arm.names
-    with pytest.raises(ParameterNotDeclaredError, match="has no parameter '0'"):
-        arm[0]
 
 
 def test_a_parameter_declared_later_appears_and_a_deleted_one_goes(arm):
@@ -290,20 +276,6 @@ def test_names_choose_and_order(ros):
     panel = ParameterPanel(NODE, names=['tool', 'use_sim_time', 'joints', 'no_such'])
     assert panel.names == ['tool', 'use_sim_time', 'joints']
     assert repr(panel) == '<ParameterPanel: /arm, 3 parameters>'
-
-
-def test_a_node_or_a_client_will_do_for_a_name(ros):
-    node = ros.add(SimpleParamNode)
-    for each in (node, ParameterClient('/simple_param_node')):
-        panel = ParameterPanel(each)
-        assert panel.node == '/simple_param_node'
-
-
-def test_groups_have_headings_and_every_nodes_parameters_come_last(arm):
-    assert arm.names[-2:] == ['use_sim_time', 'start_type_description_service']
-    headings = re.findall(r'<span role="heading" aria-level="4">(.+?)</span>', arm._front.markup)
-    assert headings == ['gains', 'In every node']
-    assert re.findall(r'<label for="[^"]+">(k.)</label>', arm._front.markup) == ['kp', 'ki']
 
 
 class Band(Node):
@@ -611,13 +583,6 @@ def test_an_element_that_cannot_be_read_is_named_and_the_array_stays(arm):
     enter_items(arm, 'order', '3', '1.5', '2')
     assert says(arm, 'order') == ('rejected', "element 2, '1.5', cannot be read: order takes integers, e.g. [1, 2, 3]")
     assert arm['order'].value == [3, 1, 2]
-
-
-def test_what_no_list_of_boxes_can_hold_has_none(arm):
-    ParameterClient(NODE).set_parameters({'names': ['two\nlines'], 'order': list(range(101))})
-    wait_until(lambda: len(arm['order'].value) == 101, 'the panel to follow')
-    arm.settle()
-    assert (items(arm, 'names'), items(arm, 'order')) == (None, None)
 
 
 def test_a_unit_stands_behind_the_box_where_one_is_known(ros):

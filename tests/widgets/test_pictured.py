@@ -56,10 +56,6 @@ def test_a_trail_grows_and_plays_anew_with_each_moment():
     assert view.node == 'speed'
 
 
-def test_a_trail_without_moments_is_empty_and_still():
-    assert 'Play again' not in texts(TrailView('speed', ['parameter']))
-
-
 # -- declarations --------------------------------------------------------------------------------------------
 
 def test_the_table_fills_with_defaults_and_overrides(ros):
@@ -78,30 +74,7 @@ def test_requests_from_outside_get_in_or_bounce(ros):
     assert 'set hihg_c: 20 bounces off the node has (rejected); from outside 20; undeclared.' in view.text
 
 
-# -- layers --------------------------------------------------------------------------------------------------
-
-def test_layers_are_shown_without_asking_anybody():
-    view = LayersView('speed', [('default', 100), ('-p', 200)], has=200)
-    assert repr(view) == '<LayersView: speed = 200, from -p.>'
-    assert 'aria-label="Layers of speed' in view.snapshot()['html']
-    view.close()
-
-
-# -- lifts ---------------------------------------------------------------------------------------------------
-
-def test_lifts_are_shown():
-    view = LiftsView({'a': [(0, 0.0), (1, 1.0)], 'b': [(0, 0.0), (1, 0.5)]}, {0: 'start'})
-    assert repr(view) == '<LiftsView: After 1 s: a at 1.00 m, b at 0.50 m.>'
-    assert '@keyframes' in texts(view)
-
-
 # -- the plane -----------------------------------------------------------------------------------------------
-
-def test_the_plane_is_what_the_node_answers(weather):
-    view = PlaneView(weather, {'low_c': DAYS, 'high_c': DAYS})
-    assert repr(view) == '<PlaneView: The node takes 3 of 9 pairs.>'
-    assert ParameterClient(weather).get_parameters(['low_c', 'high_c']) == {'low_c': -5, 'high_c': 40}
-
 
 def test_ways_are_those_of_real_requests(weather):
     view = PlaneView(weather, {'low_c': DAYS, 'high_c': DAYS})
@@ -124,16 +97,6 @@ def test_a_plane_has_two_parameters_of_a_node_that_is_there(weather, ros):
         PlaneView(weather, {'low_c': DAYS})
     with pytest.raises(NodeNotFoundError):
         PlaneView('/nobody', {'low_c': DAYS, 'high_c': DAYS})
-
-
-# -- worlds --------------------------------------------------------------------------------------------------
-
-def test_a_world_that_is_added_is_played():
-    view = WorldsView('speed')
-    before = texts(view)
-    view.add('ROS 2', {'/robot': 900}, killed='/robot', successor=100)
-    assert repr(view) == '<WorldsView: ROS 2: the new /robot has 100.>'
-    assert '@keyframes' in texts(view) and texts(view) != before
 
 
 # -- checks and requests -------------------------------------------------------------------------------------
