@@ -1,12 +1,10 @@
 """Predict, then run, in the real JupyterLab: by keyboard, and remembered until the next start."""
 
 import json
-import os
-from pathlib import Path
 
 import nbformat
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.support import lesson
 from tests.support.lab import CourseLab, LabPage, chromium
@@ -20,12 +18,6 @@ CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.
          "from param_tutorial.learner.progress import own_progress\n\n"
          "for number in ('3a', '3b', '3c'):\n    own_progress().add_solved(number)",
          "exercises.progress('3')")
-
-
-def see(page: Page, name: str) -> None:
-    """Keep a picture for people, if they have said where."""
-    if folder := os.environ.get('PREDICTION_SHOTS'):
-        page.screenshot(path=str(Path(folder) / f'{name}.png'))
 
 
 def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
@@ -42,7 +34,6 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         first = page.locator('.param-predict')
         commit = first.get_by_role('button', name='Commit')
         expect(commit).to_be_disabled()
-        see(page, 'asked')
 
         # By keyboard: choose, go on to the button, press it.
         first.get_by_role('radio').first.focus()
@@ -54,13 +45,11 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         page.keyboard.press('Space')
         expect(first).to_contain_text('Now run the next cell.')
         expect(first.get_by_role('radio').first).to_be_disabled()
-        see(page, 'committed')
         # From there Shift+Enter runs the same cell again, and then the one that gives the answer.
         page.keyboard.press('Shift+Enter')
         expect(first).to_contain_text('Now run the next cell.')
         page.keyboard.press('Shift+Enter')
         expect(first).to_contain_text('Not so. A parameter that is not declared')
-        see(page, 'decided')
 
         # After Run All the verdict comes at once, and nothing was held up.
         lab_page.run_all()
@@ -70,7 +59,6 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         expect(second).to_contain_text('Right. -20, -15')
         expect(page.locator('.param-progress').first).to_contain_text('1 of 7 predictions made, 0 of them right')
         expect(page.locator('.param-praise')).to_have_count(1)
-        see(page, 'solved')
         assert lab_page.errors == []
     remembered = json.loads((lab.copies / 'progress.json').read_text())
     assert list(remembered['solved']) == ['3a', '3b', '3c']
@@ -81,5 +69,4 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         page = browser.new_page()
         page.goto(f'{lab.url}?token={lab.token}')
         expect(page.get_by_role('row', name='3 ✓ Declaring')).to_be_visible()
-        see(page, 'start')
     assert json.loads((lab.copies / 'progress.json').read_text()) == remembered

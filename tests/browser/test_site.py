@@ -18,14 +18,14 @@ import pytest
 from nbclient import NotebookClient
 from playwright.sync_api import expect
 
-from param_tutorial.site import archive, single
+from param_tutorial.site import single
 from param_tutorial.site.build import Site
 from param_tutorial.site.pages import writing
 from param_tutorial.site.recording import run
 from tests.support import lesson, missing
 from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import ROOT, wait_for
-from tests.tools.site_rules import KEEP, check_page, open_page
+from tests.tools.site_rules import check_page, open_page
 
 # Sphinx and its extensions tell each other, in each release, what the next one will bring.
 pytestmark = [
@@ -203,18 +203,13 @@ robot = pytest.mark.parametrize('page', ['2_robot.html'], indirect=True)
 
 
 @limits
-def test_a_value_that_the_node_took(page):
+def test_a_value_that_the_node_took_is_in_its_log_and_in_the_table_of_events(page):
+    rows = page.get_by_role('log', name='Changes of all nodes').get_by_role('row')
+    expect(rows).to_have_count(1)
     type_into(page, 'power_w', '150')
     expect(message(page, 'power_w')).to_have_text('Accepted.')
     expect(box(page, 'power_w')).to_have_value('150')
     expect(page.get_by_role('log', name='Log of /heater')).to_contain_text('[INFO] [heater]: power_w is now 150')
-
-
-@limits
-def test_what_the_node_told_stands_in_the_table_of_events(page):
-    rows = page.get_by_role('log', name='Changes of all nodes').get_by_role('row')
-    expect(rows).to_have_count(1)
-    type_into(page, 'power_w', '150')
     type_into(page, 'low_c', '25')  # rejected, so nothing is told
     box(page, 'on').click()
     expect(rows).to_have_count(3)
@@ -248,30 +243,18 @@ def test_a_value_that_was_not_recorded_is_said_to_be(page):
     type_into(page, 'power_w', '123456')
     expect(message(page, 'power_w')).to_contain_text('Not recorded: the node was not asked for “123456”')
     expect(box(page, 'power_w')).to_have_value('100')
-    type_into(page, 'name', 'Nobody thought of this')
-    expect(message(page, 'name')).to_contain_text('Not recorded')
-    expect(box(page, 'name')).to_have_value('Heater')
+    for text in ('Nobody thought of this', '__proto__'):
+        type_into(page, 'name', text)
+        expect(message(page, 'name')).to_contain_text('Not recorded')
+        expect(box(page, 'name')).to_have_value('Heater')
 
 
 @limits
 def test_an_answer_that_depends_on_another_parameter_is_not_given_for_another_state(page):
     """21 is below 22 but not below 20: the page must not answer from the state that was first shown."""
-    recorded = page.evaluate('''async () => {
-        const packed = document.querySelector('.rec-panel .rec-data').textContent;
-        const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
-        const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
-        return JSON.parse(await new Response(stream).text()) }''')
-    rows = {each['name']: each for each in recorded['rows']}
-    assert rows['low_c']['depends'] == ['high_c'] and rows['high_c']['depends'] == ['low_c']
-    assert [name for name, each in rows.items() if each.get('depends')] == ['low_c', 'high_c']
-
-    asked = rows['low_c']['contexts']
-    assert {f'high_c={each}' for each in range(1, 35) if each != 22} == asked.keys()
-    known = '20'
-    assert 'value' in rows['low_c']['answers']['21'] and 'reason' in asked['high_c=20']['21']
-    type_into(page, 'high_c', known)
+    type_into(page, 'high_c', '20')
     type_into(page, 'low_c', '21')
-    expect(message(page, 'low_c')).to_have_text(f'Rejected: 21 is not below {known}')
+    expect(message(page, 'low_c')).to_have_text('Rejected: 21 is not below 20')
     page.get_by_role('button', name='Back to the start').click()
     expect(box(page, 'high_c')).to_have_value('22')
     # high_c has no room below 18 until low_c has gone down.
@@ -484,11 +467,7 @@ def test_a_link_brings_the_settings_of_a_panel_back(page):
 @limits
 @pytest.mark.parametrize(('settings', 'said'), [
     ('{panel}?power_w=150&low_c=25', 'asks for low_c = 25, which this panel has not recorded as accepted.'),
-    ('{panel}?power_w=150&nobody=1', 'asks for nobody = 1, which'),
     ('{panel}?power_w=150&__proto__=%3Cb%3E', 'asks for __proto__ = <b>, which'),
-    ('{panel}?serial=SN-2', 'asks for serial = SN-2, which'),
-    ('{panel}', 'asks for nothing, which'),
-    ('{panel}?%ff&=&==%', 'which this panel has not recorded as accepted.'),
     ('nowhere?power_w=150', 'asks for settings of a panel that is not on this page.')])
 def test_a_bad_link_is_ignored_with_a_sentence(page, settings, said):
     panel = page.locator('.rec-panel').get_attribute('id')
@@ -501,44 +480,18 @@ def test_a_bad_link_is_ignored_with_a_sentence(page, settings, said):
     expect(page.get_by_role('button', name='Back to the start')).to_be_disabled()
 
 
-FIRST = ['1_limits', '6.1-1']
-
-
-@pytest.mark.parametrize(('answers', 'sizes'), [
-    ([[FIRST, {'text': 'no choice', 'isDone': True}]], [['1_limits', 2]]),
-    ([[FIRST, {'text': 7, 'isDone': True}]], [['1_limits', 2]]),
-    ([[FIRST, None]], [['1_limits', 2]]),
-    ([[FIRST, {'text': 'It rejects both', 'isDone': True}]], []),
-    ([[FIRST, {'text': 'It rejects both', 'isDone': True}]], [['1_limits', 'many']]),
-    ([['', {}]], [['1_limits', 2], [7, 7]]),
-    ([[7, {'text': '', 'isDone': True}]], [['1_limits', 2]])])
-def test_a_page_lives_with_whatever_the_browser_has_kept(made, browser, answers, sizes):
-    with open_page(browser, (made.target / '1_limits.html').as_uri()) as page:
-        page.evaluate(KEEP, [answers, sizes])
-        page.reload()
-        commit_to_the_first(page)
-
-
 @pytest.mark.parametrize('fault', [
     "IDBFactory.prototype.open = () => { throw new DOMException('', 'SecurityError') }",
-    'IDBFactory.prototype.open = () => new EventTarget()',  # it never answers
-    "IDBObjectStore.prototype.put = () => { throw new DOMException('', 'QuotaExceededError') }",
-    "IDBObjectStore.prototype.getAll = () => { throw new DOMException('', 'UnknownError') }",
-    "Object.defineProperty(window, 'indexedDB', {get: () => undefined})"])
+    "IDBObjectStore.prototype.put = () => { throw new DOMException('', 'QuotaExceededError') }"])
 def test_a_page_lives_where_the_browser_keeps_nothing(made, browser, fault):
     with open_page(browser, (made.target / '1_limits.html').as_uri()) as page:
         page.add_init_script(fault)
         page.reload()
-        commit_to_the_first(page)
-
-
-def commit_to_the_first(page):
-    form = page.locator('.rec-prediction').first
-    form.get_by_role('radio').first.check()
-    form.get_by_role('button', name='Commit').click()
-    expect(form.get_by_role('status')).not_to_be_empty()
-    expect(form.get_by_role('button', name='Answer again')).to_be_visible()
-    expect(page.locator('.lesson-mark')).to_have_attribute('title', '1 of 2 questions answered')
+        form = page.locator('.rec-prediction').first
+        form.get_by_role('radio').first.check()
+        form.get_by_role('button', name='Commit').click()
+        expect(form.get_by_role('status')).not_to_be_empty()
+        expect(page.locator('.lesson-mark')).to_have_attribute('title', '1 of 2 questions answered')
 
 
 def stop_the_clock(page):
@@ -598,29 +551,6 @@ def test_a_drive_that_was_not_recorded_is_said_not_to_be(page):
 
 
 @robot
-def test_a_change_whose_drives_were_not_recorded_ends_the_drive(page):
-    start_to_drive(page)
-    type_into(page, 'max_speed_rpm', '77')
-    type_into(page, 'robot_name', 'Rex')
-    expect(page.locator('.rec-robot')).to_have_class(re.compile('rec-stale'))
-    expect(page.locator('.robot-word')).to_have_text('STOPPED')
-
-
-@robot
-def test_a_drive_is_the_one_with_the_settings_at_its_beginning(page):
-    stop_the_clock(page)
-    box(page, 'enable_safety_mode').uncheck()
-    page.evaluate("""() => {
-        document.querySelector('.robot-drive').click();
-        // While the page is still looking for the drive without the safety mode.
-        document.querySelector('.param-row[data-name=enable_safety_mode] .param-box').click();
-    }""")
-    expect(page.locator('.robot-film')).to_have_count(1)
-    page.clock.fast_forward(60_000)
-    expect(page.locator('.robot-says')).to_contain_text('has stopped')
-
-
-@robot
 def test_a_reader_who_wants_no_motion_sees_each_phase_where_it_begins(page):
     """As in JupyterLab: the picture jumps, and the words come in their time."""
     page.emulate_media(reduced_motion='reduce')
@@ -654,48 +584,6 @@ def test_a_change_on_the_way_takes_effect_on_the_way(page):
     expect(page.locator('.robot-says')).to_have_text('Clawbot has run into the wall at 1.05 m/s.')
 
 
-@robot
-def test_a_change_that_is_taken_back_on_the_way_changes_nothing(page):
-    start_to_drive(page)
-    page.evaluate("""() => {
-        const safety = document.querySelector('.param-row[data-name=enable_safety_mode] .param-box');
-        safety.click();
-        safety.click();
-    }""")
-    page.clock.fast_forward(1_000)
-    expect(page.locator('.robot-head')).to_contain_text('safety on')
-    page.clock.fast_forward(60_000)
-    expect(page.locator('.robot-says')).to_have_text('Clawbot has stopped 0.20 m from the wall.')
-
-
-@robot
-def test_a_robot_that_waits_pulls_away_as_soon_as_it_may(page):
-    slider = row(page, 'max_speed_rpm').get_by_role('slider')
-    stop_the_clock(page)
-    slider.press('Home')
-    page.get_by_role('button', name='Drive').click()
-    expect(page.locator('.robot-word')).to_have_text('WAITING')
-    slider.press('End')
-    expect(page.locator('.robot-word')).to_have_text('SPEEDING UP')
-
-
-@robot
-def test_the_slider_stands_where_drives_are_recorded_with_and_without_the_safety_mode(page):
-    stop_the_clock(page)
-    slider = row(page, 'max_speed_rpm').get_by_role('slider')
-    slider.press('Home')
-    page.get_by_role('button', name='Drive').click()
-    expect(page.locator('.robot-says')).to_contain_text('max_speed_rpm is 0')
-    for key in ('ArrowRight', 'End'):
-        slider.press(key)
-        drive_to_the_end(page)
-        expect(page.locator('.robot-says')).to_contain_text('has stopped')
-    box(page, 'enable_safety_mode').uncheck()
-    drive_to_the_end(page)
-    expect(page.locator('.robot-says')).to_contain_text('has run into the wall')
-    expect(page.locator('.robot-picture')).not_to_contain_text('stop')
-
-
 @limits
 def test_a_box_says_what_was_recorded_before_anyone_types(page):
     expect(row(page, 'power_w').locator('.param-help')).to_contain_text('Recorded: -20 to 200 in steps of 1, and')
@@ -703,36 +591,13 @@ def test_a_box_says_what_was_recorded_before_anyone_types(page):
     assert name.evaluate("each => [...each.list.options].map(option => option.value).includes('Rex')")
 
 
-@limits
-@pytest.mark.parametrize('typed', ['toString', '__proto__', 'hasOwnProperty'])
-def test_a_word_that_every_javascript_object_knows(page, typed):
-    type_into(page, 'name', typed)
-    expect(message(page, 'name')).to_contain_text('Not recorded')
-    expect(box(page, 'name')).to_have_value('Heater')
-
-
-@pytest.mark.parametrize('trouble', ['damaged', 'old browser'])
-def test_one_view_that_cannot_be_unpacked_says_so_and_the_others_live(made, browser, tmp_path, trouble):
-    shutil.copytree(made.target, tmp_path / 'site')
-    path = tmp_path / 'site' / '1_limits.html'
-    text = path.read_text()
-    if trouble == 'damaged':
-        before, panel, after = text.partition('class="rec rec-panel"')
-        path.write_text(before + panel + re.sub(r'(class="rec-data">)[^<]{40}', r'\1AAAA', after, count=1))
+def test_a_browser_that_cannot_unpack_the_recordings_says_so(made, browser):
     page = browser.new_page()
-    if trouble == 'old browser':
-        page.add_init_script('delete globalThis.DecompressionStream')
-    page.goto(path.as_uri())
+    page.add_init_script('delete globalThis.DecompressionStream')
+    page.goto((made.target / '1_limits.html').as_uri())
     page.wait_for_selector('html[data-lesson=ready]', state='attached')
-    expect(page.locator('.rec-panel .rec-dead')).to_contain_text(
-        'is damaged' if trouble == 'damaged' else 'has no DecompressionStream')
+    expect(page.locator('.rec-panel .rec-dead')).to_contain_text('has no DecompressionStream')
     expect(box(page, 'power_w')).to_be_disabled()
-    form = page.locator('.rec-prediction').first
-    if trouble == 'damaged':
-        form.get_by_role('radio').first.check(force=True)
-        expect(form.get_by_role('button', name='Commit')).to_be_enabled()
-    else:
-        expect(form.locator('.rec-dead')).to_be_visible()
     page.close()
 
 
@@ -746,17 +611,6 @@ def test_a_button_copies_the_code_of_a_cell(page):
     page.locator('#here').focus()
     page.keyboard.press('Control+v')
     expect(page.locator('#here')).to_have_value("panel = ParameterPanel('/heater')\npanel")
-
-
-@limits
-def test_code_stands_out_and_has_the_style_sheets_lines(page):
-    style = page.locator('div.cell_input .highlight pre').first.evaluate('''each => {
-        const own = getComputedStyle(each), around = getComputedStyle(each.closest('.cell_input'));
-        return [parseFloat(own.lineHeight) / parseFloat(own.fontSize), own.backgroundColor,
-          getComputedStyle(each.parentElement).backgroundColor,
-          around.backgroundColor !== getComputedStyle(document.body).backgroundColor] }''')
-    clear = 'rgba(0, 0, 0, 0)'
-    assert [round(style[0], 2), *style[1:]] == [1.5, clear, clear, True]
 
 
 @limits
@@ -946,10 +800,6 @@ def test_a_chapter_that_is_not_there(made, tmp_path):
         single.build(Site(made.notebooks, tmp_path, tmp_path, ['1', '2']))
 
 
-def test_the_course_itself_is_what_is_built_by_default():
-    assert archive.ROOT == ROOT
-
-
 # -- the same site in Firefox -------------------------------------------------------------------------------
 
 
@@ -963,8 +813,7 @@ def firefox_page(tmp_path_factory):
         assert page.complaints == []
 
 
-def show_in_firefox(page, path, width=1280):
-    page.resize(width, 900)
+def show_in_firefox(page, path):
     page.open(path.as_uri())
     page.wait_for("document.documentElement.dataset.lesson === 'ready'")
 
@@ -1002,16 +851,6 @@ def test_firefox_keeps_a_prediction_and_marks_it_on_the_first_page(made, firefox
     firefox_page.wait_for("!document.querySelector('.lesson-mark')")
 
 
-def test_firefox_gets_the_nodes_answers(made, firefox_page):
-    show_in_firefox(firefox_page, made.target / '1_limits.html')
-    for typed, said in (('15', 'Accepted.'), ('25', 'Rejected: 25 is not below 22')):
-        firefox_page.click('.param-row[data-name=low_c] .param-box')
-        firefox_page.evaluate('document.activeElement.select()')
-        firefox_page.press(*typed, FIREFOX_ENTER)
-        firefox_page.wait_for(f'{MESSAGE % "low_c"}?.trim() === {json.dumps(said)}')
-    assert firefox_page.evaluate("document.querySelector('.param-row[data-name=low_c] .param-box').value") == '15'
-
-
 def test_the_robot_drives_in_firefox(made, firefox_page):
     show_in_firefox(firefox_page, made.target / '2_robot.html')
     firefox_page.click('.param-row[data-name=enable_safety_mode] input')
@@ -1027,10 +866,3 @@ def test_the_search_in_firefox_from_the_disk(made, firefox_page):
     firefox_page.wait_for("document.querySelector('.search-hit mark')?.textContent === 'table'")
     firefox_page.press(FIREFOX_DOWN, FIREFOX_ENTER)
     firefox_page.wait_for("location.href.endsWith('/1_limits.html#next')")
-
-
-@pytest.mark.parametrize('width', [390, 1280])
-@pytest.mark.parametrize('name', ['index', '1_limits', '2_robot', 'search'])
-def test_no_page_is_wider_than_the_window_of_firefox(made, firefox_page, name, width):
-    show_in_firefox(firefox_page, made.target / f'{name}.html', width)
-    assert firefox_page.evaluate('document.documentElement.scrollWidth <= innerWidth')

@@ -16,6 +16,6 @@ def test_the_terminals_in_the_readme_show_what_the_commands_print(tmp_path):
     subprocess.run([sys.executable, '-m', 'tests.tools.recordings', '--terminals', tmp_path], cwd=recordings.ROOT,
                    env=domain.environment_without_domain(), check=True)
     made = {path.name: path.read_text() for path in tmp_path.iterdir()}
-    assert made.keys() == {f'{name}{kind}.svg' for name in recordings.TERMINALS for kind in ('', '_still')}
+    assert made.keys() == {f'{name}.svg' for name in recordings.TERMINALS}
     stored = {name: (recordings.FOLDER / name).read_text() for name in made}
     assert made == stored, 'python -m tests.tools.recordings makes them again'

@@ -5,7 +5,6 @@ import copy
 import nbformat
 import pytest
 
-from tests.support.paths import NOTEBOOKS
 from tests.tools import notebook_lint
 
 
@@ -149,8 +148,3 @@ def test_checkpoints_are_left_out(tmp_path):
     (tmp_path / '.ipynb_checkpoints').mkdir()
     (tmp_path / '.ipynb_checkpoints' / 'a-checkpoint.ipynb').write_text('old')
     assert notebook_lint.main([str(tmp_path)]) == 0
-
-
-@pytest.mark.parametrize('path', notebook_lint.lesson_files(NOTEBOOKS), ids=lambda path: path.stem)
-def test_the_course_keeps_the_rules(path):
-    assert [str(problem) for problem in notebook_lint.check_file(path)] == []

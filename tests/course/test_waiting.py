@@ -3,7 +3,6 @@
 Each in a context of its own, since the executor of the stage doesn't look at callback groups.
 """
 
-import asyncio
 import contextlib
 import threading
 
@@ -28,12 +27,12 @@ LIMIT_SEC = {True: 60.0, False: 1.5}
 class Asking(Node):
     """Sets a parameter through a service, in a timer's callback that waits for the answer."""
 
-    def __init__(self, context, tick, *, group=None, client_group=None, target='/asking', is_expected=True):
+    def __init__(self, context, tick, group, is_expected):
         super().__init__('asking', context=context)
         self.declare_parameter('speed', 1)
         self.limit_sec = LIMIT_SEC[is_expected]
-        self.is_asked, self.is_answered, self.error = threading.Event(), threading.Event(), None
-        self.client = self.create_client(SetParameters, f'{target}/set_parameters', callback_group=client_group)
+        self.is_asked, self.is_answered = threading.Event(), threading.Event()
+        self.client = self.create_client(SetParameters, '/asking/set_parameters')
         self.timer = self.create_timer(0.01, getattr(self, tick), callback_group=group)
 
     def ask(self):
@@ -49,56 +48,30 @@ class Asking(Node):
         if self.client.service_is_ready() and await self.client.call_async(self.ask()):
             self.is_answered.set()
 
-    async def sleep(self):
-        self.ask()
-        try:
-            await asyncio.sleep(0.01)
-        except RuntimeError as error:
-            self.error = error
-        self.is_answered.set()
-
-    async def wait_with_deadline(self):
-        self.ask()
-        future = Future()
-        deadline = self.create_timer(0.05, future.cancel)
-        self.error = await future, future.cancelled()
-        self.destroy_timer(deadline)
-        self.is_answered.set()
-
 
 @contextlib.contextmanager
-def spinning(executor_class, *node_makers, **options):
-    """Spin nodes in a context and a thread of their own, and yield them."""
+def spinning(executor_class, make_node, **options):
+    """Spin a node in a context and a thread of its own, and yield it."""
     context = Context()
     rclpy.init(context=context, domain_id=domain.choose())
-    nodes = [make(context) for make in node_makers]
+    node = make_node(context)
     executor = executor_class(context=context, **options)
-    for node in nodes:
-        executor.add_node(node)
+    executor.add_node(node)
     # Not spin(): if it is shut down while its thread is about to wait, that of rclpy 7.1.6 raises an AttributeError.
     end = Future()
     thread = threading.Thread(target=executor.spin_until_future_complete, args=[end])
     thread.start()
     try:
-        yield nodes
+        yield node
     finally:
         end.set_result(None)
         thread.join()
         executor.shutdown()
-        for node in nodes:
-            node.destroy_node()
+        node.destroy_node()
         context.try_shutdown()
 
 
-def is_answered(executor_class, tick, *, expected, options=(), more=(), **arguments):
-    """True if the node gets its answer within the limit."""
-    with spinning(executor_class, lambda context: Asking(context, tick, is_expected=expected, **arguments), *more,
-                  **dict(options)) as (asking, *_):
-        assert asking.is_asked.wait(60)
-        return asking.is_answered.wait(asking.limit_sec)
-
-
-SINGLE, MULTI = (SingleThreadedExecutor, ()), (MultiThreadedExecutor, (('num_threads', 2),))
+SINGLE, MULTI = (SingleThreadedExecutor, {}), (MultiThreadedExecutor, {'num_threads': 2})
 
 
 @pytest.mark.slow
@@ -111,19 +84,9 @@ SINGLE, MULTI = (SingleThreadedExecutor, ()), (MultiThreadedExecutor, (('num_thr
 def test_a_callback_that_waits_needs_a_group_of_its_own_and_a_free_thread(tick, has_own_group, executor, expected):
     group = MutuallyExclusiveCallbackGroup() if has_own_group else None
     executor_class, options = executor
-    assert is_answered(executor_class, tick, group=group, expected=expected, options=options) is expected
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize('client_has_own_group', [False, True])
-def test_the_client_alone_is_enough_to_hang_it_whoever_is_asked(client_has_own_group):
-    def other(context):
-        node = Node('other', context=context)
-        node.declare_parameter('speed', 1)
-        return node
-    group = MutuallyExclusiveCallbackGroup() if client_has_own_group else None
-    assert is_answered(SingleThreadedExecutor, 'await_', client_group=group, target='/other', more=[other],
-                       expected=client_has_own_group) is client_has_own_group
+    with spinning(executor_class, lambda context: Asking(context, tick, group, expected), **options) as asking:
+        assert asking.is_asked.wait(60)
+        assert asking.is_answered.wait(asking.limit_sec) is expected
 
 
 @pytest.mark.parametrize('create', [
@@ -138,20 +101,6 @@ def test_what_a_node_creates_belongs_to_its_default_group_unless_another_is_name
     assert ros.run(lambda: create(node, None), 'create').callback_group is node.default_callback_group
     group = ReentrantCallbackGroup()
     assert ros.run(lambda: create(node, group), 'create').callback_group is group
-
-
-def test_rclpys_loop_is_not_that_of_asyncio():
-    with spinning(SingleThreadedExecutor, lambda context: Asking(context, 'sleep')) as (asking,):
-        assert asking.is_answered.wait(60)
-    assert str(asking.error) == 'no running event loop'
-
-
-def test_a_deadline_that_cancels_the_future_ends_an_await_with_none():
-    group = MutuallyExclusiveCallbackGroup()
-    with spinning(SingleThreadedExecutor, lambda context: Asking(context, 'wait_with_deadline', group=group)
-                  ) as (asking,):
-        assert asking.is_answered.wait(60)
-    assert asking.error == (None, True)
 
 
 class Slow(Node):
@@ -182,7 +131,7 @@ class Slow(Node):
 
 
 def test_services_and_subscriptions_may_await_under_rclpys_own_executor():
-    with spinning(SingleThreadedExecutor, Slow) as (slow,):
+    with spinning(SingleThreadedExecutor, Slow) as slow:
         assert slow.client.wait_for_service(60)
         assert slow.client.call(GetParameters.Request(), timeout_sec=60)
         wait_until(slow.publisher.get_subscription_count, 'the subscription')

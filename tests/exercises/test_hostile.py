@@ -6,11 +6,10 @@ from tests.support.hostile import IN_THE_CELL, LINES, PLACES, attempt, started
 
 pytestmark = pytest.mark.slow
 
-# The most common line in every place; every other line in a callback and, thoroughly, in one more place.
-TRIED = [('spin', place) for place in PLACES] + [
-    pytest.param(name, place, marks=() if place == 'timer' else pytest.mark.thorough)
-    for turn, name in enumerate(name for name in LINES if name != 'spin')
-    for place in dict.fromkeys(('timer', list(PLACES)[turn % len(PLACES)]))]
+# Every line in a callback; thoroughly, in one more place, and the most common line in all of them.
+TRIED = [pytest.param(name, place, marks=() if place == 'timer' else pytest.mark.thorough)
+         for turn, name in enumerate(LINES)
+         for place in (PLACES if name == 'spin' else dict.fromkeys(('timer', list(PLACES)[turn % len(PLACES)])))]
 
 
 @pytest.fixture(scope='module')

@@ -15,7 +15,7 @@ from param_tools.node.live import LiveParameters
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from tests.support.nodes import Counter, Gate
-from tests.support.widgets import worker_threads
+from tests.support.widgets import due_jobs
 
 TIMEOUT_SEC = 30.0
 
@@ -36,7 +36,7 @@ def follow(ros):
     yield follow
     for each in followed:
         each.close()
-    wait_until(lambda: not worker_threads(), 'the threads to end', TIMEOUT_SEC)
+    wait_until(lambda: not due_jobs(), 'the threads to end', TIMEOUT_SEC)
 
 
 def test_the_first_look_reads_and_shows_everything(ros, follow):

@@ -138,6 +138,7 @@ def test_a_killed_kernel_leaves_no_process_behind(tmp_path, cell):
     wait_until(lambda: not any(child.is_running() for child in children), 'the processes to end', 30)
 
 
+@pytest.mark.thorough
 def test_a_command_that_ignores_signals_is_killed_with_its_kernel(tmp_path):
     """After 20 s, which launch may need for its nodes."""
     # What bash ignores, the commands that it starts ignore too.

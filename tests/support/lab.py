@@ -1,4 +1,4 @@
-"""Drive the real JupyterLab in the system's Chromium, for tests, screenshots and benchmarks.
+"""Drive the real JupyterLab in the system's Chromium, for tests, recordings and benchmarks.
 
     with Lab(tmp_path, [notebook]) as lab, chromium() as browser:
         page = LabPage(lab, browser, notebook.name)
@@ -224,28 +224,20 @@ class CourseLab(Lab):
 class LabPage:
     """One notebook, open in JupyterLab in a browser."""
 
-    def __init__(self, lab: Lab, browser: Browser, notebook: str, *, width: int = 1280, height: int = 900,
-                 theme: str = 'JupyterLab Light', scale: float = 1.0):
-        self.page: Page = browser.new_page(viewport={'width': width, 'height': height}, device_scale_factor=scale)
+    def __init__(self, lab: Lab, browser: Browser, notebook: str):
+        self.page: Page = browser.new_page(viewport={'width': 1280, 'height': 900})
         self.page.set_default_timeout(TIMEOUT_SEC * 1000)
         self.errors: list[str] = []
         self.page.on('console', lambda message: message.type == 'error' and self.errors.append(message.text))
         self.page.on('pageerror', lambda error: self.errors.append(error.stack or str(error)))
         # "simple" shows one document, without the file browser; reset, so that no earlier layout is restored.
         self.page.goto(f'{lab.url}doc/tree/{notebook}?token={lab.token}&reset')
-        self._wait_js('() => window.jupyterapp !== undefined')
-        self._wait_js('() => window.jupyterapp.restored.then(() => true)')
-        if self.page.locator('body').get_attribute('data-jp-theme-name') != theme:
-            self.command('apputils:change-theme', theme=theme)
-        expect(self.page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
         self._wait_for_kernel()
 
     def reload(self) -> None:
         """Save the notebook and reload the page, as a learner does with F5."""
         self.command('docmanager:save')
         self.page.reload()
-        self._wait_js('() => window.jupyterapp !== undefined')
-        self._wait_js('() => window.jupyterapp.restored.then(() => true)')
         self._wait_for_kernel()
 
     def strange_errors(self) -> list[str]:
@@ -253,6 +245,7 @@ class LabPage:
         return [error for error in self.errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
 
     def _wait_for_kernel(self) -> None:
+        self._wait_js('() => window.jupyterapp && window.jupyterapp.restored.then(() => true)')
         # The kernel is there when the notebook's session says so; running cells before would ask for one.
         self._wait_js('''() => {
             const panel = window.jupyterapp.shell.currentWidget;

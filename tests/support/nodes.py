@@ -5,7 +5,6 @@ import threading
 
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, SetParametersResult
 from rcl_interfaces.msg import ParameterDescriptor as Describe
-from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -76,44 +75,3 @@ class Counter(Node):
         """Accept everything."""
         self.seen += [each.value for each in parameters]
         return SetParametersResult(successful=True)
-
-
-class Describing(Node):
-    """Has one parameter, x, and describes it in any way the test wants, which rclpy's storage would not allow."""
-
-    def __init__(self):
-        super().__init__('describing', start_parameter_services=False)
-        self.value: int | float = 0
-        self.descriptor = Describe(name='x')
-        self.create_service(ListParameters, '~/list_parameters', self.list)
-        self.create_service(GetParameters, '~/get_parameters', self.get)
-        self.create_service(DescribeParameters, '~/describe_parameters', self.describe)
-        self.create_service(SetParameters, '~/set_parameters', self.set)
-
-    def describe_as(self, value: int | float, descriptor: Describe) -> None:
-        """Hold this value, and describe it like this."""
-        descriptor.name = 'x'
-        descriptor.type = Parameter('x', value=value).type_.value
-        self.value, self.descriptor = value, descriptor
-
-    def list(self, request, response):
-        """Serve list_parameters."""
-        response.result.names = ['x']
-        return response
-
-    def get(self, request, response):
-        """Serve get_parameters."""
-        response.values = [Parameter('x', value=self.value).to_parameter_msg().value for _ in request.names]
-        return response
-
-    def describe(self, request, response):
-        """Serve describe_parameters."""
-        response.descriptors = [self.descriptor for _ in request.names]
-        return response
-
-    def set(self, request, response):
-        """Serve set_parameters: accept everything."""
-        for each in request.parameters:
-            self.value = Parameter.from_parameter_msg(each).value
-        response.results = [SetParametersResult(successful=True) for _ in request.parameters]
-        return response

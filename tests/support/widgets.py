@@ -1,16 +1,11 @@
-"""What tests of widgets do and look at: input, the page, and the threads that serve it."""
+"""What tests of widgets do and look at: input, the page, and what is left to draw."""
 
-import threading
-
-from param_tools.ros.worker import THREAD_NAME_PREFIX
-
-from param_tools import values
-from param_tools.ros.waiting import wait_until
+from param_tools.ros import schedule
 
 
-def worker_threads():
-    """Return the names of the threads that serve panels and views."""
-    return [each.name for each in threading.enumerate() if each.name.startswith(THREAD_NAME_PREFIX)]
+def due_jobs():
+    """Return what panels and views have yet to draw, or to ask again."""
+    return list(schedule._due)
 
 
 def enter(panel, name, text):
@@ -62,8 +57,3 @@ def says(panel, name):
 def is_locked(panel, name):
     """True if the control of a parameter is disabled."""
     return _row(panel, name).get('is_locked', False)
-
-
-def wait_for_value(panel, name, value):
-    """Wait, without asking the panel to hurry."""
-    wait_until(lambda: values.same(panel[name].value, value), f'{name} to become {value!r}')

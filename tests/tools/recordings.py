@@ -1,11 +1,12 @@
-"""Make the README's moving pictures from real use: `python -m tests.tools.recordings`.
+"""Make the README's pictures of commands and of the panel from real use: `python -m tests.tools.recordings`.
 
 Four nodes of the course run as a robot, each in its own process. Two pictures show what the commands print about them,
-and one is the panel's page in Chromium. Look at each frame before you commit them: `--frames FOLDER` keeps them.
+and a moving one is the panel's page in Chromium. Look at all of them before you commit them.
 """
 
 import argparse
 import contextlib
+import io
 import os
 import re
 import subprocess
@@ -14,10 +15,12 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from playwright.sync_api import Locator, expect
+from PIL import Image
+from playwright.sync_api import Locator, Page, expect
+from rich.console import Console
+from rich.text import Text
 
 from param_tools.ros import domain
-from tests.support.animation import Command, animated_webp, terminal_svg
 from tests.support.lab import chromium, wait_for
 from tests.support.paths import ROOT
 
@@ -43,18 +46,16 @@ ROBOT_YAML = '''\
 '''
 
 TERMINALS = {
-    'check': ('A terminal: check finds the mistakes in a parameter file.', (
-        ('cat -n robot.yaml', 3.0),
-        ("python -m param_tutorial check robot.yaml --against '/robot/**'", 10.0))),
-    'restore': ('A terminal: snapshot, diff and restore of a robot.', (
-        ('python -m param_tutorial snapshot --save before.yaml', 2.0),
-        ('python -m param_tutorial param set /robot/left_wheel gains.wheel_joint.p 0.9', 1.5),
-        ('python -m param_tutorial param set /robot/lift lift.speed_mps 0.1', 1.5),
-        ("python -m param_tutorial diff before.yaml '/robot/**'", 4.0),
-        ('python -m param_tutorial restore before.yaml', 5.0),
-        ("python -m param_tutorial diff before.yaml '/robot/**'", 5.0))),
+    'check': ('cat -n robot.yaml', "python -m param_tutorial check robot.yaml --against '/robot/**'"),
+    'restore': (
+        'python -m param_tutorial snapshot --save before.yaml',
+        'python -m param_tutorial param set /robot/left_wheel gains.wheel_joint.p 0.9',
+        'python -m param_tutorial param set /robot/lift lift.speed_mps 0.1',
+        "python -m param_tutorial diff before.yaml '/robot/**'",
+        'python -m param_tutorial restore before.yaml',
+        "python -m param_tutorial diff before.yaml '/robot/**'"),
 }
-"""For each picture of a terminal: what is seen, the commands, and how long a reader needs for what they print."""
+COLUMNS = 104
 
 # Headless Chromium draws no pointer.
 POINTER = '''document.addEventListener('mousemove', ({clientX, clientY}) => {
@@ -99,21 +100,25 @@ def run(line: str, folder: Path, environment: dict[str, str]) -> str:
 
 
 def terminals(folder: Path, environment: dict[str, str]) -> dict[str, str]:
-    """Return the pictures of terminals beside the robot, moving and still, by the names of their files.
+    """Return the pictures of terminals beside the robot, as SVG, by the names of their files.
 
     :param folder: Where the commands are typed.
     """
     (folder / 'robot.yaml').write_text(ROBOT_YAML)
     pictures = {}
-    for name, (title, lines) in TERMINALS.items():
-        commands = [Command(line, run(line, folder, environment), seconds) for line, seconds in lines]
-        pictures[f'{name}.svg'] = terminal_svg(title, commands, is_moving=True)
-        pictures[f'{name}_still.svg'] = terminal_svg(title, commands, is_moving=False)
+    for name, lines in TERMINALS.items():
+        console = Console(record=True, width=COLUMNS, file=io.StringIO())
+        for line in lines:
+            console.print(Text(f'$ {line}', 'bold'))
+            console.print(Text(run(line, folder, environment).expandtabs().rstrip('\n')))
+        # A picture fetches no font from elsewhere.
+        pictures[f'{name}.svg'] = re.sub(r'@font-face {.*?}\s*', '', console.export_svg(title='', unique_id=name),
+                                         flags=re.DOTALL)
     return pictures
 
 
-def panel(folder: Path, environment: dict[str, str]) -> tuple[bytes, bytes, list[bytes]]:
-    """Return the panel's page as a moving picture, as a still, and frame by frame."""
+def make_panel(folder: Path, environment: dict[str, str]) -> None:
+    """Save the panel's page as a moving picture, and as a still one for readers who want no motion."""
     with subprocess.Popen([sys.executable, '-m', 'param_tutorial', 'panel', '--no-browser'], cwd=folder,
                           env=environment, stdout=subprocess.PIPE, text=True) as process, chromium() as browser:
         try:
@@ -123,68 +128,75 @@ def panel(folder: Path, environment: dict[str, str]) -> tuple[bytes, bytes, list
             page = browser.new_page(viewport=VIEW)
             page.add_init_script(POINTER)
             page.goto(found[0], timeout=120_000)
-            frames: list[tuple[bytes, float]] = []
-
-            def frame(seconds: float) -> None:
-                frames.append((page.screenshot(animations='disabled', caret='initial'), seconds))
-
-            def click(what: Locator, seconds: float = 0.6) -> None:
-                what.hover()
-                frame(seconds)
-                what.click()
-
-            def write(what: Locator, text: str) -> None:
-                click(what)
-                page.keyboard.press('Control+a')
-                for letter in text:
-                    page.keyboard.type(letter)
-                    frame(0.15)
-
-            nodes = page.locator('.param-nodes')
-            search = nodes.get_by_role('searchbox', name='Search nodes and parameters')
-            expect(nodes.locator('.node-says', has_text='parameters')).to_have_count(len(NODES))
-            frame(2)
-            write(search, 'speed m/s')
-            hit = nodes.get_by_role('button', name='lift.speed_mps = 0.2')
-            expect(hit).to_be_visible()
-            frame(1.5)
-            click(hit)
-            box = page.get_by_label('speed_mps', exact=True)
-            expect(box).to_have_value('0.2')
-            frame(1.5)
-            write(box, '0.5')
-            page.keyboard.press('Enter')
-            expect(page.locator('.param-message')).to_be_visible()
-            frame(4)
-            write(box, '0.3')
-            page.keyboard.press('Enter')
-            expect(page.get_by_role('button', name='Back to 0.2: lift.speed_mps')).to_be_visible()
-            frame(2.5)
-            still = page.screenshot()
-            click(page.locator('.param-head').get_by_role('button', name='Undo'))
-            expect(box).to_have_value('0.2')
-            frame(3)
-            page.close()
-            return animated_webp(browser, frames), animated_webp(browser, [(still, 1)]), [each for each, _ in frames]
+            film = Film(page)
+            use_panel(film)
         finally:
             process.terminate()
+    film.frames[film.still_at].save(FOLDER / 'panel_still.webp', lossless=True)
+    film.frames[0].save(FOLDER / 'panel.webp', save_all=True, append_images=film.frames[1:], loop=0, lossless=True,
+                        duration=film.milliseconds, minimize_size=True)
 
 
-def make_panel(folder: Path, environment: dict[str, str], frames_folder: Path | None) -> None:
-    """Write the pictures of the panel's page, and its frames into a folder of their own if there is one."""
-    moving, still, frames = panel(folder, environment)
-    (FOLDER / 'panel.webp').write_bytes(moving)
-    (FOLDER / 'panel_still.webp').write_bytes(still)
-    if frames_folder:
-        frames_folder.mkdir(parents=True, exist_ok=True)
-        for number, png in enumerate(frames):
-            (frames_folder / f'{number:02}.png').write_bytes(png)
+class Film:
+    """What is seen on a page, one picture after another, while it is used."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.frames: list[Image.Image] = []
+        self.milliseconds: list[int] = []
+        self.still_at = 0
+
+    def show(self, seconds: float) -> None:
+        """Take a picture, to be shown for so long."""
+        self.frames.append(Image.open(io.BytesIO(self.page.screenshot(animations='disabled', caret='initial'))))
+        self.milliseconds.append(round(1000 * seconds))
+
+    def click(self, what: Locator, seconds: float = 0.6) -> None:
+        """Point at something, and press the mouse's button."""
+        what.hover()
+        self.show(seconds)
+        what.click()
+
+    def write(self, what: Locator, text: str) -> None:
+        """Click into a box, and write a text in place of what is there."""
+        self.click(what)
+        self.page.keyboard.press('Control+a')
+        for letter in text:
+            self.page.keyboard.type(letter)
+            self.show(0.15)
+
+
+def use_panel(film: Film) -> None:
+    """Search, have a value rejected and another one accepted, and undo that."""
+    page = film.page
+    nodes = page.locator('.param-nodes')
+    expect(nodes.locator('.node-says', has_text='parameters')).to_have_count(len(NODES))
+    film.show(2)
+    film.write(nodes.get_by_role('searchbox', name='Search nodes and parameters'), 'speed m/s')
+    hit = nodes.get_by_role('button', name='lift.speed_mps = 0.2')
+    expect(hit).to_be_visible()
+    film.show(1.5)
+    film.click(hit)
+    box = page.get_by_label('speed_mps', exact=True)
+    expect(box).to_have_value('0.2')
+    film.show(1.5)
+    film.write(box, '0.5')
+    page.keyboard.press('Enter')
+    expect(page.locator('.param-message')).to_be_visible()
+    film.show(4)
+    film.write(box, '0.3')
+    page.keyboard.press('Enter')
+    expect(page.get_by_role('button', name='Back to 0.2: lift.speed_mps')).to_be_visible()
+    film.still_at = len(film.frames)
+    film.show(2.5)
+    film.click(page.locator('.param-head').get_by_role('button', name='Undo'))
+    expect(box).to_have_value('0.2')
+    film.show(3)
 
 
 def main() -> None:
     """Make the pictures."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('--frames', type=Path, metavar='FOLDER', help="also keep the frames of the panel's page")
     parser.add_argument('--terminals', type=Path, metavar='FOLDER', help='only those of terminals, put there')
     options = parser.parse_args()
     domain.choose()
@@ -194,7 +206,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as scratch, robot(environment):
         folder = Path(scratch)
         if not options.terminals:
-            make_panel(folder, environment, options.frames)
+            make_panel(folder, environment)
         for name, picture in terminals(folder, environment).items():
             (target / name).write_text(picture)
     for path in sorted(target.iterdir()):

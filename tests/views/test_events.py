@@ -37,14 +37,6 @@ def test_it_tells_new_changed_and_deleted_apart(ros, view):
     assert '&lt;b&gt;' in content.value and '<b>' not in content.value
 
 
-def test_a_huge_value_is_shown_in_short(ros, view):
-    node = ros.add(Arm)
-    ros.run(lambda: node.declare_parameter('map', [0] * 10_000), 'declare')
-    content = view.children[1]
-    param_tutorial.wait_until(lambda: '(10000 elements)' in content.value, 'the table')
-    assert len(content.value) < 3000
-
-
 def test_it_follows_one_node_or_all(ros, view):
     everything = EventView()
     ros.add(Arm, '_hidden')

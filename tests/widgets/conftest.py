@@ -12,7 +12,7 @@ from param_tools.panel.view import View
 from param_tools.ros.waiting import wait_until
 from tests.support.nodes import Arm
 from tests.support.processes import CAN_STAND_STILL
-from tests.support.widgets import worker_threads
+from tests.support.widgets import due_jobs
 
 
 @pytest.fixture(autouse=True)
@@ -21,7 +21,7 @@ def _close_all():
     for widget in list(widget_registry.values()):
         if isinstance(widget, View):
             widget.close()
-    wait_until(lambda: not worker_threads(), 'the threads of closed views to end')
+    wait_until(lambda: not due_jobs(), 'the threads of closed views to end')
 
 
 @pytest.fixture
@@ -40,8 +40,6 @@ REMOTE = CAN_STAND_STILL + textwrap.dedent('''
     node = Node(sys.argv[1])
     node.declare_parameter('x', 1)
     print('ready', flush=True)
-    if 'asleep' in sys.argv:
-        sys.stdin.readline()
     reader = threading.Thread(target=sys.stdin.read)
     reader.start()
     while reader.is_alive():
@@ -54,11 +52,11 @@ REMOTE = CAN_STAND_STILL + textwrap.dedent('''
 
 @pytest.fixture
 def remote(ros):
-    """Return a function that starts a node in its own process; with 'asleep' it answers only after a line of input."""
+    """Return a function that starts a node of a name in its own process."""
     started = []
 
-    def start(*arguments):
-        process = subprocess.Popen([sys.executable, '-c', REMOTE, *arguments],
+    def start(name):
+        process = subprocess.Popen([sys.executable, '-c', REMOTE, name],
                                    stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         started.append(process)
         assert process.stdout.readline() == 'ready\n'

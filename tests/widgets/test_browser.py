@@ -6,7 +6,6 @@ from rclpy.node import Node
 from param_tools import ParameterBrowser
 from param_tools.node.client import ParameterClient
 from param_tools.ros.waiting import wait_until
-from param_tools.systems.catalog import CatalogNode
 from param_tutorial import ParameterPanel
 from tests.support.nodes import Arm, Gate
 from tests.support.widgets import press
@@ -125,39 +124,3 @@ def test_a_node_that_hangs_keeps_no_other_one_waiting(ros):
     wait_until(lambda: lines(browser)['/silent']['is_bad'], 'the silent one to be given up')
     assert 'offers no' in says(browser)['/silent']
     gate.open.release()
-
-
-@pytest.mark.slow
-def test_a_node_that_did_not_answer_is_asked_again(ros, remote):
-    process = remote('drowsy', 'asleep')
-    browser = ParameterBrowser(timeout_sec=0.5)
-    wait_until(lambda: 'did not answer' in says(browser).get('/drowsy', ''), 'the word that it does not answer', 20)
-    process.stdin.write('\n')
-    process.stdin.flush()
-    wait_until(lambda: says(browser) == {'/drowsy': '3 parameters'}, 'it to be read after all', 20)
-    assert not lines(browser)['/drowsy']['is_bad']
-    browser.close()
-
-
-@pytest.mark.slow
-def test_it_outlives_the_executor(ros, shown):
-    import param_tutorial
-
-    param_tutorial.stop()
-    wait_until(lambda: shown._front.state['status'] == 'no executor is running', 'it to say so')
-    param_tutorial.start().add(Fan)
-    wait_until(lambda: says(shown) == {'/fan': '4 parameters'}, 'it to come back')
-    param_tutorial.start().remove_all()
-
-
-def test_what_a_search_finds_goes_with_the_nodes_that_it_looked_at(ros, shown):
-    """Nodes come anew while a list of them is drawn."""
-    catalog = shown._catalog
-    before = catalog.nodes
-    ros.add(Fan)
-    wait_until(lambda: catalog.nodes['/fan'].incarnations != before['/fan'].incarnations, 'the new fan')
-    wait_until(lambda: catalog.nodes['/fan'].is_read, 'it to be read')
-    assert catalog.find('breeze', before) == {'/fan': ['maker']}
-    assert before['/fan'].values['maker'] == 'Breeze & Sons'
-    unread = {'/fan': CatalogNode('/fan', frozenset())}
-    assert catalog.find('breeze', unread) == {}

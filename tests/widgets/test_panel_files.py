@@ -57,23 +57,6 @@ def ask_form(panel, do, *, is_save, path='', changed_only=False):
     return sent[0]
 
 
-def test_a_look_at_a_value_that_was_gone_before_it_was_shown_is_taken_again(arm):
-    """On a busy machine the form said forever what the node had had for a moment: the panel showed nothing new."""
-    client, path = ParameterClient(NODE), write('arm.yaml', MIXED)
-
-    def change(tool):
-        client.set_parameter('tool', tool)
-        wait_until(lambda: arm['tool'].value == tool, f'{tool} to be heard of')
-
-    before = arm['tool'].value, arm._front.state
-    with arm._drawing:  # the panel shows nothing meanwhile
-        change('saw')
-        assert arm.preview(path)['tool'].now == 'saw'
-        change(before[0])
-    wait_until(lambda: arm._front.state != before[1], 'the script to hear of it')
-    assert arm._front.state['rows'] == before[1]['rows']
-
-
 def test_what_is_saved_comes_back(arm):
     first = ParameterClient(NODE).get_parameters()
     dump = arm.save('config/arm.yaml')
@@ -215,14 +198,6 @@ def test_a_panel_of_some_parameters_saves_and_loads_those(ros, arm):
 # -- the form -------------------------------------------------------------------------------------------
 
 
-def test_the_form_offers_the_files_in_config_first(arm):
-    for path in ('config/b.yaml', 'a.yaml', 'config/a.yaml', 'config/no.txt'):
-        write(path, '')
-    answer = ask_form(arm, 'look', is_save=False)
-    assert answer['offered'] == ['config/a.yaml', 'config/b.yaml', 'a.yaml']
-    assert (answer['markup'], answer['can']) == ('', False)
-
-
 def test_the_form_shows_what_loading_would_do_and_then_what_it_did(arm):
     path = write('config/<mixed>.yaml', MIXED)
     answer = ask_form(arm, 'look', is_save=False, path=path)
@@ -257,10 +232,8 @@ def test_the_form_says_what_saving_would_replace(arm):
 
 
 @pytest.mark.parametrize('is_save', [True, False])
-@pytest.mark.parametrize(('path', 'words'), [
-    ('a\0.yaml', r"'a\x00.yaml' is not a path: it has a null character"),
-    ('~nobody_of_that_name/a.yaml', 'begins with a user that this machine does not have')])
-def test_the_form_says_what_is_wrong_with_a_path(arm, is_save, path, words):
+def test_the_form_says_what_is_wrong_with_a_path(arm, is_save):
+    path, words = '~nobody_of_that_name/a.yaml', 'begins with a user that this machine does not have'
     answer = ask_form(arm, 'look', is_save=is_save, path=path)
     assert words in html.unescape(answer['markup']) and not answer['can']
     assert words in html.unescape(ask_form(arm, 'act', is_save=is_save, path=path)['said'])

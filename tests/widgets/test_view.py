@@ -15,9 +15,8 @@ from param_tools.ros import stage
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.pid_controller_node import PidControllerNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from param_tutorial.views import CartView, EventView, RobotView, StepResponseView
-from param_tutorial.views.log import LogView
-from tests.support.widgets import texts, worker_threads
+from param_tutorial.views import CartView, EventView, LogView, RobotView, StepResponseView
+from tests.support.widgets import texts
 
 
 @pytest.mark.parametrize('view', [ParameterPanel, StepResponseView])
@@ -86,15 +85,3 @@ def test_after_closing_nothing_listens_any_more(ros):
         gc.collect()
         return not any(reference() for reference in gone)
     wait_until(all_gone, 'the closed widgets to be collected')
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize('make', [LogView, EventView, lambda: ParameterPanel('/arm'), lambda: RobotView('/arm')])
-def test_its_thread_is_known_as_one_of_a_view_and_ends_with_it(ros, make):
-    """Each test of widgets waits for these threads to end, which guards nothing if their names are wrong."""
-    assert worker_threads() == []
-    view = make()
-    (view._live._reader if isinstance(view, ParameterPanel) else view._job).wake()
-    assert worker_threads() != []
-    view.close()
-    wait_until(lambda: not worker_threads(), 'the thread of the closed view to end')

@@ -111,8 +111,8 @@ class Services:
 
         :param node: Fully qualified name.
         :param service: One of SERVICE_TYPES.
-        :param timeout_sec: How long the node may take to answer. It may take ``graph.DISCOVERY_SEC`` to come, or this time if
-            it is longer than TIMEOUT_SEC.
+        :param timeout_sec: How long the node may take to answer. To come, it may take ``graph.DISCOVERY_SEC``, or this
+            time if it is longer than TIMEOUT_SEC.
         :raises NodeNotFoundError: there is no such node.
         :raises NodeError: it has no such service.
         :raises NoAnswerError: it did not answer in time.
