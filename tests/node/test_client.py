@@ -18,7 +18,7 @@ from rcl_interfaces.msg import (
     SetParametersResult,
 )
 from rcl_interfaces.msg import Parameter as ParameterMessage
-from rcl_interfaces.srv import ListParameters, SetParameters
+from rcl_interfaces.srv import GetParameters, ListParameters, SetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -257,12 +257,12 @@ def test_descriptors_and_values_are_of_the_same_parameters_though_some_are_delet
     class Unlucky(ParameterClient):
         """Each time it has heard which parameters there are, the first is deleted."""
 
-        def list_parameters(self, *arguments, **options):
-            names = super().list_parameters(*arguments, **options)
-            if len(deleted) < deletions:
-                deleted.append(next(name for name in names if name.startswith('p')))
+        async def _answer(self, service, request):
+            answer = await super()._answer(service, request)
+            if service == 'list_parameters' and len(deleted) < deletions:
+                deleted.append(next(name for name in answer.result.names if name.startswith('p')))
                 assert self.delete_parameter(deleted[-1]).successful
-            return names
+            return answer
 
     deleted = []
     client = Unlucky(ros.add(Volatile))
@@ -573,15 +573,14 @@ def test_clients_are_forgotten_unless_they_wait_for_an_answer(ros):
 
     def ask_and_forget():
         """In the executor's thread, so that no answer can come in between."""
-        ros.services.call_async('/lab/everything', 'list_parameters', ListParameters.Request(), answers.append)
+        answer = ros.services.call_async('/lab/everything', 'get_parameters', GetParameters.Request(names=['count']))
         ros.services.forget('/lab')
-        return [each.srv_name for each in ros.tool_node.clients]
+        return answer, [each.srv_name for each in ros.tool_node.clients]
 
-    answers = []
-    left = ros.run(ask_and_forget, 'ask')
-    assert [name for name in left if name.startswith('/lab/')] == ['/lab/everything/list_parameters']
-    param_tutorial.wait_until(lambda: answers, 'the answer')
-    assert 'count' in answers[0].result().result.names
+    answer, left = ros.run(ask_and_forget, 'ask')
+    assert [name for name in left if name.startswith('/lab/')] == ['/lab/everything/get_parameters']
+    param_tutorial.wait_until(answer.done, 'the answer')
+    assert answer.result().values[0].integer_value == 3
     param_tutorial.wait_until(lambda: ros.services._pending == {}, 'the call to be forgotten')
     ros.run(lambda: ros.services.forget('/lab'), 'forget')
     assert not any(each.srv_name.startswith('/lab/') for each in ros.tool_node.clients)

@@ -94,7 +94,7 @@ def test_the_newest_value_follows_without_anybody_waiting(ros, follow):
 
 def test_the_lock_is_free_while_the_node_is_asked_and_while_it_is_shown(ros, monkeypatch):
     """Otherwise a node that hangs, or a slow page, would keep the executor's thread from serving all others."""
-    free = {'send': [], 'read': [], 'show': []}
+    free = {'send': [], 'show': []}
 
     def try_lock(what):
         def try_it():
@@ -110,7 +110,6 @@ def test_the_lock_is_free_while_the_node_is_asked_and_while_it_is_shown(ros, mon
         return lambda *args, **options: (try_lock(what), call(*args, **options))[1]
 
     monkeypatch.setattr(ros.services, 'call_async', trying('send', ros.services.call_async))
-    monkeypatch.setattr(ros.services, 'call', trying('read', ros.services.call))
     ros.add(Counter)
     live = LiveParameters('counter', lambda: try_lock('show'))
     live.first_look()
@@ -140,17 +139,6 @@ def test_what_is_rejected_is_not_sent(ros, follow):
     live.parameters['x'].reject('no number')
     live.settle(TIMEOUT_SEC)
     assert (live.parameters['x'].message, node.seen) == ('no number', [])
-
-
-def test_giving_way_ends_with_the_answer_or_soon(ros, follow):
-    node = ros.add(Gate)
-    x = follow('gate').parameters['x']
-    x.give_way()
-    x.ask(1)
-    x.give_way()  # returns although the gate is closed
-    assert x.busy
-    node.open.release()
-    wait_until(lambda: not x.busy, 'the answer', TIMEOUT_SEC)
 
 
 def test_a_change_made_elsewhere_is_read_and_shown(ros, follow):
