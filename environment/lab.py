@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from param_tools.ros.environment import drop_missing_middleware
 from param_tutorial.learner.copies import LESSONS, Copies, CopiesError
 from param_tutorial.learner.progress import VARIABLE
 
@@ -44,6 +45,7 @@ def prepare() -> list[str]:
     # Terminals open where the server runs, and `make -C ..` is then right in each of them.
     os.chdir(copies.folder)
     programs = str(Path(sys.executable).parent)
+    drop_missing_middleware()
     for name in FOREIGN:
         os.environ.pop(name, None)
     os.environ |= {

@@ -485,10 +485,9 @@ def test_a_node_that_leaves_in_mid_call(ros, waiting):
             client.set_parameter('x', 2)
     else:
         request = SetParameters.Request(parameters=[Parameter('x', value=2).to_parameter_msg()])
-        answers = []
-        ros.services.call_async('/leaving', 'set_parameters', request, answers.append, timeout_sec=60)
-        param_tutorial.wait_until(lambda: answers, 'the call to fail', timeout_sec=30)
-        assert isinstance(answers[0].exception(), NodeGoneError)
+        answer = ros.services.call_async('/leaving', 'set_parameters', request, timeout_sec=60)
+        param_tutorial.wait_until(answer.done, 'the call to fail', timeout_sec=30)
+        assert isinstance(answer.exception(), NodeGoneError)
     child.communicate()
 
 

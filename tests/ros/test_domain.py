@@ -106,8 +106,9 @@ def test_a_domain_where_a_stranger_lives_is_passed_over(monkeypatch, participant
 @pytest.mark.slow
 def test_what_the_user_has_set_for_a_robots_network_does_not_part_processes_here():
     source = ('import param_tutorial, subprocess, sys\n'
+              'ros = param_tutorial.start()\n'
               'from rclpy.node import Node\n'
-              'param_tutorial.start().add(Node, "here")\n'
+              'ros.add(Node, "here")\n'
               'print(subprocess.check_output([sys.executable, "-m", "param_tutorial", "node", "list"], text=True))')
     # Each of them, alone, keeps the second process from finding the node, or one of the two from starting.
     others = {'ROS_DISCOVERY_SERVER': '192.0.2.1:11811', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF',

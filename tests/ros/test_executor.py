@@ -19,7 +19,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions, get_current_signal_handlers_options
 
 import param_tutorial
-from param_tools.errors import ExecutorError, WaitTimeoutError
+from param_tools.errors import ExecutorError, NoAnswerError, WaitTimeoutError
 from param_tools.ros import domain, executor, rclpy_private, stage, tutorial_lines
 from param_tutorial import ParameterClient
 
@@ -704,12 +704,22 @@ def test_a_stage_whose_callback_never_returns_says_so_and_begins_anew(asleep):
     print(fresh is ros, fresh.services.node_names())
     print(ParameterClient(fresh.add(SimpleParamNode)).set_parameter('max_speed_rpm', 3))
     ''')
-    culprit = 'The timer callback tick of /simple_param_node does not return'
-    assert done.stderr.startswith(f'{culprit} and cannot be interrupted, so every node waits for it.')
+    sentence = ('cannot work: The timer callback tick of /simple_param_node does not return, and cannot be interrupted'
+                '. Call start() again: it begins anew, without any node')
     assert done.stdout.splitlines() == [
-        f'cannot work: {culprit}, and cannot be interrupted. Call start() again',
-        f'this executor is stopped: {culprit}. Call start() for a new one',
-        'False []', '/simple_param_node accepted max_speed_rpm = 3']
+        sentence, sentence, 'False []', '/simple_param_node accepted max_speed_rpm = 3'], done.stderr
+
+
+@pytest.mark.slow
+def test_a_callback_that_sleeps_for_long_is_named_and_waited_for(ros, capfd):
+    may_return = threading.Event()
+    client = ParameterClient(ros.add(Speed, 'bystander'))
+    ros.add(Asking, lambda node: may_return.wait())
+    with pytest.raises(NoAnswerError):
+        client.get_parameter('rpm')
+    assert 'The timer callback tick of /asking does not return' in capfd.readouterr().err
+    may_return.set()
+    assert client.get_parameter('rpm') == 1
 
 
 @pytest.mark.slow

@@ -109,8 +109,10 @@ def test_threads_are_back_to_the_baseline_after_stop(kernel):
     kernel.run('import threading; import param_tutorial; before = {t.name for t in threading.enumerate()}')
     kernel.run(START + "panel = ParameterPanel(node)\npanel['max_speed_rpm'].value = 5\npanel.settle()")
     kernel.run('param_tutorial.stop()')
-    kernel.run("param_tutorial.wait_until(lambda: {t.name for t in threading.enumerate()} <= before, 'threads to end')")
-    assert kernel.run('{t.name for t in threading.enumerate()} - before') == 'set()'
+    kernel.run("now = lambda: {t.name for t in threading.enumerate()} - before\n"
+               "param_tutorial.wait_until(lambda: now() <= {'schedule'}, 'threads to end')")
+    # One thread draws what all views of the process show, and outlives the stage as they do.
+    assert kernel.run('now()') == "{'schedule'}"
     assert kernel.end() == 0
 
 
@@ -157,8 +159,8 @@ def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
         param_tutorial.wait_until(lambda: '/cart_node' in ros.services.node_names(), 'the cart', 60)
     """)
     number = int(kernel.run('ros.domain_id'))
-    participants, claim = domain.participant_sockets(number), claims(number)
-    assert participants and claim
+    claim = claims(number)
+    assert domain._is_used(number) and claim
     process = kernel.manager.provisioner.process
     started = psutil.Process(process.pid).children(recursive=True)
     assert started
@@ -166,8 +168,6 @@ def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):
     assert process.wait() == 7
     wait_until(lambda: not any(each.is_running() and each.status() != psutil.STATUS_ZOMBIE for each in started),
                'what the kernel started to end')
-    # Another kernel may take the domain at once, as one of another test does now and then, and finds no node in it.
-    wait_until(lambda: not participants & domain.participant_sockets(number), 'their sockets to be closed')
     assert not claim & claims(number)
 
 
@@ -302,7 +302,7 @@ class Page:
 
 PANEL = START + """
 from pathlib import Path
-from param_tutorial import RobotView
+from param_tutorial.views import RobotView
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 panel = ParameterPanel(node)
 robot = ros.add(ClawbotNode)

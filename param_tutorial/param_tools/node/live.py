@@ -13,7 +13,7 @@ import contextlib
 import functools
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Awaitable, Callable, Iterable
 from typing import Any, ParamSpec
 
 from rcl_interfaces.msg import ParameterEvent
@@ -267,7 +267,7 @@ class LiveParameters:
                         self._reading_in = None
                     break
             try:
-                outcome = await self._outcome(reading, Questions(self.node, ask))
+                outcome = await self._outcome(reading, ask)
             except Exception as error:  # nobody is there to raise to, and the learner should see it
                 outcome = functools.partial(self._state.reading_failed, error, time.monotonic())
             if executor is self._executor:
@@ -279,9 +279,11 @@ class LiveParameters:
         if again_sec is not None:
             self._looker.wake(again_sec)
 
-    async def _outcome(self, reading: Reading, questions: Questions) -> Callable[[], Todo]:
+    async def _outcome(self, reading: Reading, ask: Callable[[str, Any], Awaitable[Any]]) -> Callable[[], Todo]:
         """Ask the node what a reading is about, and return the answer as an event."""
+        questions = Questions(self.node, ask)
         if reading.describe:
+            await ask('set_parameters', SetParameters.Request())  # so that the first set can be sent at once
             descriptors, present = await questions.describe_and_get(self.names)
             return functools.partial(self._state.described, list(descriptors), descriptors, present)
         return functools.partial(self._state.have_read, await questions.get_parameters(reading.names))

@@ -161,7 +161,7 @@ class BackgroundExecutor:
         self._incarnations: Incarnations = frozenset()
         self._names: list[tuple[str, str]] = []
         self._stopping = False
-        self._stuck_in = ''
+        self._told_of = 0.0
         self._objection = self._error_if_asked
         with contextlib.ExitStack() as undo:  # a process that may open no more files, say, gets no participant of DDS
             # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
@@ -193,7 +193,7 @@ class BackgroundExecutor:
     @property
     def is_running(self) -> bool:
         """True if the thread spins, on a context that is alive."""
-        return not self._ended.is_set() and self.context.ok() and not self._stopping and not self._stuck_in
+        return not self._ended.is_set() and self.context.ok() and not self._stopping
 
     @property
     def errors(self) -> list[BaseException]:
@@ -279,7 +279,7 @@ class BackgroundExecutor:
     def clear(self) -> None:
         """Destroy all nodes that were added, and forget what was logged and what failed.
 
-        :raises ExecutorError: a callback does not return; from then on, this executor is stopped.
+        :raises StuckError: a callback does not return.
         """
         self.remove_all()
         self.run(self.node_log.clear, 'clear the log')
@@ -314,8 +314,8 @@ class BackgroundExecutor:
         A callback that does not return within the time limit is interrupted with an exception.
 
         :param what: Names the work in the error.
-        :raises StuckError: a callback, or the function, neither returns nor can be interrupted. From then on, this
-            executor is stopped.
+        :raises StuckError: a callback, or the function, neither returns nor can be interrupted. The function may still
+            run, when the callback returns.
         """
         if self.in_thread():
             return function()
@@ -335,10 +335,8 @@ class BackgroundExecutor:
         self._executor.create_task(work)
         patience_sec = max(timeout_sec - self.busy_sec, min(timeout_sec, _LEAST_PATIENCE_SEC))
         if not wait_for(finished, patience_sec) and not self._interrupt(finished):
-            self._stuck_in = f'{_sentence(self.running) if self.running else what} does not return'
-            print(f'{self._stuck_in} and cannot be interrupted, so every node waits for it. Run the cell with start() '
-                  f'again: it begins anew, without any node.', file=sys.stderr)
-            raise StuckError(f'cannot {what}: {self._stuck_in}, and cannot be interrupted. Call start() again')
+            raise StuckError(f'cannot {what}: {self._describe_culprit()}. Call start() again: it begins anew, without '
+                             f'any node')
         if errors:
             raise errors[0]
         return values[0]
@@ -401,10 +399,19 @@ class BackgroundExecutor:
         """
         if self.busy_sec <= _BUSY_SEC or not self.is_running:
             return False
-        with contextlib.suppress(StuckError):
+        try:
             self.run(lambda: None, 'go on')
-            return True
-        return False
+        except StuckError:
+            if self._told_of != self._executor.began:  # of each callback once
+                self._told_of = self._executor.began
+                print(f'{self._describe_culprit()}, so every node waits for it. If it never returns, run the cell with '
+                      f'start() again: it begins anew, without any node.', file=sys.stderr)
+            return False
+        return True
+
+    def _describe_culprit(self) -> str:
+        running = self.running
+        return f'{_sentence(running) if running else "A function"} does not return, and cannot be interrupted'
 
     def _interrupt(self, has_ended: threading.Event) -> bool:
         """Raise an exception in the callback that keeps the thread, if it runs Python code; return whether it ended.
@@ -458,7 +465,7 @@ class BackgroundExecutor:
         self._stopping = True
         self._let_go_of_rclpy.close()
         self._executor.wake()
-        self._thread.join(STOP_TIMEOUT_SEC if not self._stuck_in else 0.0)
+        self._thread.join(STOP_TIMEOUT_SEC)
         if self._thread.is_alive() and interrupts.raise_in(self._thread, _CallbackInterrupted):
             self._thread.join(INTERRUPT_TIMEOUT_SEC)
         has_ended = not self._thread.is_alive()
@@ -476,8 +483,7 @@ class BackgroundExecutor:
 
     def _require_running(self) -> None:
         if not self.is_running:
-            reason = f': {self._stuck_in}' if self._stuck_in else ''
-            raise ExecutorError(f'this executor is stopped{reason}. Call start() for a new one')
+            raise ExecutorError('this executor is stopped: call start() for a new one')
 
     # -- feeds ------------------------------------------------------------------------------------------
 

@@ -15,7 +15,7 @@ from typing import Any, Protocol
 from rcl_interfaces.srv import SetParameters
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.client import Client
-from rclpy.exceptions import NameValidationException
+from rclpy.exceptions import InvalidHandle, NameValidationException
 from rclpy.node import Node
 from rclpy.task import Future
 
@@ -33,8 +33,8 @@ from param_tools.ros.waiting import deadline
 
 TIMEOUT_SEC = 3.0
 _TURN_PERIOD_SEC = 0.005
-# Requests that change nothing are sent again while no answer comes: see Services._carry.
-_QUESTIONS = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters')
+# Requests that change nothing are sent again while no answer comes: see Services._carry. So is an empty set.
+_QUESTIONS = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters', 'set_parameters')
 _REPEAT_PERIOD_SEC = 0.7
 # How long after its time limit the executor may take to end a call.
 _GRACE_SEC = 1.5
@@ -163,9 +163,10 @@ class Services:
             # A server that has just been discovered may know the client's request and not yet where to answer; rmw
             # then waits a tenth of a second and drops the answer. Questions can simply be repeated. A set should not
             # be, so it is preceded by an empty one, which no callback hears of.
-            if service == 'set_parameters' and (node, service) not in self._answered:
+            is_set = service == 'set_parameters' and bool(request.parameters)
+            if is_set and (node, service) not in self._answered:
                 await self._ask(node, service, SetParameters.Request(), timeout_sec, repeat=True)
-            answer = await self._ask(node, service, request, timeout_sec, repeat=service in _QUESTIONS,
+            answer = await self._ask(node, service, request, timeout_sec, repeat=service in _QUESTIONS and not is_set,
                                      on_sent=line.popleft)
         except Exception as error:
             future.set_exception(error)
@@ -176,7 +177,8 @@ class Services:
                 line.remove(future)
             self._waiting_coroutines -= 1
             if not self._waiting_coroutines:
-                self._clock.cancel()
+                with contextlib.suppress(InvalidHandle):  # the stage ends
+                    self._clock.cancel()
 
     async def _find(self, node: str, service: str, timeout_sec: float) -> None:
         """Wait until a service of a node is ready: not for long, unless the caller has more time than usual.

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 
 from rclpy import utilities
 
-from param_tools.errors import ExecutorError
+from param_tools.errors import ExecutorError, StuckError
 from param_tools.ros import environment, interrupts
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.listeners import Listeners
@@ -39,9 +39,8 @@ def start() -> BackgroundExecutor:
             try:
                 _current.clear()
                 return _current
-            except ExecutorError:
-                if _current.is_running:
-                    raise
+            except StuckError:  # the callback is left behind, in its thread
+                pass
         if _current is not None:
             _current.stop()
         environment.drop_old_builds()
