@@ -140,7 +140,7 @@ def test_two_kernels_do_not_see_each_other(kernel):
 def claims(number: int) -> set[str]:
     """Return the sockets on this machine that claim a ROS domain, by their numbers in Linux: at most one."""
     rows = [line.split() for line in Path('/proc/net/unix').read_text().splitlines()]
-    return {row[6] for row in rows if row[7:] == [f'@param_tutorial/ros_domain/{number}']}
+    return {row[6] for row in rows if row[7:] == [f'@param_tools/ros_domain/{number}']}
 
 
 def test_a_callback_that_ends_the_process_takes_all_of_it_along(kernel):

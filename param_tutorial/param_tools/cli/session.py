@@ -112,14 +112,15 @@ class Session:
 
         :raises CommandFailed: there is no such node.
         """
-        from param_tools.ros import domain
+        from param_tools.ros import domain, graph
 
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
         # A hidden node is not looked at without the option; nothing can be waited for then.
         hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
-        at_least = max(self.patience(args), getattr(args, 'timeout', None) or 0.0)
+        is_alone = self.in_notebook or domain.is_limited_to_this_host()
+        at_least = max(self.patience(args), getattr(args, 'timeout', None) or 0.0, 0.0 if is_alone else graph.NETWORK_SEC)
         if (hidden and not args.include_hidden_nodes) or not self.is_there(node, at_least):
-            if self.in_notebook or domain.is_limited_to_this_host():
+            if is_alone:
                 raise CommandFailed('Node not found')
             raise CommandFailed(f'Node not found on this machine, nor within {at_least:g} s on the network')
         return node
@@ -146,9 +147,9 @@ class Session:
         """Return how long to look for nodes at least, in seconds."""
         if args.spin_time is not None:
             return float(args.spin_time)
-        from param_tools.ros import domain, graph
+        from param_tools.ros import graph
 
-        return 0.0 if self.in_notebook or domain.is_limited_to_this_host() else graph.DISCOVERY_SEC
+        return 0.0 if self.in_notebook else graph.JOINING_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
         """Call a parameter service of a node that has been found.

@@ -16,6 +16,10 @@ from param_tools.ros import waiting
 from param_tools.ros.service_types import SERVICE_TYPES
 
 DISCOVERY_SEC = 1.0
+# What the genuine command gives discovery in a process that has just joined.
+JOINING_SEC = 0.5
+# How long to look for a node that may be on another machine.
+NETWORK_SEC = 2.0
 QUIET_SEC = 0.2
 
 Incarnations = frozenset[tuple[str, bytes]]

@@ -68,6 +68,7 @@ class Job:
         with _changed:
             self._ended = True
             _due.pop(self, None)
+            _changed.notify()
 
 
 def _ensure_thread() -> None:
@@ -78,11 +79,19 @@ def _ensure_thread() -> None:
 
 
 def _run() -> None:
-    while (job := _next_job()) is not None:
-        try:
-            job.call_now(_END_TIMEOUT_SEC)
-        except Exception:  # of one job; the others go on
-            traceback.print_exc()
+    while _run_next():
+        pass  # no variable keeps a job that has ended
+
+
+def _run_next() -> bool:
+    job = _next_job()
+    if job is None:
+        return False
+    try:
+        job.call_now(_END_TIMEOUT_SEC)
+    except Exception:  # of one job; the others go on
+        traceback.print_exc()
+    return True
 
 
 def _due_at(job: Job) -> float:
