@@ -47,7 +47,8 @@ hub:  ## start JupyterHub for a class on this machine: see environment/jupyterhu
 	@$(SET_UP) build/jupyterhub requirements.lock requirements-hub.lock
 	@build/jupyterhub/bin/python environment/jupyterhub/hub.py $(ARGS)
 
-SUITE := $(VENV) -m pytest -n 5 --dist loadscope --nbval
+# Five workers share two cores, so what they wait for may take twice as long.
+SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest -n 5 --dist loadscope --nbval
 
 # All but the tests marked `thorough`.
 test: setup-all  ## run the test suite before you commit: every notebook is a test

@@ -118,7 +118,8 @@ class Session:
         # A hidden node is not looked at without the option; nothing can be waited for then.
         hidden = node.rpartition('/')[2].startswith(HIDDEN_NODE_PREFIX)
         is_alone = self.in_notebook or domain.is_limited_to_this_host()
-        at_least = max(self.patience(args), getattr(args, 'timeout', None) or 0.0, 0.0 if is_alone else graph.NETWORK_SEC)
+        at_least = max(self.patience(args), getattr(args, 'timeout', None) or 0.0,
+                       0.0 if is_alone else graph.NETWORK_SEC)
         if (hidden and not args.include_hidden_nodes) or not self.is_there(node, at_least):
             if is_alone:
                 raise CommandFailed('Node not found')
