@@ -17,6 +17,19 @@
     lazy
 
 ``files`` and what is below it need PyYAML alone, and only ``panel`` needs Jupyter.
+
+A slider's value. ``panel.js`` sends it to ``ParameterPanel``, and its ``Control`` hands it to ``LiveParameter.ask``.
+There the state machine ``LiveState`` sends it, or keeps it until the request before is answered. ``Services`` sends the
+request to the node. The answer comes in the executor's thread; what the node has stored then is read, by a coroutine,
+and a job of ``schedule`` draws it.
+
+A file to a node. ``ParameterClient.load`` has ``files.parameter_files`` read it: ``parsing`` reads as rcl does, line by
+line, and ``effective`` says which value counts for the node. The client asks the node what it has, leaves out the
+read-only parameters that have the file's value already, and sets the others in one request.
+
+``%ros2 param set NODE NAME TEXT``. ``cli.command`` parses the words; where ROS is installed, the notebook hands them to
+the genuine ``ros2``. ``cli.session`` finds the node in the graph. ``values.parse`` turns the text into a value by YAML's rules,
+as the genuine command does, and ``cli.param`` prints what the node answers.
 """
 
 from typing import TYPE_CHECKING, Any

@@ -18,6 +18,12 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
     prediction      what a prediction is
     predicting      the widget that asks for one
     achievements    a chapter's ticks, and the certificate
+
+How an answer gets its verdict. ``check`` finds the exercise by its number. ``Exercise.check`` borrows the stage, and
+tries one requirement after the other: each is a function of ``chapters`` that is given a ``Trial``. With that it puts
+the learner's nodes into a namespace of their own, asks them through a ``ParameterClient``, and raises ``NotYet`` with
+what was expected and what happened; ``NoUse`` ends the check, as nothing else could be tried. The stage is cleared, the
+findings become a ``Result``, and ``learner.progress`` keeps what is solved.
 """
 
 import pkgutil
