@@ -27,9 +27,9 @@ A file to a node. ``ParameterClient.load`` has ``files.parameter_files`` read it
 line, and ``effective`` says which value counts for the node. The client asks the node what it has, leaves out the
 read-only parameters that have the file's value already, and sets the others in one request.
 
-``%ros2 param set NODE NAME TEXT``. ``cli.command`` parses the words; where ROS is installed, the notebook hands them to
-the genuine ``ros2``. ``cli.session`` finds the node in the graph. ``values.parse`` turns the text into a value by YAML's rules,
-as the genuine command does, and ``cli.param`` prints what the node answers.
+``%ros2 param set NODE NAME TEXT``. ``cli.command`` parses the words; where ROS is installed, the genuine ``ros2`` gets
+them. ``cli.session`` finds the node in the graph. ``values.parse`` turns the text into a value by YAML's rules, as the
+genuine command does, and ``cli.param`` prints what the node answers.
 """
 
 from typing import TYPE_CHECKING, Any

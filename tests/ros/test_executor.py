@@ -712,12 +712,25 @@ def test_a_stage_whose_callback_never_returns_says_so_and_begins_anew(asleep):
 
 @pytest.mark.slow
 def test_a_callback_that_sleeps_for_long_is_named_and_waited_for(ros, capfd):
-    may_return = threading.Event()
+    may_sleep, sleeps, may_return = threading.Event(), threading.Event(), threading.Event()
+
+    class Sleeper(Speed):
+        def __init__(self):
+            super().__init__('sleeper')
+            self.timer = self.create_timer(0.01, self.tick)
+
+        def tick(self):
+            if may_sleep.is_set():
+                sleeps.set()
+                may_return.wait()
+
+    ros.add(Sleeper)
     client = ParameterClient(ros.add(Speed, 'bystander'))
-    ros.add(Asking, lambda node: may_return.wait())
+    may_sleep.set()
+    assert sleeps.wait(60)
     with pytest.raises(NoAnswerError):
         client.get_parameter('rpm')
-    assert 'The timer callback tick of /asking does not return' in capfd.readouterr().err
+    assert 'The timer callback tick of /sleeper does not return' in capfd.readouterr().err
     may_return.set()
     assert client.get_parameter('rpm') == 1
 

@@ -203,11 +203,13 @@ def attempt(kernel: Kernel, name: str, place: str) -> Attempt:
     :raises TimeoutError: a cell does not end.
     """
     line = LINES[name]
-    kernel.run('ros.clear() or ros.add(Keeper)')
+    kernel.run('ros = param_tutorial.start(); ros.add(Keeper)')
     kernel.late = ''
     interrupt_on = BEGUN if not line.ends and place in IN_THE_CELL else ''
     deadline = time.monotonic() + DEADLINE_SEC / 2
     text = kernel.run(PLACES[place](line.source), interrupt_on=interrupt_on, answer=lambda: 'seven')
+    if name == 'long sleep' and place not in IN_THE_CELL:
+        kernel.run('ros = param_tutorial.start(); ros.add(Keeper)')  # as the learner was told
     stage, check = kernel.run(ALIVE), kernel.run(NEXT_CHECK)
     while not (tried := Attempt(text + kernel.late, stage, check)).says(line.says):
         if place in IN_THE_CELL or time.monotonic() > deadline:

@@ -212,7 +212,7 @@ def test_a_picture_for_each_motion_words_for_each_thing_it_begins_to_do_and_noth
                          'safety on.')
     robot.step(1000.0)
     robot.react([])
-    wait_until(lambda: view._job._thread is None, "the view's thread to end")
+    wait_until(lambda: view._job.is_idle, 'the view to rest')
     assert len(scenes) == 4 and len(pictures) == 2
 
 

@@ -31,6 +31,7 @@ from param_tools.errors import (
     describe_error,
 )
 from param_tools.ros import domain
+from param_tools.ros.waiting import PATIENCE
 
 LATE_SEC = 0.25
 RETRY_PERIOD_SEC = 1.0
@@ -389,7 +390,7 @@ class LiveState(Generic[ParameterT]):
     def give_up_late(self, now: float) -> Todo:
         """Time has passed: end the requests that even the executor has not ended."""
         late = [parameter for parameter in self.parameters.values()
-                if parameter.busy and now - parameter.asked_at > self._timeout_sec + GRACE_SEC]
+                if parameter.busy and now - parameter.asked_at > (self._timeout_sec + GRACE_SEC) * PATIENCE]
         for parameter in late:
             self._give_up(parameter, describe_error(NoAnswerError(
                 self._node, 'set_parameters', self._timeout_sec, on_network=domain.reaches_other_hosts())))

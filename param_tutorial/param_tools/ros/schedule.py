@@ -89,7 +89,7 @@ def _run_next() -> bool:
         return False
     try:
         job.call_now(_END_TIMEOUT_SEC)
-    except Exception:  # of one job; the others go on
+    except BaseException:  # of one job; the others go on
         traceback.print_exc()
     return True
 
