@@ -81,7 +81,7 @@ def test_ci_installs_the_packages():
 
 @pytest.mark.parametrize('file', ['pyproject.toml', 'param_tutorial/setup.py'])
 def test_the_recording_is_installed(file):
-    assert f'pictures/{ros1.RECORDING.name}' in (ROOT / file).read_text()
+    assert f'views/drawing/{ros1.RECORDING.name}' in (ROOT / file).read_text()
 
 
 def test_a_recording_is_read_and_written_alike():
