@@ -704,7 +704,7 @@ def test_a_stage_whose_callback_never_returns_says_so_and_begins_anew(asleep):
     print(fresh is ros, fresh.services.node_names())
     print(ParameterClient(fresh.add(SimpleParamNode)).set_parameter('max_speed_rpm', 3))
     ''')
-    sentence = ('cannot work: The timer callback tick of /simple_param_node does not return, and cannot be interrupted'
+    sentence = ('cannot work: The timer callback tick of /simple_param_node does not return and cannot be interrupted'
                 '. Call start() again: it begins anew, without any node')
     assert done.stdout.splitlines() == [
         sentence, sentence, 'False []', '/simple_param_node accepted max_speed_rpm = 3'], done.stderr

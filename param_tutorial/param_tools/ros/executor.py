@@ -411,7 +411,7 @@ class BackgroundExecutor:
 
     def _describe_culprit(self) -> str:
         running = self.running
-        return f'{_sentence(running) if running else "A function"} does not return, and cannot be interrupted'
+        return f'{_sentence(running) if running else "A function"} does not return and cannot be interrupted'
 
     def _interrupt(self, has_ended: threading.Event) -> bool:
         """Raise an exception in the callback that keeps the thread, if it runs Python code; return whether it ended.
