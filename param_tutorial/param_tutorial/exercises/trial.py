@@ -46,7 +46,7 @@ TIME_LIMIT_SEC = 5.0
 _SHORT_TIME_LIMIT_SEC = 1.0
 # How long a reaction may take when nothing is on its way any more that could bring it.
 _SETTLED_SEC = 0.5
-# When a check as a whole should have come to its end, in machine time. What comes close to it gets less and less,
+# When a check as a whole should have come to its end. What comes close to it gets less and less,
 # though never less than the short limit: a callback that sleeps is asked a dozen times.
 _WHOLE_CHECK_SEC = 12.0
 
