@@ -10,7 +10,8 @@ pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take 
 
 CELLS = (
     '# A robot\nOn the stage:',
-    'import param_tutorial\nfrom param_tutorial import ParameterClient, ParameterPanel, RobotView, SideBySide\n'
+    'import param_tutorial\nfrom param_tutorial import ParameterClient, ParameterPanel\n'
+    'from param_tutorial.views import RobotView, SideBySide\n'
     'from param_tutorial.nodes.clawbot_node import ClawbotNode\n\n'
     'ros = param_tutorial.start()\nrobot = ros.add(ClawbotNode)\nclient = ParameterClient(robot)',
     'Its picture, and its controls:',

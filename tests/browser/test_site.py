@@ -37,8 +37,8 @@ pytestmark = [
 LIMITS = (
     '# 1 · Limits\n\n**What does a node say?**',
     '''import param_tutorial
-from param_tutorial import LogView, ParameterPanel
-from param_tutorial import EventView
+from param_tutorial import ParameterPanel
+from param_tutorial.views import EventView, LogView
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -94,7 +94,8 @@ heater = ros.add(Heater)''',
 )
 ROBOT = (
     '# 2 · A robot\n\n**Does it move?**',
-    'import param_tutorial\nfrom param_tutorial import LinePlot, ParameterPanel, RobotView\n'
+    'import param_tutorial\nfrom param_tutorial import ParameterPanel\n'
+    'from param_tutorial.views import LinePlot, RobotView\n'
     'from param_tutorial.nodes.clawbot_node import ClawbotNode\n\n'
     'ros = param_tutorial.start()\nrobot = ros.add(ClawbotNode)\nview = RobotView(robot)\nview',
     'Its controls:',

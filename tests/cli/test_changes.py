@@ -28,9 +28,10 @@ def log(ros, tmp_path):
         ros.remove_all()
         wait_until(lambda: 'gone' in path.read_text(), 'the node to be missed')
     finally:
-        # What Ctrl+C would raise. A duration would be over too early on a busy machine.
-        raise_in(thread, KeyboardInterrupt)
-        thread.join()
+        # What Ctrl+C would raise, as soon as the thread runs Python code. A duration would be over too early on a busy
+        # machine.
+        while thread.is_alive():
+            raise_in(thread, KeyboardInterrupt)
     stdout, stderr, status = told[0]
     assert stdout.startswith('Watching 9 parameters of 1 node\n')
     assert "/simple_param_node robot_name: 'Clawbot' → 'Berta'\n" in stdout

@@ -34,7 +34,7 @@ ros = param_tutorial.start()
 ros.add(SimpleParamNode)
 print(os.environ['ROS_DOMAIN_ID'], flush=True)
 input()
-own = ['/_param_tutorial', '/simple_param_node']
+own = ['/_param_tools', '/simple_param_node']
 param_tutorial.wait_until(lambda: ros.services.node_names(hidden=True) == own, 'the laptop to be given up', 60)
 print('alone', flush=True)
 input()

@@ -120,13 +120,14 @@ def test_a_node_that_was_not_found_is_looked_for(state, x):
 def test_an_answer_after_giving_up_changes_nothing(state, x):
     request = state.ask(x, 2, 10.0).send
     assert not state.give_up_late(10.0 + TIMEOUT_SEC).ended
-    assert state.give_up_late(15.0).ended
+    late = 10.1 + (TIMEOUT_SEC + live_state.GRACE_SEC) * live_state.PATIENCE
+    assert state.give_up_late(late).ended
     assert 'did not answer set_parameters within 3 s' in x.message
     before = vars(x).copy()
-    assert state.answered(request, '', 16.0) == NOTHING
+    assert state.answered(request, '', late + 1.0) == NOTHING
     assert vars(x) == before
-    again = state.ask(x, 5, 17.0).send
-    assert state.answered(request, 'old', 18.0) == NOTHING
+    again = state.ask(x, 5, late + 2.0).send
+    assert state.answered(request, 'old', late + 3.0) == NOTHING
     assert x.request is again
 
 

@@ -1,7 +1,9 @@
 """Ctrl+C while the stage begins or ends, and exceptions in a thread that does not return."""
 
+import os
 import signal
 import threading
+import time
 
 import pytest
 
@@ -70,14 +72,18 @@ def test_a_thread_that_runs_python_is_interrupted():
 
 
 def test_a_thread_that_sleeps_is_left_alone():
-    may_end, result = threading.Event(), []
-    thread = threading.Thread(target=lambda: result.append(may_end.wait()))
+    reading, writing = os.pipe()
+    result = []
+    thread = threading.Thread(target=lambda: result.append(os.read(reading, 1)))
     thread.start()
-    wait_until(thread.is_alive, 'the thread')
+    clock, seen = time.pthread_getcpuclockid(thread.ident), []
+    wait_until(lambda: seen.append(time.clock_gettime(clock)) or seen[-8:] == 8 * seen[-1:], 'the thread to sleep')
     assert not raise_in(thread, ValueError)
-    may_end.set()
+    os.write(writing, b'x')
     thread.join()
-    assert result == [True]
+    assert result == [b'x']
+    os.close(reading)
+    os.close(writing)
 
 
 def test_nothing_is_raised_in_a_thread_that_has_ended():

@@ -65,7 +65,7 @@ LINES = {
     'sys.exit': Line('sys.exit(1)', 'SystemExit'),
     'exit': Line('exit()', r'exit\(\) would end this kernel'),
     'raise SystemExit': Line('raise SystemExit', 'SystemExit'),
-    'input': Line("input('speed? ')", r'input\(\)'),
+    'input': Line("print(input('speed? '))", r'input\(\)'),
     'print flood': Line("for number in range(100_000): print('flood', number)", 'more lines'),
     'endless loop': Line('while True: pass', _NOT_BACK, ends=False),
     'long sleep': Line('time.sleep(1000)', _NOT_BACK, ends=False),

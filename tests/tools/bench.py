@@ -134,7 +134,7 @@ result = {'magic': statistics.median(magics), 'process': statistics.median(proce
 
 SYSTEM = '''
 import statistics, subprocess, sys, time
-from param_tutorial import all_parameters, start, wait_until
+from param_tools import all_parameters, start, wait_until
 
 ROBOT = """
 import rclpy
@@ -265,7 +265,7 @@ sys.stdin.read()
 SCALE = MANY + '''
 import subprocess, tempfile, time
 from pathlib import Path
-from param_tutorial import ParameterClient, all_parameters, compare
+from param_tools import ParameterClient, all_parameters, compare
 
 def timed(function):
     start = time.perf_counter()

@@ -78,6 +78,11 @@ class _PendingCall:
     deadline: float
 
 
+def _fail(future: Future, error: BaseException) -> None:
+    future.set_exception(error)
+    future.exception()  # if nobody waits any more, rclpy would print it where a learner reads
+
+
 class _NextTurn:
     """Awaited in a coroutine, gives the executor a turn."""
 
@@ -169,7 +174,7 @@ class Services:
             answer = await self._ask(node, service, request, timeout_sec, repeat=service in _QUESTIONS and not is_set,
                                      on_sent=line.popleft)
         except Exception as error:
-            future.set_exception(error)
+            _fail(future, error)
         else:
             future.set_result(answer)
         finally:
@@ -308,4 +313,4 @@ class Services:
             call = self._pending.pop(future, None)
         if call is not None and not future.done():
             call.client.remove_pending_request(future)
-            future.set_exception(error)
+            _fail(future, error)

@@ -15,6 +15,8 @@ from param_tools.cli.session import TextStream
 
 # As in launch: so long for Ctrl+C, then so long for SIGTERM.
 GRACE_SEC = 5.0
+# Python doesn't end a wait for a signal that comes just before it.
+_LOOK_PERIOD_SEC = 0.5
 _SIGNALS = {signal.SIGINT: 'ctrl-c (SIGINT)', signal.SIGTERM: 'SIGTERM'}
 
 
@@ -56,7 +58,10 @@ class Launcher:
             for program in programs:
                 self._start(program)
             while self._running:
-                event = self._events.get()
+                try:
+                    event = self._events.get(timeout=_LOOK_PERIOD_SEC)
+                except queue.Empty:
+                    continue
                 if isinstance(event, str):
                     del self._running[event]
                 else:

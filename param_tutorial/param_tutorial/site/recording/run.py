@@ -12,7 +12,6 @@ import contextlib
 import json
 import re
 import subprocess
-import time
 from collections.abc import Callable, Coroutine, Iterator
 from pathlib import Path
 from typing import Any
@@ -33,10 +32,9 @@ from param_tutorial.site.recording.recorded import Page, Recording, Recordings, 
 
 WIDGET = 'application/vnd.jupyter.widget-view+json'
 _ANSWER = 'application/x-param-tutorial-recording+json'
-# In machine time. When a cell has run, its outputs come through another socket, and the limit for those is nbclient's.
+# When a cell has run, its outputs come through another socket, and the limit for those is nbclient's.
 _CELL_TIMEOUT_SEC = 300
 _OUTPUTS_TIMEOUT_SEC = 120
-_LOOK_PERIOD_SEC = 0.5
 # What these cells name are numbers of predictions and chapters, which nobody types into a panel.
 _ABOUT_LEARNER = re.compile(r'^exercises\.(predict|progress|certificate)\(', re.MULTILINE)
 
@@ -252,17 +250,16 @@ def _execute(path: Path, client: NotebookClient, cell: NotebookNode, index: int,
 
 
 async def _in_time(work: Coroutine[Any, Any, Any]) -> None:
-    """Wait for what runs a cell. nbclient's own limit knows nothing of machine time.
+    """Wait for what runs a cell.
 
     :raises TimeoutError: it takes too long.
     """
-    running, deadline = asyncio.ensure_future(work), time.monotonic() + _CELL_TIMEOUT_SEC
-    while not (await asyncio.wait([running], timeout=_LOOK_PERIOD_SEC))[0]:
-        if time.monotonic() > deadline:
-            running.cancel()
-            with contextlib.suppress(DeadKernelError):  # as nbclient calls it
-                await running
-            raise TimeoutError
+    running = asyncio.ensure_future(work)
+    if not (await asyncio.wait([running], timeout=_CELL_TIMEOUT_SEC))[0]:
+        running.cancel()
+        with contextlib.suppress(DeadKernelError):  # as nbclient calls it
+            await running
+        raise TimeoutError
     running.result()
 
 
