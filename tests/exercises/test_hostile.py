@@ -41,9 +41,10 @@ def test_a_hostile_line_gets_a_word_and_work_goes_on(kernels, name, place):
     assert tried.goes_on == (True, True), tried
     if place in IN_THE_CELL and name == 'input':
         assert 'seven' in tried.text
-    elif name != 'print flood':  # the browser is spared by Jupyter Server, which limits what a kernel may send
+    else:
         assert tried.says(LINES[name].says), tried.text
-        assert len(tried.text) < 30_000
+        # Jupyter Server limits what a kernel may send, and so spares the browser a flood.
+        assert len(tried.text) < 30_000 or name == 'print flood'
 
 
 def test_the_context_of_the_stage_survives_an_interrupt_in_a_cell_with_init(kernel):

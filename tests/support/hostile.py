@@ -66,7 +66,7 @@ LINES = {
     'exit': Line('exit()', r'exit\(\) would end this kernel'),
     'raise SystemExit': Line('raise SystemExit', 'SystemExit'),
     'input': Line("print(input('speed? '))", r'input\(\)'),
-    'print flood': Line("for number in range(100_000): print('flood', number)", 'more lines'),
+    'print flood': Line("for number in range(100_000): print('flood', number)", ''),
     'endless loop': Line('while True: pass', _NOT_BACK, ends=False),
     'long sleep': Line('time.sleep(1000)', _NOT_BACK, ends=False),
     'loop that catches all': Line('''while True:

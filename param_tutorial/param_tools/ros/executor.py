@@ -79,7 +79,7 @@ class Callback:
 
     def __str__(self) -> str:
         if self.parameter_service:
-            return f'{self.parameter_service} of {self.node_name}'
+            return f'the service {self.parameter_service} of {self.node_name}'
         return f'the {self.kind} callback {function_name(self.function)} of {self.node_name}'
 
 

@@ -80,7 +80,8 @@ def wait_for(condition: Callable[[], object], at_least_sec: float = 0.0) -> bool
 def wait_until_quiet(observer: Node, at_least_sec: float = 0.0) -> None:
     """Wait until no node has come or gone for a while, or DISCOVERY_SEC have passed.
 
-    :param at_least_sec: Wait for so long in any case.
+    :param at_least_sec: Wait for so long in any case: the observer has just joined. If it is still alone then, it waits
+        on.
     """
     began = time.monotonic()
     known, since = nodes_in_graph(observer), began
@@ -90,7 +91,8 @@ def wait_until_quiet(observer: Node, at_least_sec: float = 0.0) -> None:
         now = time.monotonic()
         if (found := nodes_in_graph(observer)) != known:
             known, since = found, now
-        return now - since >= QUIET_SEC and now - began >= at_least_sec
+        is_alone = bool(at_least_sec) and len(known) == 1
+        return now - since >= QUIET_SEC and now - began >= at_least_sec and not is_alone
 
     wait_for(is_quiet, at_least_sec)
 

@@ -184,6 +184,8 @@ class NotesQuestions(Node):
     """A mixin: keeps the requests that the clients of a node send, so that one can tell when it has done its work."""
 
     questions_noted: tuple[Question, ...] = ()
+    most_open: tuple[int, int] = (0, 0)
+    """The most questions that were without an answer at once, and how many answers their client keeps."""
 
     def create_client(self, *args: Any, **options: Any) -> Client:
         client = super().create_client(*args, **options)
@@ -192,6 +194,8 @@ class NotesQuestions(Node):
         def note(request: Any) -> Future:
             answer = call_async(request)
             self.questions_noted = (*self.questions_noted, Question(client, answer))
+            count = sum(each.client is client and not each.answer.done() for each in self.questions_noted)
+            self.most_open = max(self.most_open, (count, client.qos_profile.depth))
             return answer
 
         client.call_async = note  # type: ignore[method-assign]  # for this one client

@@ -53,7 +53,7 @@ WRONG = {
         ([(_REJECTED, 'return False')], 3, 'the reason is rclpy’s own'),
         ([(_ACCEPTED, '')], 0, 'has to return a `SetParametersResult`'),
         ([(_REJECTED, "raise ValueError('not below')")], 0, 'a callback raised ValueError: not below'),
-        ([(_REJECTED, 'input()')], 0, 'a callback: nobody can type an answer'),
+        ([(_REJECTED, 'input()')], 0, 'a callback cannot ask with input()'),
         ([('low_c >= high_c', "parameters[0].name == 'use_sim_time' or low_c >= high_c")], 4, '-3 is not below 12'),
         ([("reason=f'{low_c} is not below {high_c}'", 'reason=low_c')], 0, 'TypeError'),
         ([('low_c >= high_c', 'low_c >= high_c or high_c > 40')], 4, 'it was rejected'),  # a rule too many

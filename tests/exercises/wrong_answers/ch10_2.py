@@ -45,13 +45,13 @@ WRONG = {
         ([('            if values:', '            if True:')], 2, 'IndexError'),
         ([('parameter_value_to_python(values[0])', 'parameter_value_to_python(values[0])\n'
            '            else:\n                self.found[name] = 0.0')], 2, "'calibration': 0.0"),
-        # All questions at once: the client keeps ten answers.
+        # All questions at once: the client keeps ten answers, and loses others if the rover is in another process.
         ([('        for name in answer.result.names:\n            values = (await self.get_client.call_async('
            'GetParameters.Request(names=[name]))).values\n',
            '        futures = [(name, self.get_client.call_async(GetParameters.Request(names=[name])))\n'
            '                   for name in answer.result.names]\n'
            '        for name, future in futures:\n            values = (await future).values\n')], 2,
-         '26 of 37 questions have no answer'),
+         '36 were, and the client keeps the last 10 answers'),
         ([('if values:', 'if values and parameter_value_to_python(values[0]):')], 0, "it is `{'gains'"),
         ([('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 1, 'it is `{'),
         ([('self.found[name] = parameter_value_to_python(values[0])', 'self.found = {name: values[0]}')], 0,
@@ -72,6 +72,10 @@ WRONG = {
         ([("GetParameters, '/rover/get", "ListParameters, '/rover/get")], 0,
          'the service `/rover/get_parameters` is of another type than the client'),
         ([('def inspect', 'def look')], 0, 'the class has none'),
+        # The answer waits for the callback group of the timer, and the timer for the answer.
+        ([('async def inspect(self):\n',
+           'def inspect(self):\n        self.timer = self.create_timer(0.3, self.work)\n\n'
+           '    async def work(self):\n        self.timer.cancel()\n')], 0, 'and 1 of 1 questions have no answer'),
     ],
     '10.2b': [
         ([('if name in parameters', 'if parameters.get(name)')], 2, "returned `{'/gripper': 4, '/mast': 4}`"),
@@ -150,9 +154,10 @@ RIGHT = {
         # What is not set is there with None.
         [('parameter_value_to_python(values[0])', 'parameter_value_to_python(values[0])\n'
           '            else:\n                self.found[name] = None')],
-        # Later, by a timer.
+        # Later, by a timer with a callback group of its own.
         [('async def inspect(self):\n',
-          'def inspect(self):\n        self.timer = self.create_timer(0.3, self.work)\n\n'
+          'def inspect(self):\n        from rclpy.callback_groups import ReentrantCallbackGroup\n'
+          '        self.timer = self.create_timer(0.3, self.work, callback_group=ReentrantCallbackGroup())\n\n'
           '    async def work(self):\n        self.timer.cancel()\n')],
     ],
     '10.2b': [

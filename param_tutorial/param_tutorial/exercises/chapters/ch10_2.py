@@ -37,7 +37,7 @@ class Sleigh(Node):
     """Has the same name as the rover, and other parameters.
 
     A client of default QoS keeps ten answers. There are more parameters, so an inspector that sends all its questions
-    at once misses some.
+    at once would miss some if this node were in another process.
     """
 
     def __init__(self) -> None:
@@ -95,6 +95,10 @@ def found_in(trial: Trial, rover_class: type[Node]) -> None:
                f'`self.found` is `{shorten(repr(wanted), 400)}`',
                lambda: f'it is `{shorten(repr(inspector.found), 400)}`{_lost(inspector)}',
                lambda: is_settled(trial, inspector))
+    count, depth = inspector.most_open
+    expect(count <= depth, f'at most {depth} questions are without an answer at once',
+           f'{count} were, and the client keeps the last {depth} answers. With a rover in another process the others are '
+           f'lost')
     if raised := trial.raised():  # under rclpy.spin it would be the node's end
         raise NoUse('no callback raises an exception', raised)
 
