@@ -234,6 +234,7 @@ def test_a_log_survives_the_death_of_the_process_that_writes_it(ros, tmp_path):
                                stdout=subprocess.PIPE)
     try:
         assert process.stdout.readline().startswith('Watching ')
+        wait_until(lambda: 'offset' in path.read_text(), 'the node to be read')
         client = ParameterClient('/arm')
         for number in range(5):
             client.set_parameter('offset', float(number))

@@ -91,8 +91,10 @@ def wait_until_quiet(observer: Node, at_least_sec: float = 0.0) -> None:
         now = time.monotonic()
         if (found := nodes_in_graph(observer)) != known:
             known, since = found, now
-        is_alone = bool(at_least_sec) and len(known) == 1
-        return now - since >= QUIET_SEC and now - began >= at_least_sec and not is_alone
+        # A node whose publishers and services are not known yet is there by name alone.
+        is_whole = len(observer.get_node_names()) == len(found)
+        is_alone = bool(at_least_sec) and len(found) == 1
+        return now - since >= QUIET_SEC and now - began >= at_least_sec and is_whole and not is_alone
 
     wait_for(is_quiet, at_least_sec)
 

@@ -97,8 +97,8 @@ def found_in(trial: Trial, rover_class: type[Node]) -> None:
                lambda: is_settled(trial, inspector))
     count, depth = inspector.most_open
     expect(count <= depth, f'at most {depth} questions are without an answer at once',
-           f'{count} were, and the client keeps the last {depth} answers. With a rover in another process the others are '
-           f'lost')
+           f'{count} were, and the client keeps the last {depth} answers. With a rover in another process the others '
+           f'are lost')
     if raised := trial.raised():  # under rclpy.spin it would be the node's end
         raise NoUse('no callback raises an exception', raised)
 
