@@ -48,7 +48,7 @@ hub:  ## start JupyterHub for a class on this machine: see environment/jupyterhu
 	@build/jupyterhub/bin/python environment/jupyterhub/hub.py $(ARGS)
 
 # Five workers share two cores, so what they wait for may take twice as long.
-SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest -n 5 --dist loadscope --nbval
+SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval
 
 # All but the tests marked `thorough`.
 test: setup-all  ## run the test suite before you commit: every notebook is a test

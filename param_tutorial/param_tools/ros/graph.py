@@ -84,6 +84,7 @@ def wait_until_quiet(observer: Node, at_least_sec: float = 0.0) -> None:
         on.
     """
     began = time.monotonic()
+    quiet_sec, joining_sec = QUIET_SEC * waiting.PATIENCE, at_least_sec * waiting.PATIENCE
     known, since = nodes_in_graph(observer), began
 
     def is_quiet() -> bool:
@@ -94,7 +95,7 @@ def wait_until_quiet(observer: Node, at_least_sec: float = 0.0) -> None:
         # A node whose publishers and services are not known yet is there by name alone.
         is_whole = len(observer.get_node_names()) == len(found)
         is_alone = bool(at_least_sec) and len(found) == 1
-        return now - since >= QUIET_SEC and now - began >= at_least_sec and is_whole and not is_alone
+        return now - since >= quiet_sec and now - began >= joining_sec and is_whole and not is_alone
 
     wait_for(is_quiet, at_least_sec)
 
