@@ -68,9 +68,6 @@ test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
 
-stranger: setup-all  ## play with each chapter in JupyterLab, by mouse and keyboard, with interrupts, reloads and Run All
-	@$(VENV) -W ignore -m tests.tools.stranger $(ARGS)
-
 html: setup-all  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.site $(ARGS)
 
@@ -116,4 +113,4 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons \
-    test-beside-ros stranger html lesson bench lint release lock clean
+    test-beside-ros html lesson bench lint release lock clean

@@ -1,6 +1,9 @@
 """README.md, the start page and the chapters tell the same story, and every public name is real."""
 
 import re
+import subprocess
+import sys
+import textwrap
 from pathlib import Path
 
 import nbformat
@@ -111,14 +114,13 @@ def test_links_lead_somewhere(page):
         assert ((ROOT / page).parent / target).exists(), target
 
 
-def test_a_recording_in_the_readme_has_words_and_is_small_and_a_still_one_if_it_moves():
-    pictures = re.findall(r'!\[(.+)\]\((\.github/recordings/.+\.svg)\)', README)
-    moving = re.findall(r'<picture>\n  <source media="\(prefers-reduced-motion: reduce\)" srcset="(.+)">\n'
-                        r'  <img src="(.+)" alt="(.+)">\n</picture>', README)
-    shown = {ROOT / path for path in [path for _, path in pictures] + [path for *paths, _ in moving for path in paths]}
-    assert shown == set((ROOT / '.github' / 'recordings').iterdir())
-    assert all(path.stat().st_size <= 400_000 for path in shown)
-    assert all(len(words) > 40 for words in [words for words, _ in pictures] + [words for *_, words in moving])
+def test_what_check_prints_in_the_readme_is_what_it_prints(tmp_path):
+    shown = re.search(r'```yaml\n([^`]+)```\n\n    \S+ -m param_tools (.+)\n((?:    .+\n)+)', README)
+    content, words, said = shown.groups()
+    (tmp_path / 'robot.yaml').write_text(content)
+    done = subprocess.run([sys.executable, '-m', 'param_tools', *words.split()], cwd=tmp_path, capture_output=True,
+                          text=True)
+    assert done.stdout == textwrap.dedent(said)
 
 
 def test_each_row_of_the_comparison_of_tools_names_tests_that_there_are():

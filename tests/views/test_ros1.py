@@ -1,92 +1,15 @@
-"""The recording of ROS 1: the real one still says so, and a lesson can show it beside ROS 2."""
-
-import os
-import subprocess
-import sys
-from pathlib import Path
+"""The recording of ROS 1, and how a lesson shows it beside ROS 2."""
 
 import pytest
 
 from param_tutorial.views.drawing import ros1
 from param_tutorial.views.drawing.ros1 import Step
-from tests.support import missing
 from tests.support.paths import ROOT
-from tests.tools import ros1_record
-
-RECORD = Path(ros1_record.__file__)
-# ROS 1 comes as packages of Debian, for Debian's own Python.
-DEBIANS_PYTHON = '/usr/bin/python3'
-
-
-def asked(*arguments, python=DEBIANS_PYTHON):
-    """Run the recorder with --check."""
-    return subprocess.run([python, str(RECORD), '--check', *map(str, arguments)], capture_output=True, text=True,
-                          timeout=240, env={**os.environ, 'PYTHONDONTWRITEBYTECODE': '1'})
-
-
-@pytest.fixture(scope='module')
-def needs_ros1(tmp_path_factory):
-    """Skip where there is no ROS 1, and say what to install; in CI, where .ci/run installs it, fail."""
-    path = tmp_path_factory.mktemp('ros1') / 'empty.txt'
-    path.write_text('nothing is asked\n')
-    done = asked(path) if Path(DEBIANS_PYTHON).exists() else None
-    if done is None or done.returncode == 2:
-        missing.skip(done.stderr if done else f'there is no {DEBIANS_PYTHON}')
-
-
-@pytest.fixture
-def scene_file(tmp_path):
-    """Return a function that writes a recording of one scene."""
-    def write(steps):
-        path = tmp_path / 'recording.txt'
-        path.write_text(f'a head\n\n== a scene\n{steps}\n')
-        return path
-    return write
-
-
-@pytest.mark.slow
-@pytest.mark.thorough
-def test_the_real_ros1_says_what_was_recorded(needs_ros1):
-    done = asked()
-    assert done.returncode == 0, done.stdout + done.stderr
-
-
-@pytest.mark.slow
-@pytest.mark.thorough
-def test_another_answer_is_a_difference(needs_ros1, scene_file):
-    done = asked(scene_file("/robot>>> rospy.set_param('~gain', 1)\n... rospy.get_param('~gain')\n2"))
-    assert done.returncode == 1
-    assert done.stdout.splitlines()[-2:] == ['-2', '+1']
-
-
-@pytest.mark.slow
-@pytest.mark.thorough
-def test_what_cannot_be_done_is_reported_and_leaves_no_process(needs_ros1, scene_file):
-    done = asked(scene_file('/robot>>> 1\n1\n! the robot sings'))
-    assert done.returncode == 2
-    assert done.stderr == "in the scene \"a scene\": 'the robot sings' is no event that this recorder knows\n"
-
-
-def test_without_ros1_it_says_what_to_install():
-    done = asked(python=sys.executable)
-    assert done.returncode == 2
-    assert 'finds no python3-rosmaster' in done.stderr
-    assert f'apt-get install --no-install-recommends {" ".join(ros1_record.PACKAGES)}' in done.stderr
-
-
-def test_ci_installs_the_packages():
-    script = (ROOT / '.ci/run').read_text()
-    assert all(package in script for package in ros1_record.PACKAGES)
 
 
 @pytest.mark.parametrize('file', ['pyproject.toml', 'param_tutorial/setup.py'])
 def test_the_recording_is_installed(file):
     assert f'views/drawing/{ros1.RECORDING.name}' in (ROOT / file).read_text()
-
-
-def test_a_recording_is_read_and_written_alike():
-    text = ros1.RECORDING.read_text()
-    assert ros1_record.render(*ros1.parse(text)) == text
 
 
 def test_a_step_has_lines_and_its_answer_too():

@@ -4,7 +4,7 @@
     ros1.scene('types').beside(a, b, c)     the same, each step beside an answer of ROS 2
     ros1.scene('types')[1:3]                some of its steps
 
-The scenes stand in ros1_recording.txt, as text to read. ``tests/tools/ros1_record.py`` types them into ROS 1 again.
+The scenes stand in ros1_recording.txt, as text to read. ROS 1 has come to its end, so they will not change.
 """
 
 import functools
