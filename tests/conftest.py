@@ -50,8 +50,16 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: -slow[item.path])
 
 
+@pytest.fixture(scope='module')
+def stage_of_the_file() -> Iterator[None]:
+    """End the stage after the tests of a file. What a participant of DDS once had, each new process asks for in turn,
+    also if it is gone: after a thousand nodes that takes seconds."""
+    yield
+    param_tutorial.stop()
+
+
 @pytest.fixture
-def ros() -> Iterator[BackgroundExecutor]:
+def ros(stage_of_the_file: None) -> Iterator[BackgroundExecutor]:
     """Yield a BackgroundExecutor with an empty stage; clear it and end all terminals afterwards."""
     executor = param_tutorial.start()
     # A process that an earlier test has ended may still be in the graph, for 8 s if it was killed.
