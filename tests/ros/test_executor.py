@@ -130,7 +130,7 @@ def test_start_again_clears_the_stage(ros):
 
 
 def test_stop_start_stop(ros):
-    threads = set(threading.enumerate()) - {ros._thread}
+    threads = set(threading.enumerate()) - {ros._loop._thread}
     ros.add(Speed)
     param_tutorial.stop()
     param_tutorial.stop()

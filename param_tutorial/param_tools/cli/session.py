@@ -6,8 +6,8 @@ once more.
 
 import argparse
 import functools
+import math
 import shlex
-import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
@@ -172,12 +172,12 @@ class Session:
 
         :return: For each node its answer, or the ParameterToolError that came instead.
         """
+        from param_tools.ros import waiting
+
         answers: dict[str, Any] = {}
-        finished = threading.Semaphore(0)
 
         def take(node: str, future: Any) -> None:
             answers[node] = future.exception() or future.result()
-            finished.release()
 
         for node in nodes:
             try:
@@ -185,10 +185,8 @@ class Session:
                                                   ).add_done_callback(functools.partial(take, node))
             except ParameterToolError as error:
                 answers[node] = error
-                finished.release()
         # Each call has a time limit of its own, so each finishes.
-        for _ in nodes:
-            finished.acquire()
+        waiting.wait(lambda: len(answers) == len(nodes), math.inf)
         return answers
 
 

@@ -10,6 +10,7 @@ sent; the executor's thread takes no lock of a panel at all.
 """
 
 import contextlib
+import functools
 import html
 import queue
 import threading
@@ -43,6 +44,7 @@ from param_tools.panel.edits import Edits, State
 from param_tools.panel.front import Front
 from param_tools.panel.recordable import ControlFacts
 from param_tools.panel.view import FollowingView, View
+from param_tools.ros import host
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
 from param_tools.ros.waiting import wait_until
@@ -362,7 +364,7 @@ class ParameterPanel(View):
         if content['do'] == 'enter':
             self._enter(content)
         elif content['do'] in ('look', 'act'):
-            threading.Thread(target=self._serve_form, args=[content], name=f'file of {self._node}', daemon=True).start()
+            host.host.run(functools.partial(self._serve_form, content), f'file of {self._node}')
         else:
             names = [content['name']] if content.get('name') else []
             job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
@@ -371,8 +373,7 @@ class ParameterPanel(View):
                                          'discard': self.discard, 'apply': self.apply}[content['do']]
             self._jobs.put(job)
             # It waits for the node, and the kernel must not.
-            threading.Thread(target=self._do_next, name=f'{content["do"]} on the panel of {self._node}',
-                             daemon=True).start()
+            host.host.run(self._do_next, f'{content["do"]} on the panel of {self._node}')
 
     def _do_next(self) -> None:
         with self._acting, contextlib.suppress(WaitTimeoutError):  # the panel shows what was not answered

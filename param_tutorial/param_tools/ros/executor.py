@@ -34,7 +34,7 @@ from rclpy.subscription import Subscription
 from rclpy.timer import Timer
 
 from param_tools.errors import ExecutorError, StuckError
-from param_tools.ros import domain, interrupts, no_input, rclpy_private, tutorial_lines
+from param_tools.ros import domain, host, interrupts, no_input, rclpy_private, tutorial_lines
 from param_tools.ros.graph import Incarnations, incarnations, nodes_in_graph
 from param_tools.ros.listeners import Listeners
 from param_tools.ros.node_log import NodeLog
@@ -161,7 +161,7 @@ class BackgroundExecutor:
         self._incarnations: Incarnations = frozenset()
         self._names: list[tuple[str, str]] = []
         self._stopping = False
-        self._told_of = 0.0
+        self._told_of = self._next_tick = 0.0
         self._objection = self._error_if_asked
         with contextlib.ExitStack() as undo:  # a process that may open no more files, say, gets no participant of DDS
             # Without NO, the kernel's "interrupt" button would shut the context down. The console and file logs
@@ -181,19 +181,18 @@ class BackgroundExecutor:
                 ParameterEvent, '/parameter_events', self._event_listeners.call, qos_profile_parameter_events)
             self._executor.add_node(self.tool_node)
             self.services = Services(self)
-            # If Ctrl+C comes as Thread.is_alive() looks, it says for good that the thread has ended (CPython 3.11).
-            self._ended = threading.Event()
-            self._thread = threading.Thread(target=self._spin, name='ros-background-executor', daemon=True)
             self._let_go_of_rclpy = undo.enter_context(contextlib.ExitStack())
             self._let_go_of_rclpy.callback(tutorial_lines.replace(self, self._executor))
             self._let_go_of_rclpy.callback(no_input.allow, self._objection)
-            self._thread.start()
+            self._loop = host.host.loop(self._spin_once, lambda: self._stopping or not self.context.ok(),
+                                        'ros-background-executor', TICK_PERIOD_SEC)
+            self._loop.start()
             undo.pop_all()
 
     @property
     def is_running(self) -> bool:
-        """True if the thread spins, on a context that is alive."""
-        return not self._ended.is_set() and self.context.ok() and not self._stopping
+        """True if the loop spins, on a context that is alive."""
+        return not self._loop.has_ended and self.context.ok() and not self._stopping
 
     @property
     def errors(self) -> list[BaseException]:
@@ -346,20 +345,12 @@ class BackgroundExecutor:
         self._require_running()
         self._executor.create_task(coroutine)
 
-    def _spin(self) -> None:
-        next_tick = 0.0
+    def _spin_once(self, wait_sec: float) -> bool:
+        """Run the next callback that is due within a time, and return whether there was one."""
         try:
-            while not self._stopping and self.context.ok():
-                next_tick = self._spin_once(next_tick)
-        finally:
-            self._ended.set()
-
-    def _spin_once(self, next_tick: float) -> float:
-        """Run what is due, and return when the next tick is."""
-        try:
-            self._executor.spin_once(timeout_sec=TICK_PERIOD_SEC)
-            if time.monotonic() >= next_tick:
-                next_tick = time.monotonic() + TICK_PERIOD_SEC
+            self._executor.spin_once(timeout_sec=wait_sec)
+            if time.monotonic() >= self._next_tick:
+                self._next_tick = time.monotonic() + TICK_PERIOD_SEC
                 self._check_graph()
                 self.services.expire()
                 self._tick_listeners.call()
@@ -369,11 +360,11 @@ class BackgroundExecutor:
             # Also what a callback raises: rclpy would end spin() here, and with it every node.
             if self.context.ok() and not self._stopping:
                 self._show_once(error)
-        return next_tick
+        return self._executor.running is not None
 
     def in_thread(self) -> bool:
         """True in the executor's thread, which must not wait for anything that an executor brings."""
-        return threading.current_thread() is self._thread
+        return self._loop.is_current()
 
     @property
     def running(self) -> Callback | None:
@@ -419,7 +410,7 @@ class BackgroundExecutor:
         An exception that comes while Python runs a ``__del__``, and rclpy's loggers have one, is printed and lost. So
         it is raised a second time.
         """
-        return any(interrupts.raise_in(self._thread, _CallbackInterrupted)
+        return any(self._loop.interrupt(_CallbackInterrupted)
                    and wait_for(has_ended, INTERRUPT_TIMEOUT_SEC) for _ in range(2))
 
     def _error_if_asked(self) -> ExecutorError | None:
@@ -465,10 +456,8 @@ class BackgroundExecutor:
         self._stopping = True
         self._let_go_of_rclpy.close()
         self._executor.wake()
-        self._thread.join(STOP_TIMEOUT_SEC)
-        if self._thread.is_alive() and interrupts.raise_in(self._thread, _CallbackInterrupted):
-            self._thread.join(INTERRUPT_TIMEOUT_SEC)
-        has_ended = not self._thread.is_alive()
+        has_ended = self._loop.join(STOP_TIMEOUT_SEC) or (
+            self._loop.interrupt(_CallbackInterrupted) and self._loop.join(INTERRUPT_TIMEOUT_SEC))
         if has_ended:
             self._executor.shutdown()
         for node in [*reversed(self._nodes), self.tool_node]:

@@ -1,4 +1,4 @@
-"""What is drawn or asked again after a time: one thread for all jobs of a process. No ROS, no Jupyter."""
+"""What is drawn or asked again after a time: one loop for all jobs of a process. No ROS, no Jupyter."""
 
 import atexit
 import threading
@@ -6,20 +6,24 @@ import time
 import traceback
 from collections.abc import Callable
 
-THREAD_NAME = 'schedule'
+from param_tools.ros import host
+from param_tools.ros.host import Loop
+
+LOOP_NAME = 'schedule'
+_LONGEST_WAIT_SEC = 3600.0
 _END_TIMEOUT_SEC = 3.0
 
 # Guards all below.
 _changed = threading.Condition()
 _due: 'dict[Job, float]' = {}
-_thread: threading.Thread | None = None
+_loop: Loop | None = None
 _is_ending = False
 
 
 class Job:
     """Calls a function soon after ``wake()``, never twice at once, and not more often than once in a period.
 
-    The function must not wait: the thread is shared. What keeps a busy node from flooding a browser is the period.
+    The function must not wait: the loop is shared. What keeps a busy node from flooding a browser is the period.
     """
 
     def __init__(self, step: Callable[[], float | None], period_sec: float):
@@ -44,7 +48,7 @@ class Job:
             if self._ended or _due.get(self, at + 1) <= at:
                 return
             _due[self] = at
-            _ensure_thread()
+            _ensure_loop()
             _changed.notify()
 
     def call_now(self, timeout_sec: float) -> bool:
@@ -71,20 +75,16 @@ class Job:
             _changed.notify()
 
 
-def _ensure_thread() -> None:
-    global _thread
-    if _thread is None and not _is_ending:
-        _thread = threading.Thread(target=_run, name=THREAD_NAME, daemon=True)
-        _thread.start()
+def _ensure_loop() -> None:
+    global _loop
+    if _loop is None and not _is_ending:
+        _loop = host.host.loop(_run_next, lambda: _is_ending, LOOP_NAME, _LONGEST_WAIT_SEC)
+        _loop.start()
 
 
-def _run() -> None:
-    while _run_next():
-        pass  # no variable keeps a job that has ended
-
-
-def _run_next() -> bool:
-    job = _next_job()
+def _run_next(wait_sec: float) -> bool:
+    """Run the next job that is due within a time, and return whether there was one."""
+    job = _next_job(time.monotonic() + wait_sec)
     if job is None:
         return False
     try:
@@ -98,26 +98,27 @@ def _due_at(job: Job) -> float:
     return max(_due[job], job.rests_until)
 
 
-def _next_job() -> Job | None:
-    """Wait for the next job that is due, and return it; None at the end."""
+def _next_job(end: float) -> Job | None:
+    """Wait for the next job that is due, and return it; None if there was none in time, and at the end."""
     with _changed:
         while not _is_ending:
             job = min(_due, key=_due_at, default=None)
-            left_sec = None if job is None else _due_at(job) - time.monotonic()
-            if job is not None and left_sec is not None and left_sec <= 0.0:
+            now = time.monotonic()
+            if job is not None and _due_at(job) <= now:
                 del _due[job]
                 return job
-            _changed.wait(left_sec)
+            if now >= end:
+                break
+            _changed.wait((end if job is None else min(end, _due_at(job))) - now)
     return None
 
 
 @atexit.register
 def _end() -> None:
-    """End the thread: one that still sends something to the browser as the interpreter ends may abort a kernel."""
+    """End the loop: one that still sends something to the browser as the interpreter ends may abort a kernel."""
     global _is_ending
     with _changed:
         _is_ending = True
         _changed.notify()
-        thread = _thread
-    if thread is not None:
-        thread.join(_END_TIMEOUT_SEC)
+    if _loop is not None:
+        _loop.join(_END_TIMEOUT_SEC)

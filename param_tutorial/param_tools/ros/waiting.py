@@ -1,8 +1,6 @@
 """Wait for something with a deadline, and never by sleeping for luck.
 
-Everything in the tools and the course that waits for a node does it here. So this is the one place that knows what goes
-on meanwhile: the host. In a kernel and in a plain process, another thread spins the nodes, and the host only sleeps; a
-host without threads would spin them itself in each of its turns.
+Everything in the tools and the course that waits for a node does it here, and ``host`` lets the node run meanwhile.
 """
 
 import os
@@ -12,27 +10,13 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from param_tools.errors import WaitTimeoutError
+from param_tools.ros import host
 
 T = TypeVar('T')
 
 # A machine that is always busy sets this to more than 1, and all limits are so many times as long.
 PATIENCE = float(os.environ.get('PARAM_TOOLS_PATIENCE') or 1)
 _FIRST_PAUSE_SEC, _LONGEST_PAUSE_SEC = 0.001, 0.02
-
-
-class Host:
-    """How a process with threads waits."""
-
-    def sleep(self, seconds: float) -> None:
-        """Let others run for a time."""
-        time.sleep(seconds)
-
-    def wait(self, event: threading.Event, seconds: float) -> bool:
-        """Let others run until an event is set or the time is over, and return whether the event is set."""
-        return event.wait(seconds)
-
-
-host = Host()
 
 
 def deadline(seconds: float) -> float:
@@ -42,7 +26,7 @@ def deadline(seconds: float) -> float:
 
 def wait_for(event: threading.Event, seconds: float) -> bool:
     """Wait for an event with a time limit, and return whether it is set."""
-    return host.wait(event, seconds * PATIENCE)
+    return host.host.wait(event, seconds * PATIENCE)
 
 
 def wait(condition: Callable[[], object], seconds: float) -> bool:
@@ -62,7 +46,7 @@ def wait_before(end: float, condition: Callable[[], object]) -> bool:
             return True
         if is_late:
             return False
-        host.sleep(pause_sec)
+        host.host.sleep(pause_sec)
         pause_sec = min(2 * pause_sec, _LONGEST_PAUSE_SEC)
 
 

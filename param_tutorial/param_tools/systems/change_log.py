@@ -17,7 +17,6 @@ import math
 import os
 import queue
 import re
-import threading
 import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -39,7 +38,7 @@ from param_tools.files.parameter_files import as_path, read_bytes
 from param_tools.files.parsing import matches
 from param_tools.markup.wording import format_count
 from param_tools.node.client import ParameterClient, ParameterValues
-from param_tools.ros import stage
+from param_tools.ros import host, stage
 from param_tools.ros.executor import TOOL_NODE_NAME, BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
 from param_tools.systems.snapshot import Snapshot, ask_all
@@ -49,6 +48,7 @@ KINDS = ('begin', 'seen', 'declared', 'changed', 'deleted', 'gone')
 # How many letters of a value stand in the text of a change.
 _LETTERS = 60
 _CLOSE_TIMEOUT_SEC = 10.0
+_LONGEST_WAIT_SEC = 3600.0
 # How long to wait before each of the readings that follow the first one of a new node. Events may be missed meanwhile:
 # on a busy machine the node's publisher may discover this reader only at a heartbeat of Fast DDS, every three seconds.
 _READ_AGAIN_SEC = (0.5, 1.0, 2.0, 4.0)
@@ -301,13 +301,14 @@ class ChangeFollower:
         self._silent: dict[str, list[float]] = {}
         """How long to wait before each new question to a node that has not answered."""
         self._look_again_at: float | None = None
+        self._is_over = False
         self._happened: queue.SimpleQueue[Callable[[], list[LoggedChange]] | None] = queue.SimpleQueue()
         self._stop_listening = [self._executor.on_parameter_event(self._on_event),
                                 self._executor.on_graph_change(self._on_graph_change)]
         began = LoggedChange(_now(), 'begin')
         self._listener([began, *self._look()])
-        self._thread = threading.Thread(target=self._run, name='parameter changes', daemon=True)
-        self._thread.start()
+        self._loop = host.host.loop(self._run_next, lambda: self._is_over, 'parameter changes', _LONGEST_WAIT_SEC)
+        self._loop.start()
 
     def __enter__(self) -> 'ChangeFollower':
         return self
@@ -321,8 +322,8 @@ class ChangeFollower:
             with contextlib.suppress(ExecutorError):
                 stop()
         self._happened.put(None)
-        if threading.current_thread() is not self._thread:
-            self._thread.join(_CLOSE_TIMEOUT_SEC)
+        if not self._loop.is_current():
+            self._loop.join(_CLOSE_TIMEOUT_SEC)
 
     def _is_wanted(self, node: str) -> bool:
         if self._patterns:
@@ -339,24 +340,30 @@ class ChangeFollower:
     def _on_graph_change(self) -> None:
         self._happened.put(self._look)
 
-    # In the follower's own thread.
+    # In the follower's own loop.
 
-    def _run(self) -> None:
-        while (happened := self._next()) is not None:
-            with contextlib.suppress(ExecutorError):  # it has been stopped: nothing more will happen
-                if changes := happened():
-                    self._listener(changes)
+    def _run_next(self, wait_sec: float) -> bool:
+        """Do what is next, within a time, and return whether there was anything."""
+        happened = self._next(wait_sec)
+        if happened is None:
+            return False
+        with contextlib.suppress(ExecutorError):  # it has been stopped: nothing more will happen
+            if changes := happened():
+                self._listener(changes)
+        return True
 
-    def _next(self) -> Callable[[], list[LoggedChange]] | None:
+    def _next(self, wait_sec: float) -> Callable[[], list[LoggedChange]] | None:
         """Return what to do next. Wait for it at most until a node is to be read again, or asked again."""
         dues = [times[0] for times in self._new.values()]
-        due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=None)
-        if due is not None and due <= time.monotonic():  # however much happens
+        due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=math.inf)
+        if due <= time.monotonic():  # however much happens
             return self._read_again
         try:
-            return self._happened.get(timeout=None if due is None else max(0.0, due - time.monotonic()))
+            happened = self._happened.get(timeout=max(0.0, min(wait_sec, due - time.monotonic())))
         except queue.Empty:
-            return self._read_again
+            return None
+        self._is_over = happened is None
+        return happened
 
     def _read_again(self) -> list[LoggedChange]:
         """Read the new nodes again: a node's first events are lost if its publisher doesn't know this reader yet."""

@@ -4,7 +4,6 @@ import contextlib
 import datetime
 import json
 from collections.abc import Callable, Iterable
-from concurrent.futures import ThreadPoolExecutor
 from itertools import takewhile
 from pathlib import Path
 from typing import Any, TypeVar
@@ -18,7 +17,7 @@ from param_tools.markup.styles import style
 from param_tools.markup.tables import Row, grouped_table
 from param_tools.markup.wording import format_count
 from param_tools.node.client import ParameterClient, ParameterValues
-from param_tools.ros import stage
+from param_tools.ros import host, stage
 from param_tools.ros.executor import TOOL_NODE_NAME, BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC, full_name
 
@@ -158,10 +157,9 @@ def ask_all(nodes: Iterable[str | Node] | str | Node | None, question: Callable[
 
     answers: dict[str, T] = {}
     unanswered: dict[str, NodeError] = {}
-    with ThreadPoolExecutor(max(len(names), 1), 'ask_all') as threads:
-        for node, (answer, error) in zip(names, threads.map(ask, names)):
-            if error is None:
-                answers[node] = answer  # type: ignore[assignment]
-            else:
-                unanswered[node] = error
+    for node, (answer, error) in zip(names, host.host.map(ask, names)):
+        if error is None:
+            answers[node] = answer  # type: ignore[assignment]
+        else:
+            unanswered[node] = error
     return answers, unanswered

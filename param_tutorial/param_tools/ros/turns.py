@@ -1,0 +1,132 @@
+"""The host of a process without threads, such as a web page: whatever waits gives each loop its turn.
+
+``install()`` chooses it, before the stage is started, and makes ``time.sleep``, events and conditions give turns too:
+there, nobody else could end such a wait. ``pump()`` gives turns between the cells. No ROS, no Jupyter.
+
+A loop is never called by itself, so a callback that waits for an answer that its own executor would have to bring waits
+in vain, as in a thread.
+"""
+
+import asyncio
+import contextlib
+import threading
+import time
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+from param_tools.ros import host
+
+T = TypeVar('T')
+R = TypeVar('R')
+
+# A loop that always has something to do may do so many things in a turn.
+_STEPS = 50
+_PAUSE_SEC = 0.0005
+_PUMP_PERIOD_SEC = 0.02
+_sleep = time.sleep
+
+
+class TurnLoop:
+    """A loop that gets turns."""
+
+    def __init__(self, step: Callable[[float], bool], is_over: Callable[[], bool]):
+        self._step, self._is_over = step, is_over
+        self._began = self._current = False
+
+    def start(self) -> None:
+        self._began = True
+
+    def turn(self) -> None:
+        """Call the function until nothing is due, but not from within itself."""
+        if self._current or not self._began:
+            return
+        self._current = True
+        try:
+            for _ in range(_STEPS):
+                if self._is_over() or not self._step(0.0):
+                    break
+        finally:
+            self._current = False
+
+    @property
+    def has_ended(self) -> bool:
+        return self._is_over()
+
+    def is_current(self) -> bool:
+        return self._current
+
+    def interrupt(self, error: type[BaseException]) -> bool:
+        return False  # whoever asks runs, so the loop doesn't
+
+    def join(self, timeout_sec: float) -> bool:
+        return not self._current
+
+
+class Turns:
+    """Gives turns to loops, whenever somebody waits."""
+
+    def __init__(self) -> None:
+        self._loops: list[TurnLoop] = []
+
+    def turn(self) -> None:
+        """Give each loop a turn."""
+        for loop in list(self._loops):
+            loop.turn()
+        self._loops = [loop for loop in self._loops if not loop.has_ended]
+
+    def loop(self, step: Callable[[float], bool], is_over: Callable[[], bool], name: str,
+             period_sec: float) -> host.Loop:
+        self._loops.append(TurnLoop(step, is_over))
+        return self._loops[-1]
+
+    def run(self, job: Callable[[], object], name: str) -> None:
+        job()
+
+    def map(self, question: Callable[[T], R], items: Sequence[T]) -> list[R]:
+        return list(map(question, items))
+
+    def sleep(self, seconds: float) -> None:
+        end = time.monotonic() + seconds
+        while True:
+            self.turn()
+            if (left := end - time.monotonic()) <= 0.0:
+                return
+            _sleep(min(left, _PAUSE_SEC))
+
+    def wait(self, event: threading.Event, seconds: float) -> bool:
+        return event.wait(seconds)
+
+    async def pump(self) -> None:
+        """Give turns for as long as there is a loop; between the cells, asyncio runs this."""
+        while self._loops:
+            self.turn()
+            await asyncio.sleep(_PUMP_PERIOD_SEC)
+
+
+def install() -> Turns:
+    """Let all loops get turns from now on, and return what gives them; before the stage is started."""
+    turns = Turns()
+    host.choose(turns)
+
+    def wait(condition: threading.Condition, timeout: float | None = None) -> bool:
+        """Wait as ``threading.Condition.wait`` does, which ``Event``, ``Queue`` and ``Future`` call."""
+        waiter = threading.Lock()
+        waiter.acquire()
+        condition._waiters.append(waiter)  # type: ignore[attr-defined]
+        saved = condition._release_save()  # type: ignore[attr-defined]
+        end = None if timeout is None else time.monotonic() + timeout
+        try:
+            while not (was_notified := waiter.acquire(blocking=False)):
+                if end is not None and time.monotonic() >= end:
+                    break
+                turns.turn()
+                _sleep(_PAUSE_SEC)
+        finally:
+            condition._acquire_restore(saved)  # type: ignore[attr-defined]
+            with contextlib.suppress(ValueError):  # whoever notifies takes it out
+                condition._waiters.remove(waiter)  # type: ignore[attr-defined]
+        return was_notified
+
+    time.sleep = turns.sleep  # type: ignore[assignment]
+    threading.Condition.wait = wait  # type: ignore[assignment, method-assign]
+    return turns
