@@ -160,11 +160,11 @@ class Timer(Destroyable):
     """Something to be called every so often, by a clock."""
 
     def __init__(self, clock: Clock, context: Any, period_ns: int, autostart: bool):
-        super().__init__()
         if period_ns < 0:
             raise RCLError('failed to create timer: timer period must be non-negative')
         if not context.ok():
             raise RCLError(f'failed to create timer: {NOT_VALID}')
+        super().__init__()
         self._clock, self._period = clock, period_ns
         self._last = clock.now_ns()
         self._next = self._last + period_ns

@@ -46,6 +46,16 @@ class NodeEntry:
     name: str
     namespace: str
     enclave: str
+    context: object
+    """Its context; all nodes of one share the types of their topics."""
+
+
+class TopicTypeError(Exception):
+    """A topic has one type in one context."""
+
+
+def _have_one_type(one: 'Endpoint', other: 'Endpoint') -> bool:
+    return messages.dds_name(one.message_type) == messages.dds_name(other.message_type)
 
 
 class Endpoint:
@@ -157,17 +167,25 @@ class Domain:
     endpoints: list[Any] = field(default_factory=list)
 
     def add(self, new: Endpoint) -> None:
-        """Add an endpoint, and match it with those on the other end of its topic."""
+        """Add an endpoint, and match it with those on the other end of its topic.
+
+        :raises TopicTypeError: in its context, the topic has another type.
+        """
         with changed:
-            for other in list(self.endpoints):
-                if other.topic == new.topic and other.is_writer != new.is_writer:
+            namesakes = [each for each in list(self.endpoints) if each.topic == new.topic]
+            for other in namesakes:
+                if other.node.context is new.node.context and not _have_one_type(new, other):
+                    raise TopicTypeError(f'called for existing topic name {new.topic} with incompatible type '
+                                         f'{messages.dds_name(new.message_type)}')
+            for other in namesakes:
+                if other.is_writer != new.is_writer:
                     self._meet(new, other)
             self.endpoints.append(new)
             changed.notify_all()
 
     def _meet(self, new: Endpoint, other: Any) -> None:
         writer, reader = (new, other) if new.is_writer else (other, new)
-        if not messages.is_same_type(writer.message_type, reader.message_type):
+        if not _have_one_type(writer, reader):
             writer.incompatible_type.add(1)
             reader.incompatible_type.add(1)
         elif policy := qos.incompatible_policy(writer.profile, reader.profile):

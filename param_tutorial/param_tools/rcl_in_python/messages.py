@@ -36,11 +36,6 @@ def copy(message: Any, message_type: Any) -> Any:
     return made
 
 
-def is_same_type(one: type, other: type) -> bool:
-    """True if two message types are compatible on the wire."""
-    return one is other or type_name(one) == type_name(other)
-
-
 @functools.cache
 def type_name(message_type: type) -> str:
     """Return what ROS calls a type of message or service, such as ``rcl_interfaces/msg/Log``."""

@@ -19,8 +19,6 @@ class Node(Destroyable):
 
     def __init__(self, name: str, namespace: str, context: Context, cli_args: Sequence[str] | None,
                  use_global_arguments: bool, enable_rosout: bool):
-        super().__init__()
-        self._is_gone = True  # until it is there
         own = parse_for_node(cli_args)
         self.context = context
         self._sources = [own, context.arguments] if use_global_arguments else [own]
@@ -32,11 +30,11 @@ class Node(Destroyable):
             raise ValueError(f'invalid node namespace: {flaw[0]}')
         name = remapped(self._sources, 'name', name, name, namespace)
         namespace = remapped(self._sources, 'namespace', namespace, name, namespace)
-        self.entry = NodeEntry(name, namespace, context.arguments.enclave)
+        self.entry = NodeEntry(name, namespace, context.arguments.enclave, context)
         self._rosout: Writer | None = None
         with changed:
             context.domain.nodes.append(self.entry)
-            self._is_gone = False
+            super().__init__()
             changed.notify_all()
         if enable_rosout and context.arguments.has_rosout:
             self._start_rosout()

@@ -38,8 +38,6 @@ class _ServiceEnd(Destroyable):
     writer: Writer
 
     def __init__(self, node: Node, name: str, what: str, invalid: str):
-        super().__init__()
-        self._is_gone = True  # until it is there
         self.node = node
         node.check_valid(f'failed to create {what}')
         try:
@@ -52,7 +50,7 @@ class _ServiceEnd(Destroyable):
         with changed:
             self.reader = Reader(domain, entry, received_topic, received, profile)
             self.writer = Writer(domain, entry, sent_topic, sent, profile)
-            self._is_gone = False
+            Destroyable.__init__(self)
 
     def _destroy(self) -> None:
         self.reader.leave()

@@ -5,34 +5,35 @@ from typing import Any
 from param_tools.rcl_in_python import names, qos
 from param_tools.rcl_in_python.exceptions import NotImplementedError as NotImplementedErrorOfROS
 from param_tools.rcl_in_python.exceptions import RCLError
-from param_tools.rcl_in_python.graph import Reader, Writer, dds_topic
+from param_tools.rcl_in_python.graph import Reader, TopicTypeError, Writer, dds_topic
 from param_tools.rcl_in_python.messages import TooLongError, copy
 from param_tools.rcl_in_python.nodes import Node
 from param_tools.rcl_in_python.waiting import Destroyable, changed
 
 Given = qos.rmw_qos_profile_t | qos.Profile | None
-RAW = ('serialized messages are not part of rclpy in Python: here messages go from node to node as they are')
+_SERIALIZED = 'serialized messages are not part of rclpy in Python: messages go from node to node as they are'
 
 
 class _TopicEnd(Destroyable):
     endpoint: Any
+    what: str
 
-    def __init__(self, node: Node, topic: str, what: str):
-        super().__init__()
-        self._is_gone = True  # until it is there
+    def __init__(self, node: Node, topic: str):
         self.node = node
-        node.check_valid(f'Failed to create {what}')
+        node.check_valid(f'Failed to create {self.what}')
         try:
             self._topic = node.resolve(topic, 'topic')
         except names.InvalidNameError:
-            raise ValueError(f"Failed to create {what} due to invalid topic name '{topic}'") from None
+            raise ValueError(f"Failed to create {self.what} due to invalid topic name '{topic}'") from None
 
     def _join(self, kind: Any, message_type: type, given: Given) -> Any:
         profile = qos.profile_of(given)
-        with changed:
+        try:
             self.endpoint = kind(self.node.context.domain, self.node.entry, dds_topic(self._topic, profile),
                                  message_type, profile)
-            self._is_gone = False
+        except TopicTypeError as error:
+            raise RCLError(f'Failed to create {self.what}: create_{self.what}() {error}') from None
+        Destroyable.__init__(self)
         return self.endpoint
 
     def _destroy(self) -> None:
@@ -48,8 +49,10 @@ class _TopicEnd(Destroyable):
 class Publisher(_TopicEnd):
     """Sends messages to a topic."""
 
+    what = 'publisher'
+
     def __init__(self, node: Node, message_type: type, topic: str, profile: Given):
-        super().__init__(node, topic, 'publisher')
+        super().__init__(node, topic)
         self.endpoint: Writer = self._join(Writer, message_type, profile)
 
     def _check(self, what: str) -> None:
@@ -64,7 +67,7 @@ class Publisher(_TopicEnd):
             raise RCLError(f'Failed to publish: {error}') from None
 
     def publish_raw(self, _: bytes) -> None:
-        raise NotImplementedErrorOfROS(RAW)
+        raise NotImplementedErrorOfROS(_SERIALIZED)
 
     def get_subscription_count(self) -> int:
         self._check('failed to get subscription count')
@@ -78,8 +81,10 @@ class Publisher(_TopicEnd):
 class Subscription(_TopicEnd):
     """Receives messages from a topic."""
 
+    what = 'subscription'
+
     def __init__(self, node: Node, message_type: type, topic: str, profile: Given):
-        super().__init__(node, topic, 'subscription')
+        super().__init__(node, topic)
         self.endpoint: Reader = self._join(Reader, message_type, profile)
 
     def is_ready(self) -> bool:
@@ -91,7 +96,7 @@ class Subscription(_TopicEnd):
         if sample is None:
             return None
         if raw:
-            raise NotImplementedErrorOfROS(RAW)
+            raise NotImplementedErrorOfROS(_SERIALIZED)
         return copy(sample.message, message_type), {
             'source_timestamp': sample.published_ns, 'received_timestamp': sample.received_ns,
             'publication_sequence_number': sample.number, 'reception_sequence_number': None}
@@ -102,3 +107,11 @@ class Subscription(_TopicEnd):
 
 def rclpy_assert_liveliness(_: Publisher) -> None:
     """A publisher is alive as long as it is there."""
+
+
+def rclpy_serialize(*_: object) -> bytes:
+    raise NotImplementedErrorOfROS(_SERIALIZED)
+
+
+def rclpy_deserialize(*_: object) -> Any:
+    raise NotImplementedErrorOfROS(_SERIALIZED)

@@ -38,7 +38,10 @@ def wait_until(condition: Callable[[], bool], deadline_ns: Callable[[], int | No
 
 
 class Destroyable:
-    """A handle, which ``with`` keeps alive while it is in use."""
+    """A handle, which ``with`` keeps alive while it is in use.
+
+    It counts as there from its ``__init__`` on: a constructor that may fail calls that when nothing can fail any more.
+    """
 
     _pointers = itertools.count(0x1000, 0x10)
 
@@ -78,7 +81,7 @@ class Destroyable:
         """Take what this stands for out of the graph; called once, with ``changed`` held."""
 
     def __del__(self) -> None:
-        # Nobody has destroyed it, and nobody can use it any more. A constructor may not have got so far.
+        # Nobody has destroyed it, and nobody can use it any more.
         if not self.__dict__.get('_is_gone', True):
             with changed:
                 self._end()
