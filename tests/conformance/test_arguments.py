@@ -87,7 +87,7 @@ WRONG = [
     (('--params-file',), "Couldn't parse trailing --params-file flag. No file path provided."),
     (('--log-level', 'loud'), "Couldn't parse log level: '--log-level loud'. Error: Argument does not use a valid sev"),
     (('--log-level',), "Couldn't parse trailing log level flag: '--log-level'. No log level provided."),
-    (('-e', 'relative'), "Enclave name is not valid: 'context name must be absolute, it must lead with a '/''. Invalid"),
+    (('-e', 'relative'), "Enclave name is not valid: 'context name must be absolute, it must lead with a '/''. Inval"),
     (('-e',), "Couldn't parse trailing -e flag. No enclave path provided."),
 ]
 

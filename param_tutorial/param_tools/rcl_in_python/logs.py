@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from param_tools.rcl_in_python.enums import RCUTILS_LOG_SEVERITY as SEVERITY
-from param_tools.rcl_in_python.waiting import changed
 
 SEPARATOR = '.'
 _PREFIX = 'RCUTILS_LOG_SEVERITY_'
@@ -150,11 +149,10 @@ def rclpy_logging_rcutils_log(severity: int, name: str, message: str, function: 
     if not rclpy_logging_logger_is_enabled_for(name, severity):
         return
     record = Record(int(severity), name, message, function, file, line, time.time_ns())
-    with changed:
-        if _output.has_terminal:
-            _write(record)
-        if _output.has_rosout and (publish := _rosout.get(name) or _publisher_of_sublogger.get(name)):
-            publish(record)
+    if _output.has_terminal:
+        _write(record)
+    if _output.has_rosout and (publish := _rosout.get(name) or _publisher_of_sublogger.get(name)):
+        publish(record)
 
 
 def warn(name: str, message: str) -> None:
