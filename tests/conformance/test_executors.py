@@ -71,12 +71,29 @@ def test_a_timer_that_was_late_keeps_its_beat(ros):
         if is_ready and now != 1100:
             timer.call_timer()
         assert timer.time_until_next_call() == until, now
+    # After a jump back beyond its last call, it waits for one period.
+    clock.set_ros_time_override(layer.rcl_time_point_t(500, ClockType.ROS_TIME))
+    assert timer.time_until_next_call() == 100
+    assert timer.time_since_last_call() == 0
     timer.cancel_timer()
     with pytest.raises(layer.RCLError, match='timer is canceled'):
         timer.call_timer()
     with pytest.raises(layer.RCLError, match='period must be non-negative'):
         layer.Timer(clock, ros.context.handle, -1, True)
     assert layer.Timer(clock, ros.context.handle, 1, False).is_timer_canceled()
+
+
+def test_what_is_left_of_a_timers_period_when_ros_time_goes(ros):
+    clock = layer.Clock(ClockType.ROS_TIME)
+    ros.node()
+    clock.set_ros_time_override_is_enabled(True)
+    clock.set_ros_time_override(layer.rcl_time_point_t(1000, ClockType.ROS_TIME))
+    hour = 3600 * 10**9
+    timer = layer.Timer(clock, ros.context.handle, hour, True)
+    clock.set_ros_time_override(layer.rcl_time_point_t(1000 + hour // 4, ClockType.ROS_TIME))
+    clock.set_ros_time_override_is_enabled(False)
+    # rcl takes what is left for what is over.
+    assert hour // 4 - hour // 60 < timer.time_until_next_call() <= hour // 4
 
 
 def test_one_thread_calls_one_callback_at_a_time_and_several_do_not(ros):

@@ -30,6 +30,8 @@ def test_a_context_begins_and_ends_once():
     context.on_shutdown(lambda: lambda: heard.append(1))
     context.shutdown()
     assert heard == [1]
+    with pytest.raises(layer.RCLError, match='Failed to get domain id'):
+        context.get_domain_id()
     with pytest.raises(layer.RCLError, match='rcl_shutdown already called on the given context'):
         context.shutdown()
     context.try_shutdown()

@@ -31,9 +31,9 @@ def test_each_client_gets_its_own_answer(ros):
     node.create_service(GetParameters, 'count', number_of_names)
     clients = [node.create_client(GetParameters, 'count') for _ in range(3)]
     ros.wait(lambda: all(client.service_is_ready() for client in clients))
-    futures = [client.call_async(GetParameters.Request(names=['x'] * number))
-               for number in (1, 2, 3) for client in clients]
-    assert [ros.result(future).values[0].integer_value for future in futures] == [1, 1, 1, 2, 2, 2, 3, 3, 3]
+    futures = [client.call_async(GetParameters.Request(names=['x'] * (10 * index + number)))
+               for number in (1, 2) for index, client in enumerate(clients)]
+    assert [ros.result(future).values[0].integer_value for future in futures] == [1, 11, 21, 2, 12, 22]
 
 
 def test_a_service_that_is_not_there(ros):

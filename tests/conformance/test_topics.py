@@ -118,7 +118,8 @@ def test_a_late_subscription_gets_what_lasts(ros, node):
     for number in range(5):
         publisher.publish(Time(sec=number))
     late, too_late = [], []
-    node.create_subscription(Time, 'topic', late.append, LASTING)
+    node.create_subscription(Time, 'topic', late.append, QoSProfile(
+        depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL))
     node.create_subscription(Time, 'topic', too_late.append, 10)
     ros.wait(lambda: len(late) == 3 and publisher.get_subscription_count() == 2)
     publisher.publish(Time(sec=5))
