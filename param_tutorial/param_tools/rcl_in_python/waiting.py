@@ -12,7 +12,8 @@ from typing import Any, Protocol
 
 from param_tools.rcl_in_python.exceptions import InvalidHandle, RCLError
 
-changed = threading.Condition(threading.RLock())
+_lock = threading.RLock()
+changed = threading.Condition(_lock)
 
 
 def _wait_for_another_thread(seconds: float | None) -> None:
@@ -52,13 +53,13 @@ class Destroyable:
         self._is_gone = False
 
     def __enter__(self) -> None:
-        with changed:
+        with _lock:
             if self._is_to_go:
                 raise InvalidHandle('cannot use Destroyable because destruction was requested')
             self._users += 1
 
     def __exit__(self, *_: object) -> None:
-        with changed:
+        with _lock:
             if not self._users:
                 raise RuntimeError('Internal error: Destroyable use_count would be negative')
             self._users -= 1
