@@ -2,7 +2,14 @@
 
 import pytest
 from builtin_interfaces.msg import Time
-from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent, ParameterValue, SetParametersResult
+from rcl_interfaces.msg import (
+    Log,
+    Parameter,
+    ParameterDescriptor,
+    ParameterEvent,
+    ParameterValue,
+    SetParametersResult,
+)
 from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.impl.implementation_singleton import rclpy_implementation as layer
@@ -17,6 +24,7 @@ from rclpy.qos import (
     qos_profile_sensor_data,
     qos_profile_system_default,
 )
+from rclpy.serialization import deserialize_message, serialize_message
 
 LASTING = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
@@ -212,6 +220,35 @@ def test_a_callback_may_want_to_know_when(ros, node):
     publisher.publish(Time())
     ros.wait(lambda: heard)
     assert 0 < heard[0]['source_timestamp'] <= heard[0]['received_timestamp']
+
+
+EVENT = ParameterEvent(node='/ä', stamp=Time(sec=-1, nanosec=2), new_parameters=[
+    Parameter(name=name, value=ParameterValue(type=index, **{f'{name}_value': value}))
+    for index, (name, value) in enumerate((
+        ('bool', True), ('integer', -2**63), ('double', 0.1), ('string', 'text'), ('byte_array', [b'a', b'\xff']),
+        ('bool_array', [True, False]), ('integer_array', [1, 2]), ('double_array', [0.5]),
+        ('string_array', ['', 'b'])))])
+
+
+def test_messages_as_bytes():
+    assert serialize_message(Time(sec=1, nanosec=2)) == b'\0\1\0\0\1\0\0\0\2\0\0\0'
+    assert deserialize_message(b'\0\1\0\0\1\0\0\0\2\0\0\0', Time) == Time(sec=1, nanosec=2)
+    # What the real one leaves between two values is anything.
+    assert serialize_message(SetParametersResult(successful=True, reason='abc'))[8:16] == b'\4\0\0\0abc\0'
+    assert deserialize_message(serialize_message(EVENT), ParameterEvent) == EVENT
+    with pytest.raises(layer.RMWError):
+        deserialize_message(b'\0\1\0\0\1', Time)
+
+
+def test_a_raw_subscription_and_a_message_in_bytes(ros, node):
+    heard, raw = [], []
+    publisher, _ = connected(ros, node, ParameterEvent, heard.append)
+    node.create_subscription(ParameterEvent, 'topic', raw.append, 10, raw=True)
+    ros.wait(lambda: publisher.get_subscription_count() == 2)
+    publisher.publish(serialize_message(EVENT))
+    ros.wait(lambda: heard and raw)
+    assert heard == [EVENT]
+    assert deserialize_message(raw[0], ParameterEvent) == EVENT
 
 
 def test_what_a_wait_set_rejects(ros, node):

@@ -47,11 +47,9 @@ def test_what_is_not_part_of_it_says_so():
 import rclpy
 from rclpy.action import ActionClient
 from rclpy.experimental import EventsExecutor
-from rclpy.node import Node
-from rclpy.serialization import serialize_message
-from builtin_interfaces.msg import Time
+from rclpy.lifecycle import LifecycleNode
 rclpy.init(args=[])
-for attempt in (EventsExecutor, lambda: serialize_message(Time())):
+for attempt in (EventsExecutor, lambda: LifecycleNode('node')):
     try:
         attempt()
     except NotImplementedError as error:

@@ -88,11 +88,12 @@ def _copy_of_sequence(copy_item: Copy, code: str | None, maximum: int | None) ->
 
 
 def _copy_nested(path: tuple[str, ...], value: Any) -> Any:
-    return copy(value, _nested_type(path))
+    return copy(value, nested_type(path))
 
 
 @functools.cache
-def _nested_type(path: tuple[str, ...]) -> type:
+def nested_type(path: tuple[str, ...]) -> type:
+    """Return the type of message of a field, such as that of ``('builtin_interfaces', 'msg', 'Time')``."""
     nested: type = getattr(importlib.import_module('.'.join(path[:-1])), path[-1])
     return nested
 

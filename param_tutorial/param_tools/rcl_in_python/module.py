@@ -14,6 +14,7 @@ from param_tools.rcl_in_python import (
     names,
     nodes,
     qos,
+    serialization,
     services,
     topics,
     type_descriptions,
@@ -22,8 +23,8 @@ from param_tools.rcl_in_python import (
 
 RMW_IDENTIFIER = 'in_memory'
 # The public names of these modules that were defined there are those of the C layer, and more.
-_SOURCES = (enums, exceptions, waiting, names, qos, arguments, logs, contexts, nodes, topics, services, clocks, events,
-            type_descriptions)
+_SOURCES = (enums, exceptions, waiting, names, qos, arguments, logs, contexts, nodes, serialization, topics, services,
+            clocks, events, type_descriptions)
 
 
 def _not_here(name: str) -> type:

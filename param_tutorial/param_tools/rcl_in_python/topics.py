@@ -3,15 +3,14 @@
 from typing import Any
 
 from param_tools.rcl_in_python import names, qos
-from param_tools.rcl_in_python.exceptions import NotImplementedError as NotImplementedErrorOfROS
 from param_tools.rcl_in_python.exceptions import RCLError
 from param_tools.rcl_in_python.graph import Reader, TopicTypeError, Writer, dds_topic
 from param_tools.rcl_in_python.messages import TooLongError, copy
 from param_tools.rcl_in_python.nodes import Node
+from param_tools.rcl_in_python.serialization import rclpy_deserialize, rclpy_serialize
 from param_tools.rcl_in_python.waiting import Destroyable, changed
 
 Given = qos.rmw_qos_profile_t | qos.Profile | None
-_SERIALIZED = 'serialized messages are not part of rclpy in Python: messages go from node to node as they are'
 
 
 class _TopicEnd(Destroyable):
@@ -66,8 +65,8 @@ class Publisher(_TopicEnd):
         except TooLongError as error:
             raise RCLError(f'Failed to publish: {error}') from None
 
-    def publish_raw(self, _: bytes) -> None:
-        raise NotImplementedErrorOfROS(_SERIALIZED)
+    def publish_raw(self, data: bytes) -> None:
+        self.publish(rclpy_deserialize(data, self.endpoint.message_type))
 
     def get_subscription_count(self) -> int:
         self._check('failed to get subscription count')
@@ -95,9 +94,8 @@ class Subscription(_TopicEnd):
             sample = self.endpoint.take()
         if sample is None:
             return None
-        if raw:
-            raise NotImplementedErrorOfROS(_SERIALIZED)
-        return copy(sample.message, message_type), {
+        taken = rclpy_serialize(sample.message, message_type) if raw else copy(sample.message, message_type)
+        return taken, {
             'source_timestamp': sample.published_ns, 'received_timestamp': sample.received_ns,
             'publication_sequence_number': sample.number, 'reception_sequence_number': None}
 
@@ -107,11 +105,3 @@ class Subscription(_TopicEnd):
 
 def rclpy_assert_liveliness(_: Publisher) -> None:
     """A publisher is alive as long as it is there."""
-
-
-def rclpy_serialize(*_: object) -> bytes:
-    raise NotImplementedErrorOfROS(_SERIALIZED)
-
-
-def rclpy_deserialize(*_: object) -> Any:
-    raise NotImplementedErrorOfROS(_SERIALIZED)
