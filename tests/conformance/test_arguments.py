@@ -107,12 +107,23 @@ def test_rejected_arguments_of_one_node(ros, words, why):
         assert str(raised.value).startswith(f'Failed to parse ROS arguments: {why}')
 
 
-def test_a_rejected_file_is_named(tmp_path):
-    (tmp_path / 'file.yaml').write_text('a: 1\n')
+@pytest.mark.parametrize('text, why', [
+    ('a:\n  b: 1\n', 'Cannot have a value before ros__parameters at line 2, at '),
+    ('ros__parameters: {a: 1}\n', 'There are no node names before ros__parameters at line 1, at '),
+    ('a:\n  ros__parameters:\n    b: [1, x]\n',
+     "Sequence should be of same type. Value type 'string' do not belong at line_num 3, at "),
+    ('a:\n  ros__parameters:\n    b: [x, 2.5]\n',
+     "Sequence should be of same type. Value type 'double' do not belong at line_num 3, at "),
+    ('a: {ros__parameters: {b: }}\n', 'No value at line 1, at '),
+    ('a: {ros__parameters: {b: &x 1, c: *x}}\n', 'Will not support aliasing at line 1'),
+    ('a: {ros__parameters: {[b]: 1}}\n', 'Sequences cannot be key at line 1, at '),
+    ('a: [ros__parameters]\n', 'Sequences can only be values and not keys in params. Error at line 1'),
+    ('a: {ros__parameters: {b: "1}}\n', 'Error parsing a event near line 1, at ')])
+def test_why_a_file_is_rejected(tmp_path, text, why):
+    (tmp_path / 'file.yaml').write_text(text)
     with pytest.raises(layer.RCLError) as raised:
         Context().init(['--ros-args', '--params-file', str(tmp_path / 'file.yaml')])
-    assert f"Couldn't parse params file: '--params-file {tmp_path}/file.yaml'. Error: " in str(raised.value)
-    assert 'at line 1' in str(raised.value)
+    assert f"Couldn't parse params file: '--params-file {tmp_path}/file.yaml'. Error: {why}" in str(raised.value)
 
 
 def test_unknown_arguments(ros):

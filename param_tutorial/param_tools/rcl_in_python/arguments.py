@@ -11,7 +11,7 @@ from typing import Any
 
 import yaml
 
-from param_tools.files.parsing import LOADER, Parser, Place, Rejected, effective
+from param_tools.files.parsing import KEY, LOADER, Parser, Place, Rejected, effective, typed
 from param_tools.rcl_in_python import logs
 from param_tools.rcl_in_python.exceptions import RCLInvalidROSArgsError, UnknownROSArgsError
 from param_tools.rcl_in_python.names import expand
@@ -202,13 +202,35 @@ def _why_no_rule(text: str, separator: int) -> str:
         f'Expected lexeme type ({separator}) not found, search ended at index {len(left)}')
 
 
+# Why a file is rejected, in the words of files.parsing and in those of rcl.
+_WORDS = (
+    ('ROS reads no aliases', 'Will not support aliasing at line {}'),
+    ('a list cannot stand here', 'Sequences cannot be key at line {}'),
+    ('a list cannot stand before', 'Sequences can only be values and not keys in params. Error at line {}'),
+    ('there is no node name before', f'There are no node names before {KEY} at line {{}}'),
+    ('there is a value before|a space must follow', f'Cannot have a value before {KEY} at line {{}}'),
+    ('.* has no value', 'No value at line {}'),
+    ('this is not', 'Error parsing a event near line {}'),
+)
+_TYPES = {bool: 'bool', int: 'integer', float: 'double', str: 'string'}
+
+
+def _in_words_of_rcl(rejected: Rejected) -> str:
+    """Return why a file is rejected as rcl says it, where it has words for that."""
+    reason, line = str(rejected), rejected.place.line
+    if found := re.match("the elements of .* must all be of one type; '(.*)' is not like", reason):
+        kind = _TYPES[type(typed(found[1], False))]
+        return f"Sequence should be of same type. Value type '{kind}' do not belong at line_num {line}"
+    return next((words.format(line) for ours, words in _WORDS if re.match(ours, reason)), f'{reason} at line {line}')
+
+
 def _take_file(arguments: Arguments, flag: str, path: str) -> None:
     try:
         arguments.overrides.parse(Path(path).read_bytes(), path)
     except OSError:
         reason = 'Error opening YAML file'
     except Rejected as rejected:
-        reason = f'{rejected} at line {rejected.place.line}'
+        reason = f'{_in_words_of_rcl(rejected)}, at {path}:{rejected.place.line}'
     else:
         return
     raise InvalidArgumentsError(f"Couldn't parse params file: '{flag} {path}'. Error: {reason}")
