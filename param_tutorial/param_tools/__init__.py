@@ -9,6 +9,7 @@
     systems
     node
     ros
+    rcl_in_python
     files
     markup
     descriptor

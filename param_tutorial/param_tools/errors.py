@@ -3,6 +3,7 @@
     ParameterToolError
     ├── ExecutorError               the background executor cannot do what was asked
     │   └── StuckError              because it does not return
+    ├── LayerError                  rclpy cannot stand on its layer in Python here  (also ImportError)
     ├── WaitTimeoutError            a condition did not come true in time           (also TimeoutError)
     ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
     ├── ParameterFileError          a YAML file cannot be read or written faithfully (also ValueError)
@@ -42,6 +43,10 @@ class ExecutorError(ParameterToolError):
 
 class StuckError(ExecutorError):
     """What the background executor was to do does not return, and cannot be interrupted."""
+
+
+class LayerError(ParameterToolError, ImportError):
+    """rclpy cannot stand on its layer in Python in this process; the message says why."""
 
 
 class WaitTimeoutError(ParameterToolError, TimeoutError):

@@ -14,6 +14,7 @@ from typing import Any
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.utilities import get_rmw_implementation_identifier
 
 # What a parameter callback is called with, and what it returns, depends on its kind.
 ParameterCallback = Callable[[list[Parameter]], Any]
@@ -100,6 +101,8 @@ def keep_type_description_service(node: Node) -> Callable[[], None]:
     """
     service = getattr(getattr(node, '_type_description_service', None), '_type_description_srv', None)
     if service is None:  # start_type_description_service is false, or the constructor did not get so far
+        return lambda: None
+    if get_rmw_implementation_identifier() == 'in_memory':  # rclpy in Python leaves nothing behind
         return lambda: None
     # What is kept has a share in the node, which therefore is there until the end, wherever node.handle is by then.
     kept, pointer_to_node = [service.impl], node.handle.pointer

@@ -1,0 +1,10 @@
+"""rclpy's own code, without a network: what rclpy has in C, for the nodes of one process, in Python.
+
+rclpy's Python files, which decide what a parameter is and who may set it, run on this unmodified, and so do the message
+classes. ``install.install()`` puts it in the place of the compiled module ``rclpy._rclpy_pybind11``, before rclpy is
+imported. Messages and requests go from queue to queue: no other process can see the nodes, and no thread is started.
+
+It is for places where the real one cannot be, such as a page in a browser. There,
+``rclpy.get_rmw_implementation_identifier()`` says ``in_memory``. The judge is the real one: tests/conformance runs on
+both.
+"""

@@ -1,0 +1,72 @@
+"""Put the layer where rclpy looks for its compiled module, and where messages look for theirs.
+
+``install()`` comes before the first import of rclpy. From then on Python finds this layer under the names of the
+compiled modules; the files of rclpy and of the messages stay as they are.
+"""
+
+import importlib.util
+import sys
+import types
+from collections.abc import Sequence
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec
+
+from param_tools.errors import LayerError
+from param_tools.rcl_in_python import module
+
+_COMPILED = 'rclpy._rclpy_pybind11'
+_TYPE_SUPPORT = '_s__rosidl_typesupport_c'
+
+
+class _TypeSupport(types.ModuleType):
+    """A package's compiled messages: whatever is asked of it is there, and nobody looks inside."""
+
+    def __getattr__(self, name: str) -> str:
+        if name.startswith('__'):
+            raise AttributeError(name)
+        return f'{self.__name__}.{name}'
+
+
+class _Finder(MetaPathFinder, Loader):
+    """Finds the layer under the names of compiled modules."""
+
+    def find_spec(self, name: str, path: Sequence[str] | None, target: types.ModuleType | None = None,
+                  ) -> ModuleSpec | None:
+        if name == _COMPILED or name.endswith(_TYPE_SUPPORT):
+            return ModuleSpec(name, self, origin='rclpy in Python')
+        return None
+
+    def create_module(self, spec: ModuleSpec) -> types.ModuleType:
+        return module.make(spec.name) if spec.name == _COMPILED else _TypeSupport(spec.name)
+
+    def exec_module(self, _: types.ModuleType) -> None:
+        """There is nothing left to do."""
+
+
+def is_installed() -> bool:
+    """True if rclpy stands on this layer in this process, or will when it is imported."""
+    return any(isinstance(each, _Finder) for each in sys.meta_path)
+
+
+def install(*, even_beside_the_real_one: bool = False) -> None:
+    """Have rclpy stand on this layer in this process; safe to call more than once.
+
+    :param even_beside_the_real_one: Also where rclpy's compiled module is installed, as tests do.
+    :raises LayerError: it is installed, or is in use already.
+    """
+    if is_installed():
+        return
+    if _COMPILED in sys.modules:
+        raise LayerError('rclpy is imported already, with its compiled layer: install rclpy in Python before that')
+    if not even_beside_the_real_one and _has_compiled_layer():
+        raise LayerError('the real rclpy is installed here, and its nodes reach other processes: use it')
+    sys.meta_path.insert(0, _Finder())
+
+
+def _has_compiled_layer() -> bool:
+    package = importlib.util.find_spec('rclpy')
+    if package is None or package.submodule_search_locations is None:
+        return False
+    from importlib.machinery import PathFinder
+
+    return PathFinder.find_spec(_COMPILED, package.submodule_search_locations) is not None

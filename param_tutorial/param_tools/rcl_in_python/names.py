@@ -1,0 +1,179 @@
+"""Names of nodes, namespaces, topics and services: what is wrong with one, and what a short one stands for.
+
+Texts and positions are those of rmw's and rcl's validators, and a test compares both on thousands of names.
+"""
+
+import re
+
+from param_tools.rcl_in_python.exceptions import RCLError
+
+# What is wrong with a name, and where; None if nothing is.
+Flaw = tuple[str, int] | None
+
+_MAX_NODE_NAME, _MAX_NAMESPACE, _MAX_TOPIC = 255, 245, 247
+_NUMBER_AFTER_SLASH = re.compile('/[0-9]')
+
+
+def _as_in_c(name: str) -> str:
+    """Return a name with one character for each of its bytes, which is how C counts."""
+    if not isinstance(name, str):
+        raise TypeError(f'a name must be a str, not {type(name).__name__}')
+    return name.encode().decode('latin-1')
+
+
+def flaw_of_node_name(name: str) -> Flaw:
+    """Return what is wrong with the name of a node, without its namespace."""
+    name = _as_in_c(name)
+    if not name:
+        return 'node name must not be empty', 0
+    if found := re.search('[^A-Za-z0-9_]', name):
+        return "node name must not contain characters other than alphanumerics or '_'", found.start()
+    if name[0].isdigit():
+        return 'node name must not start with a number', 0
+    if len(name) > _MAX_NODE_NAME:
+        return "node name length should not exceed '255'", _MAX_NODE_NAME - 1
+    return None
+
+
+def flaw_of_namespace(name: str) -> Flaw:
+    """Return what is wrong with a namespace, which begins with a slash."""
+    name = _as_in_c(name)
+    if not name:
+        return 'namespace must not be empty', 0
+    if name == '/':
+        return None
+    if flaw := _flaw_of_path(name, 'namespace', ", unless only a '/'"):
+        return flaw
+    if len(name) > _MAX_NAMESPACE:
+        return "namespace should not exceed 'RMW_NAMESPACE_MAX_NAME_LENGTH'", _MAX_NAMESPACE - 1
+    return None
+
+
+def flaw_of_full_topic_name(name: str) -> Flaw:
+    """Return what is wrong with a name of a topic or service that has been written out."""
+    name = _as_in_c(name)
+    if not name:
+        return 'topic name must not be empty', 0
+    if flaw := _flaw_of_path(name, 'topic name', ''):
+        return flaw
+    if len(name) > _MAX_TOPIC:
+        return "topic length should not exceed '255U - 8U'", _MAX_TOPIC - 1
+    return None
+
+
+def _flaw_of_path(name: str, what: str, exception: str) -> Flaw:
+    if name[0] != '/':
+        return f"{what} must be absolute, it must lead with a '/'", 0
+    if name[-1] == '/':
+        return f"{what} must not end with a '/'{exception}", len(name) - 1
+    if found := re.search('[^A-Za-z0-9_/]', name):
+        return f"{what} must not contain characters other than alphanumerics, '_', or '/'", found.start()
+    if found := re.search('//|/[0-9]', name):
+        if found[0] == '//':
+            return f"{what} must not contain repeated '/'", found.start() + 1
+        return f'{what} must not have a token that starts with a number', found.start() + 1
+    return None
+
+
+def flaw_of_topic_name(name: str) -> Flaw:
+    """Return what is wrong with a name of a topic or service as somebody writes it: ``chatter``, ``~/{node}``."""
+    name = _as_in_c(name)
+    if not name:
+        return 'topic name must not be empty string', 0
+    if name[0].isdigit():
+        return 'topic name token must not start with a number', 0
+    if name[-1] == '/':
+        return 'topic name must not end with a forward slash', len(name) - 1
+    return _flaw_of_characters(name) or _flaw_of_tokens(name)
+
+
+def _flaw_of_characters(name: str) -> Flaw:
+    """Return the first character that may not stand where it does."""
+    opened: int | None = None
+    for index, char in enumerate(name):
+        if char == '{' and opened is None:
+            opened = index
+        elif char == '}':
+            if opened is None:
+                return "topic name must not have unmatched (unbalanced) curly braces '{}'", index
+            opened = None
+        elif char == '~':
+            if index:
+                return "topic name must not have tilde '~' unless it is the first character", index
+        elif not re.match('[A-Za-z0-9_/]', char):
+            if opened is not None:
+                return "substitution name must not contain characters other than alphanumerics or '_'", index
+            return ("topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'", index)
+        elif opened is not None and char == '/':
+            return "substitution name must not contain characters other than alphanumerics or '_'", index
+        elif opened is not None and char.isdigit() and index == opened + 1:
+            return 'substitution name must not start with a number', index
+    if opened is not None:
+        return "topic name must not have unmatched (unbalanced) curly braces '{}'", opened
+    return None
+
+
+def _flaw_of_tokens(name: str) -> Flaw:
+    if name[0] == '~' and len(name) > 2 and name[1] != '/':  # rcl doesn't look at the last character here
+        return "topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1
+    if found := _NUMBER_AFTER_SLASH.search(name):
+        return 'topic name token must not start with a number', found.start() + 1
+    return None
+
+
+class InvalidNameError(Exception):
+    """A name is no name; ``subject`` says which of those that were given."""
+
+    def __init__(self, subject: str, reason: str):
+        super().__init__(reason)
+        self.subject = subject
+
+
+def fully_qualified(node: str, namespace: str) -> str:
+    """Return the name of a node with its namespace."""
+    return f'{namespace.rstrip("/")}/{node}'
+
+
+def expand(topic: str, node: str, namespace: str) -> str:
+    """Return what a name of a topic or service stands for in a node.
+
+    :raises InvalidNameError: one of the three is no name.
+    """
+    for subject, flaw in (('topic name', flaw_of_topic_name(topic)), ('node name', flaw_of_node_name(node)),
+                          ('node namespace', flaw_of_namespace(namespace))):
+        if flaw:
+            raise InvalidNameError(subject, flaw[0])
+    if topic[0] == '/' and '{' not in topic:
+        return topic
+    if topic[0] == '~':
+        topic = fully_qualified(node, namespace) + topic[1:]
+    known = {'{node}': node, '{ns}': namespace, '{namespace}': namespace}
+
+    def replace(match: re.Match[str]) -> str:
+        if match[0] not in known:
+            raise InvalidNameError('topic name', f'unknown substitution: {match[0]}')
+        return known[match[0]]
+
+    topic = re.sub('{.*?}', replace, topic)
+    return topic if topic[0] == '/' else f'{namespace.rstrip("/")}/{topic}'
+
+
+def check_full_topic_name(name: str) -> None:
+    """:raises InvalidNameError: it is no name of a topic or service that has been written out."""
+    if flaw := flaw_of_full_topic_name(name):
+        raise InvalidNameError('topic name', flaw[0])
+
+
+def rclpy_expand_topic_name(topic: str, node: str, namespace: str) -> str:
+    try:
+        return expand(topic, node, namespace)
+    except InvalidNameError as error:
+        name = {'topic name': topic, 'node name': node, 'node namespace': namespace}[error.subject]
+        raise ValueError(f"{error.subject} '{name}' is invalid: {error}") from None
+
+
+def check_node_of_graph(node: str, namespace: str, what: str) -> None:
+    """:raises RCLError: these cannot be the name and the namespace of a node in the graph."""
+    for flaw in (namespace and flaw_of_namespace(namespace), flaw_of_node_name(node)):
+        if flaw:
+            raise RCLError(f'{what}: {flaw[0]}, result: 2')

@@ -1,0 +1,101 @@
+"""Where the layer may be installed, what it says it is, and that it needs neither threads nor numpy."""
+
+import subprocess
+import sys
+
+import pytest
+import rclpy
+
+from param_tools.errors import LayerError
+from param_tools.rcl_in_python.install import install, is_installed
+
+BEGIN = '''
+import sys, threading
+from param_tools.rcl_in_python.install import install
+install(even_beside_the_real_one=True)
+'''
+
+
+def run(program):
+    """Run a program in a process of its own, and return what it prints; raise if it fails."""
+    done = subprocess.run([sys.executable, '-c', BEGIN + program], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_it_is_not_installed_beside_the_real_one():
+    assert rclpy.get_rmw_implementation_identifier() != 'in_memory'
+    with pytest.raises(LayerError, match='imported already'):
+        install()
+    assert not is_installed()
+    other = subprocess.run([sys.executable, '-c', 'from param_tools.rcl_in_python.install import install; install()'],
+                           capture_output=True, text=True)
+    assert 'LayerError: the real rclpy is installed here' in other.stderr
+
+
+def test_it_says_what_it_is():
+    assert run('''
+install()
+import rclpy
+from rclpy.impl.implementation_singleton import rclpy_implementation
+print(rclpy.get_rmw_implementation_identifier(), rclpy_implementation.__doc__)
+''') == "in_memory rclpy's own code, without a network: the layer in Python.\n"
+
+
+def test_what_is_not_part_of_it_says_so():
+    assert run('''
+import rclpy
+from rclpy.action import ActionClient
+from rclpy.experimental import EventsExecutor
+from rclpy.lifecycle import LifecycleNode
+rclpy.init(args=[])
+for attempt in (EventsExecutor, lambda: LifecycleNode('node')):
+    try:
+        attempt()
+    except NotImplementedError as error:
+        print(error)
+''').count('not part of rclpy in Python') == 2
+
+
+def test_it_needs_no_thread():
+    assert run('''
+def start(self):
+    raise RuntimeError("can't start new thread")
+threading.Thread.start = start
+import rclpy
+from rcl_interfaces.srv import SetParameters
+from rclpy.parameter import Parameter
+rclpy.init(args=[])
+node = rclpy.create_node('node')
+node.declare_parameter('a', 1)
+ticks = []
+node.create_timer(0.01, lambda: ticks.append(1))
+client = node.create_client(SetParameters, 'node/set_parameters')
+future = client.call_async(SetParameters.Request(parameters=[Parameter('a', value=2).to_parameter_msg()]))
+rclpy.spin_until_future_complete(node, future)
+while len(ticks) < 2:
+    rclpy.spin_once(node)
+print(future.result().results[0].successful, node.get_parameter('a').value, threading.active_count())
+node.destroy_node()
+rclpy.shutdown()
+''') == 'True 2 1\n'
+
+
+def test_a_host_without_threads_waits_in_its_own_way():
+    assert run('''
+import rclpy
+from param_tools.rcl_in_python import waiting
+asked = []
+waiting.block = asked.append
+rclpy.init(args=[])
+node = rclpy.create_node('node')
+rclpy.spin_once(node, timeout_sec=0)
+print(asked)
+node.create_timer(0.05, print)
+rclpy.spin_once(node, timeout_sec=0.001)
+print(0 < asked[0] <= 0.001)
+''') == '[]\nTrue\n'
+
+
+def test_the_layer_itself_needs_no_numpy():
+    assert run('print("numpy" in sys.modules, "rclpy" in sys.modules)') == 'False False\n'
