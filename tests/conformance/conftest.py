@@ -6,10 +6,14 @@ from typing import Any
 
 import pytest
 import rclpy
+from builtin_interfaces.msg import Time
+from rcl_interfaces.msg import Log
+from rcl_interfaces.srv import GetParameters
 from rclpy.context import Context
 from rclpy.executors import Executor, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.task import Future
+from rclpy.type_support import check_for_type_support
 
 from param_tools.ros import domain
 
@@ -71,6 +75,14 @@ class Ros:
 def own_domain() -> None:
     """Keep nodes of other processes out of the graph."""
     domain.choose()
+
+
+@pytest.fixture(scope='session', autouse=True)
+def type_support() -> None:
+    """Import the compiled messages that tests hand to the layer itself; rclpy does so when it creates a handle."""
+    for message_type in (Log, Time):
+        check_for_type_support(message_type)
+    check_for_type_support(GetParameters)
 
 
 @pytest.fixture

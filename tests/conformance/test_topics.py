@@ -3,6 +3,7 @@
 import pytest
 from builtin_interfaces.msg import Time
 from rcl_interfaces.msg import (
+    FloatingPointRange,
     Log,
     Parameter,
     ParameterDescriptor,
@@ -274,3 +275,10 @@ def test_what_a_wait_set_rejects(ros, node):
         for kind in ('nothing', 'event'):
             with pytest.raises(RuntimeError):
                 waits.is_ready(kind, 0)
+
+
+def test_an_integer_in_the_place_of_a_double_is_hardly_more_than_zero():
+    given = FloatingPointRange()
+    given._to_value = 16
+    sent = deserialize_message(serialize_message(given), FloatingPointRange)
+    assert 0.0 < sent.to_value < 1e-300

@@ -1,4 +1,4 @@
-"""Waiting: until it has come, not longer than the limit, and as the process's host does it."""
+"""Waiting: until it has come, and not longer than the limit."""
 
 import threading
 import time
@@ -6,8 +6,8 @@ import time
 import pytest
 
 from param_tools.errors import WaitTimeoutError
-from param_tools.ros import waiting
-from param_tools.ros.waiting import Host, wait, wait_for, wait_until
+from param_tools.ros import host, waiting
+from param_tools.ros.waiting import wait, wait_for, wait_until
 
 
 def test_what_has_come_is_returned_at_once():
@@ -35,19 +35,8 @@ def test_the_last_look_comes_after_the_deadline(monkeypatch):
     def oversleep(seconds):
         monkeypatch.setattr(time, 'monotonic', lambda: float('inf'))
 
-    monkeypatch.setattr(waiting.host, 'sleep', oversleep)
+    monkeypatch.setattr(host.host, 'sleep', oversleep)
     assert wait(lambda: next(looks), 1.0)
-
-
-def test_another_host_spins_the_nodes_while_it_waits(monkeypatch):
-    turns = []
-
-    class Cooperative(Host):
-        def sleep(self, seconds):
-            turns.append(seconds)
-
-    monkeypatch.setattr(waiting, 'host', Cooperative())
-    assert wait(lambda: len(turns) == 3, 60.0)
 
 
 def test_a_slow_machine_gets_more_time(monkeypatch):

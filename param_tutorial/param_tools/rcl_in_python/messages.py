@@ -9,6 +9,7 @@ import functools
 import importlib
 import operator
 import struct
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -111,11 +112,21 @@ def _copy_of_basic(typename: str) -> Copy:
     if typename == 'float':
         return lambda value: struct.unpack('f', struct.pack('f', value))[0]
     if typename in ('double', 'long double'):
-        return float
+        return _copy_double
     if typename == 'octet':
         return bytes
     bits, is_signed = _INTEGERS[typename]
     return functools.partial(_copy_integer, bits, is_signed)
+
+
+def _copy_double(value: Any) -> float:
+    """Read a number as C does: from where an object of Python's class float keeps its value. An integer keeps the count
+    of its digits there, and so becomes a number that is hardly more than zero."""
+    if not isinstance(value, int):
+        return float(value)
+    digits = -(-value.bit_length() // sys.int_info.bits_per_digit)
+    tiny: float = struct.unpack('<d', struct.pack('<q', digits))[0]
+    return tiny
 
 
 def _copy_integer(bits: int, is_signed: bool, value: Any) -> int:
