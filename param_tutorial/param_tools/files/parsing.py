@@ -184,8 +184,6 @@ class Parser:
         """:param tolerant: Note what rcl would reject in ``rejected``, and read on as far as that is possible."""
         self.blocks: dict[str, list[Entry]] = {}
         """What was read so far, by the names of the blocks, in the order in which the names first appeared."""
-        # Where in each block the entries of a name are.
-        self.places: dict[str, dict[str, set[int]]] = {}
         self.starts: list[BlockStart] = []
         self.assignments: list[Assignment] = []
         self.rejected: list[Rejected] = []
@@ -195,7 +193,6 @@ class Parser:
     def _begin(self, file: str) -> None:
         self.file = file
         self.block: list[Entry] = []
-        self.places_here: dict[str, set[int]] = {}
         self.block_name = ''
         self.entry = 0
         self.in_parameters = False
@@ -328,8 +325,8 @@ class Parser:
             self._select(name, place)
         else:
             self._select(self.parameter_path, place)
-            self._rename(f'{self.parameter_path}.{name}')
-            self.block[self.entry].place = place
+            entry = self.block[self.entry]
+            entry.name, entry.place = f'{self.parameter_path}.{name}', place
 
     def _node_key(self, name: str, place: Place) -> None:
         if not name.startswith(KEY):
@@ -345,23 +342,15 @@ class Parser:
             self._object(place, wrong)
         self.block_name = self.node_path
         self.block = self.blocks.setdefault(self.node_path, [])
-        self.places_here = self.places.setdefault(self.node_path, {})
         self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
         self._leave_node_key()
         self.in_parameters = True
 
     def _select(self, name: str, place: Place) -> None:
-        places = self.places_here.setdefault(name, set())
-        if not places:
-            places.add(len(self.block))
+        found = next((index for index, entry in enumerate(self.block) if entry.name == name), None)
+        if found is None:
             self.block.append(Entry(name, place))
-        self.entry = min(places)
-
-    def _rename(self, name: str) -> None:
-        entry = self.block[self.entry]
-        self.places_here[entry.name].remove(self.entry)
-        self.places_here.setdefault(name, set()).add(self.entry)
-        entry.name = name
+        self.entry = len(self.block) - 1 if found is None else found
 
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:
