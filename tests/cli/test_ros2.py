@@ -356,9 +356,6 @@ def test_services_are_listed(ros):
     assert '/lab/_hidden\n' in run('service', '--include-hidden-services', 'list')[0]
 
 
-# A node whose goodbye reaches nobody, because its process has closed the sockets that send. The process goes on.
-
-
 # -- run ------------------------------------------------------------------------------------------------------
 
 

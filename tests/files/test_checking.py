@@ -419,13 +419,3 @@ def test_a_file_is_rejected_by_the_strict_reader_just_where_a_finding_says_so(tm
     assert is_rejected == any(each.kind in ('unreadable', 'no header') for each in findings)
     for text in (findings.text(), findings.as_json(), findings.as_github()):
         assert isinstance(text, str)
-
-
-def test_of_many_unknown_names_the_first_get_suggestions(tmp_path):
-    names = [f'name_{number}' for number in range(150)]
-    path = tmp_path / 'many.yaml'
-    path.write_text('/lift:\n  ros__parameters:\n' + ''.join(f'    {name}x: 1\n' for name in names))
-    described = [DescribedParameter(Descriptor(name, values.INTEGER, '', '', False, False, None)) for name in names]
-    findings = check_files(path, Descriptions([NodeDescription('/lift', {each.name: each for each in described})]))
-    assert [each.kind for each in findings] == ['unknown parameter'] * 150
-    assert [number for number, each in enumerate(findings) if 'Did you mean' in each.message] == [*range(100)]

@@ -296,14 +296,10 @@ def test_no_tag_makes_an_object(tmp_path):
     assert [each.name for each in tmp_path.iterdir()] == ['hostile.yaml']
 
 
-@pytest.mark.slow
-def test_a_deep_and_a_long_file_are_read(tmp_path):
-    path = tmp_path / 'big.yaml'
+def test_a_deep_file_is_read(tmp_path):
+    path = tmp_path / 'deep.yaml'
     path.write_text('/n: {ros__parameters: ' + '{a: ' * 500 + '1' + '}' * 501)
     assert read(path, '/n') == {'.'.join('a' * 500): 1}
-    count = 20_000  # in a time that grows with its square, this would take a minute
-    path.write_text('/n:\n  ros__parameters:\n' + ''.join(f'    p{number}: {number}\n' for number in range(count)))
-    assert read(path, '/n') == {f'p{number}': number for number in range(count)}
 
 
 def test_without_libyaml_the_same_is_read(monkeypatch):

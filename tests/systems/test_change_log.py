@@ -4,7 +4,6 @@ import datetime
 import signal
 import subprocess
 import sys
-from time import tzset
 
 import hypothesis.strategies as st
 import pytest
@@ -71,22 +70,6 @@ def test_any_file_is_read_as_far_as_it_goes_or_rejected_with_a_sentence(tmp_path
         return
     log.at()
     repr(log)
-
-
-def test_a_time_before_the_calendar_is_an_unreadable_line(tmp_path, monkeypatch):
-    monkeypatch.setenv('TZ', 'America/New_York')
-    tzset()
-    path = tmp_path / 'changes.jsonl'
-    good = LoggedChange(START, 'begin')
-    first_day = LoggedChange(datetime.datetime.min.replace(tzinfo=datetime.timezone.utc), 'begin')
-    path.write_text(f'{first_day.as_line()}\n{good.as_line()}\n')
-    try:
-        log = ChangeLog.read(path)
-        assert (log.records, log.damaged) == ((good,), (1,))
-        assert str(START.astimezone().year) in repr(log)
-    finally:
-        monkeypatch.undo()
-        tzset()
 
 
 def logged(kind, minute, name='x', old=None, new=None, node='/a'):

@@ -143,17 +143,6 @@ def test_a_preview_does_not_claim_that_a_node_would_reject_what_it_has_not_decla
     assert ParameterClient('/open').set_parameter('anything', 1).successful
 
 
-@pytest.mark.parametrize(('words', 'unanswered', 'ended'), [
-    ([], {}, 'nothing to do, all values are there'), (['set'], {}, 'complete, 1 parameter set'),
-    (['rejected'], {}, 'NOT RESTORED, nothing was changed'), (['not kept'], {}, 'NOT COMPLETE, 0 of 1 parameter set'),
-    ([], {'/x': NodeGoneError('/x', 'set_parameters')}, 'NOT COMPLETE, 1 without an answer')])
-def test_the_heading_says_how_it_ended(words, unanswered, ended):
-    outcomes = [Outcome('a', 0, 1, word) for word in words]
-    result = Restored('monday.yaml', {'/arm': outcomes, '/lift': []}, unanswered)
-    assert result.heading == f'{2 + len(unanswered)} nodes from monday.yaml: {ended}'
-    assert result.complete is not ended.startswith('NOT')
-
-
 def test_what_became_of_many_nodes_is_one_table():
     unanswered = {'/left': NodeGoneError('/left', 'set_parameters'), '/right': NodeNotFoundError('/right', []),
                   '/lift': NoAnswerError('/lift', 'set_parameters', 1)}

@@ -63,18 +63,15 @@ def _wait_for_end(command: Sequence[str]) -> int:
     return program.wait()
 
 
-def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ, *,
-                 sub_folders: bool = True) -> list[str]:
+def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ) -> list[str]:
     """Find a program: in the install spaces that have been sourced, else among the nodes of provided packages.
 
     :param environment: Tells what has been sourced.
-    :param sub_folders: Look below the package's folder of programs, too.
     :return: The words that start it.
     :raises CommandFailed: there is no such package, no such program in it, or more than one.
     """
     try:
-        paths = [path for path in installed_programs(package, environment, sub_folders=sub_folders)
-                 if path.name == program]
+        paths = [path for path in installed_programs(package, environment) if path.name == program]
     except index.PackageNotFound:
         return _provided_program(package, program, environment)
     if not paths:
@@ -84,18 +81,16 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
     return [str(paths[0])]
 
 
-def installed_programs(package: str, environment: Mapping[str, str] = os.environ, *,
-                       sub_folders: bool = True) -> list[Path]:
+def installed_programs(package: str, environment: Mapping[str, str] = os.environ) -> list[Path]:
     """Return the programs that a package has in the install spaces that have been sourced.
 
     :param environment: Tells what has been sourced.
-    :param sub_folders: Look below the package's folder of programs, too.
     :raises index.PackageNotFound: none of them holds the package.
     """
     found = []
     prefix = index.prefix_of(package, environment.get('AMENT_PREFIX_PATH', ''))
     for folder, below, names in os.walk(prefix / 'lib' / package):
-        below[:] = sorted(name for name in below if sub_folders and not name.startswith('.'))
+        below[:] = sorted(name for name in below if not name.startswith('.'))
         found += [Path(folder, name) for name in sorted(names) if os.access(Path(folder, name), os.X_OK)]
     return found
 

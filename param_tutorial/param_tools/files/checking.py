@@ -42,8 +42,6 @@ KINDS = {
     'invalid': 'error', 'read only': 'error', 'duplicate': 'warning', 'overridden': 'warning',
     'read otherwise': 'warning',
 }
-# For so many unknown names. Each is compared with all that there are; a file of thousands is another node's.
-_MOST_SUGGESTIONS = 100
 
 
 @dataclass(frozen=True, order=True)
@@ -285,14 +283,13 @@ class _Check:
 
     def _report_unknown(self, assignments: Iterable[Assignment]) -> None:
         names: dict[str, list[str]] = {}
-        for count, assignment in enumerate(assignments):
+        for assignment in assignments:
             nodes = [node for node in self._against if matches(assignment.block, node)]
             if nodes[0] not in names:
                 entries = effective(self._parser, nodes[0])
                 names[nodes[0]] = self._against[nodes[0]].names({name: each.value() for name, each in entries.items()})
             who = nodes[0] if len(nodes) == 1 else f'none of the {len(nodes)} nodes that match {assignment.block}'
-            near = (nearest(assignment.name, names[nodes[0]], 'It has no parameters at all')
-                    if count < _MOST_SUGGESTIONS else '')
+            near = nearest(assignment.name, names[nodes[0]], 'It has no parameters at all')
             self._add(assignment.file, assignment.name_place, 'unknown parameter',
                       f'{who} {"has no" if len(nodes) == 1 else "has a"} parameter {assignment.name!r}{near}',
                       nodes[0], assignment.name)

@@ -51,10 +51,10 @@ def edit(text: str, node: str, new: Mapping[str, Any]) -> tuple[str, list[str]]:
     for name, value in ((name, values.normalize(value)) for name, value in new.items()):
         if reason := why_not_expressible(name, value):
             raise ParameterFileError(f'{name} of {node}: {reason}')
-        held = _held(text, node)
+        held, _ = _read(text, node)
         if name in held and values.same(held[name], value):
             continue
-        text = _with(text, node, name, value, {**held, name: value})
+        text = _with(text, node, name, value)
         changed.append(name)
     return mark + text, changed
 
@@ -68,25 +68,24 @@ def _parsed(text: str) -> Parser:
     return parser
 
 
-def _held(text: str, node: str) -> dict[str, Any]:
-    return {name: entry.value() for name, entry in effective(_parsed(text), node).items()}
+def _read(text: str, node: str) -> tuple[dict[str, Any], list[tuple[str, str, Any]]]:
+    """Return what a text holds for a node, and what its blocks for other nodes hold."""
+    parser = _parsed(text)
+    others = [(name, entry.name, entry.value()) for name, block in parser.blocks.items()
+              if not matches(name, node) for entry in block]
+    return {name: entry.value() for name, entry in effective(parser, node).items()}, others
 
 
-def _others(text: str, node: str) -> list[tuple[str, str, Any]]:
-    """Return what the blocks that are not for a node hold."""
-    return [(name, entry.name, entry.value()) for name, block in _parsed(text).blocks.items()
-            if not matches(name, node) for entry in block]
-
-
-def _with(text: str, node: str, name: str, value: Any, wanted: Mapping[str, Any]) -> str:
-    """Return a text with one value changed or added, in the first way that gives the node what is wanted."""
-    others = _others(text, node)
+def _with(text: str, node: str, name: str, value: Any) -> str:
+    """Return a text with one value changed or added, in the first way that changes nothing else."""
+    held, others = _read(text, node)
+    wanted = {**held, name: value}
     for candidate in _candidates(text, node, name, value):
         try:
-            held, rest = _held(candidate, node), _others(candidate, node)
+            now, rest = _read(candidate, node)
         except ParameterFileError:
             continue
-        if held.keys() == wanted.keys() and all(values.same(held[each], wanted[each]) for each in held) and (
+        if now.keys() == wanted.keys() and all(values.same(now[each], wanted[each]) for each in now) and (
                 len(rest) == len(others)
                 and all(one[:2] == two[:2] and values.same(one[2], two[2]) for one, two in zip(rest, others))):
             return candidate

@@ -249,8 +249,6 @@ def _add_key(lines: list[str], name: str, indent: str, inline: str) -> None:
 # A text that looks like a word or several, with nothing in it that means something in YAML.
 _PLAIN = re.compile(r'[A-Za-z_/][A-Za-z0-9_./+-]*(?: [A-Za-z0-9_./+()-]+)*')
 _YAML_TYPES = yaml.SafeLoader.yaml_implicit_resolvers
-# What most names look like: no number, and no word that means something, begins with a letter and has an underscore.
-_NAME = re.compile('[A-Za-z]+_[A-Za-z0-9_]*')
 
 
 def format_scalar(value: bool | int | float | str) -> str:
@@ -266,8 +264,8 @@ def format_scalar(value: bool | int | float | str) -> str:
             return '.inf' if value > 0 else '-.inf'
         mantissa, e, exponent = repr(value).partition('e')
         return (mantissa if '.' in mantissa else f'{mantissa}.0') + e + exponent
-    if _NAME.fullmatch(value) or (_PLAIN.fullmatch(value) and typed(value, False) == value and not any(
-            pattern.match(value) for _, pattern in _YAML_TYPES.get(value[0], ()))):
+    if _PLAIN.fullmatch(value) and typed(value, False) == value and not any(
+            pattern.match(value) for _, pattern in _YAML_TYPES.get(value[0], ())):
         return value
     if value.isprintable():
         return "'" + value.replace("'", "''") + "'"

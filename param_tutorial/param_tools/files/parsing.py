@@ -8,7 +8,7 @@ finds all that is wrong with it.
 """
 
 import codecs
-import math
+import ctypes
 import re
 import sys
 from collections.abc import Sequence
@@ -16,8 +16,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import yaml
-
-from param_tools import values
 
 KEY = 'ros__parameters'
 # libyaml is what rcl uses; PyYAML's own parser differs from it in corners, but is always there.
@@ -28,12 +26,10 @@ LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
 _TRUE = {'Y', 'y', 'yes', 'Yes', 'YES', 'true', 'True', 'TRUE', 'on', 'On', 'ON'}
 _FALSE = {'N', 'n', 'no', 'No', 'NO', 'false', 'False', 'FALSE', 'off', 'Off', 'OFF'}
 _SPECIAL = {'.nan', '.NaN', '.NAN', '.inf', '.Inf', '.INF', '+.inf', '+.Inf', '+.INF', '-.inf', '-.Inf', '-.INF'}
-_BLANK = r'[ \t\n\v\f\r]*'
-# What strtol with base 0 and strtod of the C library take as a whole.
-_INTEGER = re.compile(_BLANK + r'([+-]?)(?:0[xX]([0-9a-fA-F]+)|(0[0-7]*)|([1-9][0-9]*))')
-_REAL = re.compile(_BLANK + r'([+-]?)(?:(inf(?:inity)?)|(nan(?:\([0-9a-z_]*\))?)|'
-                   r'(0x(?:[0-9a-f]+\.?[0-9a-f]*|\.[0-9a-f]+)(?:p[+-]?[0-9]+)?)|'
-                   r'((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?))', re.IGNORECASE)
+# The C library, whose functions rcl reads numbers with.
+_C = ctypes.CDLL('ucrtbase' if sys.platform == 'win32' else None, use_errno=True)
+_C.strtoll.restype = ctypes.c_longlong
+_C.strtod.restype = ctypes.c_double
 
 
 def typed(text: str, quoted: bool) -> bool | int | float | str:
@@ -43,57 +39,22 @@ def typed(text: str, quoted: bool) -> bool | int | float | str:
             return True
         if text in _FALSE:
             return False
-        for number in (_strtol(text), _strtod(text.replace('.', '', 1) if text in _SPECIAL else text)):
-            if number is not None:
-                return number
+        number = _as_a_whole(text, _C.strtoll, 0)  # 0x10 is 16 and 010 is 8
+        if number is None:
+            number = _as_a_whole(text.replace('.', '', 1) if text in _SPECIAL else text, _C.strtod)
+        if number is not None:
+            return number
     return text
 
 
-def _strtol(text: str) -> int | None:
-    """Read a whole number as C does: 0x10 is 16 and 010 is 8. None if it is none, or exceeds 64 bits."""
-    match = _INTEGER.fullmatch(text)
-    if match is None:
-        return None
-    sign, hexadecimal, octal, decimal = match.groups()
-    # A number of thousands of digits exceeds 64 bits anyway, and Python raises an exception for it.
-    digits = hexadecimal or octal or decimal
-    if len(digits.lstrip('0')) > 22:
-        return None
-    number = int(digits, 16 if hexadecimal else 8 if octal else 10) * (-1 if sign == '-' else 1)
-    return number if values.INT64_MIN <= number <= values.INT64_MAX else None
-
-
-def _strtod(text: str) -> float | None:
-    """Read a real number as C does. None if it is none, or does not fit: C then reports a range error."""
-    match = _REAL.fullmatch(text)
-    if match is None:
-        return None
-    sign, infinite, nan, hexadecimal, decimal = match.groups()
-    if nan:
-        return float('nan')
-    if infinite:
-        return float(f'{sign}inf')
-    try:
-        number = float.fromhex(hexadecimal) if hexadecimal else float(decimal)
-    except OverflowError:
-        return None
-    if math.isinf(number):
-        return None
-    if number < sys.float_info.min and _is_inexact(number, hexadecimal, decimal):
-        return None
-    return -number if sign == '-' else number
-
-
-def _is_inexact(number: float, hexadecimal: str | None, decimal: str | None) -> bool:
-    """True if a number below the smallest normal double differs from its text: C calls that an underflow."""
-    mantissa, _, exponent = (hexadecimal or decimal or '').lower().partition('p' if hexadecimal else 'e')
-    if number == 0.0:  # decided without arithmetic: the exponent may have a million digits
-        return any(digit not in '0.x' for digit in mantissa)
-    if hexadecimal:
-        return math.ldexp(number, 1000) != float.fromhex(f'{mantissa}p{int(exponent or 0) + 1000}')
-    from decimal import Decimal
-
-    return Decimal(decimal or 0) != Decimal(number)
+def _as_a_whole(text: str, function: Any, *base: int) -> int | float | None:
+    """Return the number that a function of C reads; None if it reads only a part, or the number is out of its range."""
+    content = ctypes.create_string_buffer(text.encode(errors='surrogatepass'))
+    end = ctypes.c_void_p()
+    ctypes.set_errno(0)
+    number: int | float = function(content, ctypes.byref(end), *base)
+    is_whole = end.value == ctypes.addressof(content) + len(content.value) and len(content.value) > 0
+    return number if is_whole and ctypes.get_errno() == 0 else None
 
 
 # -- what is read ---------------------------------------------------------------------------------------------
@@ -223,8 +184,6 @@ class Parser:
         """:param tolerant: Note what rcl would reject in ``rejected``, and read on as far as that is possible."""
         self.blocks: dict[str, list[Entry]] = {}
         """What was read so far, by the names of the blocks, in the order in which the names first appeared."""
-        # Where in each block the entries of a name are.
-        self.places: dict[str, dict[str, set[int]]] = {}
         self.starts: list[BlockStart] = []
         self.assignments: list[Assignment] = []
         self.rejected: list[Rejected] = []
@@ -234,7 +193,6 @@ class Parser:
     def _begin(self, file: str) -> None:
         self.file = file
         self.block: list[Entry] = []
-        self.places_here: dict[str, set[int]] = {}
         self.block_name = ''
         self.entry = 0
         self.in_parameters = False
@@ -367,8 +325,8 @@ class Parser:
             self._select(name, place)
         else:
             self._select(self.parameter_path, place)
-            self._rename(f'{self.parameter_path}.{name}')
-            self.block[self.entry].place = place
+            entry = self.block[self.entry]
+            entry.name, entry.place = f'{self.parameter_path}.{name}', place
 
     def _node_key(self, name: str, place: Place) -> None:
         if not name.startswith(KEY):
@@ -384,23 +342,15 @@ class Parser:
             self._object(place, wrong)
         self.block_name = self.node_path
         self.block = self.blocks.setdefault(self.node_path, [])
-        self.places_here = self.places.setdefault(self.node_path, {})
         self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
         self._leave_node_key()
         self.in_parameters = True
 
     def _select(self, name: str, place: Place) -> None:
-        places = self.places_here.setdefault(name, set())
-        if not places:
-            places.add(len(self.block))
+        found = next((index for index, entry in enumerate(self.block) if entry.name == name), None)
+        if found is None:
             self.block.append(Entry(name, place))
-        self.entry = min(places)
-
-    def _rename(self, name: str) -> None:
-        entry = self.block[self.entry]
-        self.places_here[entry.name].remove(self.entry)
-        self.places_here.setdefault(name, set()).add(self.entry)
-        entry.name = name
+        self.entry = len(self.block) - 1 if found is None else found
 
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:

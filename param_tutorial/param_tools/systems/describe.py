@@ -11,13 +11,11 @@ from param_tools.ros.services import TIMEOUT_SEC
 from param_tools.systems.snapshot import ask_all
 
 
-def describe(nodes: Iterable[str | Node] | str | Node | None = None, *, hidden: bool = False,
-             defaults_from: str = AS_FOUND, timeout_sec: float = TIMEOUT_SEC,
-             executor: BackgroundExecutor | None = None) -> Descriptions:
+def describe(nodes: Iterable[str | Node] | str | Node | None = None, *, defaults_from: str = AS_FOUND,
+             timeout_sec: float = TIMEOUT_SEC, executor: BackgroundExecutor | None = None) -> Descriptions:
     """Ask running nodes what they declare, all at the same time.
 
     :param nodes: Which; by default all in the graph. Only then the result is ``complete``, if all have answered.
-    :param hidden: Of all nodes, also those with a part that starts with an underscore.
     :param defaults_from: What the present values are called.
     :param timeout_sec: How long a node may take for each answer; one that doesn't answer is in ``unanswered``.
     :raises ExecutorError: no executor is running, or this is called from a callback.
@@ -27,5 +25,5 @@ def describe(nodes: Iterable[str | Node] | str | Node | None = None, *, hidden: 
         return NodeDescription(client.node, {
             name: DescribedParameter(each, present[name]) for name, each in descriptors.items()}, defaults_from)
 
-    answers, unanswered = ask_all(nodes, ask, hidden=hidden, timeout_sec=timeout_sec, executor=executor)
+    answers, unanswered = ask_all(nodes, ask, timeout_sec=timeout_sec, executor=executor)
     return Descriptions(answers.values(), complete=nodes is None and not unanswered, unanswered=unanswered)

@@ -130,13 +130,12 @@ def all_parameters(nodes: Iterable[str | Node] | str | Node | None = None, *, ti
 
 
 def ask_all(nodes: Iterable[str | Node] | str | Node | None, question: Callable[[ParameterClient], T], *,
-            hidden: bool = False, timeout_sec: float = TIMEOUT_SEC,
-            executor: BackgroundExecutor | None = None) -> tuple[dict[str, T], dict[str, NodeError]]:
+            timeout_sec: float = TIMEOUT_SEC, executor: BackgroundExecutor | None = None
+            ) -> tuple[dict[str, T], dict[str, NodeError]]:
     """Ask many nodes something, all at the same time.
 
-    :param nodes: Which; by default all in the graph.
+    :param nodes: Which; by default all in the graph except hidden ones.
     :param question: Asks one node through its client.
-    :param hidden: Of all nodes, also those with a part that starts with an underscore.
     :return: The answers by node, sorted; and the nodes that did not answer, with the reason.
     :raises ExecutorError: no executor is running, or this is called from a callback.
     """
@@ -146,7 +145,7 @@ def ask_all(nodes: Iterable[str | Node] | str | Node | None, question: Callable[
                             'them is busy with the callback. Ask in a cell')
     if isinstance(nodes, (str, Node)):
         nodes = [nodes]
-    names = sorted(set(ros.services.node_names(hidden=hidden) if nodes is None else map(full_name, nodes))
+    names = sorted(set(ros.services.node_names() if nodes is None else map(full_name, nodes))
                    - {f'/{TOOL_NODE_NAME}'})
 
     def ask(node: str) -> tuple[T | None, NodeError | None]:

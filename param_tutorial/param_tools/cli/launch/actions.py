@@ -107,8 +107,7 @@ class Node(Action):
 
     def execute(self, context: Context) -> list[Program]:
         executable = perform(self.executable, context)
-        # launch_ros, unlike `ros2 run`, finds no program in a sub-folder.
-        program = find_program(perform(self.package, context), executable, sub_folders=False)
+        program = find_program(perform(self.package, context), executable)
         return [Program(self.command(program, context), executable, *self.streams_on_screen(context))]
 
     def command(self, program: list[str], context: Context) -> list[str]:

@@ -3,7 +3,8 @@
 Where a launch file takes a substitution, it also takes a string, and several of both, which are joined.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -23,11 +24,11 @@ class Substitution:
         raise NotImplementedError
 
 
+@dataclass(kw_only=True)
 class TextSubstitution(Substitution):
     """A string that is known already."""
 
-    def __init__(self, *, text: str):
-        self.text = text
+    text: str
 
     def perform(self, context: Context) -> str:
         return self.text
@@ -36,12 +37,12 @@ class TextSubstitution(Substitution):
         return repr(self.text)
 
 
+@dataclass
 class LaunchConfiguration(Substitution):
     """The value of a launch argument."""
 
-    def __init__(self, variable_name: Any, *, default: Any = None):
-        self.variable_name = variable_name
-        self.default = default
+    variable_name: Any
+    default: Any = field(default=None, kw_only=True)
 
     def perform(self, context: Context) -> str:
         name = perform(self.variable_name, context)
@@ -55,11 +56,11 @@ class LaunchConfiguration(Substitution):
         return f'LaunchConfig({describe(self.variable_name)})'
 
 
+@dataclass
 class PathJoinSubstitution(Substitution):
     """A path made of parts."""
 
-    def __init__(self, substitutions: Iterable[Any]):
-        self.substitutions = list(substitutions)
+    substitutions: Sequence[Any]
 
     def perform(self, context: Context) -> str:
         return str(Path(*(perform(part, context) for part in self.substitutions)))
@@ -68,11 +69,11 @@ class PathJoinSubstitution(Substitution):
         return f"PathJoin('{describe(self.substitutions)}')"
 
 
+@dataclass
 class FindPackageShare(Substitution):
     """The share folder of a package."""
 
-    def __init__(self, package: Any):
-        self.package = package
+    package: Any
 
     def perform(self, context: Context) -> str:
         return str(index.share_folder_of(perform(self.package, context)))
