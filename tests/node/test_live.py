@@ -70,8 +70,9 @@ def test_only_some_names_in_their_order(ros, follow):
 
 def test_what_is_asked_for_is_on_its_way_when_the_call_returns(ros, follow):
     node = ros.add(Gate)
-    x = follow('gate').parameters['x']
-    x.ask(5)
+    live = follow('gate')
+    x = live.parameters['x']
+    live.ask(x, 5)
     assert x.busy
     assert node.entered.acquire(timeout=TIMEOUT_SEC)
     assert node.seen == [5]
@@ -82,9 +83,10 @@ def test_what_is_asked_for_is_on_its_way_when_the_call_returns(ros, follow):
 
 def test_the_newest_value_follows_without_anybody_waiting(ros, follow):
     node = ros.add(Gate)
-    x = follow('gate').parameters['x']
+    live = follow('gate')
+    x = live.parameters['x']
     for value in (1, 2, 3):
-        x.ask(value)
+        live.ask(x, value)
     for _ in range(2):
         assert node.entered.acquire(timeout=TIMEOUT_SEC)
         node.open.release()
@@ -114,7 +116,7 @@ def test_the_lock_is_free_while_the_node_is_asked_and_while_it_is_shown(ros, mon
     live = LiveParameters('counter', lambda: try_lock('show'))
     live.first_look()
     for value in (1, 2, 3):
-        live.parameters['x'].ask(value)
+        live.ask(live.parameters['x'], value)
     live.settle(TIMEOUT_SEC)
     live.close()
     assert all(free.values())
@@ -125,10 +127,10 @@ def test_a_value_that_cannot_be_sent_is_reported_and_nothing_is_stuck(ros, follo
     ros.add(Counter)
     live = follow('counter')
     x = live.parameters['x']
-    x.ask({'no': 'parameter'})
+    live.ask(x, {'no': 'parameter'})
     assert not x.busy
     assert 'cannot be a parameter' in x.message
-    x.ask(4)
+    live.ask(x, 4)
     live.settle(TIMEOUT_SEC)
     assert (x.value, x.message) == (4, '')
 
@@ -136,7 +138,7 @@ def test_a_value_that_cannot_be_sent_is_reported_and_nothing_is_stuck(ros, follo
 def test_what_is_rejected_is_not_sent(ros, follow):
     node = ros.add(Counter)
     live = follow('counter')
-    live.parameters['x'].reject('no number')
+    live.reject(live.parameters['x'], 'no number')
     live.settle(TIMEOUT_SEC)
     assert (live.parameters['x'].message, node.seen) == ('no number', [])
 
@@ -151,7 +153,7 @@ def test_a_change_made_elsewhere_is_read_and_shown(ros, follow):
 def test_settling_says_what_it_waited_for(ros, follow):
     node = ros.add(Gate)
     live = follow('gate')
-    live.parameters['y'].ask(1)
+    live.ask(live.parameters['y'], 1)
     with pytest.raises(WaitTimeoutError, match=r'timed out after 0 s waiting for /gate to answer y'):
         live.settle(0.0)
     node.open.release()
@@ -171,7 +173,7 @@ def test_it_survives_the_executor(ros, follow):
     live = follow('counter')
     param_tutorial.stop()
     assert 'no executor is running' in live.status
-    live.parameters['x'].ask(3)
+    live.ask(live.parameters['x'], 3)
     assert 'no executor is running' in live.parameters['x'].message
     param_tutorial.start().add(Counter)
     live.settle(TIMEOUT_SEC)

@@ -4,9 +4,9 @@
 here the three are kept in step, and what was done is kept for undo.
 
 What a person enters comes in a thread of the kernel's, often while a cell runs in another (see ``beside_cells``), and
-goes straight to ``LiveParameter.ask``, before anything is drawn. Everything is drawn in ``_show``, which ``live`` calls
-in the thread of ``schedule`` or in that of ``settle``, with the panel's lock held. No lock is held while a request is
-sent; the executor's thread takes no lock of a panel at all.
+goes straight to ``LiveParameters.ask``, before anything is drawn. Everything is drawn in ``_show``, which ``live``
+calls in the thread of ``schedule`` or in that of ``settle``, with the panel's lock held. No lock is held while a
+request is sent; the executor's thread takes no lock of a panel at all.
 """
 
 import contextlib
@@ -34,7 +34,8 @@ from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet, style
 from param_tools.markup.wording import format_count
 from param_tools.node.client import ParameterClient, node_name
-from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
+from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameters
+from param_tools.node.live_state import ParameterState
 from param_tools.node.text import format_value
 from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.panel.control import Control
@@ -102,16 +103,13 @@ class ParameterPanel(View):
         # What a person presses is done in that order, each when the one before has its answers.
         self._jobs: queue.SimpleQueue[Callable[[], object]] = queue.SimpleQueue()
         self._acting = threading.RLock()
-        self._followed: list[tuple[str, LiveParameter]] = []
+        self._followed: list[tuple[str, ParameterState]] = []
         self._rows: list[PanelRow] | None = None
         # What is wanted together, by name; None if each change is sent at once.
         self._gathered: State | None = None
         self._is_code_gathered = False
         self._note = ''
         self._not_restored: dict[str, str] = {}
-        # The values of the last look at a file, and how many such looks were overtaken by the node.
-        self._looked_at: State | None = None
-        self._overtaken_looks = 0
         self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
         self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
@@ -241,7 +239,7 @@ class ParameterPanel(View):
 
         with self._drawing:
             descriptors = {name: control.descriptor for name, control in self._controls.items()}
-            present = self._looked_at = {name: control.value for name, control in self._controls.items()}
+            present = {name: control.value for name, control in self._controls.items()}
         return preview_file(as_path(path, is_typed=True), self._node, descriptors, present, is_partial=self._in_order)
 
     def load(self, path: str | Path) -> 'Loaded':
@@ -341,7 +339,7 @@ class ParameterPanel(View):
             if not different:
                 break
             for name in different:
-                self[name].ask(wanted[name])
+                self._live.ask(self[name].parameter, wanted[name])
             self.settle()
         return {name: self[name].message or 'the node has another value' if name in self else 'it is no longer there'
                 for name, value in wanted.items() if name not in self or self._differs(name, value)}
@@ -383,10 +381,8 @@ class ParameterPanel(View):
         if control is not None:  # and not deleted meanwhile
             if 'position' in content:
                 control.slide(content['position'], (content['client'], content['grip']))
-            elif 'items' in content:
-                control.enter_items(content['items'])
             else:
-                control.enter(content['text'])
+                control.enter(content['items'] if 'items' in content else content['text'])
         self._show()
         self._front.send({each: content[each] for each in ('client', 'name', 'number')})
 
@@ -414,11 +410,7 @@ class ParameterPanel(View):
             if not live.is_busy:
                 self._edits.end()
             gathered = self._gathered or {}
-            present = {name: control.value for name, control in self._controls.items()}
-            known = present | gathered
-            # A value may have been looked at that was never shown; the script looks again when anything below changes.
-            if self._looked_at not in (None, present):
-                self._looked_at, self._overtaken_looks = None, self._overtaken_looks + 1
+            known = {name: control.value for name, control in self._controls.items()} | gathered
             states = {name: control.state(is_locked=bool(live.status), known=known, gathered=gathered.get(name, ...))
                       for name, control in self._controls.items()}
             rows = [control.row for control in self._controls.values()]
@@ -430,7 +422,7 @@ class ParameterPanel(View):
                 self._front.state = {
                     'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
                     'rows': {name: state.as_json() for name, state in states.items()},
-                    'overtaken_looks': self._overtaken_looks, **self._gathering()}
+                    **self._gathering()}
 
     def _gathering(self) -> dict[str, Any]:
         """Return what the script has to know of what is gathered; nothing if each change is sent at once."""
@@ -440,10 +432,17 @@ class ParameterPanel(View):
         told = f'{format_count(count, "change")} gathered, not sent yet.'
         return {'gathered': count, 'note': f'{told}\nRejected: {self._note}' if self._note else told}
 
-    def _take(self, control: Control, value: Any, grip: object) -> None:
-        """Ask for a value that a person wants, or gather it."""
-        if self._gathered is None:
-            self._ask(control, value, grip)
+    def _take(self, control: Control, value: Any, grip: object = None, *, is_code: bool = False) -> None:
+        """Ask for a value, or gather it.
+
+        :param grip: See ``Control.slide``.
+        :param is_code: True if code wants it: a cell does what it says, so its value is gathered only if code said so.
+        """
+        if self._gathered is None or (is_code and not self._is_code_gathered):
+            # A drawing ends the edit if nothing is under way, and nothing is between these two lines.
+            with self._drawing:
+                self._edits.begin(control.name, grip)
+                self._live.ask(control.parameter, value)
             return
         self._gathered = {**self._gathered, control.name: value}
         if values.same(value, control.value):
@@ -451,27 +450,14 @@ class ParameterPanel(View):
         self._note = ''
         self._show()
 
-    def _assign(self, control: Control, value: Any) -> None:
-        """Ask for a value that code wants; gather it only if code said so: a cell does what it says."""
-        if self._is_code_gathered:
-            self._take(control, value, None)
-        else:
-            self._ask(control, value, None)
-
-    def _ask(self, control: Control, value: Any, grip: object) -> None:
-        # A drawing ends the edit if nothing is under way, and nothing is between these two lines.
-        with self._drawing:
-            self._edits.begin(control.name, grip)
-            control.ask(value)
-
-    def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
+    def _rebuild(self, parameters: dict[str, ParameterState]) -> None:
         """Make the controls that are missing and drop those whose parameter is gone; keep all others as they are."""
         self._followed = list(parameters.items())
         old, controls = self._controls, {}
         for name, parameter in parameters.items():
             control = old.get(name)
             if control is None or control.parameter is not parameter:
-                control = Control(parameter, self._take, self._assign)
+                control = Control(self._live, parameter, self._take)
                 if name in old:
                     control.first = old[name].first
             controls[name] = control
