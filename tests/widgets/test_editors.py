@@ -136,7 +136,7 @@ def test_a_double_slider_counts_round_numbers_up_to_the_end(arm):
 def test_every_position_of_a_slider_is_valid_to_rclpy(low, width, where, stepped):
     limits = Range(low, low + width, width / 7 if stepped else 0.0)
     assume(limits.from_value < limits.to_value)
-    positions = editors.Positions(limits)
+    positions = editors.Scale(limits)
     position = round(where * positions.last)
     value = positions.value(position)
     assert low <= value <= limits.to_value
@@ -149,7 +149,7 @@ def test_every_position_of_a_slider_is_valid_to_rclpy(low, width, where, stepped
 
 @given(st.floats(-1e9, 1e9))
 def test_a_slider_stands_at_the_nearest_position(value):
-    positions = editors.Positions(Range(0.0, 1.0, 0.3))
+    positions = editors.Scale(Range(0.0, 1.0, 0.3))
     assert abs(positions.value(positions.nearest(value)) - value) == min(
         abs(each - value) for each in (0.0, 0.3, 0.6, 0.9, 1.0))
 

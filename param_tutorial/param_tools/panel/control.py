@@ -12,8 +12,7 @@ from param_tools.node.live_state import ParameterState
 from param_tools.node.locks import Condition, conditions_of, unmet
 from param_tools.node.text import fit, format_items, format_value, parse_items, parse_value
 from param_tools.panel.drawing import PanelRow, RowState
-from param_tools.panel.editors import row_of, scale_of
-from param_tools.panel.recordable import Scale
+from param_tools.panel.editors import Scale, row_of, scale_of
 
 _WAITING = 'Waiting for the node to answer…'
 

@@ -14,23 +14,10 @@ import ipywidgets as widgets
 
 from param_tools.descriptor import Descriptor
 from param_tools.panel.drawing import PanelRow, RowState
+from param_tools.panel.editors import Scale
 
 LOG = 'log'
 EVENTS = 'events'
-
-
-class Scale(Protocol):
-    """The values at which a slider can stand, counted from 0."""
-
-    @property
-    def last(self) -> int:
-        """The last position."""
-
-    def value(self, position: int, /) -> Any:
-        """Return the value at a position."""
-
-    def nearest(self, value: Any, /) -> int:
-        """Return the position next to a value."""
 
 
 @dataclass(frozen=True)
