@@ -37,13 +37,12 @@ from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameters
 from param_tools.node.live_state import ParameterState
 from param_tools.node.text import format_value
-from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.panel.control import Control
 from param_tools.panel.drawing import PanelRow, arrange, panel_markup
 from param_tools.panel.edits import Edits, State
 from param_tools.panel.front import Front
 from param_tools.panel.recordable import ControlFacts
-from param_tools.panel.view import FollowingView, View
+from param_tools.panel.view import FollowingView, ParameterView
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
 from param_tools.ros.waiting import wait_until
@@ -74,7 +73,7 @@ class _BrowserFront(Front):
     state = traitlets.Dict().tag(sync=True)
 
 
-class ParameterPanel(View):
+class ParameterPanel(ParameterView):
     """The parameters of a node as controls, as long as it is not closed.
 
     Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control. Without a node it is a
@@ -96,7 +95,6 @@ class ParameterPanel(View):
         :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
         :param search: What its search field begins with.
         """
-        self._node = node_name(node)
         self._controls: dict[str, Control] = {}
         self._in_order = names is not None
         self._edits = Edits(self._state, self._bring)
@@ -112,10 +110,10 @@ class ParameterPanel(View):
         self._not_restored: dict[str, str] = {}
         self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
-        self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(node_name(node), self._show, names=names, executor=executor,
+                                    timeout_sec=timeout_sec)
         super().__init__([self._front], 'param-panel')
-        self._live.first_look(patience_sec)
-        close_with_cell(self)
+        self._begin(patience_sec)
 
     def __repr__(self) -> str:
         if self._closed:
@@ -124,7 +122,7 @@ class ParameterPanel(View):
             fact = 'not available'
         else:
             fact = format_count(len(self._controls), 'parameter')
-        return f'<ParameterPanel: {self._node}, {fact}>'
+        return f'<ParameterPanel: {self.node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
         """Return the control of a parameter.
@@ -134,18 +132,13 @@ class ParameterPanel(View):
         try:
             return self._controls[name]
         except KeyError:
-            raise ParameterNotDeclaredError(self._node, str(name), self.names) from None
+            raise ParameterNotDeclaredError(self.node, str(name), self.names) from None
 
     def __contains__(self, name: str) -> bool:
         return name in self._controls
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.names)
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node."""
-        return self._node
 
     @property
     def names(self) -> list[str]:
@@ -211,9 +204,9 @@ class ParameterPanel(View):
         present = {name: control.value for name, control in self._controls.items()
                    if control.is_changed or not changed_only}
         if not present:
-            raise ParameterFileError(f'nothing of {self._node} differs from what the panel first saw' if self._controls
-                                     else f'no parameter of {self._node} is known: {self.status}')
-        return render(self._node, present)
+            raise ParameterFileError(f'nothing of {self.node} differs from what the panel first saw' if self._controls
+                                     else f'no parameter of {self.node} is known: {self.status}')
+        return render(self.node, present)
 
     def save(self, path: str | Path, changed_only: bool = False) -> Dump:
         """Write what the node has now, as far as it is on the panel, to a parameter file.
@@ -240,7 +233,7 @@ class ParameterPanel(View):
         with self._drawing:
             descriptors = {name: control.descriptor for name, control in self._controls.items()}
             present = {name: control.value for name, control in self._controls.items()}
-        return preview_file(as_path(path, is_typed=True), self._node, descriptors, present, is_partial=self._in_order)
+        return preview_file(as_path(path, is_typed=True), self.node, descriptors, present, is_partial=self._in_order)
 
     def load(self, path: str | Path) -> 'Loaded':
         """Ask the node for the values that a parameter file holds for it; ``undo`` takes them back together.
@@ -286,13 +279,6 @@ class ParameterPanel(View):
         """Ask for values in one request, and return why the node rejected it; empty if it did not."""
         results = self._live.client().set_parameters_atomically(wanted) if wanted else []
         return next((each.reason or 'The node gave no reason.' for each in results if not each.successful), '')
-
-    def settle(self, timeout_sec: float = 10.0) -> None:
-        """Wait until the node has answered every change made so far and the panel shows what the node has now.
-
-        :raises WaitTimeoutError: it took too long; the message names the parameters.
-        """
-        self._live.settle(timeout_sec)
 
     @property
     def not_restored(self) -> dict[str, str]:
@@ -350,9 +336,6 @@ class ParameterPanel(View):
     def _state(self) -> State:
         return {name: each.value for name, each in self._followed if not each.descriptor.read_only}
 
-    def _end(self) -> None:
-        self._live.close()
-
     # -- the browser ------------------------------------------------------------------------------------
 
     def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
@@ -360,7 +343,7 @@ class ParameterPanel(View):
         if content['do'] == 'enter':
             self._enter(content)
         elif content['do'] in ('look', 'act'):
-            threading.Thread(target=self._serve_form, args=[content], name=f'file of {self._node}', daemon=True).start()
+            threading.Thread(target=self._serve_form, args=[content], name=f'file of {self.node}', daemon=True).start()
         else:
             names = [content['name']] if content.get('name') else []
             job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
@@ -369,7 +352,7 @@ class ParameterPanel(View):
                                          'discard': self.discard, 'apply': self.apply}[content['do']]
             self._jobs.put(job)
             # It waits for the node, and the kernel must not.
-            threading.Thread(target=self._do_next, name=f'{content["do"]} on the panel of {self._node}',
+            threading.Thread(target=self._do_next, name=f'{content["do"]} on the panel of {self.node}',
                              daemon=True).start()
 
     def _do_next(self) -> None:
@@ -418,7 +401,7 @@ class ParameterPanel(View):
                 if rows != self._rows:
                     self._rows = rows
                     self._front.markup = _STYLE + panel_markup(
-                        self._node, rows, states, status=live.status, in_order=self._in_order)
+                        self.node, rows, states, status=live.status, in_order=self._in_order)
                 self._front.state = {
                     'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
                     'rows': {name: state.as_json() for name, state in states.items()},

@@ -11,6 +11,7 @@ from typing import Any
 import ipywidgets as widgets
 
 from param_tools.errors import ExecutorError
+from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameters
 from param_tools.panel import recordable
 from param_tools.panel.beside_cells import answer_beside_cells
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
@@ -105,6 +106,38 @@ def _all_within(box: widgets.Box) -> list[widgets.Widget]:
     for each in box.children:
         parts += [each, *(_all_within(each) if isinstance(each, widgets.Box) else ())]
     return parts
+
+
+class ParameterView(View):
+    """A view of the parameters of one node. A constructor sets ``_live`` first, and calls ``_begin`` last."""
+
+    _live: LiveParameters
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__}: {self.node}{", closed" if self._closed else ""}>'
+
+    def _begin(self, patience_sec: float = FIRST_LOOK_TIMEOUT_SEC) -> None:
+        """Follow the node, show what it has, and close with the cell.
+
+        :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
+        """
+        self._live.first_look(patience_sec)
+        close_with_cell(self)
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node."""
+        return self._live.node
+
+    def settle(self, timeout_sec: float = 10.0) -> None:
+        """Wait until the node has answered every change made so far and the view shows what the node has now.
+
+        :raises WaitTimeoutError: it took too long; the message names the parameters.
+        """
+        self._live.settle(timeout_sec)
+
+    def _end(self) -> None:
+        self._live.close()
 
 
 class FollowingView(View):

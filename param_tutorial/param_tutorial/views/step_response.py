@@ -16,9 +16,8 @@ from rclpy.node import Node
 from param_tools.markup.styles import style
 from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
-from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.panel.recordable import html_of
-from param_tools.panel.view import View
+from param_tools.panel.view import ParameterView
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
 from param_tutorial.nodes.pid_controller_node import SETTLING_BAND, Figures, StepResponse, response_of
@@ -60,7 +59,7 @@ class Goals:
         yield error, abs(figures.steady_state_error) <= self.error, f'within {self.error:g} rad/s'
 
 
-class StepResponseView(View):
+class StepResponseView(ParameterView):
     """The step response of a PidControllerNode, drawn again whenever its parameters change, until it is closed.
 
     Show it as the last line of a cell.
@@ -75,7 +74,6 @@ class StepResponseView(View):
         :param executor: Carries the requests; by default the one that runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         """
-        self._node = node_name(node)
         self._joint = joint
         self._shown: tuple[str, dict[str, Any]] | None = None
         self._text = ''
@@ -86,28 +84,14 @@ class StepResponseView(View):
         self._plain = ''
         self._drawn_sec = 0.0
         self._picture, self._figures = widgets.HTML(), widgets.HTML()
-        self._live = LiveParameters(self._node, self._show, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(node_name(node), self._show, executor=executor, timeout_sec=timeout_sec)
         super().__init__([widgets.HTML(_STYLE), self._picture, self._figures], 'step-view')
-        self._live.first_look()
-        close_with_cell(self)
-
-    def __repr__(self) -> str:
-        return f'<StepResponseView: {self._node}{", closed" if self._closed else ""}>'
+        self._begin()
 
     @property
     def text(self) -> str:
         """What the view shows, in words, as a screen reader tells it."""
         return self._text
-
-    def settle(self, timeout_sec: float = 10.0) -> None:
-        """Wait until the view shows what the node has now.
-
-        :raises WaitTimeoutError: it took too long.
-        """
-        self._live.settle(timeout_sec)
-
-    def _end(self) -> None:
-        self._live.close()
 
     def _show(self) -> None:
         with self._drawing:
@@ -126,11 +110,11 @@ class StepResponseView(View):
                 response = response_of(parameters, joint)
                 figures, wheel = str(response.figures), Wheel(response.points).html()
             except KeyError as missing:
-                self._say(f'{self._node} has no parameter {missing.args[0]}, so there is nothing to simulate.')
+                self._say(f'{self.node} has no parameter {missing.args[0]}, so there is nothing to simulate.')
                 return
             except Exception as error:
                 # Somebody else's controller may hold whatever its author lets it.
-                self._say(f'{self._node} holds values with which nothing can be simulated: '
+                self._say(f'{self.node} holds values with which nothing can be simulated: '
                           f'{type(error).__name__}: {error}')
                 return
             gains = ', '.join(f'{name} = {parameters[f"gains.{joint}.{name}"]:g}' for name in 'pid')
@@ -142,7 +126,7 @@ class StepResponseView(View):
         if now - self._drawn_sec > _PAUSE_SEC:
             self._before = self._response
         self._response, self._drawn_sec = response, now
-        head = _head(self._node, f'{joint}: {gains}')
+        head = _head(self.node, f'{joint}: {gains}')
 
         def picture(before: StepResponse | None) -> str:
             plot = plot_responses({joint: response}, before=before, band=self._goals.band(response.reference))
@@ -155,18 +139,13 @@ class StepResponseView(View):
 
     def _say(self, words: str) -> None:
         self._text = words
-        self._plain = self._picture.value = _head(self._node, '')
+        self._plain = self._picture.value = _head(self.node, '')
         self._response = self._before = None
         self._figures.value = f'<div class="step-figures" role="status">{html.escape(words)}</div>'
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
 
     in_motion = False
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node."""
-        return self._node
 
     def rest(self) -> None:
         """Wait until the view shows what the node has now."""
