@@ -146,7 +146,7 @@ class FollowingView(View):
     # What happens more often than this is shown once: nobody could follow it.
     _show_period_sec = 0.1
 
-    def _begin(self, executor: BackgroundExecutor | None) -> None:
+    def _begin(self, executor: BackgroundExecutor | None = None) -> None:
         """Listen, show what there is to show, and close with the cell.
 
         :param executor: None for whichever runs in the background, also after a stop and a new start.
@@ -210,12 +210,8 @@ class FollowingView(View):
 class FeedView(FollowingView):
     """What one node or all nodes report, as text under a title."""
 
-    def __init__(self, node: str | None, executor: BackgroundExecutor | None, *, subject: str,
-                 css_class: str, content_class: str, style: str):
-        """
-        :param node: Only what this one reports; None for all.
-        :param executor: None for whichever runs in the background, also after a stop and a new start.
-        """
+    def __init__(self, node: str | None, *, subject: str, css_class: str, content_class: str, style: str):
+        """:param node: Only what this one reports; None for all."""
         self._node = None if node is None else full_name(node)
         self._title = f'{subject} of {self._node or "all nodes"}'
         self._content = widgets.HTML()
@@ -223,7 +219,7 @@ class FeedView(FollowingView):
         heading = widgets.HTML(f'{style}<b>{html.escape(self._title)}</b>')
         heading.add_class(f'{css_class}-title')
         super().__init__([heading, self._content], css_class)
-        self._begin(executor)
+        self._begin()
 
     def __repr__(self) -> str:
         return f'<{type(self).__name__}: {self._node or "all nodes"}>'

@@ -12,9 +12,7 @@ from rclpy.node import Node
 from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
 from param_tools.panel.view import ParameterView
-from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.schedule import Job
-from param_tools.ros.services import TIMEOUT_SEC
 from param_tutorial.nodes.cart_node import AISLE_M, SIGHT_M
 from param_tutorial.nodes.clawbot_node import SAFETY_GAP_M, Motion, Settings, State, plan
 from param_tutorial.views.drawing.cart import Cart
@@ -49,19 +47,16 @@ class CartView(DrivingView, ParameterView):
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, *, executor: BackgroundExecutor | None = None,
-                 timeout_sec: float = TIMEOUT_SEC) -> None:
+    def __init__(self, node: str | Node | ParameterClient) -> None:
         """
         :param node: The node or its name, with the parameters max_speed_mps and max_acceleration_mps2; it may run in
             another process, and it may be absent now.
-        :param executor: Carries the requests; by default the one that runs in the background.
-        :param timeout_sec: How long the node may take for each answer.
         """
         self._settings: Settings | None = None
         self._motion, self._begin_sec, self._before_sec = _READY, 0.0, 0.0
         # It comes back when the cart begins to do something else.
         self._clock = Job(self._show, _SHOW_PERIOD_SEC)
-        self._live = LiveParameters(node_name(node), self._follow, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(node_name(node), self._follow)
         super().__init__()
         self._begin()
 

@@ -19,16 +19,13 @@ class RobotView(DrivingView, FollowingView):
 
     _show_period_sec = 0.05
 
-    def __init__(self, robot: ClawbotNode | str, *, executor: BackgroundExecutor | None = None) -> None:
-        """
-        :param robot: The node, or its name; it has to be spun in this process, now or later.
-        :param executor: Spins it; by default the one that runs in the background, also after a stop and a new start.
-        """
+    def __init__(self, robot: ClawbotNode | str) -> None:
+        """:param robot: The node, or its name; it has to be spun in this process, now or later."""
         self._name = full_name(robot)
         self._robot: ClawbotNode | None = None
         self._stop_motion: Callable[[], None] = nothing
         super().__init__()
-        self._begin(executor)
+        self._begin()
 
     def __repr__(self) -> str:
         return f'<RobotView: {self._name}{", closed" if self._closed else ""}>'

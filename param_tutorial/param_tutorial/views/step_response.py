@@ -18,8 +18,6 @@ from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
 from param_tools.panel.recordable import html_of
 from param_tools.panel.view import ParameterView
-from param_tools.ros.executor import BackgroundExecutor
-from param_tools.ros.services import TIMEOUT_SEC
 from param_tutorial.nodes.pid_controller_node import SETTLING_BAND, Figures, StepResponse, response_of
 from param_tutorial.views.drawing.plots import Band
 from param_tutorial.views.drawing.step_response import Wheel, plot_responses
@@ -65,14 +63,12 @@ class StepResponseView(ParameterView):
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None, goals: Goals | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC) -> None:
+    def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None,
+                 goals: Goals | None = None) -> None:
         """
         :param node: The node or its name; it may run in another process, and it may be absent now.
         :param joint: Which of its joints; by default the first.
         :param goals: What the response is to reach; by default what exercise 10.3a asks for.
-        :param executor: Carries the requests; by default the one that runs in the background.
-        :param timeout_sec: How long the node may take for each answer.
         """
         self._joint = joint
         self._shown: tuple[str, dict[str, Any]] | None = None
@@ -84,7 +80,7 @@ class StepResponseView(ParameterView):
         self._plain = ''
         self._drawn_sec = 0.0
         self._picture, self._figures = widgets.HTML(), widgets.HTML()
-        self._live = LiveParameters(node_name(node), self._show, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(node_name(node), self._show)
         super().__init__([widgets.HTML(_STYLE), self._picture, self._figures], 'step-view')
         self._begin()
 
