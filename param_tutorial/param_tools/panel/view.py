@@ -33,8 +33,8 @@ class View(widgets.VBox):
     """The widgets in the box; a trait of ipywidgets."""
     # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
     _closed = True
-    # See ``recordable``.
     follows: frozenset[str] = frozenset()
+    """What it collects by itself, of LOG and EVENTS: a panel's recording has to bring that along."""
 
     def __init__(self, parts: Iterable[widgets.Widget], css_class: str):
         self._closed = False

@@ -7,7 +7,6 @@ controller in another process, and what it shows is what the node has confirmed.
 import html
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import ipywidgets as widgets
@@ -27,53 +26,40 @@ _STYLE = style('param_tutorial/views/step_response.css')
 _PAUSE_SEC = 1.0
 
 
-@dataclass(frozen=True)
-class Goals:
-    """What a step response is to reach."""
+# What exercise 10.3a asks for: the steady-state error is at most this in either direction, and the others are less.
+_ERROR, _OVERSHOOT_PERCENT, _SETTLING_SEC = 0.1, 5.0, 0.4
 
-    error: float = 0.1
-    """The steady-state error is at most this, in rad/s, in either direction."""
-    overshoot_percent: float = 5.0
-    """The overshoot is less than this."""
-    settling_sec: float = 0.4
-    """The settling time is less than this."""
 
-    def band(self, reference: float) -> Band:
-        """Return where the speed is to be in the end: what settles in time, near enough, stays in it."""
-        room = self.error + SETTLING_BAND * reference
-        return Band(self.settling_sec, round(reference - room, 6), round(reference + room, 6))
+def _band(reference: float) -> Band:
+    """Return where the speed is to be in the end: what settles in time, near enough, stays in it."""
+    room = _ERROR + SETTLING_BAND * reference
+    return Band(_SETTLING_SEC, round(reference - room, 6), round(reference + room, 6))
 
-    def verdicts(self, figures: Figures) -> Iterator[tuple[str, bool | None, str]]:
-        """Yield each figure in words, whether it meets its goal (None if it has none), and the goal in words."""
-        parts = str(figures).split(', ')
-        if figures.settling_sec is None or figures.overshoot_percent is None:
-            yield parts[0], False, 'a steady speed'
-            yield ', '.join(parts[1:]), None, ''
-            return
-        rise, overshoot, settling, error = parts
-        yield rise, None, ''
-        yield overshoot, figures.overshoot_percent < self.overshoot_percent, f'below {self.overshoot_percent:g} %'
-        yield settling, figures.settling_sec < self.settling_sec, f'below {self.settling_sec:g} s'
-        yield error, abs(figures.steady_state_error) <= self.error, f'within {self.error:g} rad/s'
+
+def verdicts(figures: Figures) -> Iterator[tuple[str, bool | None, str]]:
+    """Yield each figure in words, whether it meets its goal (None if it has none), and the goal in words."""
+    parts = str(figures).split(', ')
+    if figures.settling_sec is None or figures.overshoot_percent is None:
+        yield parts[0], False, 'a steady speed'
+        yield ', '.join(parts[1:]), None, ''
+        return
+    rise, overshoot, settling, error = parts
+    yield rise, None, ''
+    yield overshoot, figures.overshoot_percent < _OVERSHOOT_PERCENT, f'below {_OVERSHOOT_PERCENT:g} %'
+    yield settling, figures.settling_sec < _SETTLING_SEC, f'below {_SETTLING_SEC:g} s'
+    yield error, abs(figures.steady_state_error) <= _ERROR, f'within {_ERROR:g} rad/s'
 
 
 class StepResponseView(ParameterView):
-    """The step response of a PidControllerNode, drawn again whenever its parameters change, until it is closed.
+    """The step response of a controller's first joint, drawn again whenever a parameter changes, until it is closed.
 
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None,
-                 goals: Goals | None = None) -> None:
-        """
-        :param node: The node or its name; it may run in another process, and it may be absent now.
-        :param joint: Which of its joints; by default the first.
-        :param goals: What the response is to reach; by default what exercise 10.3a asks for.
-        """
-        self._joint = joint
+    def __init__(self, node: str | Node | ParameterClient) -> None:
+        """:param node: The node or its name; it may run in another process, and it may be absent now."""
         self._shown: tuple[str, dict[str, Any]] | None = None
         self._text = ''
-        self._goals = goals or Goals()
         # What is drawn, what stood there before the last drag, and the picture without that.
         self._response: StepResponse | None = None
         self._before: StepResponse | None = None
@@ -102,7 +88,7 @@ class StepResponseView(ParameterView):
                 self._say(self._live.status)
                 return
             try:
-                joint = self._joint or parameters['dof_names'][0]
+                joint = parameters['dof_names'][0]
                 response = response_of(parameters, joint)
                 figures, wheel = str(response.figures), Wheel(response.points).html()
             except KeyError as missing:
@@ -125,12 +111,12 @@ class StepResponseView(ParameterView):
         head = _head(self.node, f'{joint}: {gains}')
 
         def picture(before: StepResponse | None) -> str:
-            plot = plot_responses({joint: response}, before=before, band=self._goals.band(response.reference))
+            plot = plot_responses({joint: response}, before=before, band=_band(response.reference))
             return f'{head}<div class="step-scene">{plot._repr_html_()}{wheel}</div>'
         self._plain = picture(None)
         self._picture.value = picture(self._before) if self._before else self._plain
         parts = ''.join(f'<span>{html.escape(words)}{_mark(met, goal)}</span>'
-                        for words, met, goal in self._goals.verdicts(response.figures))
+                        for words, met, goal in verdicts(response.figures))
         self._figures.value = f'<div class="step-figures" role="status">{parts}</div>'
 
     def _say(self, words: str) -> None:
