@@ -79,27 +79,6 @@ def test_what_is_asked_for_is_sent_at_once_and_read_back_when_it_is_answered(sta
     assert state.is_settled
 
 
-def test_the_newest_of_the_values_that_wait_follows_the_answer(state, x):
-    first = state.ask(x, 2, 10.0).send
-    assert state.ask(x, 3, 10.1) == NOTHING
-    assert state.ask(x, 4, 10.2) == NOTHING
-    todo = state.answered(first, 'too fast', 10.3)
-    assert (todo.send.value, todo.read, todo.show) == (4, False, False)
-    assert (x.busy, x.message, x.asked_at) == (True, '', 10.3)
-    state.answered(todo.send, 'still too fast', 10.4)
-    assert (x.value, x.message) == (1, 'still too fast')
-
-
-def test_what_is_no_value_replaces_what_waits(state, x):
-    request = state.ask(x, 2, 10.0).send
-    state.ask(x, 3, 10.1)
-    assert state.reject(x, 'no number') == Todo(show=True)
-    assert state.answered(request, '', 10.2).send is None
-    assert (x.value, x.message) == (2, '')
-    assert state.reject(x, 'no number') == Todo(show=True)
-    assert (x.value, x.message) == (2, 'no number')
-
-
 @pytest.mark.parametrize(('error', 'read'), [
     (CallbackError(NODE, 'set_parameters', ValueError('x')), True),  # before or after it was stored
     (RuntimeError('x'), True),
@@ -115,20 +94,6 @@ def test_a_node_that_was_not_found_is_looked_for(state, x):
     assert state.send_failed(state.ask(x, 2, 10.0).send, NodeNotFoundError(NODE, []), 10.0).read
     assert state.begin_reading(10.0).describe
     assert 'there is no node /arm' in x.message
-
-
-def test_an_answer_after_giving_up_changes_nothing(state, x):
-    request = state.ask(x, 2, 10.0).send
-    assert state.give_up_late(10.0 + TIMEOUT_SEC) == NOTHING
-    late = 10.1 + (TIMEOUT_SEC + live_state.GRACE_SEC) * live_state.PATIENCE
-    assert state.give_up_late(late).show
-    assert 'did not answer set_parameters within 3 s' in x.message
-    before = vars(x).copy()
-    assert state.answered(request, '', late + 1.0) == NOTHING
-    assert vars(x) == before
-    again = state.ask(x, 5, late + 2.0).send
-    assert state.answered(request, 'old', late + 3.0) == NOTHING
-    assert x.request is again
 
 
 def test_an_answer_about_a_parameter_that_was_deleted_meanwhile_is_shown_though_nothing_can_be_read(state, x):
@@ -177,15 +142,6 @@ def test_a_busy_parameter_is_read_when_its_request_has_ended(state, x):
     assert state.begin_reading(13.0).names == ['x']
 
 
-def test_a_reading_of_a_busy_parameter_is_not_believed_and_made_again(state, x):
-    state.changed([changed('x', 2)], others=False)
-    state.begin_reading(10.0)
-    request = state.ask(x, 3, 10.0).send
-    state.have_read({'x': 2})
-    assert x.value == 1
-    assert state.answer_failed(request, NoAnswerError(NODE, 'set_parameters', 3.0), 13.0).read
-
-
 def test_an_event_during_a_reading_is_newer_even_if_it_repeats_what_is_shown(state, x):
     state.changed([changed('x', 2)], others=False)
     state.begin_reading(10.0)
@@ -193,15 +149,6 @@ def test_an_event_during_a_reading_is_newer_even_if_it_repeats_what_is_shown(sta
     assert state.have_read({'x': 2}).read
     assert x.value == 1
     assert state.begin_reading(10.0).names == ['x']
-
-
-def test_a_stranger_that_changes_while_everything_is_read_is_not_waited_for(state):
-    state.refresh()
-    assert state.begin_reading(0.0).describe
-    state.changed([changed('stranger', 1)], others=False)
-    assert state.described(['x'], {'x': descriptor('x')}, {'x': 1}) == Todo(show=True)
-    state.begin_showing(0.0)
-    assert state.is_settled
 
 
 # -- coming and going -----------------------------------------------------------------------------------

@@ -164,15 +164,6 @@ def test_a_replay_tells_its_words_by_itself_and_how_it_ends():
     assert '@keyframes' in driving.STYLE and picture.startswith(driving.STYLE)
 
 
-def test_a_poster_is_a_file_of_its_own_and_comes_to_rest():
-    poster = driving.poster(drawing(plan(0.0, 0.0, FAST)), times=3, pause_sec=2.0)
-    svg = ElementTree.fromstring(poster)
-    assert svg.tag == '{http://www.w3.org/2000/svg}svg'
-    assert '7.8000s linear 3 both' in poster
-    assert 'infinite' not in poster
-    assert 'prefers-reduced-motion' in poster
-
-
 # -- the view ------------------------------------------------------------------------------------------------
 
 @pytest.fixture

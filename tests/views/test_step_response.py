@@ -164,17 +164,6 @@ def test_a_plot_tells_the_figures_in_words_instead_of_its_points():
                          f'P: {respond(0.1).figures}. PI: {respond(0.1, 0.2).figures}')
 
 
-def test_a_plot_goes_through_the_response_and_ends_with_it():
-    picture = ElementTree.fromstring(plot_responses({'P': respond(0.1)})._repr_html_())
-    # The key of the lines stands from right to left.
-    corners = picture.findall('polyline')[0].get('points').split()
-    assert len(corners) == 151
-    assert corners[0] == '56.0,216.0'
-    x, y = map(float, corners[-1].split(','))
-    # The axis holds half as much again as the reference.
-    assert (x, y) == (620.0, pytest.approx(216 - 176 * 7.143 / 15, abs=0.3))
-
-
 @pytest.mark.parametrize(('responses', 'error', 'words'), [
     ({}, ValueError, 'one to three responses; got 0'), ({name: respond(0.1) for name in 'abcd'}, ValueError, 'got 4'),
     (3, TypeError, 'a dictionary of step responses'), ({'p': 'fast'}, TypeError, 'a dictionary of step responses')])

@@ -340,8 +340,6 @@ class LiveState:
             self.status = ''
             if not self._is_silent:  # then it is still the same node, and what it did not answer should be known
                 self._clear_messages()
-        if self._incarnations != reading.incarnations:  # restarted while it was being asked
-            self._must_describe = bool(self._incarnations)
         return self._have_news()
 
     def have_read(self, present: Mapping[str, Any]) -> Todo:
