@@ -5,29 +5,22 @@ import re
 import pytest
 
 import param_tutorial
-from param_tutorial.views import (
-    CallsView,
-    ChecksView,
-    DeclarationsView,
-    LadderView,
-    LayersView,
-    LiftsView,
-    MessageView,
-    PlaneView,
-    RequestsView,
-    TrailView,
-    WorldsView,
-)
+from param_tutorial import views
 from tests.support.widgets import texts
 from tests.views.conftest import Weather
 
 MEASURED = {
-    'calls': CallsView, 'requests': lambda: RequestsView('speed'), 'worlds': lambda: WorldsView('speed'),
-    'layers': lambda: LayersView('speed', [('default', 100)]), 'trail': lambda: TrailView('speed', ['wheel']),
-    'lifts': lambda: LiftsView({'a': [(0, 0.0), (1, 1.0)]}), 'declarations': lambda: DeclarationsView(Weather),
-    'checks': lambda: ChecksView('/weather', [('low_c', -6)]),
-    'ladder': lambda: LadderView('/weather', 'low_c', -6), 'message': lambda: MessageView('/weather', 'low_c', -6),
-    'plane': lambda: PlaneView('/weather', {'low_c': (0, 10), 'high_c': (0, 10)})}
+    'calls': views.CallsView,
+    'checks': lambda: views.ChecksView('/weather', [('low_c', -6)]),
+    'declarations': lambda: views.DeclarationsView(Weather),
+    'ladder': lambda: views.LadderView('/weather', 'low_c', -6),
+    'layers': lambda: views.LayersView('speed', [('default', 100)]),
+    'lifts': lambda: views.LiftsView({'a': [(0, 0.0), (1, 1.0)]}),
+    'message': lambda: views.MessageView('/weather', 'low_c', -6),
+    'plane': lambda: views.PlaneView('/weather', {'low_c': (0, 10), 'high_c': (0, 10)}),
+    'requests': lambda: views.RequestsView('speed'),
+    'trail': lambda: views.TrailView('speed', ['wheel']),
+    'worlds': lambda: views.WorldsView('speed')}
 
 
 @pytest.mark.parametrize('make', MEASURED.values(), ids=MEASURED)
@@ -44,10 +37,10 @@ def test_a_picture_of_what_was_measured_outlives_the_stage(weather, make):
 
 
 ADD = {
-    'trail': (lambda: TrailView('speed', ['wheel']),
+    'trail': (lambda: views.TrailView('speed', ['wheel']),
               lambda view: view.add('set', [100], ('', 'wheel'), note='it turns'),
               '<TrailView: set: it turns.>'),
-    'worlds': (lambda: WorldsView('speed'), lambda view: view.add('ROS 2', {'/a': 9}, killed='/a', successor=1),
+    'worlds': (lambda: views.WorldsView('speed'), lambda view: view.add('ROS 2', {'/a': 9}, killed='/a', successor=1),
                '<WorldsView: ROS 2: the new /a has 1.>')}
 
 
