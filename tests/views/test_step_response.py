@@ -7,7 +7,6 @@ from xml.etree import ElementTree
 import pytest
 from rclpy.node import Node
 
-from param_tools.ros import stage
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.pid_controller_node import Figures, Gains, Motor, PidControllerNode, simulate
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -138,18 +137,6 @@ def test_values_that_cannot_be_simulated_are_reported(ros, controller, others):
     view = StepResponseView('careless')
     assert view.text.startswith('/careless holds values with which nothing can be simulated: ')
     view.close()
-
-
-def test_its_repr_says_nothing_of_the_moment_and_closed_it_listens_to_nothing(ros, controller):
-    before = len(ros._graph_listeners), len(stage._change_listeners)
-    view = StepResponseView(controller)
-    assert repr(view) == '<StepResponseView: /pid_controller_node>'
-    view.close()
-    view.close()
-    assert repr(view) == '<StepResponseView: /pid_controller_node, closed>'
-    assert (len(ros._graph_listeners), len(stage._change_listeners)) == before
-    ParameterClient(controller).set_parameter(KP, 0.4)
-    assert view.text == START
 
 
 # -- the plot and the wheel ----------------------------------------------------------------------------------

@@ -198,18 +198,6 @@ class Scene(NamedTuple):
     lean_rad: float
 
 
-@dataclass(frozen=True)
-class Film:
-    """A drive, for a page that has no kernel to ask."""
-
-    picture: str
-    """HTML as from ``moving``."""
-    scenes: tuple[Scene, ...]
-    """What it tells when each phase begins, and at the end."""
-    end: str
-    """HTML of the vehicle at rest."""
-
-
 def view_markup(picture: str = '', sentence: str = '') -> str:
     """Return the place where ``views/driving.js`` shows a vehicle: its picture, its words and the button.
 
@@ -231,10 +219,9 @@ def moving(vehicle: Vehicle) -> str:
     return _picture(vehicle.at(0.0), _Animation(_NAME, vehicle, is_told=True) if vehicle.motion.phases else None)
 
 
-def film(vehicle: Vehicle) -> Film:
-    """Return a motion from its beginning to its end."""
-    moments = [vehicle.at(start_sec) for start_sec in _starts_sec(vehicle.motion)]
-    return Film(moving(vehicle), tuple(moment.scene for moment in moments), still(moments[-1]))
+def scenes(vehicle: Vehicle) -> list[Scene]:
+    """Return what a moving picture tells when each phase begins, and at the end."""
+    return [vehicle.at(start_sec).scene for start_sec in _starts_sec(vehicle.motion)]
 
 
 def replay(vehicle: Vehicle) -> str:
