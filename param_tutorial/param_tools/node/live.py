@@ -40,18 +40,16 @@ class LiveParameters:
     """Follows the parameters of one node through changes, restarts and absence, from ``first_look`` to ``close``."""
 
     def __init__(self, node: str, show: Callable[[], None], *, names: Iterable[str] | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
+                 timeout_sec: float = TIMEOUT_SEC):
         """
         :param node: Name of the node.
         :param show: Called after anything changed, in the thread of ``schedule`` or in that of ``settle``, never twice
             at once.
         :param names: Only these parameters, in this order; by default all, in the node's order.
-        :param executor: By default whichever runs in the background, also after a stop and a new start.
         """
         self.node = full_name(node)
         self.names = None if names is None else list(names)
         self._show = show
-        self._chosen_executor = executor
         self._timeout_sec = timeout_sec
         self._executor: BackgroundExecutor | None = None
         self._lock = threading.RLock()
@@ -94,7 +92,7 @@ class LiveParameters:
         :raises ExecutorError: called in a callback, where waiting would block the executor forever.
         """
         try:
-            self._stop_following = stage.on_change(self._on_executor_change)
+            self._stop_following = stage.on_change(lambda: self._hand_over(self._listen))
             with self._lock:
                 self._listen()  # what remains to be done is done below
             self._wake_reader()
@@ -198,15 +196,11 @@ class LiveParameters:
         if executor is not None:
             self._hand_over(self._state.graph_changed, executor.node_incarnations(self.node), is_ready=self._is_ready())
 
-    def _on_executor_change(self) -> None:
-        if self._chosen_executor is None:
-            self._hand_over(self._listen)
-
     def _listen(self) -> Todo:
-        """Listen to the executor that carries the requests from now on, if there is one; with the lock held."""
+        """Listen to the executor that runs in the background from now on, if there is one; with the lock held."""
         self._stop_all_listening()
         try:
-            self._executor = self._chosen_executor or stage.current()
+            self._executor = stage.current()
         except ExecutorError as error:
             self._executor = None
             return self._state.executor_lost(describe_error(error))

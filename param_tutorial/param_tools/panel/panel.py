@@ -85,12 +85,10 @@ class ParameterPanel(ParameterView):
         return ParameterBrowser(**options) if node is None else super().__new__(cls)
 
     def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC,
-                 patience_sec: float = FIRST_LOOK_TIMEOUT_SEC, search: str = ''):
+                 timeout_sec: float = TIMEOUT_SEC, patience_sec: float = FIRST_LOOK_TIMEOUT_SEC, search: str = ''):
         """
         :param node: The node or its name; it may be on a robot far away, and it may be absent now.
         :param names: Only these parameters, in this order; by default all that the node has.
-        :param executor: Carries the requests; by default whichever runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
         :param search: What its search field begins with.
@@ -110,8 +108,7 @@ class ParameterPanel(ParameterView):
         self._not_restored: dict[str, str] = {}
         self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
-        self._live = LiveParameters(node_name(node), self._show, names=names, executor=executor,
-                                    timeout_sec=timeout_sec)
+        self._live = LiveParameters(node_name(node), self._show, names=names, timeout_sec=timeout_sec)
         super().__init__([self._front], 'param-panel')
         self._begin(patience_sec)
 
@@ -466,11 +463,8 @@ class ParameterBrowser(FollowingView):
     Show it as the last line of a cell; ``ParameterPanel()`` makes one. ``browser['/node']`` is the node's panel.
     """
 
-    def __init__(self, *, executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
-        """
-        :param executor: Carries the requests; by default whichever runs in the background.
-        :param timeout_sec: How long a node may take for each answer.
-        """
+    def __init__(self, *, timeout_sec: float = TIMEOUT_SEC):
+        """:param timeout_sec: How long a node may take for each answer."""
         self._timeout_sec = timeout_sec
         self._catalog: Catalog | None = None
         self._search = ''
@@ -482,7 +476,7 @@ class ParameterBrowser(FollowingView):
         self._box = widgets.Box()
         self._box.add_class('node-panels')
         super().__init__([self._front, self._box], 'param-browser')
-        self._begin(executor)
+        self._begin()
 
     def __repr__(self) -> str:
         return f'<ParameterBrowser{": closed" if self._closed else ""}>'
@@ -517,8 +511,8 @@ class ParameterBrowser(FollowingView):
             if node in self._panels and search:
                 self.hide(node)
             if node not in self._panels:
-                self._panels[node] = ParameterPanel(node, executor=self._chosen_executor, search=search,
-                                                    timeout_sec=self._timeout_sec, patience_sec=0.0)
+                self._panels[node] = ParameterPanel(node, search=search, timeout_sec=self._timeout_sec,
+                                                    patience_sec=0.0)
                 self._box.children = tuple(self._panels.values())
         self._job.wake()
         return self._panels[node]

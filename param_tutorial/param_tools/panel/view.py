@@ -141,17 +141,13 @@ class ParameterView(View):
 
 
 class FollowingView(View):
-    """A view that listens to an executor until it is closed. A constructor calls ``_begin`` when all else is there."""
+    """A view that listens to the executor in the background until it is closed. A constructor calls ``_begin`` last."""
 
     # What happens more often than this is shown once: nobody could follow it.
     _show_period_sec = 0.1
 
-    def _begin(self, executor: BackgroundExecutor | None = None) -> None:
-        """Listen, show what there is to show, and close with the cell.
-
-        :param executor: None for whichever runs in the background, also after a stop and a new start.
-        """
-        self._chosen_executor = executor
+    def _begin(self) -> None:
+        """Listen, show what there is to show, and close with the cell."""
         self._executor: BackgroundExecutor | None = None
         self._stop_listening: Callable[[], object] = nothing
         self._job = Job(self._step, self._show_period_sec)
@@ -191,15 +187,14 @@ class FollowingView(View):
         self._job.end()
 
     def _on_executor_change(self) -> None:
-        if self._chosen_executor is None:
-            self._listen()
-            self._job.wake()
+        self._listen()
+        self._job.wake()
 
     def _listen(self) -> None:
         self._stop_listening()
         self._stop_listening = nothing
         try:
-            self._executor = self._chosen_executor or stage.current()
+            self._executor = stage.current()
         except ExecutorError:
             self._executor = None
             self._lose()
