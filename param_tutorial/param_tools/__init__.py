@@ -19,7 +19,7 @@
 
 ``files`` and what is below it need PyYAML alone, and only ``panel`` needs Jupyter.
 
-A slider's value. ``panel.js`` sends it to ``ParameterPanel``, and its ``Control`` hands it to ``LiveParameter.ask``.
+A slider's value. ``panel.js`` sends it to ``ParameterPanel``, and its ``Control`` hands it to ``LiveParameters.ask``.
 There the state machine ``LiveState`` sends it, or keeps it until the request before is answered. ``Services`` sends the
 request to the node. The answer comes in the executor's thread; what the node has stored then is read, by a coroutine,
 and a job of ``schedule`` draws it.

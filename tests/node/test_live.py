@@ -13,7 +13,6 @@ from param_tools.errors import ExecutorError, WaitTimeoutError
 from param_tools.node.client import ParameterClient
 from param_tools.node.live import LiveParameters
 from param_tools.ros.waiting import wait_until
-from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from tests.support.nodes import Counter, Gate
 from tests.support.widgets import due_jobs
 
@@ -39,15 +38,6 @@ def follow(ros):
     wait_until(lambda: not due_jobs(), 'the threads to end', TIMEOUT_SEC)
 
 
-def test_the_first_look_reads_and_shows_everything(ros, follow):
-    ros.add(SimpleParamNode)
-    live = follow('simple_param_node')
-    assert live.node == '/simple_param_node'
-    assert live.status == ''
-    assert live.shown[-1]['max_speed_rpm'] == 100
-    assert live.parameters['max_speed_rpm'].descriptor.name == 'max_speed_rpm'
-
-
 def test_a_first_look_that_is_interrupted_leaves_nobody_following(ros, follow):
     counter = ParameterClient(ros.add(Counter))
     shown = []
@@ -63,33 +53,17 @@ def test_a_first_look_that_is_interrupted_leaves_nobody_following(ros, follow):
     assert len(shown) <= 2  # the schedule may have shown it at the same time
 
 
-def test_only_some_names_in_their_order(ros, follow):
-    ros.add(Counter)
-    assert list(follow('counter', names=['use_sim_time', 'x', 'no_such']).parameters) == ['use_sim_time', 'x']
-
-
 def test_what_is_asked_for_is_on_its_way_when_the_call_returns(ros, follow):
     node = ros.add(Gate)
-    x = follow('gate').parameters['x']
-    x.ask(5)
+    live = follow('gate')
+    x = live.parameters['x']
+    live.ask(x, 5)
     assert x.busy
     assert node.entered.acquire(timeout=TIMEOUT_SEC)
     assert node.seen == [5]
     node.open.release()
     wait_until(lambda: not x.busy, 'the answer', TIMEOUT_SEC)
     assert (x.value, x.message) == (5, '')
-
-
-def test_the_newest_value_follows_without_anybody_waiting(ros, follow):
-    node = ros.add(Gate)
-    x = follow('gate').parameters['x']
-    for value in (1, 2, 3):
-        x.ask(value)
-    for _ in range(2):
-        assert node.entered.acquire(timeout=TIMEOUT_SEC)
-        node.open.release()
-    wait_until(lambda: not x.busy, 'the answers', TIMEOUT_SEC)
-    assert (node.seen, x.value) == ([1, 3], 3)
 
 
 def test_the_lock_is_free_while_the_node_is_asked_and_while_it_is_shown(ros, monkeypatch):
@@ -114,7 +88,7 @@ def test_the_lock_is_free_while_the_node_is_asked_and_while_it_is_shown(ros, mon
     live = LiveParameters('counter', lambda: try_lock('show'))
     live.first_look()
     for value in (1, 2, 3):
-        live.parameters['x'].ask(value)
+        live.ask(live.parameters['x'], value)
     live.settle(TIMEOUT_SEC)
     live.close()
     assert all(free.values())
@@ -125,33 +99,18 @@ def test_a_value_that_cannot_be_sent_is_reported_and_nothing_is_stuck(ros, follo
     ros.add(Counter)
     live = follow('counter')
     x = live.parameters['x']
-    x.ask({'no': 'parameter'})
+    live.ask(x, {'no': 'parameter'})
     assert not x.busy
     assert 'cannot be a parameter' in x.message
-    x.ask(4)
+    live.ask(x, 4)
     live.settle(TIMEOUT_SEC)
     assert (x.value, x.message) == (4, '')
-
-
-def test_what_is_rejected_is_not_sent(ros, follow):
-    node = ros.add(Counter)
-    live = follow('counter')
-    live.parameters['x'].reject('no number')
-    live.settle(TIMEOUT_SEC)
-    assert (live.parameters['x'].message, node.seen) == ('no number', [])
-
-
-def test_a_change_made_elsewhere_is_read_and_shown(ros, follow):
-    ros.add(Counter)
-    live = follow('counter')
-    ParameterClient('/counter').set_parameter('x', 7)
-    wait_until(lambda: live.shown[-1]['x'] == 7, 'the change', TIMEOUT_SEC)
 
 
 def test_settling_says_what_it_waited_for(ros, follow):
     node = ros.add(Gate)
     live = follow('gate')
-    live.parameters['y'].ask(1)
+    live.ask(live.parameters['y'], 1)
     with pytest.raises(WaitTimeoutError, match=r'timed out after 0 s waiting for /gate to answer y'):
         live.settle(0.0)
     node.open.release()
@@ -171,7 +130,7 @@ def test_it_survives_the_executor(ros, follow):
     live = follow('counter')
     param_tutorial.stop()
     assert 'no executor is running' in live.status
-    live.parameters['x'].ask(3)
+    live.ask(live.parameters['x'], 3)
     assert 'no executor is running' in live.parameters['x'].message
     param_tutorial.start().add(Counter)
     live.settle(TIMEOUT_SEC)

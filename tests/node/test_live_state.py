@@ -44,7 +44,7 @@ def changed(name, value):
 @pytest.fixture
 def state():
     """Return the state of a node that is there, with x = 1, read and shown."""
-    state = LiveState(NODE, ParameterState, TIMEOUT_SEC)
+    state = LiveState(NODE, TIMEOUT_SEC)
     assert state.executor_found(HERE) == Todo(read=True)
     assert describe(state, x=1) == Todo(show=True)
     assert state.begin_showing(0.0) == NOTHING
@@ -69,7 +69,7 @@ def test_what_is_asked_for_is_sent_at_once_and_read_back_when_it_is_answered(sta
     todo = state.ask(x, 2, 10.0)
     assert (todo.send.parameter, todo.send.value, todo.watch) == (x, 2, True)
     assert (x.busy, x.value, x.asked_at, state.busy_names) == (True, 1, 10.0, ['x'])
-    assert state.answered(todo.send, '', 10.1) == Todo(read=True, ended=True)
+    assert state.answered(todo.send, '', 10.1) == Todo(read=True)
     assert (x.busy, x.value, x.message) == (False, 2, '')
     assert state.begin_reading(10.1).names == ['x']
     assert state.have_read({'x': 3}) == Todo(show=True)  # the node has made something else of it
@@ -79,34 +79,13 @@ def test_what_is_asked_for_is_sent_at_once_and_read_back_when_it_is_answered(sta
     assert state.is_settled
 
 
-def test_the_newest_of_the_values_that_wait_follows_the_answer(state, x):
-    first = state.ask(x, 2, 10.0).send
-    assert state.ask(x, 3, 10.1) == NOTHING
-    assert state.ask(x, 4, 10.2) == NOTHING
-    todo = state.answered(first, 'too fast', 10.3)
-    assert (todo.send.value, todo.read, todo.show, todo.ended) == (4, False, False, False)
-    assert (x.busy, x.message, x.asked_at) == (True, '', 10.3)
-    state.answered(todo.send, 'still too fast', 10.4)
-    assert (x.value, x.message) == (1, 'still too fast')
-
-
-def test_what_is_no_value_replaces_what_waits(state, x):
-    request = state.ask(x, 2, 10.0).send
-    state.ask(x, 3, 10.1)
-    assert state.reject(x, 'no number') == Todo(show=True)
-    assert state.answered(request, '', 10.2).send is None
-    assert (x.value, x.message) == (2, '')
-    assert state.reject(x, 'no number') == Todo(show=True)
-    assert (x.value, x.message) == (2, 'no number')
-
-
 @pytest.mark.parametrize(('error', 'read'), [
     (CallbackError(NODE, 'set_parameters', ValueError('x')), True),  # before or after it was stored
     (RuntimeError('x'), True),
     (NodeGoneError(NODE, 'set_parameters'), False),
 ])
 def test_an_error_in_place_of_the_answer_is_told_and_the_node_asked_if_it_can_be(state, x, error, read):
-    assert state.answer_failed(state.ask(x, 2, 10.0).send, error, 10.1) == Todo(read=read, show=not read, ended=True)
+    assert state.answer_failed(state.ask(x, 2, 10.0).send, error, 10.1) == Todo(read=read, show=not read)
     assert (x.value, x.busy) == (1, False)
     assert str(error) in x.message
 
@@ -117,25 +96,11 @@ def test_a_node_that_was_not_found_is_looked_for(state, x):
     assert 'there is no node /arm' in x.message
 
 
-def test_an_answer_after_giving_up_changes_nothing(state, x):
-    request = state.ask(x, 2, 10.0).send
-    assert not state.give_up_late(10.0 + TIMEOUT_SEC).ended
-    late = 10.1 + (TIMEOUT_SEC + live_state.GRACE_SEC) * live_state.PATIENCE
-    assert state.give_up_late(late).ended
-    assert 'did not answer set_parameters within 3 s' in x.message
-    before = vars(x).copy()
-    assert state.answered(request, '', late + 1.0) == NOTHING
-    assert vars(x) == before
-    again = state.ask(x, 5, late + 2.0).send
-    assert state.answered(request, 'old', late + 3.0) == NOTHING
-    assert x.request is again
-
-
 def test_an_answer_about_a_parameter_that_was_deleted_meanwhile_is_shown_though_nothing_can_be_read(state, x):
     request = state.ask(x, 2, 10.0).send
     state.refresh()
     describe(state, y=1)
-    assert state.answered(request, 'not declared', 10.1) == Todo(show=True, ended=True)
+    assert state.answered(request, 'not declared', 10.1) == Todo(show=True)
     assert state.begin_reading(10.2) is None
     state.begin_showing(10.2)
     assert state.is_settled
@@ -177,15 +142,6 @@ def test_a_busy_parameter_is_read_when_its_request_has_ended(state, x):
     assert state.begin_reading(13.0).names == ['x']
 
 
-def test_a_reading_of_a_busy_parameter_is_not_believed_and_made_again(state, x):
-    state.changed([changed('x', 2)], others=False)
-    state.begin_reading(10.0)
-    request = state.ask(x, 3, 10.0).send
-    state.have_read({'x': 2})
-    assert x.value == 1
-    assert state.answer_failed(request, NoAnswerError(NODE, 'set_parameters', 3.0), 13.0).read
-
-
 def test_an_event_during_a_reading_is_newer_even_if_it_repeats_what_is_shown(state, x):
     state.changed([changed('x', 2)], others=False)
     state.begin_reading(10.0)
@@ -195,22 +151,13 @@ def test_an_event_during_a_reading_is_newer_even_if_it_repeats_what_is_shown(sta
     assert state.begin_reading(10.0).names == ['x']
 
 
-def test_a_stranger_that_changes_while_everything_is_read_is_not_waited_for(state):
-    state.refresh()
-    assert state.begin_reading(0.0).describe
-    state.changed([changed('stranger', 1)], others=False)
-    assert state.described(['x'], {'x': descriptor('x')}, {'x': 1}) == Todo(show=True)
-    state.begin_showing(0.0)
-    assert state.is_settled
-
-
 # -- coming and going -----------------------------------------------------------------------------------
 
 
 def test_a_node_that_goes_takes_its_requests_along_and_is_described_when_it_comes_back(state, x):
     state.ask(x, 2, 10.0)
     state.ask(x, 3, 10.0)
-    assert state.graph_changed(frozenset(), is_ready=False) == Todo(show=True, ended=True)
+    assert state.graph_changed(frozenset(), is_ready=False) == Todo(show=True)
     assert (state.status, x.busy, x.waiting, x.message) == (ABSENCE, False, None, ABSENCE)
     assert state.begin_reading(10.0) is None
     assert state.read_again_in(10.0) is None
@@ -272,7 +219,7 @@ def test_what_was_said_of_a_lost_node_is_not_said_of_one_that_comes_and_is_silen
 
 def test_a_node_that_does_not_answer_to_a_change_is_silent_until_it_answers_anything(state, x):
     silent = NoAnswerError(NODE, 'set_parameters', 3.0)
-    assert state.answer_failed(state.ask(x, 2, 10.0).send, silent, 13.0) == Todo(read=True, show=True, ended=True)
+    assert state.answer_failed(state.ask(x, 2, 10.0).send, silent, 13.0) == Todo(read=True, show=True)
     assert (state.status, x.message, x.value) == (str(silent), str(silent), 1)
     assert state.begin_reading(13.0).describe
     state.reading_failed(NoAnswerError(NODE, 'list_parameters', 3.0), 16.0)
@@ -301,7 +248,7 @@ def test_a_node_that_is_not_found_though_the_graph_shows_it_is_asked_again_later
 
 
 def test_a_node_that_never_was_is_named_with_its_likeliest_neighbors():
-    state = LiveState(NODE, ParameterState, TIMEOUT_SEC)
+    state = LiveState(NODE, TIMEOUT_SEC)
     state.executor_found(frozenset())
     state.begin_reading(0.0)
     state.reading_failed(NodeNotFoundError(NODE, ['/arms']), 3.0)
@@ -317,7 +264,7 @@ def test_a_parameter_deleted_before_it_was_read_leads_to_a_description(state):
 
 
 def test_a_node_without_events_is_looked_after_and_missed():
-    state = LiveState(NODE, ParameterState, TIMEOUT_SEC)
+    state = LiveState(NODE, TIMEOUT_SEC)
     state.executor_found(frozenset())
     describe(state, x=1)
     assert state.is_unseen
@@ -329,7 +276,7 @@ def test_a_node_without_events_is_looked_after_and_missed():
 
 def test_closed_it_reads_no_more_and_waits_for_nothing(state, x):
     request = state.ask(x, 2, 10.0).send
-    assert state.close().ended
+    state.close()
     state.refresh()
     assert (state.busy_names, state.begin_reading(11.0), state.read_again_in(11.0)) == ([], None, None)
     assert state.answered(request, '', 11.0) == NOTHING
@@ -356,7 +303,7 @@ class AnyOrder(RuleBasedStateMachine):
 
     def __init__(self):
         super().__init__()
-        self.state = LiveState(NODE, ParameterState, TIMEOUT_SEC)
+        self.state = LiveState(NODE, TIMEOUT_SEC)
         self.now = 100.0
         # The node and the graph.
         self.stored = {'x': 0, 'y': 0}

@@ -11,7 +11,7 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, SetParametersR
 from rclpy.node import Node
 
 from param_tools.descriptor import Range
-from param_tools.panel.editors import Positions, WholePositions
+from param_tools.panel.editors import Scale
 from param_tutorial import ParameterPanel
 from param_tutorial.exercises import RECALLS, predicting
 from param_tutorial.notebook.glossary import Glossary, GlossaryEntry
@@ -194,13 +194,13 @@ def test_a_panel_whose_node_is_not_there(ros):
 
 
 @pytest.mark.parametrize('scale, value, own, at_most, expected', [
-    (WholePositions(Range(0, 10, 1)), 3, [], 11, list(range(11))),
-    (WholePositions(Range(0, 10, 1)), 3, [9], 6, [0, 2, 3, 4, 5, 6, 8, 9, 10]),
-    (WholePositions(Range(1, 9, 4)), 5, [2], 50, [1, 5, 9]),
-    (WholePositions(Range(0, 300, 1)), 100, [77, 400], 11, [0, 50, 77, 100, 150, 200, 250, 300]),
-    (Positions(Range(0.01, 2.0, 0.0)), 0.5, [], 5, [0.01, 0.5, 1.0, 1.5, 2.0]),
+    (Scale(Range(0, 10, 1)), 3, [], 11, list(range(11))),
+    (Scale(Range(0, 10, 1)), 3, [9], 6, [0, 2, 3, 4, 5, 6, 8, 9, 10]),
+    (Scale(Range(1, 9, 4)), 5, [2], 50, [1, 5, 9]),
+    (Scale(Range(0, 300, 1)), 100, [77, 400], 11, [0, 50, 77, 100, 150, 200, 250, 300]),
+    (Scale(Range(0.01, 2.0, 0.0)), 0.5, [], 5, [0.01, 0.5, 1.0, 1.5, 2.0]),
     # A gain: small values are what one tries.
-    (Positions(Range(0.0, 5.0, 0.0)), 0.0, [0.1], 8, [0.0, 0.1, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0]),
+    (Scale(Range(0.0, 5.0, 0.0)), 0.0, [0.1], 8, [0.0, 0.1, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0]),
 ])
 def test_stops_of_a_slider_are_round_numbers_the_ends_and_what_the_lesson_sets(scale, value, own, at_most, expected):
     assert stops(scale, value, own, at_most) == expected

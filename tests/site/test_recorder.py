@@ -157,7 +157,7 @@ def test_a_change_on_the_way_is_filmed_as_the_node_goes_on(ros):
             robot.step(number * album.TURN_SEC)
             before = client.get_parameter(name)
             client.set_parameter(name, value).raise_for_reason()
-            scenes = driving.film(vehicle_of(robot, robot.motion[0])).scenes
+            scenes = driving.scenes(vehicle_of(robot, robot.motion[0]))
             assert turns[f'{name}={text}\n{number}']['scenes'] == [
                 [pytest.approx(at_sec, abs=1e-3), *words, lean_rad] for at_sec, *words, lean_rad in scenes]
             robot.step(math.inf)

@@ -1,35 +1,26 @@
-"""What all views of animated pictures do: record as a still, close, and let go of what they follow."""
+"""What all views of pictures of what was measured do: record as a still, play what is added, and close."""
 
 import re
 
 import pytest
 
 import param_tutorial
-from param_tutorial import ParameterClient
-from param_tutorial.views import (
-    CallsView,
-    ChecksView,
-    DeclarationsView,
-    LadderView,
-    LayersView,
-    LiftsView,
-    MessageView,
-    NumberLineView,
-    PlaneView,
-    RequestsView,
-    TrailView,
-    WorldsView,
-)
+from param_tutorial import views
 from tests.support.widgets import texts
-from tests.views.conftest import Robot, Weather, wait_for_text
+from tests.views.conftest import Weather
 
-LIVE = {'ladder': LadderView, 'line': lambda node: NumberLineView(node, 'speed'), 'messages': lambda _: MessageView()}
 MEASURED = {
-    'calls': CallsView, 'requests': lambda: RequestsView('speed'), 'worlds': lambda: WorldsView('speed'),
-    'layers': lambda: LayersView('speed', [('default', 100)]), 'trail': lambda: TrailView('speed', ['wheel']),
-    'lifts': lambda: LiftsView({'a': [(0, 0.0), (1, 1.0)]}), 'declarations': lambda: DeclarationsView(Weather),
-    'checks': lambda: ChecksView('/weather', [('low_c', -6)]),
-    'plane': lambda: PlaneView('/weather', {'low_c': (0, 10), 'high_c': (0, 10)})}
+    'calls': views.CallsView,
+    'checks': lambda: views.ChecksView('/weather', [('low_c', -6)]),
+    'declarations': lambda: views.DeclarationsView(Weather),
+    'ladder': lambda: views.LadderView('/weather', 'low_c', -6),
+    'layers': lambda: views.LayersView('speed', [('default', 100)]),
+    'lifts': lambda: views.LiftsView({'a': [(0, 0.0), (1, 1.0)]}),
+    'message': lambda: views.MessageView('/weather', 'low_c', -6),
+    'plane': lambda: views.PlaneView('/weather', {'low_c': (0, 10), 'high_c': (0, 10)}),
+    'requests': lambda: views.RequestsView('speed'),
+    'trail': lambda: views.TrailView('speed', ['wheel']),
+    'worlds': lambda: views.WorldsView('speed')}
 
 
 @pytest.mark.parametrize('make', MEASURED.values(), ids=MEASURED)
@@ -46,10 +37,10 @@ def test_a_picture_of_what_was_measured_outlives_the_stage(weather, make):
 
 
 ADD = {
-    'trail': (lambda: TrailView('speed', ['wheel']),
+    'trail': (lambda: views.TrailView('speed', ['wheel']),
               lambda view: view.add('set', [100], ('', 'wheel'), note='it turns'),
               '<TrailView: set: it turns.>'),
-    'worlds': (lambda: WorldsView('speed'), lambda view: view.add('ROS 2', {'/a': 9}, killed='/a', successor=1),
+    'worlds': (lambda: views.WorldsView('speed'), lambda view: view.add('ROS 2', {'/a': 9}, killed='/a', successor=1),
                '<WorldsView: ROS 2: the new /a has 1.>')}
 
 
@@ -63,24 +54,3 @@ def test_what_is_added_is_played_and_a_closed_view_draws_no_more(make, add, show
     view.close()
     add(view)
     assert view._drawn.value in played
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize('make', LIVE.values(), ids=LIVE)
-def test_a_live_picture_is_recorded_lets_go_of_a_node_and_follows_the_next_stage(robot, client, make):
-    view, other = make(robot), make(robot)
-    client.set_parameter('speed', 5)
-    wait_for_text(view, 'speed = 5')
-    recorded = view.snapshot()
-    assert recorded['kind'] == 'still' and recorded['text'] == repr(view)
-    assert re.search(r'<div class="motion">.*aria-label="[^"]*speed = 5', recorded['html'], re.DOTALL)
-    view.close()
-    view.close()
-    client.set_parameter('speed', 6)
-    wait_for_text(other, 'speed = 6')
-    assert 'speed = 6' not in view.text and 'closed' in repr(view)
-    param_tutorial.stop()
-    again = param_tutorial.start()
-    again.add(Robot)
-    ParameterClient('/robot').set_parameter('speed', 9)
-    wait_for_text(other, '9')

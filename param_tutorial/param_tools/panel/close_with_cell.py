@@ -20,7 +20,6 @@ def close_with_cell(widget: Any) -> None:
     if earlier_run != run:
         for earlier in widgets:
             earlier.close()
-        _forget(widgets)
         widgets = []
     _made[cell] = run, [*widgets, widget]
 
@@ -30,18 +29,6 @@ def close_looks(widget: Any) -> None:
     for look in (widget.layout, getattr(widget, 'style', None)):
         if look is not None:
             look.close()
-
-
-def _forget(widgets: list[Any]) -> None:
-    """Remove closed widgets from IPython's ``Out``, which keeps the last thousand results."""
-    from IPython import get_ipython
-
-    shell = get_ipython()
-    results = shell.user_ns.get('_oh', {})
-    for number in [number for number, result in results.items() if any(result is widget for widget in widgets)]:
-        del results[number]
-        for names in (shell.user_ns, shell.user_ns_hidden):
-            names.pop(f'_{number}', None)
 
 
 def _this_cell() -> tuple[str | None, str]:

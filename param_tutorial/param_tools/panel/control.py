@@ -1,17 +1,18 @@
 """One parameter on a panel: its value, what stands beside it, and what a person can do with it."""
 
 import math
+import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
-from param_tools.node.live import LiveParameter
+from param_tools.node.live import LiveParameters
+from param_tools.node.live_state import ParameterState
 from param_tools.node.locks import Condition, conditions_of, unmet
 from param_tools.node.text import fit, format_items, format_value, parse_items, parse_value
 from param_tools.panel.drawing import PanelRow, RowState
-from param_tools.panel.editors import row_of, scale_of
-from param_tools.panel.recordable import Scale
+from param_tools.panel.editors import Scale, row_of, scale_of
 
 _WAITING = 'Waiting for the node to answer…'
 
@@ -19,14 +20,13 @@ _WAITING = 'Waiting for the node to answer…'
 class Control:
     """One parameter on a panel: ``panel['max_speed_rpm']``."""
 
-    def __init__(self, parameter: LiveParameter, take: 'Callable[[Control, Any, object], None]',
-                 assign: 'Callable[[Control, Any], None]'):
+    def __init__(self, live: LiveParameters, parameter: ParameterState, take: Callable[..., None]):
         """
-        :param take: Called with the control, a value that a person wants, and the grip: see ``slide``.
-        :param assign: Called with the control and a value that code wants.
+        :param parameter: What it shows, one of ``live``.
+        :param take: ``ParameterPanel._take``, called with the control and a value that somebody wants.
         """
-        self._parameter = parameter
-        self._take, self._assign = take, assign
+        self._live, self.parameter = live, parameter
+        self._take = take
         self.first = parameter.value
         """What it had when the panel first saw it."""
         self._shape: Any = None
@@ -40,7 +40,7 @@ class Control:
     @property
     def name(self) -> str:
         """The parameter's full name."""
-        return self._parameter.name
+        return self.parameter.name
 
     @property
     def value(self) -> Any:
@@ -49,21 +49,21 @@ class Control:
         If ``ParameterPanel.gather`` was called, the new value is gathered; if a person pressed *Gather*, what the code
         assigns is sent nevertheless.
         """
-        return self._parameter.value
+        return self.parameter.value
 
     @value.setter
     def value(self, value: Any) -> None:
-        self._assign(self, fit(self._parameter.descriptor, value))
+        self._take(self, fit(self.descriptor, value), is_code=True)
 
     @property
     def message(self) -> str:
         """Why the node rejected the last change, in the node's words; empty if it did not."""
-        return self._parameter.message
+        return self.parameter.message
 
     @property
     def descriptor(self) -> Descriptor:
         """What the node says about the parameter."""
-        return self._parameter.descriptor
+        return self.parameter.descriptor
 
     @property
     def row(self) -> PanelRow:
@@ -77,23 +77,18 @@ class Control:
         self._look()
         return self._scale
 
-    def enter(self, text: str) -> None:
-        """Type a text into the control, and press Enter. For a check box, the texts are 'true' and 'false'."""
-        try:
-            value = parse_value(self.descriptor, text)
-        except ValueError as error:
-            self._parameter.reject(str(error))
-        else:
-            self._take(self, value, None)
+    def enter(self, typed: str | Sequence[str]) -> None:
+        """Type a text into the control, or the elements of an array into a box each, and press Enter.
 
-    def enter_items(self, texts: Sequence[str]) -> None:
-        """Type the elements of an array, each into a box of its own."""
+        For a check box, the texts are 'true' and 'false'.
+        """
         try:
-            value = parse_items(self.descriptor, texts)
+            value = parse_value(self.descriptor, typed) if isinstance(typed, str) else parse_items(
+                self.descriptor, typed)
         except ValueError as error:
-            self._parameter.reject(str(error))
+            self._live.reject(self.parameter, str(error))
         else:
-            self._take(self, value, None)
+            self._take(self, value)
 
     def slide(self, position: int, grip: object = None) -> None:
         """Pull the slider to a position.
@@ -112,7 +107,7 @@ class Control:
         :param gathered: The value that is wanted together with other changes; ``...`` for none.
         """
         self._look()
-        parameter, descriptor = self._parameter, self.descriptor
+        parameter, descriptor = self.parameter, self.descriptor
         value, text = parameter.value, format_value(parameter.descriptor, parameter.value)
         if gathered is not ...:
             wanted = format_value(descriptor, gathered)
@@ -120,7 +115,7 @@ class Control:
                             items=format_items(descriptor, gathered),
                             message=('gathering', f'Now {text}; not sent yet.'))
         message: tuple[str, str] | None = None
-        if parameter.late:
+        if parameter.is_late(time.monotonic()):
             message = 'waiting', _WAITING
         elif parameter.message:
             message = 'failed' if parameter.is_unanswered else 'rejected', parameter.message
@@ -138,10 +133,6 @@ class Control:
         """True if it can be brought back to another value, which it had when the panel first saw it."""
         return not (self.descriptor.read_only or self.first is None or values.same(self.first, self.value))
 
-    def ask(self, value: Any) -> None:
-        """Ask the node for a value, whatever becomes of it."""
-        self._parameter.ask(value)
-
     def _position(self, value: Any) -> int | None:
         scale = self.scale
         return scale.nearest(value) if scale is not None and math.isfinite(value) else None
@@ -155,8 +146,3 @@ class Control:
             self._scale = scale_of(descriptor, value)
             self._row = row_of(descriptor, value, self._scale)
             self._conditions = conditions_of(descriptor)
-
-    @property
-    def parameter(self) -> LiveParameter:
-        """The parameter that it shows."""
-        return self._parameter

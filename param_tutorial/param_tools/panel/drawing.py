@@ -112,7 +112,7 @@ def arrange(rows: Iterable[PanelRow]) -> list[PanelRow]:
 
 
 def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowState], *, status: str = '',
-                 in_order: bool = False, tools: bool = True, mark: str = '', prefix: str = 'panel') -> str:
+                 in_order: bool = False, tools: bool = True, mark: str = '', prefix: str = 'panel-NAME') -> str:
     """Return a panel as HTML; its style sheet is ``panel.css``.
 
     :param node: The node's fully qualified name.
@@ -121,7 +121,7 @@ def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowSt
     :param in_order: True if the rows stay as they stand, with a heading wherever another group begins.
     :param tools: False for a panel without buttons for undo and redo.
     :param mark: A word to put into its head.
-    :param prefix: Begins each id on the page.
+    :param prefix: Begins each id on the page; by default what ``panel_widget.js`` replaces.
     """
     draw = _Drawing(states, prefix, is_locked=bool(status))
     body = draw.runs(rows) if in_order else draw.content(_tree(rows), '')

@@ -13,7 +13,6 @@ from param_tools.descriptor import Descriptor, Range, is_housekeeping
 from param_tools.node.text import choices_of, format_value
 from param_tools.node.units import unit_of
 from param_tools.panel.drawing import CHECK, CHOICE, LINES, TEXT, PanelRow
-from param_tools.panel.recordable import Scale
 
 # JavaScript's numbers are exact up to here.
 _JS_SAFE = 2**53
@@ -21,60 +20,37 @@ _JS_SAFE = 2**53
 _FINE_POSITIONS = 100
 
 
-class WholePositions:
-    """The values at which a slider of integers can stand, counted from 0."""
+class Scale:
+    """The values at which a slider can stand, counted from 0; doubles are free of the noise of binary fractions."""
 
     def __init__(self, limits: Range):
-        self._first, self._end = int(limits.from_value), int(limits.to_value)
-        self._step = max(1, int(limits.step))
-        self.last = -((self._first - self._end) // self._step)
+        self._limits, self._number = limits, type(limits.from_value)
+        self._low = Decimal(str(limits.from_value))
+        width = Decimal(str(limits.to_value)) - self._low
+        if limits.step > 0:
+            self._step = Decimal(str(limits.step))
+        else:
+            # Of doubles, one that gives round numbers. The hundredth part of the smallest double is 0.0, but not that
+            # of the smallest Decimal.
+            self._step = Decimal(1) if self._number is int else Decimal(1).scaleb((width / _FINE_POSITIONS).adjusted())
+        self.last = math.ceil(width / self._step)
 
-    def value(self, position: int) -> int:
+    def value(self, position: int) -> Any:
         """Return the value at a position. Both ends are valid even off the step, as the node sees it too."""
-        return min(self._first + position * self._step, self._end)
-
-    def nearest(self, value: int) -> int:
-        """Return the position next to a value."""
-        return _nearest(self, value, (int(value) - self._first) // self._step)
-
-
-class Positions:
-    """The values at which a slider of doubles can stand, counted from 0, free of the noise of binary fractions."""
-
-    def __init__(self, limits: Range):
-        self._limits = limits
-        self._low, self._high = Decimal(str(limits.from_value)), Decimal(str(limits.to_value))
-        # Without a step in the range, one that gives round numbers. The hundredth part of the smallest double is 0.0,
-        # but not that of the smallest Decimal.
-        self._step = Decimal(str(limits.step)) if limits.step > 0 else Decimal(1).scaleb(
-            ((self._high - self._low) / _FINE_POSITIONS).adjusted())
-        self.last = math.ceil((self._high - self._low) / self._step)
-
-    def value(self, position: int) -> float:
-        """Return the value at a position. Both ends are valid even off the step, as the node sees it too."""
-        if position >= self.last:
-            return self._limits.to_value
-        return float(self._low + position * self._step)
+        return self._limits.to_value if position >= self.last else self._number(self._low + position * self._step)
 
     def nearest(self, value: float) -> int:
-        """Return the position next to a value."""
-        return _nearest(self, value, math.floor((Decimal(str(value)) - self._low) / self._step))
-
-
-def _nearest(scale: Scale, value: float, below: int) -> int:
-    """Return which position is next to a value that lies above one of them, or out of the range."""
-    if below < 0:
-        return 0
-    if below >= scale.last:
-        return scale.last
-    return min((below, below + 1), key=lambda each: abs(scale.value(each) - value))
+        """Return the position next to a value, which may be out of the range."""
+        below = math.floor((Decimal(str(value)) - self._low) / self._step)
+        return min((min(max(0, each), self.last) for each in (below, below + 1)),
+                   key=lambda each: abs(self.value(each) - value))
 
 
 def scale_of(descriptor: Descriptor, value: Any) -> Scale | None:
     """Return where the slider of a parameter can stand; None if the parameter has no slider."""
     if descriptor.dynamic_typing or value is None or descriptor.range is None or not _fits_slider(descriptor.range):
         return None
-    return (WholePositions if descriptor.type is values.INTEGER else Positions)(descriptor.range)
+    return Scale(descriptor.range)
 
 
 def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:

@@ -3,46 +3,21 @@
 import itertools
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from param_tools.errors import ParameterFileError, ParameterToolError, describe_error
 from param_tools.files import parameter_files
 from param_tools.files.parsing import matches
 from param_tools.markup.wording import format_count
 from param_tools.panel.drawing import file_markup
-from param_tools.systems.file_preview import CHANGES, OTHER_NODE, SAME, FilePreview, Loaded
+from param_tools.systems.file_preview import CHANGES, OTHER_NODE, SAME
+
+# A ParameterPanel, whose file imports this one.
+FilePanel = Any
 
 # Where parameter files usually are: in the notebook's folder, in that of its package, in its workspace.
 _PLACES = ('config', '.', '../config')
 _MOST_OFFERED = 100
-
-
-class FilePanel(Protocol):
-    """What the form needs of a panel."""
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node."""
-
-    @property
-    def names(self) -> list[str]:
-        """The parameters on the panel."""
-
-    @property
-    def changed(self) -> dict[str, Any]:
-        """The parameters that differ from what the panel first saw."""
-
-    def dump(self, *, changed_only: bool = False) -> parameter_files.Dump:
-        """Return the text of a parameter file."""
-
-    def save(self, path: str | Path, changed_only: bool = False) -> parameter_files.Dump:
-        """Write a parameter file."""
-
-    def preview(self, path: str | Path) -> FilePreview:
-        """Return what loading would do."""
-
-    def load(self, path: str | Path) -> Loaded:
-        """Ask for the values of a file."""
 
 
 def offered_files() -> list[str]:

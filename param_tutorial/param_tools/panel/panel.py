@@ -4,9 +4,9 @@
 here the three are kept in step, and what was done is kept for undo.
 
 What a person enters comes in a thread of the kernel's, often while a cell runs in another (see ``beside_cells``), and
-goes straight to ``LiveParameter.ask``, before anything is drawn. Everything is drawn in ``_show``, which ``live`` calls
-in the thread of ``schedule`` or in that of ``settle``, with the panel's lock held. No lock is held while a request is
-sent; the executor's thread takes no lock of a panel at all.
+goes straight to ``LiveParameters.ask``, before anything is drawn. Everything is drawn in ``_show``, which ``live``
+calls in the thread of ``schedule`` or in that of ``settle``, with the panel's lock held. No lock is held while a
+request is sent; the executor's thread takes no lock of a panel at all.
 """
 
 import contextlib
@@ -35,15 +35,15 @@ from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet, style
 from param_tools.markup.wording import format_count
 from param_tools.node.client import ParameterClient, node_name
-from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameter, LiveParameters
+from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameters
+from param_tools.node.live_state import ParameterState
 from param_tools.node.text import format_value
-from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.panel.control import Control
 from param_tools.panel.drawing import PanelRow, arrange, panel_markup
 from param_tools.panel.edits import Edits, State
 from param_tools.panel.front import Front
 from param_tools.panel.recordable import ControlFacts
-from param_tools.panel.view import FollowingView, View
+from param_tools.panel.view import FollowingView, ParameterView
 from param_tools.ros import host
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
@@ -75,7 +75,7 @@ class _BrowserFront(Front):
     state = traitlets.Dict().tag(sync=True)
 
 
-class ParameterPanel(View):
+class ParameterPanel(ParameterView):
     """The parameters of a node as controls, as long as it is not closed.
 
     Show it as the last line of a cell. ``panel['max_speed_rpm']`` is one Control. Without a node it is a
@@ -87,39 +87,32 @@ class ParameterPanel(View):
         return ParameterBrowser(**options) if node is None else super().__new__(cls)
 
     def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC,
-                 patience_sec: float = FIRST_LOOK_TIMEOUT_SEC, search: str = ''):
+                 timeout_sec: float = TIMEOUT_SEC, patience_sec: float = FIRST_LOOK_TIMEOUT_SEC, search: str = ''):
         """
         :param node: The node or its name; it may be on a robot far away, and it may be absent now.
         :param names: Only these parameters, in this order; by default all that the node has.
-        :param executor: Carries the requests; by default whichever runs in the background.
         :param timeout_sec: How long the node may take for each answer.
         :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
         :param search: What its search field begins with.
         """
-        self._node = node_name(node)
         self._controls: dict[str, Control] = {}
         self._in_order = names is not None
         self._edits = Edits(self._state, self._bring)
         # What a person presses is done in that order, each when the one before has its answers.
         self._jobs: queue.SimpleQueue[Callable[[], object]] = queue.SimpleQueue()
         self._acting = threading.RLock()
-        self._followed: list[tuple[str, LiveParameter]] = []
+        self._followed: list[tuple[str, ParameterState]] = []
         self._rows: list[PanelRow] | None = None
         # What is wanted together, by name; None if each change is sent at once.
         self._gathered: State | None = None
         self._is_code_gathered = False
         self._note = ''
         self._not_restored: dict[str, str] = {}
-        # The values of the last look at a file, and how many such looks were overtaken by the node.
-        self._looked_at: State | None = None
-        self._overtaken_looks = 0
         self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
-        self._live = LiveParameters(self._node, self._show, names=names, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(node_name(node), self._show, names=names, timeout_sec=timeout_sec)
         super().__init__([self._front], 'param-panel')
-        self._live.first_look(patience_sec)
-        close_with_cell(self)
+        self._begin(patience_sec)
 
     def __repr__(self) -> str:
         if self._closed:
@@ -128,7 +121,7 @@ class ParameterPanel(View):
             fact = 'not available'
         else:
             fact = format_count(len(self._controls), 'parameter')
-        return f'<ParameterPanel: {self._node}, {fact}>'
+        return f'<ParameterPanel: {self.node}, {fact}>'
 
     def __getitem__(self, name: str) -> Control:
         """Return the control of a parameter.
@@ -138,18 +131,13 @@ class ParameterPanel(View):
         try:
             return self._controls[name]
         except KeyError:
-            raise ParameterNotDeclaredError(self._node, str(name), self.names) from None
+            raise ParameterNotDeclaredError(self.node, str(name), self.names) from None
 
     def __contains__(self, name: str) -> bool:
         return name in self._controls
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.names)
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node."""
-        return self._node
 
     @property
     def names(self) -> list[str]:
@@ -215,9 +203,9 @@ class ParameterPanel(View):
         present = {name: control.value for name, control in self._controls.items()
                    if control.is_changed or not changed_only}
         if not present:
-            raise ParameterFileError(f'nothing of {self._node} differs from what the panel first saw' if self._controls
-                                     else f'no parameter of {self._node} is known: {self.status}')
-        return render(self._node, present)
+            raise ParameterFileError(f'nothing of {self.node} differs from what the panel first saw' if self._controls
+                                     else f'no parameter of {self.node} is known: {self.status}')
+        return render(self.node, present)
 
     def save(self, path: str | Path, changed_only: bool = False) -> Dump:
         """Write what the node has now, as far as it is on the panel, to a parameter file.
@@ -243,8 +231,8 @@ class ParameterPanel(View):
 
         with self._drawing:
             descriptors = {name: control.descriptor for name, control in self._controls.items()}
-            present = self._looked_at = {name: control.value for name, control in self._controls.items()}
-        return preview_file(as_path(path, is_typed=True), self._node, descriptors, present, is_partial=self._in_order)
+            present = {name: control.value for name, control in self._controls.items()}
+        return preview_file(as_path(path, is_typed=True), self.node, descriptors, present, is_partial=self._in_order)
 
     def load(self, path: str | Path) -> 'Loaded':
         """Ask the node for the values that a parameter file holds for it; ``undo`` takes them back together.
@@ -291,13 +279,6 @@ class ParameterPanel(View):
         results = self._live.client().set_parameters_atomically(wanted) if wanted else []
         return next((each.reason or 'The node gave no reason.' for each in results if not each.successful), '')
 
-    def settle(self, timeout_sec: float = 10.0) -> None:
-        """Wait until the node has answered every change made so far and the panel shows what the node has now.
-
-        :raises WaitTimeoutError: it took too long; the message names the parameters.
-        """
-        self._live.settle(timeout_sec)
-
     @property
     def not_restored(self) -> dict[str, str]:
         """What the last ``undo``, ``redo`` or ``reset`` could not bring back, and why, by the parameters' names."""
@@ -343,7 +324,7 @@ class ParameterPanel(View):
             if not different:
                 break
             for name in different:
-                self[name].ask(wanted[name])
+                self._live.ask(self[name].parameter, wanted[name])
             self.settle()
         return {name: self[name].message or 'the node has another value' if name in self else 'it is no longer there'
                 for name, value in wanted.items() if name not in self or self._differs(name, value)}
@@ -354,9 +335,6 @@ class ParameterPanel(View):
     def _state(self) -> State:
         return {name: each.value for name, each in self._followed if not each.descriptor.read_only}
 
-    def _end(self) -> None:
-        self._live.close()
-
     # -- the browser ------------------------------------------------------------------------------------
 
     def _on_message(self, _: Any, content: dict[str, Any], __: Any) -> None:
@@ -364,7 +342,7 @@ class ParameterPanel(View):
         if content['do'] == 'enter':
             self._enter(content)
         elif content['do'] in ('look', 'act'):
-            host.host.run(functools.partial(self._serve_form, content), f'file of {self._node}')
+            host.host.run(functools.partial(self._serve_form, content), f'file of {self.node}')
         else:
             names = [content['name']] if content.get('name') else []
             job: Callable[[], object] = {'undo': self.undo, 'redo': self.redo,
@@ -373,7 +351,7 @@ class ParameterPanel(View):
                                          'discard': self.discard, 'apply': self.apply}[content['do']]
             self._jobs.put(job)
             # It waits for the node, and the kernel must not.
-            host.host.run(self._do_next, f'{content["do"]} on the panel of {self._node}')
+            host.host.run(self._do_next, f'{content["do"]} on the panel of {self.node}')
 
     def _do_next(self) -> None:
         with self._acting, contextlib.suppress(WaitTimeoutError):  # the panel shows what was not answered
@@ -384,10 +362,8 @@ class ParameterPanel(View):
         if control is not None:  # and not deleted meanwhile
             if 'position' in content:
                 control.slide(content['position'], (content['client'], content['grip']))
-            elif 'items' in content:
-                control.enter_items(content['items'])
             else:
-                control.enter(content['text'])
+                control.enter(content['items'] if 'items' in content else content['text'])
         self._show()
         self._front.send({each: content[each] for each in ('client', 'name', 'number')})
 
@@ -415,11 +391,7 @@ class ParameterPanel(View):
             if not live.is_busy:
                 self._edits.end()
             gathered = self._gathered or {}
-            present = {name: control.value for name, control in self._controls.items()}
-            known = present | gathered
-            # A value may have been looked at that was never shown; the script looks again when anything below changes.
-            if self._looked_at not in (None, present):
-                self._looked_at, self._overtaken_looks = None, self._overtaken_looks + 1
+            known = {name: control.value for name, control in self._controls.items()} | gathered
             states = {name: control.state(is_locked=bool(live.status), known=known, gathered=gathered.get(name, ...))
                       for name, control in self._controls.items()}
             rows = [control.row for control in self._controls.values()]
@@ -427,11 +399,11 @@ class ParameterPanel(View):
                 if rows != self._rows:
                     self._rows = rows
                     self._front.markup = _STYLE + panel_markup(
-                        self._node, rows, states, status=live.status, in_order=self._in_order)
+                        self.node, rows, states, status=live.status, in_order=self._in_order)
                 self._front.state = {
                     'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
                     'rows': {name: state.as_json() for name, state in states.items()},
-                    'overtaken_looks': self._overtaken_looks, **self._gathering()}
+                    **self._gathering()}
 
     def _gathering(self) -> dict[str, Any]:
         """Return what the script has to know of what is gathered; nothing if each change is sent at once."""
@@ -441,10 +413,17 @@ class ParameterPanel(View):
         told = f'{format_count(count, "change")} gathered, not sent yet.'
         return {'gathered': count, 'note': f'{told}\nRejected: {self._note}' if self._note else told}
 
-    def _take(self, control: Control, value: Any, grip: object) -> None:
-        """Ask for a value that a person wants, or gather it."""
-        if self._gathered is None:
-            self._ask(control, value, grip)
+    def _take(self, control: Control, value: Any, grip: object = None, *, is_code: bool = False) -> None:
+        """Ask for a value, or gather it.
+
+        :param grip: See ``Control.slide``.
+        :param is_code: True if code wants it: a cell does what it says, so its value is gathered only if code said so.
+        """
+        if self._gathered is None or (is_code and not self._is_code_gathered):
+            # A drawing ends the edit if nothing is under way, and nothing is between these two lines.
+            with self._drawing:
+                self._edits.begin(control.name, grip)
+                self._live.ask(control.parameter, value)
             return
         self._gathered = {**self._gathered, control.name: value}
         if values.same(value, control.value):
@@ -452,27 +431,14 @@ class ParameterPanel(View):
         self._note = ''
         self._show()
 
-    def _assign(self, control: Control, value: Any) -> None:
-        """Ask for a value that code wants; gather it only if code said so: a cell does what it says."""
-        if self._is_code_gathered:
-            self._take(control, value, None)
-        else:
-            self._ask(control, value, None)
-
-    def _ask(self, control: Control, value: Any, grip: object) -> None:
-        # A drawing ends the edit if nothing is under way, and nothing is between these two lines.
-        with self._drawing:
-            self._edits.begin(control.name, grip)
-            control.ask(value)
-
-    def _rebuild(self, parameters: dict[str, LiveParameter]) -> None:
+    def _rebuild(self, parameters: dict[str, ParameterState]) -> None:
         """Make the controls that are missing and drop those whose parameter is gone; keep all others as they are."""
         self._followed = list(parameters.items())
         old, controls = self._controls, {}
         for name, parameter in parameters.items():
             control = old.get(name)
             if control is None or control.parameter is not parameter:
-                control = Control(parameter, self._take, self._assign)
+                control = Control(self._live, parameter, self._take)
                 if name in old:
                     control.first = old[name].first
             controls[name] = control
@@ -498,11 +464,8 @@ class ParameterBrowser(FollowingView):
     Show it as the last line of a cell; ``ParameterPanel()`` makes one. ``browser['/node']`` is the node's panel.
     """
 
-    def __init__(self, *, executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC):
-        """
-        :param executor: Carries the requests; by default whichever runs in the background.
-        :param timeout_sec: How long a node may take for each answer.
-        """
+    def __init__(self, *, timeout_sec: float = TIMEOUT_SEC):
+        """:param timeout_sec: How long a node may take for each answer."""
         self._timeout_sec = timeout_sec
         self._catalog: Catalog | None = None
         self._search = ''
@@ -514,7 +477,7 @@ class ParameterBrowser(FollowingView):
         self._box = widgets.Box()
         self._box.add_class('node-panels')
         super().__init__([self._front, self._box], 'param-browser')
-        self._begin(executor)
+        self._begin()
 
     def __repr__(self) -> str:
         return f'<ParameterBrowser{": closed" if self._closed else ""}>'
@@ -549,8 +512,8 @@ class ParameterBrowser(FollowingView):
             if node in self._panels and search:
                 self.hide(node)
             if node not in self._panels:
-                self._panels[node] = ParameterPanel(node, executor=self._chosen_executor, search=search,
-                                                    timeout_sec=self._timeout_sec, patience_sec=0.0)
+                self._panels[node] = ParameterPanel(node, search=search, timeout_sec=self._timeout_sec,
+                                                    patience_sec=0.0)
                 self._box.children = tuple(self._panels.values())
         self._job.wake()
         return self._panels[node]

@@ -10,20 +10,6 @@ import {ParameterPanel} from './panel.js';
  * @import {PanelState, Wire} from './panel.js'
  */
 
-/**
- * Begin the ids of a panel's markup with another name, and what refers to them: a notebook may show a panel twice.
- * @param {HTMLElement} root
- * @param {string} prefix
- */
-function renameIds(root, prefix) {
-  for (const each of root.querySelectorAll('[id]')) each.id = `${prefix}-${each.id}`;
-  for (const each of root.querySelectorAll('label')) each.htmlFor = `${prefix}-${each.htmlFor}`;
-  for (const each of root.querySelectorAll('[aria-describedby]')) {
-    const ids = each.getAttribute('aria-describedby')?.split(' ') ?? [];
-    each.setAttribute('aria-describedby', ids.map(id => `${prefix}-${id}`).join(' '));
-  }
-}
-
 /** @param {RenderProps<{markup: string, state: PanelState, search: string}>} props */
 function render({model, el}) {
   const client = uniqueName();
@@ -48,8 +34,8 @@ function render({model, el}) {
     // A panel that does not wait for its node is there before there is anything to show.
     if (!model.get('markup')) return;
     const focused = /** @type {HTMLElement | null} */ (focusedBeside(root));
-    const shown = make('div', {innerHTML: model.get('markup')});
-    renameIds(shown, `panel-${client}`);
+    // A notebook may show a panel twice.
+    const shown = make('div', {innerHTML: model.get('markup').replaceAll('panel-NAME', `panel-${client}`)});
     const old = panel;
     panel = new ParameterPanel(shown, wire);
     if (old) panel.takeOver(old);

@@ -1,12 +1,12 @@
 """What a view tells about itself, so that a page without a kernel can show what it shows.
 
-The recorder of the HTML lessons names no view. It finds one by the id in a cell's output and asks it through
-``Recordable``; a view that pictures its node is also a ``Portrait``. ``View`` implements the first with defaults, so a
-new view is recorded as it stands, and overrides what it knows better.
+The recorder of the HTML lessons names no view. It finds one by the id in a cell's output, and asks for what each
+``View`` tells: a new view is recorded as it stands, and overrides what it knows better. A view that pictures its node
+is also a ``Portrait``.
 """
 
 import weakref
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
@@ -14,23 +14,10 @@ import ipywidgets as widgets
 
 from param_tools.descriptor import Descriptor
 from param_tools.panel.drawing import PanelRow, RowState
+from param_tools.panel.editors import Scale
 
 LOG = 'log'
 EVENTS = 'events'
-
-
-class Scale(Protocol):
-    """The values at which a slider can stand, counted from 0."""
-
-    @property
-    def last(self) -> int:
-        """The last position."""
-
-    def value(self, position: int, /) -> Any:
-        """Return the value at a position."""
-
-    def nearest(self, value: Any, /) -> int:
-        """Return the position next to a value."""
 
 
 @dataclass(frozen=True)
@@ -46,29 +33,12 @@ class ControlFacts:
     """Of the slider beside the text; None if there is no slider."""
 
 
-class Recordable(Protocol):
-    """A view that can be recorded."""
-
-    follows: frozenset[str]
-    """What it collects by itself, of LOG and EVENTS: a panel's recording has to bring that along."""
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node that it shows, or what it says in the place of one."""
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page needs to draw it as it stands, as JSON; 'kind' says how the page draws it."""
-
-    def controls(self) -> Mapping[str, ControlFacts]:
-        """Return what a hand can change in it, by the parameters' names; nothing in most views."""
-
-
 @runtime_checkable
 class Composition(Protocol):
     """Several views in one widget: a page draws each by itself, in the same places."""
 
     @property
-    def parts(self) -> 'Sequence[Recordable]':
+    def parts(self) -> 'Sequence[Any]':
         """The views, in their order."""
 
     def snapshot(self) -> dict[str, Any]:
@@ -104,16 +74,16 @@ class Portrait(Protocol):
         """Remove it."""
 
 
-_views: 'weakref.WeakValueDictionary[str, Recordable | Composition]' = weakref.WeakValueDictionary()
+_views: 'weakref.WeakValueDictionary[str, Any]' = weakref.WeakValueDictionary()
 
 
-def register(model_id: str, view: Recordable | Composition) -> None:
+def register(model_id: str, view: Any) -> None:
     """Let a view be found by its model's id, which is all that an output tells; ipywidgets has no public way."""
     _views[model_id] = view
 
 
-def find(model_id: str) -> Recordable | Composition | None:
-    """Return the view with a model's id; None if the widget is no view, or is gone."""
+def find(model_id: str) -> Any:
+    """Return the View or Composition with a model's id; None if the widget is neither, or is gone."""
     return _views.get(model_id)
 
 
@@ -122,11 +92,7 @@ def html_of(widget: widgets.Widget) -> str:
     # The views' style sheets go by these names.
     names = ' '.join(widget.get_state('_dom_classes').get('_dom_classes', ()))
     if isinstance(widget, widgets.Box):
-        return f'<div class="{names}">{_html_of_all(widget.children)}</div>'
+        return f'<div class="{names}">{"".join(map(html_of, widget.children))}</div>'
     if isinstance(widget, (widgets.HTML, widgets.HTMLMath)):
         return f'<div class="{names}">{widget.value}</div>'
     return ''
-
-
-def _html_of_all(parts: Iterable[widgets.Widget]) -> str:
-    return ''.join(map(html_of, parts))

@@ -11,6 +11,7 @@ from typing import Any
 import ipywidgets as widgets
 
 from param_tools.errors import ExecutorError
+from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameters
 from param_tools.panel import recordable
 from param_tools.panel.beside_cells import answer_beside_cells
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
@@ -32,8 +33,8 @@ class View(widgets.VBox):
     """The widgets in the box; a trait of ipywidgets."""
     # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
     _closed = True
-    # See ``recordable``.
     follows: frozenset[str] = frozenset()
+    """What it collects by itself, of LOG and EVENTS: a panel's recording has to bring that along."""
 
     def __init__(self, parts: Iterable[widgets.Widget], css_class: str):
         self._closed = False
@@ -107,18 +108,46 @@ def _all_within(box: widgets.Box) -> list[widgets.Widget]:
     return parts
 
 
+class ParameterView(View):
+    """A view of the parameters of one node. A constructor sets ``_live`` first, and calls ``_begin`` last."""
+
+    _live: LiveParameters
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__}: {self.node}{", closed" if self._closed else ""}>'
+
+    def _begin(self, patience_sec: float = FIRST_LOOK_TIMEOUT_SEC) -> None:
+        """Follow the node, show what it has, and close with the cell.
+
+        :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
+        """
+        self._live.first_look(patience_sec)
+        close_with_cell(self)
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node."""
+        return self._live.node
+
+    def settle(self, timeout_sec: float = 10.0) -> None:
+        """Wait until the node has answered every change made so far and the view shows what the node has now.
+
+        :raises WaitTimeoutError: it took too long; the message names the parameters.
+        """
+        self._live.settle(timeout_sec)
+
+    def _end(self) -> None:
+        self._live.close()
+
+
 class FollowingView(View):
-    """A view that listens to an executor until it is closed. A constructor calls ``_begin`` when all else is there."""
+    """A view that listens to the executor in the background until it is closed. A constructor calls ``_begin`` last."""
 
     # What happens more often than this is shown once: nobody could follow it.
     _show_period_sec = 0.1
 
-    def _begin(self, executor: BackgroundExecutor | None) -> None:
-        """Listen, show what there is to show, and close with the cell.
-
-        :param executor: None for whichever runs in the background, also after a stop and a new start.
-        """
-        self._chosen_executor = executor
+    def _begin(self) -> None:
+        """Listen, show what there is to show, and close with the cell."""
         self._executor: BackgroundExecutor | None = None
         self._stop_listening: Callable[[], object] = nothing
         self._job = Job(self._step, self._show_period_sec)
@@ -158,15 +187,14 @@ class FollowingView(View):
         self._job.end()
 
     def _on_executor_change(self) -> None:
-        if self._chosen_executor is None:
-            self._listen()
-            self._job.wake()
+        self._listen()
+        self._job.wake()
 
     def _listen(self) -> None:
         self._stop_listening()
         self._stop_listening = nothing
         try:
-            self._executor = self._chosen_executor or stage.current()
+            self._executor = stage.current()
         except ExecutorError:
             self._executor = None
             self._lose()
@@ -177,12 +205,8 @@ class FollowingView(View):
 class FeedView(FollowingView):
     """What one node or all nodes report, as text under a title."""
 
-    def __init__(self, node: str | None, executor: BackgroundExecutor | None, *, subject: str,
-                 css_class: str, content_class: str, style: str):
-        """
-        :param node: Only what this one reports; None for all.
-        :param executor: None for whichever runs in the background, also after a stop and a new start.
-        """
+    def __init__(self, node: str | None, *, subject: str, css_class: str, content_class: str, style: str):
+        """:param node: Only what this one reports; None for all."""
         self._node = None if node is None else full_name(node)
         self._title = f'{subject} of {self._node or "all nodes"}'
         self._content = widgets.HTML()
@@ -190,7 +214,7 @@ class FeedView(FollowingView):
         heading = widgets.HTML(f'{style}<b>{html.escape(self._title)}</b>')
         heading.add_class(f'{css_class}-title')
         super().__init__([heading, self._content], css_class)
-        self._begin(executor)
+        self._begin()
 
     def __repr__(self) -> str:
         return f'<{type(self).__name__}: {self._node or "all nodes"}>'

@@ -9,7 +9,6 @@ from param_tools import values
 from param_tools.errors import NodeError, NodeNotFoundError
 from param_tools.node.client import SetResult, to_message
 from param_tools.ros import stage
-from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.services import TIMEOUT_SEC, full_name
 from param_tutorial.views.base import PictureView
@@ -19,12 +18,9 @@ from param_tutorial.views.drawing.calls import Call, Calls, Line
 class CallsView(PictureView):
     """Service calls of this notebook, each with its request and what came of it. Show it as the last line of a cell."""
 
-    def __init__(self, *, executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC) -> None:
-        """
-        :param executor: Carries the calls; by default the one that runs in the background.
-        :param timeout_sec: How long a node may take to be found, and then to answer.
-        """
-        self._executor, self._timeout_sec = executor, timeout_sec
+    def __init__(self, *, timeout_sec: float = TIMEOUT_SEC) -> None:
+        """:param timeout_sec: How long a node may take to be found, and then to answer."""
+        self._timeout_sec = timeout_sec
         self._calls = Calls('this notebook')
         super().__init__(self._calls)
 
@@ -47,7 +43,7 @@ class CallsView(PictureView):
             if isinstance(carries, Mapping) else tuple(carries)
         content = [to_message(each, values.normalize(value)) for each, value in carries.items()] \
             if isinstance(carries, Mapping) else list(told)
-        services = (self._executor or stage.current()).services
+        services = stage.current().services
         try:
             answer = services.call(name, service, SERVICE_TYPES[service].Request(**{field: content}),
                                    timeout_sec=self._timeout_sec)

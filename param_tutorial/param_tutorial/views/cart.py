@@ -11,10 +11,8 @@ from rclpy.node import Node
 
 from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
-from param_tools.panel.close_with_cell import close_with_cell
-from param_tools.ros.executor import BackgroundExecutor
+from param_tools.panel.view import ParameterView
 from param_tools.ros.schedule import Job
-from param_tools.ros.services import TIMEOUT_SEC
 from param_tutorial.nodes.cart_node import AISLE_M, SIGHT_M
 from param_tutorial.nodes.clawbot_node import SAFETY_GAP_M, Motion, Settings, State, plan
 from param_tutorial.views.drawing.cart import Cart
@@ -43,32 +41,24 @@ def _cart(node: str, settings: Settings, motion: Motion, before_sec: float = 0.0
                 before_sec=before_sec)
 
 
-class CartView(DrivingView):
+class CartView(DrivingView, ParameterView):
     """A cart that drives along its aisle as its parameters say, until it is closed.
 
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, *, executor: BackgroundExecutor | None = None,
-                 timeout_sec: float = TIMEOUT_SEC) -> None:
+    def __init__(self, node: str | Node | ParameterClient) -> None:
         """
         :param node: The node or its name, with the parameters max_speed_mps and max_acceleration_mps2; it may run in
             another process, and it may be absent now.
-        :param executor: Carries the requests; by default the one that runs in the background.
-        :param timeout_sec: How long the node may take for each answer.
         """
-        self._node = node_name(node)
         self._settings: Settings | None = None
         self._motion, self._begin_sec, self._before_sec = _READY, 0.0, 0.0
         # It comes back when the cart begins to do something else.
         self._clock = Job(self._show, _SHOW_PERIOD_SEC)
-        self._live = LiveParameters(self._node, self._follow, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(node_name(node), self._follow)
         super().__init__()
-        self._live.first_look()
-        close_with_cell(self)
-
-    def __repr__(self) -> str:
-        return f'<CartView: {self._node}{", closed" if self._closed else ""}>'
+        self._begin()
 
     def drive(self) -> None:
         """Put the cart back to the start and let it go, as the button does; nothing happens while it is not there."""
@@ -77,16 +67,9 @@ class CartView(DrivingView):
                 self._go(_READY.end, 0.0)
         self._follow()
 
-    def settle(self, timeout_sec: float = 10.0) -> None:
-        """Wait until the view shows what the node has now.
-
-        :raises WaitTimeoutError: it took too long.
-        """
-        self._live.settle(timeout_sec)
-
     def _end(self) -> None:
         self._clock.end()
-        self._live.close()
+        super()._end()
 
     @property
     def _elapsed_sec(self) -> float:
@@ -127,7 +110,7 @@ class CartView(DrivingView):
         for name, number in (('max_speed_mps', speed), ('max_acceleration_mps2', acceleration)):
             if not isinstance(number, float) or not number > 0:
                 self._settings = None
-                return f'{self._node} cannot drive: {name} is {"not there" if number is None else repr(number)}.'
+                return f'{self.node} cannot drive: {name} is {"not there" if number is None else repr(number)}.'
         settings = settings_of(speed, acceleration)
         if settings != self._settings:
             state, driven_sec = self._motion.at(self._elapsed_sec), self._before_sec + self._elapsed_sec
@@ -139,14 +122,9 @@ class CartView(DrivingView):
 
     def _cart(self) -> Cart:
         assert self._settings is not None
-        return _cart(self._node, self._settings, self._motion, self._before_sec)
+        return _cart(self.node, self._settings, self._motion, self._before_sec)
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node."""
-        return self._node
 
     def rest(self) -> None:
         """Put the cart back to the start, with what the node has now."""
@@ -163,4 +141,4 @@ class CartView(DrivingView):
                 return self._cart()
             driven_sec, state = start or Start(0.0, _READY.end)
             motion = plan(state.position_m, state.velocity_mps, self._settings)
-            return _cart(self._node, self._settings, motion, driven_sec)
+            return _cart(self.node, self._settings, motion, driven_sec)

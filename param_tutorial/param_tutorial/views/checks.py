@@ -7,7 +7,6 @@ from rclpy.node import Node
 
 from param_tools import values
 from param_tools.node.client import ParameterClient
-from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.checks import Checks
 
@@ -18,16 +17,14 @@ class ChecksView(PictureView):
     The node is asked once for each, and keeps what it accepts.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, requests: Iterable[tuple[str, Any]], *,
-                 executor: BackgroundExecutor | None = None) -> None:
+    def __init__(self, node: str | Node | ParameterClient, requests: Iterable[tuple[str, Any]]) -> None:
         """
         :param node: The node, or its name.
         :param requests: Names and values, one request for each; None deletes a parameter.
-        :param executor: Carries the requests; by default the one that runs in the background.
         :raises ValueError: there is no request.
         :raises InvalidValueError: no parameter can hold a value.
         :raises NodeNotFoundError: there is no such node.
         """
-        client = node if isinstance(node, ParameterClient) else ParameterClient(node, executor=executor)
+        client = node if isinstance(node, ParameterClient) else ParameterClient(node)
         super().__init__(Checks(client.node, [
             (name, values.format_value(value), client.set_parameter(name, value).kind) for name, value in requests]))

@@ -8,7 +8,6 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.node.client import ParameterClient
 from param_tools.node.declarations import record_declarations
-from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.views.trail import TrailView
 
 
@@ -17,18 +16,16 @@ class DeclarationsView(TrailView):
 
     _OUTSIDE, _DECLARED, _HAS = 'from outside', 'declare_parameter', 'the node has'
 
-    def __init__(self, node_class: type[Node], overrides: Mapping[str, Any] | None = None, *,
-                 executor: BackgroundExecutor | None = None) -> None:
+    def __init__(self, node_class: type[Node], overrides: Mapping[str, Any] | None = None) -> None:
         """Start a node on the stage, and record what it declares.
 
         :param node_class: As for ``ros.add()``; its constructor takes no arguments.
         :param overrides: Values from outside, by name, as after ``-p``.
-        :param executor: Spins the node; by default the one that runs in the background.
         :raises ExecutorError: no executor is running, or node_class is not a class of nodes.
         """
         overrides = overrides or {}
-        node, declarations = record_declarations(node_class, overrides, executor=executor)
-        self._client = ParameterClient(node, executor=executor)
+        node, declarations = record_declarations(node_class, overrides)
+        self._client = ParameterClient(node)
         super().__init__(self._client.node, (self._OUTSIDE, self._DECLARED, self._HAS))
         for each in declarations:
             moves = [] if each.value is None else [

@@ -136,5 +136,5 @@ class DrivingView(View):
         vehicle = self._vehicle_to_show(driving=True, start=start)
         if vehicle is None:
             return None
-        film = driving.film(vehicle)
-        return {'picture': film.picture, 'end': film.end, 'scenes': [list(each) for each in film.scenes]}
+        return {'picture': driving.moving(vehicle), 'end': driving.still(vehicle.at(vehicle.motion.duration_sec)),
+                'scenes': [list(each) for each in driving.scenes(vehicle)]}

@@ -45,15 +45,14 @@ class EventView(FeedView):
 
     follows = frozenset({EVENTS})
 
-    def __init__(self, node: str | None = None, *, executor: BackgroundExecutor | None = None) -> None:
+    def __init__(self, node: str | None = None) -> None:
         """
         :param node: Only the events of this node; by default those of all nodes whose names do not begin with an
             underscore.
-        :param executor: By default the one that runs in the background, also after a stop and a new start.
         """
         self._lock = threading.Lock()
         self._changes: deque[EventRow] = deque(maxlen=CAPACITY)
-        super().__init__(node, executor, subject='Changes', css_class='param-events',
+        super().__init__(node, subject='Changes', css_class='param-events',
                          content_class='param-events-rows', style=_STYLE)
 
     @property

@@ -23,14 +23,11 @@ class LogView(FeedView):
 
     follows = frozenset({LOG})
 
-    def __init__(self, node: str | None = None, *, executor: BackgroundExecutor | None = None) -> None:
-        """
-        :param node: Only what this node logs; by default what all nodes log.
-        :param executor: By default the one that runs in the background, also after a stop and a new start.
-        """
+    def __init__(self, node: str | None = None) -> None:
+        """:param node: Only what this node logs; by default what all nodes log."""
         self._logger = None if node is None else full_name(node).strip('/').replace('/', '.')
         self._log: NodeLog | None = None
-        super().__init__(node, executor, subject='Log', css_class='param-log', content_class='param-log-lines',
+        super().__init__(node, subject='Log', css_class='param-log', content_class='param-log-lines',
                          style=_STYLE)
 
     @property

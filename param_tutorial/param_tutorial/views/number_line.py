@@ -1,65 +1,111 @@
 """NumberLineView: what happens to a parameter that holds a number, on a line with its range."""
 
+import contextlib
+from collections.abc import Callable
 from typing import Any, TypeGuard
 
 from rclpy.node import Node
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
-from param_tools.node.client import ParameterClient
+from param_tools.errors import ExecutorError
+from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
+from param_tools.panel.view import FollowingView, nothing
 from param_tools.ros.executor import BackgroundExecutor
-from param_tools.ros.services import TIMEOUT_SEC
-from param_tutorial.views.base import SetView
+from param_tutorial.views.base import AnimatedView, name_of
+from param_tutorial.views.drawing import svg
 from param_tutorial.views.drawing.number_line import NumberLine, Request, Scale
-from param_tutorial.views.set_recorder import RecordedSet
+from param_tutorial.views.set_recorder import RecordedSet, follow_sets, record_set
 
 
-class NumberLineView(SetView):
+class NumberLineView(AnimatedView, FollowingView):
     """A parameter that holds a number, on a line with its range and steps; a rejected value springs back.
 
-    Show it as the last line of a cell.
+    The picture plays anew whenever something happens, until the view is closed; it is sent to the page only then, and
+    the browser moves the rest. Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, name: str, value: Any = ..., *,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC) -> None:
+    def __init__(self, node: str | Node | ParameterClient, name: str, value: Any = ...) -> None:
         """
         :param node: The node, or its name. What it rejects is seen only if it is spun in this process.
         :param name: The parameter.
-        :param value: As for LadderView.
-        :param executor: As for LadderView.
-        :param timeout_sec: How long the node may take for each answer.
+        :param value: Ask the node for this value, and show what comes of it and nothing after it; by default the view
+            asks for nothing, and follows the node.
         :raises NodeNotFoundError: a value is given, and the node is not running in this process.
         """
-        self._name = name
-        self._sentence = ''
+        self._subject, self._name = node_name(node), name
+        # What is shown, and whether it is to stay.
+        self._sentence, self._is_held = '', False
+        self._followed: Node | None = None
+        self._stop_sets: Callable[[], None] = nothing
+        self._latest: RecordedSet | None = None
         self._live: LiveParameters | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
-        super().__init__(node, executor)
-        self._live = LiveParameters(self._subject, self._job.wake, names=[name], executor=executor,
-                                    timeout_sec=timeout_sec)
+        super().__init__()
+        self._begin()
+        self._live = LiveParameters(self._subject, self._job.wake, names=[name])
         self._live.first_look()
         self._job.call_now(1.0)
         if value is not ...:
-            self._ask(name, value)
+            record_set(node, name, value)
             self._job.call_now(1.0)
-            self._hold(self._sentence)
+            with self._drawing:
+                self._is_held = True
+            self._stop()
 
     def __repr__(self) -> str:
-        shown = self._held or f'{self._name} of {self._subject}'
+        shown = self._sentence if self._is_held else f'{self._name} of {self._subject}'
         return f'<NumberLineView: {shown}{", closed" if self._closed else ""}>'
 
-    def settle(self, timeout_sec: float = 10.0) -> None:
-        """Wait until the view shows what the node has now.
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node."""
+        return self._subject
 
-        :raises WaitTimeoutError: it took too long.
-        """
-        if self._live is not None:
-            self._live.settle(timeout_sec)
-        self._job.call_now(timeout_sec)
+    def snapshot(self) -> dict[str, object]:
+        """Return what a page without a kernel needs: the picture plays there once, and again when it is told to."""
+        self._job.call_now(1.0)
+        return super().snapshot()
 
-    def _wants(self, record: RecordedSet) -> bool:
-        return record.timeline.name == self._name
+    def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
+        stop_listening = executor.on_graph_change(self._on_graph_change)
+        with contextlib.suppress(ExecutorError):
+            executor.run(self._follow, f'follow {self._subject}')
+        return stop_listening
+
+    def _lose(self) -> None:
+        self._followed, self._stop_sets = None, nothing
+
+    def _on_graph_change(self) -> None:
+        self._follow()
+        self._job.wake()
+
+    def _follow(self) -> None:
+        """Follow the node that has the name now: in the executor's thread, so that no set of a new node is missed."""
+        executor = self._executor
+        if self._closed or executor is None:
+            return
+        node = next((each for each in executor.nodes if name_of(each) == self._subject), None)
+        if node is not self._followed:
+            self._stop_sets()
+            self._followed, self._stop_sets = node, nothing
+            if node is not None:
+                self._stop_sets = follow_sets(node, self._on_set)
+
+    def _on_set(self, record: RecordedSet) -> None:
+        if record.timeline.name == self._name:
+            self._latest = record
+            self._job.wake()
+
+    def _step(self) -> float | None:
+        with self._drawing:
+            return None if self._is_held else super()._step()
+
+    def _say(self, words: str) -> None:
+        """Put a sentence in the place of the picture."""
+        self._text = words
+        self._drawn.value = f'<div class="motion">{svg.head(self._subject, words)}</div>'
 
     def _show(self) -> None:
         node, record = self._followed, self._latest
@@ -101,6 +147,7 @@ class NumberLineView(SetView):
 
     def _stop(self) -> None:
         super()._stop()
+        self._stop_sets()
         if self._live is not None:
             self._live.close()
 

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Mapping
 from rclpy.node import Node
 
 from param_tools.node.client import ParameterClient
-from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.plane import Plane, Point
 
@@ -17,18 +16,16 @@ class PlaneView(PictureView):
     The node is asked for each pair, and then has again what it had before.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, values: Mapping[str, Iterable[float]], *,
-                 executor: BackgroundExecutor | None = None) -> None:
+    def __init__(self, node: str | Node | ParameterClient, values: Mapping[str, Iterable[float]]) -> None:
         """
         :param node: The node, or its name.
         :param values: Two parameters by name, to the right and upward, and the values to ask for.
-        :param executor: Carries the requests; by default the one that runs in the background.
         :raises ValueError: there are not two parameters, or one has not two values.
         :raises NodeNotFoundError: there is no such node.
         """
         if len(values) != 2:
             raise ValueError(f'a PlaneView takes two parameters, not {list(values)}')
-        self._client = node if isinstance(node, ParameterClient) else ParameterClient(node, executor=executor)
+        self._client = node if isinstance(node, ParameterClient) else ParameterClient(node)
         self._names = list(values)
         before = self._pair()
         right, up = values.values()

@@ -8,7 +8,6 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError
 from param_tools.node.client import ParameterClient, SetResult
-from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.requests import Request, Requests
 
@@ -16,13 +15,11 @@ from param_tutorial.views.drawing.requests import Request, Requests
 class RequestsView(PictureView):
     """Requests that are sent in two ways, or in two worlds, beside each other. Show it as the last line of a cell."""
 
-    def __init__(self, subject: str, *, executor: BackgroundExecutor | None = None) -> None:
+    def __init__(self, subject: str) -> None:
         """Begin without a side.
 
         :param subject: What the picture is of; a parameter of that name is not named again in each request.
-        :param executor: Carries the requests; by default the one that runs in the background.
         """
-        self._executor = executor
         self._requests = Requests(subject)
         super().__init__(self._requests)
 
@@ -40,7 +37,7 @@ class RequestsView(PictureView):
         :raises NodeNotFoundError: there is no such node.
         """
         self._requests.require_room()
-        client = node if isinstance(node, ParameterClient) else ParameterClient(node, executor=self._executor)
+        client = node if isinstance(node, ParameterClient) else ParameterClient(node)
         pairs = list(requests.items() if isinstance(requests, Mapping) else requests)
         before = {name: values.format_value(value) for name, value in client.get_parameters().items()}
         told = _sent_as_one(client, dict(pairs)) if atomically else [_sent(client, *pair) for pair in pairs]

@@ -13,27 +13,19 @@ from param_tutorial.views.base import name_of
 from param_tutorial.views.drawing.robot import Robot
 from param_tutorial.views.driving import DrivingView, Start
 
-# How long to look for a robot that is known to be coming.
-_LOOK_PERIOD_SEC = 0.1
-_LOOKS_FOR_ROBOT = 50
-
 
 class RobotView(DrivingView, FollowingView):
     """A robot that moves as its parameters let it, until it is closed. Show it as the last line of a cell."""
 
     _show_period_sec = 0.05
 
-    def __init__(self, robot: ClawbotNode | str, *, executor: BackgroundExecutor | None = None) -> None:
-        """
-        :param robot: The node, or its name; it has to be spun in this process, now or later.
-        :param executor: Spins it; by default the one that runs in the background, also after a stop and a new start.
-        """
+    def __init__(self, robot: ClawbotNode | str) -> None:
+        """:param robot: The node, or its name; it has to be spun in this process, now or later."""
         self._name = full_name(robot)
         self._robot: ClawbotNode | None = None
         self._stop_motion: Callable[[], None] = nothing
-        self._looks_left = _LOOKS_FOR_ROBOT
         super().__init__()
-        self._begin(executor)
+        self._begin()
 
     def __repr__(self) -> str:
         return f'<RobotView: {self._name}{", closed" if self._closed else ""}>'
@@ -56,20 +48,11 @@ class RobotView(DrivingView, FollowingView):
     # -- following the node ------------------------------------------------------------------------------
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
-        return executor.on_graph_change(self._on_graph_change)
+        return executor.on_graph_change(self._job.wake)
 
     def _stop(self) -> None:
         super()._stop()
         self._stop_motion()
-
-    def _on_executor_change(self) -> None:
-        super()._on_executor_change()
-        # Also if the executor was chosen: it may be the one that has stopped.
-        self._on_graph_change()
-
-    def _on_graph_change(self) -> None:
-        self._looks_left = _LOOKS_FOR_ROBOT
-        self._job.wake()
 
     def _find_robot(self) -> ClawbotNode | None:
         """Find the node that has the name now, and listen to it."""
@@ -83,17 +66,13 @@ class RobotView(DrivingView, FollowingView):
 
     # -- drawing: the worker's thread -------------------------------------------------------------------
 
-    def _show(self) -> float | None:
+    def _show(self) -> None:
         robot = self._find_robot()
         if robot is None:
             self._draw_nothing(f'{self._name} is not running. It comes back here when it does.')
-            # The graph may tell of a node whose constructor is still running.
-            self._looks_left -= 1
-            coming = self._executor and self._looks_left > 0 and self._executor.node_incarnations(self._name)
-            return _LOOK_PERIOD_SEC if coming else None
-        motion, elapsed_sec = robot.motion
-        self._draw(vehicle_of(robot, motion), elapsed_sec)
-        return None
+        else:
+            motion, elapsed_sec = robot.motion
+            self._draw(vehicle_of(robot, motion), elapsed_sec)
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
 

@@ -8,7 +8,6 @@ from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 from param_tools.ros import stage
-from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.graph import name_of
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tutorial.views.drawing.ros_graph import NodeGraph
@@ -19,7 +18,7 @@ _NOTEBOOK = 'this notebook'
 _REQUESTS = re.compile(rf'rq(/.+)/(?:{"|".join(SERVICE_TYPES)})Request')
 
 
-def node_graph(*, executor: BackgroundExecutor | None = None) -> NodeGraph:
+def node_graph() -> NodeGraph:
     """Find out who offers parameter services, who has clients for them, and who reports and hears of changes.
 
     Nodes whose name begins with an underscore are left out, as ``ros2 node list`` leaves them out, except the one
@@ -27,7 +26,7 @@ def node_graph(*, executor: BackgroundExecutor | None = None) -> NodeGraph:
 
     :raises ExecutorError: no executor is running.
     """
-    observer = (executor or stage.current()).tool_node
+    observer = stage.current().tool_node
     serves: list[str] = []
     asks: list[tuple[str, str]] = []
     for topic, types in observer.get_topic_names_and_types(no_demangle=True):

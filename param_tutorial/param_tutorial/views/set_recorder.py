@@ -1,6 +1,6 @@
 """Record what becomes of each set of parameters on its way through a node.
 
-``record_change`` returns a picture of one set; LadderView and NumberLineView show one set after another.
+``record_change`` returns a picture of one set, ``record_set`` the facts; NumberLineView follows one set after another.
 """
 
 import contextlib
@@ -15,11 +15,12 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools import values
-from param_tools.errors import CallbackError, ExecutorError
-from param_tools.node.client import ParameterClient, changes
+from param_tools.errors import CallbackError, ExecutorError, NodeNotFoundError
+from param_tools.node.client import ParameterClient, changes, node_name
 from param_tools.ros import rclpy_private, stage
-from param_tools.ros.executor import BackgroundExecutor, function_name
+from param_tools.ros.executor import function_name
 from param_tools.ros.listeners import Listeners
+from param_tutorial.views.base import name_of
 from param_tutorial.views.drawing.timeline import Step, Timeline
 
 
@@ -37,40 +38,52 @@ class RecordedSet:
     """Why the node did not take the value, in the node's words; empty if it did."""
 
 
-def record_change(node: Node, name: str, value: Any, *,
-                  executor: BackgroundExecutor | None = None) -> Timeline:
+def record_change(node: Node, name: str, value: Any) -> Timeline:
     """Ask a node to set one parameter, and record what happens in it, in that order.
 
     The record holds the calls of the node's callbacks, the moment when the value is stored, and the message on
     /parameter_events; the node behaves as without a record. An exception in a callback is drawn too.
 
-    :param node: Spun by the executor; what happens in another process cannot be looked into.
-    :raises ExecutorError: the node is not spun by the executor.
+    :param node: On the stage; what happens in another process cannot be looked into.
+    :raises ExecutorError: the node is not on the stage.
     :raises InvalidValueError: no parameter can hold this value.
     """
-    ros = executor or stage.current()
+    return record_set(node, name, value).timeline
+
+
+def record_set(node: str | Node | ParameterClient, name: str, value: Any) -> RecordedSet:
+    """Ask a node to set one parameter, and return what came of it.
+
+    :param node: The node, or its name.
+    :raises NodeNotFoundError: no node of that name is on the stage.
+    :raises ExecutorError: the node is not on the stage.
+    :raises InvalidValueError: no parameter can hold this value.
+    """
+    nodes = {name_of(each): each for each in stage.current().nodes}
+    here = node if isinstance(node, Node) else nodes.get(node_name(node))
+    if here is None:
+        raise NodeNotFoundError(node_name(node), list(nodes))
     records: list[RecordedSet] = []
-    stop_following = follow_sets(node, records.append, executor=ros)
+    stop_following = follow_sets(here, records.append)
     try:
         with contextlib.suppress(CallbackError):
-            ParameterClient(node, executor=ros).set_parameter(name, value)
+            ParameterClient(here).set_parameter(name, value)
     finally:
         stop_following()
-    return next(record.timeline for record in reversed(records) if record.timeline.name == name)
+    return next(record for record in reversed(records) if record.timeline.name == name)
 
 
-def follow_sets(node: Node, listener: Callable[[RecordedSet], object], *,
-                executor: BackgroundExecutor | None = None) -> Callable[[], None]:
+def follow_sets(node: Node, listener: Callable[[RecordedSet], object]) -> Callable[[], None]:
     """Call a listener, in the node's thread, with a record of each set: by a service, or in the node's own code.
 
     Unlike a message on /parameter_events, a record also tells of values that the node rejects. The node behaves as
     without a record.
 
-    :param node: Spun by the executor; what happens in another process cannot be looked into.
+    :param node: On the stage; what happens in another process cannot be looked into.
     :return: Call it to stop listening; safe to call when the executor has stopped.
-    :raises ExecutorError: the node is not spun by the executor.
+    :raises ExecutorError: the node is not on the stage.
     """
-    ros = executor or stage.current()
+    ros = stage.current()
     if not any(node is each for each in ros.nodes):
         raise ExecutorError(f'{node!r} is not on this stage: only a node that came from ros.add() can be recorded')
 

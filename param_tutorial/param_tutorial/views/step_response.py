@@ -7,7 +7,6 @@ controller in another process, and what it shows is what the node has confirmed.
 import html
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import ipywidgets as widgets
@@ -16,11 +15,8 @@ from rclpy.node import Node
 from param_tools.markup.styles import style
 from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
-from param_tools.panel.close_with_cell import close_with_cell
 from param_tools.panel.recordable import html_of
-from param_tools.panel.view import View
-from param_tools.ros.executor import BackgroundExecutor
-from param_tools.ros.services import TIMEOUT_SEC
+from param_tools.panel.view import ParameterView
 from param_tutorial.nodes.pid_controller_node import SETTLING_BAND, Figures, StepResponse, response_of
 from param_tutorial.views.drawing.plots import Band
 from param_tutorial.views.drawing.step_response import Wheel, plot_responses
@@ -30,84 +26,54 @@ _STYLE = style('param_tutorial/views/step_response.css')
 _PAUSE_SEC = 1.0
 
 
-@dataclass(frozen=True)
-class Goals:
-    """What a step response is to reach."""
-
-    error: float = 0.1
-    """The steady-state error is at most this, in rad/s, in either direction."""
-    overshoot_percent: float = 5.0
-    """The overshoot is less than this."""
-    settling_sec: float = 0.4
-    """The settling time is less than this."""
-
-    def band(self, reference: float) -> Band:
-        """Return where the speed is to be in the end: what settles in time, near enough, stays in it."""
-        room = self.error + SETTLING_BAND * reference
-        return Band(self.settling_sec, round(reference - room, 6), round(reference + room, 6))
-
-    def verdicts(self, figures: Figures) -> Iterator[tuple[str, bool | None, str]]:
-        """Yield each figure in words, whether it meets its goal (None if it has none), and the goal in words."""
-        parts = str(figures).split(', ')
-        if figures.settling_sec is None or figures.overshoot_percent is None:
-            yield parts[0], False, 'a steady speed'
-            yield ', '.join(parts[1:]), None, ''
-            return
-        rise, overshoot, settling, error = parts
-        yield rise, None, ''
-        yield overshoot, figures.overshoot_percent < self.overshoot_percent, f'below {self.overshoot_percent:g} %'
-        yield settling, figures.settling_sec < self.settling_sec, f'below {self.settling_sec:g} s'
-        yield error, abs(figures.steady_state_error) <= self.error, f'within {self.error:g} rad/s'
+# What exercise 10.3a asks for: the steady-state error is at most this in either direction, and the others are less.
+_ERROR, _OVERSHOOT_PERCENT, _SETTLING_SEC = 0.1, 5.0, 0.4
 
 
-class StepResponseView(View):
-    """The step response of a PidControllerNode, drawn again whenever its parameters change, until it is closed.
+def _band(reference: float) -> Band:
+    """Return where the speed is to be in the end: what settles in time, near enough, stays in it."""
+    room = _ERROR + SETTLING_BAND * reference
+    return Band(_SETTLING_SEC, round(reference - room, 6), round(reference + room, 6))
+
+
+def verdicts(figures: Figures) -> Iterator[tuple[str, bool | None, str]]:
+    """Yield each figure in words, whether it meets its goal (None if it has none), and the goal in words."""
+    parts = str(figures).split(', ')
+    if figures.settling_sec is None or figures.overshoot_percent is None:
+        yield parts[0], False, 'a steady speed'
+        yield ', '.join(parts[1:]), None, ''
+        return
+    rise, overshoot, settling, error = parts
+    yield rise, None, ''
+    yield overshoot, figures.overshoot_percent < _OVERSHOOT_PERCENT, f'below {_OVERSHOOT_PERCENT:g} %'
+    yield settling, figures.settling_sec < _SETTLING_SEC, f'below {_SETTLING_SEC:g} s'
+    yield error, abs(figures.steady_state_error) <= _ERROR, f'within {_ERROR:g} rad/s'
+
+
+class StepResponseView(ParameterView):
+    """The step response of a controller's first joint, drawn again whenever a parameter changes, until it is closed.
 
     Show it as the last line of a cell.
     """
 
-    def __init__(self, node: str | Node | ParameterClient, *, joint: str | None = None, goals: Goals | None = None,
-                 executor: BackgroundExecutor | None = None, timeout_sec: float = TIMEOUT_SEC) -> None:
-        """
-        :param node: The node or its name; it may run in another process, and it may be absent now.
-        :param joint: Which of its joints; by default the first.
-        :param goals: What the response is to reach; by default what exercise 10.3a asks for.
-        :param executor: Carries the requests; by default the one that runs in the background.
-        :param timeout_sec: How long the node may take for each answer.
-        """
-        self._node = node_name(node)
-        self._joint = joint
+    def __init__(self, node: str | Node | ParameterClient) -> None:
+        """:param node: The node or its name; it may run in another process, and it may be absent now."""
         self._shown: tuple[str, dict[str, Any]] | None = None
         self._text = ''
-        self._goals = goals or Goals()
         # What is drawn, what stood there before the last drag, and the picture without that.
         self._response: StepResponse | None = None
         self._before: StepResponse | None = None
         self._plain = ''
         self._drawn_sec = 0.0
         self._picture, self._figures = widgets.HTML(), widgets.HTML()
-        self._live = LiveParameters(self._node, self._show, executor=executor, timeout_sec=timeout_sec)
+        self._live = LiveParameters(node_name(node), self._show)
         super().__init__([widgets.HTML(_STYLE), self._picture, self._figures], 'step-view')
-        self._live.first_look()
-        close_with_cell(self)
-
-    def __repr__(self) -> str:
-        return f'<StepResponseView: {self._node}{", closed" if self._closed else ""}>'
+        self._begin()
 
     @property
     def text(self) -> str:
         """What the view shows, in words, as a screen reader tells it."""
         return self._text
-
-    def settle(self, timeout_sec: float = 10.0) -> None:
-        """Wait until the view shows what the node has now.
-
-        :raises WaitTimeoutError: it took too long.
-        """
-        self._live.settle(timeout_sec)
-
-    def _end(self) -> None:
-        self._live.close()
 
     def _show(self) -> None:
         with self._drawing:
@@ -122,15 +88,15 @@ class StepResponseView(View):
                 self._say(self._live.status)
                 return
             try:
-                joint = self._joint or parameters['dof_names'][0]
+                joint = parameters['dof_names'][0]
                 response = response_of(parameters, joint)
                 figures, wheel = str(response.figures), Wheel(response.points).html()
             except KeyError as missing:
-                self._say(f'{self._node} has no parameter {missing.args[0]}, so there is nothing to simulate.')
+                self._say(f'{self.node} has no parameter {missing.args[0]}, so there is nothing to simulate.')
                 return
             except Exception as error:
                 # Somebody else's controller may hold whatever its author lets it.
-                self._say(f'{self._node} holds values with which nothing can be simulated: '
+                self._say(f'{self.node} holds values with which nothing can be simulated: '
                           f'{type(error).__name__}: {error}')
                 return
             gains = ', '.join(f'{name} = {parameters[f"gains.{joint}.{name}"]:g}' for name in 'pid')
@@ -142,31 +108,26 @@ class StepResponseView(View):
         if now - self._drawn_sec > _PAUSE_SEC:
             self._before = self._response
         self._response, self._drawn_sec = response, now
-        head = _head(self._node, f'{joint}: {gains}')
+        head = _head(self.node, f'{joint}: {gains}')
 
         def picture(before: StepResponse | None) -> str:
-            plot = plot_responses({joint: response}, before=before, band=self._goals.band(response.reference))
+            plot = plot_responses({joint: response}, before=before, band=_band(response.reference))
             return f'{head}<div class="step-scene">{plot._repr_html_()}{wheel}</div>'
         self._plain = picture(None)
         self._picture.value = picture(self._before) if self._before else self._plain
         parts = ''.join(f'<span>{html.escape(words)}{_mark(met, goal)}</span>'
-                        for words, met, goal in self._goals.verdicts(response.figures))
+                        for words, met, goal in verdicts(response.figures))
         self._figures.value = f'<div class="step-figures" role="status">{parts}</div>'
 
     def _say(self, words: str) -> None:
         self._text = words
-        self._plain = self._picture.value = _head(self._node, '')
+        self._plain = self._picture.value = _head(self.node, '')
         self._response = self._before = None
         self._figures.value = f'<div class="step-figures" role="status">{html.escape(words)}</div>'
 
     # -- recording: see ``recordable`` -------------------------------------------------------------------
 
     in_motion = False
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node."""
-        return self._node
 
     def rest(self) -> None:
         """Wait until the view shows what the node has now."""

@@ -11,7 +11,7 @@ from typing import Any
 from param_tools import values
 from param_tools.descriptor import Descriptor
 from param_tools.node.text import format_value, parse_value
-from param_tools.panel.recordable import Scale
+from param_tools.panel.editors import Scale
 from param_tutorial.site.recording.recorded import Row
 
 _SAMPLES = 5

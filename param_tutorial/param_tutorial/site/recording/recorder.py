@@ -10,7 +10,8 @@ import pkgutil
 from collections.abc import Iterable, Iterator, Sequence
 
 from param_tools.panel import recordable
-from param_tools.panel.recordable import Composition, Portrait, Recordable
+from param_tools.panel.recordable import Composition, Portrait
+from param_tools.panel.view import View
 from param_tutorial.site.recording import taps
 from param_tutorial.site.recording.interview import interview
 from param_tutorial.site.recording.recorded import Page, Recording, ViewFacts
@@ -49,7 +50,7 @@ def record_still(model_id: str, page: Page) -> Recording | None:
     return record(model_id, page)
 
 
-def _views_in(model_id: str) -> Sequence[Recordable]:
+def _views_in(model_id: str) -> Sequence[View]:
     """Return the view with a model's id, or those in it; nothing if the widget is no view."""
     found = recordable.find(model_id)
     if isinstance(found, Composition):
@@ -57,7 +58,7 @@ def _views_in(model_id: str) -> Sequence[Recordable]:
     return () if found is None else (found,)
 
 
-def _record(views: Sequence[Recordable], page: Page) -> list[Recording]:
+def _record(views: Sequence[View], page: Page) -> list[Recording]:
     """Record views that stand together: all as they stand, then what their nodes say, and then what moves."""
     recordings = [_as_it_stands(view) for view in views]
     for view, recording in zip(views, recordings):
@@ -71,7 +72,7 @@ def _record(views: Sequence[Recordable], page: Page) -> list[Recording]:
     return recordings
 
 
-def _as_it_stands(view: Recordable) -> Recording:
+def _as_it_stands(view: View) -> Recording:
     if recordable.LOG in view.follows:
         taps.wait_for_logs()
     if isinstance(view, Portrait):
@@ -83,7 +84,7 @@ def _as_it_stands(view: Recordable) -> Recording:
 
 
 @contextlib.contextmanager
-def _portrait_of(view: Recordable, page: Page) -> Iterator[Portrait | None]:
+def _portrait_of(view: View, page: Page) -> Iterator[Portrait | None]:
     """Make a view like the one with which the page pictures the node, which may stand in a later cell."""
     found = next((each['portrait'] for each in page['views'] if each['portrait'] and each['node'] == view.node), None)
     if found is None:

@@ -3,20 +3,8 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from param_tutorial.views.drawing import svg
-from param_tutorial.views.drawing.driving import (
-    GROUND,
-    HEIGHT,
-    WIDTH,
-    Moment,
-    Vehicle,
-    legend,
-    paint,
-    pattern,
-    post,
-    ruler,
-    wheel,
-)
+from param_tutorial.views.drawing import driving, svg
+from param_tutorial.views.drawing.driving import GROUND, HEIGHT, WIDTH, Moment, Vehicle
 
 if TYPE_CHECKING:
     from param_tutorial.nodes.clawbot_node import State
@@ -89,17 +77,19 @@ class Cart(Vehicle):
         return (f'<rect class="robot-sky" width="{WIDTH}" height="{GROUND}"/>'
                 f'<path class="robot-shelves" d="{shelves}"/>'
                 f'<rect class="robot-floor" y="{GROUND}" width="{WIDTH}" height="{HEIGHT - GROUND}"/>'
-                f'{ruler(self, self.settings.stop_m)}{post(self, 0.0, "start")}{legend(WIDTH * .45)}')
+                f'{driving.ruler(self, self.settings.stop_m)}{driving.post(self, 0.0, "start")}'
+                f'{driving.legend(WIDTH * .45)}')
 
     def in_front(self, moment: Moment) -> str:
         """Return SVG of the line at which it arrives."""
-        return post(self, self.settings.stop_m, 'end of the aisle' if self.shown_m[1] > 20 else 'end', 'robot-stop')
+        words = 'end of the aisle' if self.shown_m[1] > 20 else 'end'
+        return driving.post(self, self.settings.stop_m, words, 'robot-stop')
 
     def drawn(self, moment: Moment, wheel_css: str, cargo_css: str) -> str:
         """Return SVG of the cart, drawn in centimeters; its scanner is at 0, where its front is."""
         scale, radius = self.units_per_m / 100, 100 * _WHEEL_M
         deck = -2 * radius - 12
-        color, length = paint(self.node), 100 * _LENGTH_M
+        color, length = driving.paint(self.node), 100 * _LENGTH_M
         eye, sight = -radius - 6, 100 * self.sight_m
         drawn = (
             f'<g class="robot-cargo" style="{cargo_css}">'
@@ -112,9 +102,9 @@ class Cart(Vehicle):
             f'<path class="robot-ray" d="M{sight:g} {eye - 18:g}V0"/>'
             f'<path class="robot-arm" d="M{-length + 6:g} {deck:g}v-58q0 -8 -8 -8"/>'
             f'<rect class="robot-paint robot-paint-{color}" x="{-length:g}" y="{deck:g}" width="{length - 3:g}" '
-            f'height="24" rx="4"/>{pattern(color, -length + 8, deck + 4, length - 26, 16)}'
+            f'height="24" rx="4"/>{driving.pattern(color, -length + 8, deck + 4, length - 26, 16)}'
             f'<rect class="robot-part" x="-9" y="{eye - 7:g}" width="9" height="14" rx="2"/>'
             f'<circle class="robot-eye" cx="-3.5" cy="{eye:g}" r="3"/>'
-            f'{wheel(-length + 28, radius, wheel_css)}{wheel(-32, radius, wheel_css)}')
+            f'{driving.wheel(-length + 28, radius, wheel_css)}{driving.wheel(-32, radius, wheel_css)}')
         tag = svg.words(-length / 2 * scale, (deck - 74) * scale, self.name, css_class='robot-tag')
         return f'<g class="robot-machine robot-big" transform="scale({scale:.4f})">{drawn}</g>{tag}'

@@ -14,6 +14,8 @@ _BEGIN_SEC, _READ_SEC, _GATE_SEC, _STAY_SEC = 0.3, 0.4, 0.25, 0.5
 # In rclpy's order: what stands above a gate, and the kinds of answers that come from there.
 _GATES = (('declared', ('undeclared',)), ('read-only', ('read only',)), ('type', ('wrong type', 'not deletable')),
           ('range', ('out of range',)), ('step', ('off the step',)), ('on-set callbacks', ('rejected by the node',)))
+# How many gates let a request through, by the kind of its answer.
+_PASSED = {kind: number for number, (_, kinds) in enumerate([*_GATES, ('stored', ('accepted',))]) for kind in kinds}
 
 
 @dataclass(frozen=True)
@@ -21,9 +23,12 @@ class _Request:
     name: str
     value: str
     kind: str
-    is_stored: bool
     passed: int
     """How many gates let it through."""
+
+    @property
+    def is_stored(self) -> bool:
+        return self.passed == len(_GATES)
 
     @property
     def words(self) -> str:
@@ -51,11 +56,10 @@ class Checks(svg.AnimatedPicture):
     def __init__(self, node: str, requests: Iterable[tuple[str, str, str]]) -> None:
         """
         :param requests: Names, values as text, and kinds of answers (``SetResult.kind``).
-        :raises ValueError: there is no request, or no such kind.
+        :raises ValueError: there is no request.
         """
         self.subject = node
-        self._requests = [_Request(name, value, kind, kind == 'accepted', _gates_passed(kind))
-                          for name, value, kind in requests]
+        self._requests = [_Request(name, value, kind, _PASSED[kind]) for name, value, kind in requests]
         if not self._requests:
             raise ValueError('Checks takes one request at least')
 
@@ -99,14 +103,6 @@ def _row(y: float, request: _Request, begin_sec: float, animation: svg.Animation
     kind = 'token' if request.is_stored else 'token-bad'
     yield svg.group(svg.token(svg.cut(request.value, _VALUE_LETTERS), kind), animation.travel(
         [(leaves_sec, _gate_x(0) - _PITCH / 2 - 1, y), (there_sec, end_x, y)], 'linear', from_sec=begin_sec))
-
-
-def _gates_passed(kind: str) -> int:
-    """Return how many gates let a request with this answer through."""
-    passed = [number for number, (_, kinds) in enumerate(_GATES) if kind in kinds]
-    if kind != 'accepted' and not passed:
-        raise ValueError(f'no check answers {kind!r}')
-    return passed[0] if passed else len(_GATES)
 
 
 def _gate_x(number: int) -> int:

@@ -198,18 +198,6 @@ class Scene(NamedTuple):
     lean_rad: float
 
 
-@dataclass(frozen=True)
-class Film:
-    """A drive, for a page that has no kernel to ask."""
-
-    picture: str
-    """HTML as from ``moving``."""
-    scenes: tuple[Scene, ...]
-    """What it tells when each phase begins, and at the end."""
-    end: str
-    """HTML of the vehicle at rest."""
-
-
 def view_markup(picture: str = '', sentence: str = '') -> str:
     """Return the place where ``views/driving.js`` shows a vehicle: its picture, its words and the button.
 
@@ -231,10 +219,9 @@ def moving(vehicle: Vehicle) -> str:
     return _picture(vehicle.at(0.0), _Animation(_NAME, vehicle, is_told=True) if vehicle.motion.phases else None)
 
 
-def film(vehicle: Vehicle) -> Film:
-    """Return a motion from its beginning to its end."""
-    moments = [vehicle.at(start_sec) for start_sec in _starts_sec(vehicle.motion)]
-    return Film(moving(vehicle), tuple(moment.scene for moment in moments), still(moments[-1]))
+def scenes(vehicle: Vehicle) -> list[Scene]:
+    """Return what a moving picture tells when each phase begins, and at the end."""
+    return [vehicle.at(start_sec).scene for start_sec in _starts_sec(vehicle.motion)]
 
 
 def replay(vehicle: Vehicle) -> str:
@@ -279,7 +266,7 @@ class _Animation:
         """
         self._name = name
         self.is_told = is_told
-        self._kinds = [kind for kind in _CSS if kind != 'cargo' or not is_told]
+        self._kinds = [kind for kind in _KINDS if kind != 'cargo' or not is_told]
         self._vehicle, self._motion = vehicle, vehicle.motion
         self._total_sec = self._motion.duration_sec + pause_sec
         self._timing = f'{self._total_sec:.4f}s linear {f"{times} " if times > 1 else ""}both'
@@ -287,7 +274,7 @@ class _Animation:
         self._ticks = min(_MAX_TICKS, math.ceil(self._motion.duration_sec / _TICK_SEC))
 
     def css(self, kind: str) -> str:
-        """Return the CSS that animates an element; the kinds are those of _CSS, and strip."""
+        """Return the CSS that animates an element; the kinds are those of _KINDS, and strip."""
         return f'animation:{self._name}-{kind} {self._timing};' if kind in (*self._kinds, 'strip') else ''
 
     def keyframes(self) -> str:
@@ -331,13 +318,13 @@ class _Animation:
             if kind == 'ray':
                 yield from (self._step(kind, begin_sec + elapsed_sec, phase.at(elapsed_sec), 'step-end')
                             for elapsed_sec in _jumps_sec(self._vehicle, phase))
-        end = _CSS[kind](self._vehicle, self._motion.end)
+        end = _css(kind, self._vehicle, self._motion.end)
         if self._total_sec > self._motion.duration_sec:
             yield f'{100 * self._motion.duration_sec / self._total_sec:.4f}% {{{end}}}'
         yield f'100% {{{end}}}'
 
     def _step(self, kind: str, at_sec: float, state: 'State', timing: str) -> str:
-        return (f'{100 * at_sec / self._total_sec:.4f}% {{{_CSS[kind](self._vehicle, state)}'
+        return (f'{100 * at_sec / self._total_sec:.4f}% {{{_css(kind, self._vehicle, state)}'
                 f'animation-timing-function:{timing}}}')
 
 
@@ -360,28 +347,24 @@ def _jumps_sec(vehicle: Vehicle, phase: 'Phase') -> Iterator[float]:
         place_m += vehicle.reach_m
 
 
-def _place_css(vehicle: Vehicle, state: 'State') -> str:
-    return f'transform:translateX({vehicle.x(state.position_m):.3f}px);'
+# What can move by itself.
+_KINDS = ('robot', 'wheel', 'brake', 'cargo', 'ray')
 
 
-def _wheel_css(vehicle: Vehicle, state: 'State') -> str:
-    return f'transform:rotate({state.position_m / vehicle.wheel_radius_m:.4f}rad);'
-
-
-def _brake_css(vehicle: Vehicle, state: 'State') -> str:
-    # The square of the speed changes with the way driven in the same proportion, so the timing is that of the place.
-    return f'transform:scaleX({vehicle.stopping_m(state) * vehicle.units_per_m / _BAR:.5f});'
-
-
-def _cargo_css(vehicle: Vehicle, state: 'State') -> str:
-    return f'transform:rotate({Moment(vehicle, state).lean_rad:.4f}rad);'
-
-
-def _ray_css(vehicle: Vehicle, state: 'State') -> str:
+def _css(kind: str, vehicle: Vehicle, state: 'State') -> str:
+    """Return the CSS that brings a part to its place in a state of the vehicle."""
+    match kind:
+        case 'robot':
+            return f'transform:translateX({vehicle.x(state.position_m):.3f}px);'
+        case 'wheel':
+            return f'transform:rotate({state.position_m / vehicle.wheel_radius_m:.4f}rad);'
+        case 'brake':
+            # The square of the speed changes with the way driven in the same proportion, so the timing is that of the
+            # place.
+            return f'transform:scaleX({vehicle.stopping_m(state) * vehicle.units_per_m / _BAR:.5f});'
+        case 'cargo':
+            return f'transform:rotate({Moment(vehicle, state).lean_rad:.4f}rad);'
     return f'transform:translateX({vehicle.x(vehicle.rest_begin_m(state.position_m)):.3f}px);'
-
-
-_CSS = {'robot': _place_css, 'wheel': _wheel_css, 'brake': _brake_css, 'cargo': _cargo_css, 'ray': _ray_css}
 
 
 def _picture(moment: Moment, animation: _Animation | None) -> str:
@@ -409,7 +392,7 @@ def _layers(moment: Moment, animation: _Animation | None) -> str:
         if kind == 'cargo' and animation and animation.is_told:
             return 'transform:rotate(var(--lean));'
         # Without an animation, or where the reader wants none, the state of this moment.
-        return _CSS[kind](vehicle, state) + (animation.css(kind) if animation else '')
+        return _css(kind, vehicle, state) + (animation.css(kind) if animation else '')
 
     bar = f'<path class="robot-brake" d="M0 {GROUND + 5}h{_BAR}" style="{css("brake")}"/>'
     rest = '' if state.word == 'CRASHED' else vehicle.rest_of_ray(css('ray'))

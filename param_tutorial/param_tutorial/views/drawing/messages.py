@@ -11,7 +11,6 @@ _LEAVE_SEC, _TO_TOPIC_SEC, _AT_TOPIC_SEC, _TO_EARS_SEC = 0.3, 0.9, 0.4, 0.9
 _AT_SEC = _LEAVE_SEC + _TO_TOPIC_SEC
 _ON_SEC = _AT_SEC + _AT_TOPIC_SEC
 _ENVELOPE = svg.box(-15, -10, 30, 20, 'token', rounding=2) + svg.path('M-15 -9l15 11l15 -11')
-_MOST_ROWS = 8
 
 
 class MessageTraffic(svg.AnimatedPicture):
@@ -29,10 +28,8 @@ class MessageTraffic(svg.AnimatedPicture):
         :param changes: What the message says, e.g. ``['changed speed = 2']``.
         """
         self._sender, self._changes = sender, tuple(changes)
-        tells = sorted({*tells, *([sender] if sender else [])})
-        # A node that sends something is never left out.
-        self._tells = sorted(sorted(tells, key=lambda each: each != sender)[:_MOST_ROWS])
-        self._listens = dict(sorted(listens.items())[:_MOST_ROWS])
+        self._tells = sorted({*tells, *([sender] if sender else [])})
+        self._listens = dict(sorted(listens.items()))
         self._rows = max(len(self._tells), len(self._listens), 2)
 
     @property

@@ -3,20 +3,8 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from param_tutorial.views.drawing import svg
-from param_tutorial.views.drawing.driving import (
-    GROUND,
-    HEIGHT,
-    WIDTH,
-    Moment,
-    Vehicle,
-    legend,
-    paint,
-    pattern,
-    post,
-    ruler,
-    wheel,
-)
+from param_tutorial.views.drawing import driving, svg
+from param_tutorial.views.drawing.driving import GROUND, HEIGHT, WIDTH, Moment, Vehicle
 
 if TYPE_CHECKING:
     from param_tutorial.nodes.clawbot_node import State
@@ -102,10 +90,10 @@ class Robot(Vehicle):
         degrees = f'{self.temperature_c} °C'.replace('-', '−')
         parts = [f'<rect class="robot-sky{" robot-cold" if cold else ""}" width="{WIDTH}" height="{GROUND}"/>',
                  f'<rect class="robot-floor" y="{GROUND}" width="{WIDTH}" height="{HEIGHT - GROUND}"/>',
-                 ruler(self, self.settings.track_m), post(self, 0.0, 'start'),
+                 driving.ruler(self, self.settings.track_m), driving.post(self, 0.0, 'start'),
                  svg.words(14, 24, f'❄ {degrees}' if cold else degrees, anchor='start', css_class='robot-weather')]
         if self.settings.safety_on:
-            parts.append(legend(WIDTH * .45))
+            parts.append(driving.legend(WIDTH * .45))
         if cold:
             parts.append(f'<path class="robot-ice" d="{_drift(0, self.x(self.settings.track_m))}"/>')
         return ''.join(parts)
@@ -117,7 +105,7 @@ class Robot(Vehicle):
         parts = [f'<rect class="robot-wall" x="{wall:.1f}" y="{_WALL_TOP}" width="{WIDTH - wall + 5:.1f}" '
                  f'height="{GROUND - _WALL_TOP}"/><path class="robot-line robot-bricks" d="{_bricks(wall)}"/>']
         if self.settings.safety_on:
-            parts.append(post(self, self.settings.stop_m, 'stop', 'robot-stop'))
+            parts.append(driving.post(self, self.settings.stop_m, 'stop', 'robot-stop'))
         if crashed:
             parts.append(_crash(wall, moment.state.crash_speed_mps, self.units_per_m))
         if self.temperature_c < 0:
@@ -149,7 +137,7 @@ class Robot(Vehicle):
         center = -50 * self.length_m
         sensor = center + 100 * self.sensor_mount_m
         eye = deck - 100 * _EYE_OVER_DECK_M
-        color = paint(self.name)
+        color = driving.paint(self.name)
         listens = ''
         if self.settings.safety_on and moment.state.word != 'CRASHED':
             # The ray goes on to the wall: see rest_of_ray. A little longer than it has to be, so that no gap is seen.
@@ -180,12 +168,12 @@ class Robot(Vehicle):
             f'<circle class="robot-joint" cx="-43" cy="{deck - 24:g}" r="3"/>'
             f'<circle class="robot-joint" cx="-20" cy="{deck - 33:g}" r="3"/>'
             f'<rect class="robot-paint robot-paint-{color}" x="-59" y="{deck:g}" width="55" height="17" rx="3.5"/>'
-            f'{pattern(color, -55, deck + 2, 42, 11)}'
+            f'{driving.pattern(color, -55, deck + 2, 42, 11)}'
             f'<rect class="robot-bumper" x="-4.4" y="{-radius - 7:g}" width="4" height="12" rx="1.6"/>'
             f'<path class="robot-arm" d="M{sensor:g} {deck:g}v-4"/>'
             f'<rect class="robot-part" x="{sensor - 4:g}" y="{eye - 4:g}" width="8" height="8" rx="2"/>'
             f'<circle class="robot-eye" cx="{sensor + 1.5:g}" cy="{eye:g}" r="2.2"/>{frost}{ghost}'
-            f'{wheel(-46, radius, wheel_css)}{wheel(-17, radius, wheel_css)}')
+            f'{driving.wheel(-46, radius, wheel_css)}{driving.wheel(-17, radius, wheel_css)}')
         name = svg.words(-33 * scale, (deck - 40) * scale, svg.cut(self.name, 18), css_class='robot-tag')
         return (f'<g transform="scale({scale:.4f})"><g class="robot-machine" style="--crash:'
                 f'{min(1.0, moment.state.crash_speed_mps / 1.5):.2f}">{body}</g></g>{name}')

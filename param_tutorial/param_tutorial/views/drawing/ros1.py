@@ -44,28 +44,24 @@ class Step:
     """Empty where nothing was printed, which in ROS 1 means: done."""
 
 
-def parse(text: str) -> tuple[str, Mapping[str, tuple[Step, ...]]]:
+def parse(text: str) -> Mapping[str, tuple[Step, ...]]:
     """Read a recording.
 
-    :return: What stands before the first scene, and the steps of each scene by its name. Each scene begins with an
-        empty parameter server and fresh nodes.
+    :return: The steps of each scene by its name. Each scene begins with an empty parameter server and fresh nodes.
     """
-    head: list[str] = []
     scenes: dict[str, list[Step]] = {}
     steps: list[Step] = []
     for line in text.splitlines():
         if match := _SCENE.fullmatch(line):
             steps = scenes[match[1]] = []
-        elif not scenes:
-            head.append(line)
         elif match := _STEP.fullmatch(line):
             steps.append(Step(match[1], match[2]))
         elif (match := _MORE.fullmatch(line)) and not steps[-1].answer:
             steps[-1] = replace(steps[-1], typed=f'{steps[-1].typed}\n{match[1][1:]}')
         elif steps:
             steps[-1] = replace(steps[-1], answer=f'{steps[-1].answer}\n{line}'.lstrip('\n'))
-    return '\n'.join(head).strip(), {
-        name: tuple(replace(step, answer=step.answer.rstrip()) for step in steps) for name, steps in scenes.items()}
+    return {name: tuple(replace(step, answer=step.answer.rstrip()) for step in steps)
+            for name, steps in scenes.items()}
 
 
 def scene(name: str) -> 'Recorded':
@@ -81,7 +77,7 @@ def scene(name: str) -> 'Recorded':
 
 @functools.cache
 def _scenes() -> Mapping[str, tuple[Step, ...]]:
-    return parse(RECORDING.read_text(encoding='utf-8'))[1]
+    return parse(RECORDING.read_text(encoding='utf-8'))
 
 
 class Recorded:

@@ -2,17 +2,8 @@
 
 from collections.abc import Iterable, Sequence
 
-from param_tutorial.views.drawing.svg import (
-    BOLD,
-    DASHES,
-    PAPER,
-    STROKE,
-    arrow,
-    cut,
-    line,
-    picture,
-    plain_words,
-)
+from param_tutorial.views.drawing import svg
+from param_tutorial.views.drawing.svg import BOLD, DASHES, PAPER, STROKE
 
 
 class NodeGraph:
@@ -67,26 +58,26 @@ class NodeGraph:
         nodes = self._column(self._MIDDLE_X, middle)
         topic, *rest = self._column(self._RIGHT_X, ['', *self.listens]).values()
         listeners = dict(zip(self.listens, rest))
-        parts = [plain_words(x + self._BOX_WIDTH / 2, 18, title, 'middle', BOLD) for x, title in (
+        parts = [svg.plain_words(x + self._BOX_WIDTH / 2, 18, title, 'middle', BOLD) for x, title in (
             (self._LEFT_X, 'asks'), (self._MIDDLE_X, 'has parameters'), (self._RIGHT_X, 'hears of changes'))]
         for asker, asked in self.asks:
-            parts.append(arrow(*self._right_of(askers[asker]), *self._left_of(nodes[asked]),
+            parts.append(svg.arrow(*self._right_of(askers[asker]), *self._left_of(nodes[asked]),
                                attributes=STROKE + DASHES * (asked in self.missing)))
         for teller in self.tells:
             if teller in nodes:
-                parts.append(arrow(*self._right_of(nodes[teller]), *self._left_of(topic), attributes=STROKE))
+                parts.append(svg.arrow(*self._right_of(nodes[teller]), *self._left_of(topic), attributes=STROKE))
         x, y = topic
         # The listeners stand below the topic, on a line that comes down from it.
         for _, listener_y in listeners.values():
             middle_y = listener_y + self._BOX_HEIGHT / 2
-            parts.append(line(x + 14, y + self._BOX_HEIGHT, x + 14, middle_y, STROKE)
-                         + arrow(x + 14, middle_y, x + self._INDENT, middle_y, attributes=STROKE))
+            parts.append(svg.line(x + 14, y + self._BOX_HEIGHT, x + 14, middle_y, STROKE)
+                         + svg.arrow(x + 14, middle_y, x + self._INDENT, middle_y, attributes=STROKE))
         parts.append(self._box(x, y, '/parameter_events', rounded=True))
         parts += [self._box(left, top, name) for name, (left, top) in askers.items()]
         parts += [self._box(left, top, name, missing=name in self.missing) for name, (left, top) in nodes.items()]
         parts += [self._box(left + self._INDENT, top, name, width=self._BOX_WIDTH - self._INDENT)
                   for name, (left, top) in listeners.items()]
-        return picture(self.text, self._WIDTH, height, parts)
+        return svg.picture(self.text, self._WIDTH, height, parts)
 
     def _column(self, x: float, names: Sequence[str]) -> dict[str, tuple[float, float]]:
         return {name: (x, self._TOP + row * self._ROW) for row, name in enumerate(names)}
@@ -102,7 +93,7 @@ class NodeGraph:
         rounding = self._BOX_HEIGHT / 2 if rounded else 3
         return (f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{self._BOX_HEIGHT}" rx="{rounding:.1f}" '
                 f'fill="{PAPER}" {STROKE}{DASHES * missing}/>'
-                + plain_words(x + width / 2, y + 20, cut(name, int(width / self._LETTER_WIDTH)), 'middle'))
+                + svg.plain_words(x + width / 2, y + 20, svg.cut(name, int(width / self._LETTER_WIDTH)), 'middle'))
 
 
 def _joined(names: Iterable[str]) -> str:

@@ -4,10 +4,13 @@ import hashlib
 import itertools
 import math
 from collections.abc import Mapping
-from typing import Protocol, runtime_checkable
+from typing import TYPE_CHECKING
 
 from param_tutorial.views.drawing.plots import Band, LinePlot, Points
 from param_tutorial.views.drawing.svg import BRAND, INK, PAPER
+
+if TYPE_CHECKING:
+    from param_tutorial.nodes.pid_controller_node import StepResponse
 
 # A step response with more points than this is drawn with fewer, since they would lie on one another.
 _MAX_POINTS = 200
@@ -17,22 +20,7 @@ _FRAMES = 40
 _SPOKES = 5
 
 
-@runtime_checkable
-class Response(Protocol):
-    """What ``plot_responses`` draws: a StepResponse of the nodes, or whatever has the same attributes."""
-
-    @property
-    def reference(self) -> float:
-        """The speed that was asked for, in rad/s."""
-    @property
-    def points(self) -> Points:
-        """Time in s, and speed in rad/s."""
-    @property
-    def figures(self) -> object:
-        """Rise time, overshoot and so on, as ``str`` puts them."""
-
-
-def plot_responses(responses: Mapping[str, Response], *, before: Response | None = None,
+def plot_responses(responses: Mapping[str, 'StepResponse'], *, before: 'StepResponse | None' = None,
                    band: Band | None = None) -> LinePlot:
     """Draw step responses over one another, with the reference of the first.
 
@@ -42,7 +30,7 @@ def plot_responses(responses: Mapping[str, Response], *, before: Response | None
     :raises ValueError: there is none, or there are more.
     :raises TypeError: they are no step responses.
     """
-    if not isinstance(responses, Mapping) or not all(isinstance(each, Response) for each in responses.values()):
+    if not isinstance(responses, Mapping) or not all(hasattr(each, 'figures') for each in responses.values()):
         raise TypeError(f'plot_responses takes a dictionary of step responses, such as '
                         f'{{"p = 0.4": node.response()}}; got {responses!r}')
     if not 1 <= len(responses) <= 3:
