@@ -47,7 +47,6 @@ class Overrides(Parser):
         self._begin('')
         self.block_name, self.in_parameters = node, True
         self.block = self.blocks.setdefault(node, [])
-        self.places_here = self.places.setdefault(node, {})
         self._select(name, Place())
         try:
             for event in yaml.parse(text, Loader=LOADER):
