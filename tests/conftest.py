@@ -13,6 +13,7 @@ import hypothesis
 import nbval.kernel
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
+from rclpy.node import Node
 
 import param_tutorial
 from param_tools.errors import StuckError
@@ -68,6 +69,14 @@ def ros(stage_of_the_file: None) -> Iterator[BackgroundExecutor]:
     terminal.end_all()
     with contextlib.suppress(StuckError):  # a callback that never returns; the next start begins anew
         executor.remove_all()
+
+
+@pytest.fixture
+def silent(ros: BackgroundExecutor) -> Iterator[Node]:
+    """Yield a node that exists and answers nothing: nobody spins it."""
+    node = Node('silent')
+    yield node
+    node.destroy_node()
 
 
 @pytest.fixture

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 import yaml
-from rclpy.node import Node
 
 from param_tools.cli.run_isolated import describe_program
 from param_tools.cli.session import CommandFailed
@@ -117,13 +116,9 @@ def test_what_cannot_be_checked_has_a_status_of_its_own(ros, file, words, compla
 
 
 @pytest.mark.slow
-def test_a_node_that_hangs_is_named_and_the_others_are_described(ros):
+def test_a_node_that_hangs_is_named_and_the_others_are_described(ros, silent):
     ros.add(SimpleParamNode)
-    silent = Node('silent')
-    try:
-        stdout, stderr, status = run('describe', '/**', '--timeout', '0.5')
-    finally:
-        silent.destroy_node()
+    stdout, stderr, status = run('describe', '/**', '--timeout', '0.5')
     assert list(yaml.safe_load(stdout)['nodes']) == ['/simple_param_node']
     assert stderr.startswith('/silent did not answer')
     assert status == 1

@@ -388,17 +388,6 @@ def test_a_signal_ends_the_command_and_its_node_well(number, until, start_proces
 
 
 @pytest.mark.slow
-def test_run_hands_arguments_on(ros, start_process):
-    process = start_process(
-        *EMBEDDED, 'run', 'param_tutorial', 'simple_param_node',
-        '--ros-args', '-r', '__ns:=/left', '-p', 'max_speed_rpm:=7',
-        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    assert run('param', 'get', '--timeout', '30', '/left/simple_param_node', 'max_speed_rpm') == (
-        'Integer value is: 7\n', '', 0)
-    assert process.poll() is None
-
-
-@pytest.mark.slow
 def test_run_takes_a_prefix():
     done = subprocess.run([*EMBEDDED, 'run', '--prefix', 'echo -n', 'param_tutorial', 'simple_param_node', 'x'],
                           capture_output=True, text=True)

@@ -20,14 +20,6 @@ class Camera(Node):
         self.declare_parameter('rate', 30)
 
 
-@pytest.fixture
-def silent(ros):
-    """Return a node that exists and is not spun."""
-    node = Node('silent')
-    yield node
-    node.destroy_node()
-
-
 @pytest.mark.slow
 def test_all_nodes_are_saved_changed_compared_and_restored(ros, tmp_path):
     ros.add(SimpleParamNode)

@@ -56,17 +56,14 @@ def test_a_running_node_is_described_saved_and_read_back(ros, tmp_path):
 
 
 @pytest.mark.slow
-def test_all_nodes_are_described_and_one_that_hangs_is_named(ros, tmp_path):
+def test_all_nodes_are_described_and_one_that_hangs_is_named(ros, silent):
     ros.add(Arm)
-    silent = Node('silent')
-    try:
-        found = describe(timeout_sec=0.5)
-    finally:
-        silent.destroy_node()
+    found = describe(timeout_sec=0.5)
     assert list(found) == ['/arm']
     assert not found.complete
     assert isinstance(found.unanswered['/silent'], NoAnswerError)
     assert '# /silent is missing: ' in found.dump().text
+    silent.destroy_node()
     assert describe().complete
 
 

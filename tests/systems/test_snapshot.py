@@ -46,14 +46,6 @@ class Mute(Node):
 OWN = {'use_sim_time': False, 'start_type_description_service': True}
 
 
-@pytest.fixture
-def dozing(ros):
-    """Return a node that exists and is not spun."""
-    node = Node('dozing')
-    yield node
-    node.destroy_node()
-
-
 def test_all_values_of_all_nodes(ros):
     ros.add(Arm)
     ros.add(Node, 'plain')
@@ -79,17 +71,17 @@ def test_without_names_it_is_every_node_but_the_hidden_ones(ros):
 
 
 @pytest.mark.slow
-def test_who_does_not_answer_is_named_and_keeps_nobody(ros, dozing):
+def test_who_does_not_answer_is_named_and_keeps_nobody(ros, silent):
     arm = ros.add(Arm)
-    snapshot = all_parameters([arm, dozing, ros.add(Mute), '/gone'], timeout_sec=1.0)
+    snapshot = all_parameters([arm, silent, ros.add(Mute), '/gone'], timeout_sec=1.0)
     assert list(snapshot) == ['/left/arm']
     assert {node: type(error) for node, error in snapshot.unanswered.items()} == {
-        '/dozing': NoAnswerError, '/gone': NodeNotFoundError, '/mute': NodeError}
+        '/silent': NoAnswerError, '/gone': NodeNotFoundError, '/mute': NodeError}
     with pytest.raises(NoAnswerError):
-        snapshot['/dozing']
+        snapshot['/silent']
     with pytest.raises(NodeNotFoundError, match=r'no node /left/amr.*/left/arm\?'):
         snapshot['/left/amr']
-    assert snapshot.get('/dozing') is None
+    assert snapshot.get('/silent') is None
 
 
 def test_all_are_asked_at_the_same_time(ros, monkeypatch):

@@ -76,8 +76,9 @@ class Launcher:
         try:
             # In a session of its own: Ctrl+C reaches it once, through this launcher.
             process = subprocess.Popen(
-                program.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                text=True, errors='replace', start_new_session=True)
+                program.command, stdin=subprocess.DEVNULL, text=True, errors='replace', start_new_session=True,
+                stdout=subprocess.PIPE if program.show_stdout else subprocess.DEVNULL,
+                stderr=subprocess.PIPE if program.show_stderr else subprocess.DEVNULL)
         except OSError as error:
             self.log('ERROR', name, f'exception occurred while executing process: {error.strerror}: '
                                    f'{program.command[0]}')
@@ -87,8 +88,8 @@ class Launcher:
         threading.Thread(target=self._watch, args=(name, program, process), daemon=True).start()
 
     def _watch(self, name: str, program: Program, process: subprocess.Popen[str]) -> None:
-        readers = [threading.Thread(target=self._copy, args=(name, lines, shown), daemon=True)
-                   for lines, shown in ((process.stdout, program.show_stdout), (process.stderr, program.show_stderr))]
+        readers = [threading.Thread(target=self._copy, args=(name, lines), daemon=True)
+                   for lines in (process.stdout, process.stderr) if lines]
         for reader in readers:
             reader.start()
         for reader in readers:
@@ -101,11 +102,10 @@ class Launcher:
             self.log('ERROR', name, f"process has died [pid {process.pid}, exit code {status}, cmd '{command}'].")
         self._events.put(name)
 
-    def _copy(self, name: str, lines: IO[str], shown: bool) -> None:
+    def _copy(self, name: str, lines: IO[str]) -> None:
         with lines:
             for line in lines:
-                if shown:
-                    self._print(f'[{name}] {line.rstrip(os.linesep)}')
+                self._print(f'[{name}] {line.rstrip(os.linesep)}')
 
     def _end_all(self) -> None:
         for number, escalation in ((signal.SIGINT, 'SIGTERM'), (signal.SIGTERM, 'SIGKILL'), (signal.SIGKILL, '')):
