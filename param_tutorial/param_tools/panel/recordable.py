@@ -34,18 +34,6 @@ class ControlFacts:
 
 
 @runtime_checkable
-class Composition(Protocol):
-    """Several views in one widget: a page draws each by itself, in the same places."""
-
-    @property
-    def parts(self) -> 'Sequence[Any]':
-        """The views, in their order."""
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page needs to draw it, as JSON, but for its parts."""
-
-
-@runtime_checkable
 class Portrait(Protocol):
     """A view that pictures its node: a page wants to see what each answer changes in the picture.
 
@@ -83,7 +71,7 @@ def register(model_id: str, view: Any) -> None:
 
 
 def find(model_id: str) -> Any:
-    """Return the View or Composition with a model's id; None if the widget is neither, or is gone."""
+    """Return the view with a model's id, or a widget with several views, its ``parts``; None if there is neither."""
     return _views.get(model_id)
 
 

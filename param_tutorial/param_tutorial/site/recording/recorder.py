@@ -10,7 +10,7 @@ import pkgutil
 from collections.abc import Iterable, Iterator, Sequence
 
 from param_tools.panel import recordable
-from param_tools.panel.recordable import Composition, Portrait
+from param_tools.panel.recordable import Portrait
 from param_tools.panel.view import View
 from param_tutorial.site.recording import taps
 from param_tutorial.site.recording.interview import interview
@@ -34,7 +34,7 @@ def record(model_id: str, page: Page) -> Recording | None:
     :return: What JSON can hold; None if the widget is no view.
     """
     found = recordable.find(model_id)
-    if isinstance(found, Composition):
+    if hasattr(found, 'parts'):
         return {**found.snapshot(), 'parts': _record(found.parts, page)}
     return None if found is None else _record((found,), page)[0]
 
@@ -53,9 +53,7 @@ def record_still(model_id: str, page: Page) -> Recording | None:
 def _views_in(model_id: str) -> Sequence[View]:
     """Return the view with a model's id, or those in it; nothing if the widget is no view."""
     found = recordable.find(model_id)
-    if isinstance(found, Composition):
-        return found.parts
-    return () if found is None else (found,)
+    return () if found is None else getattr(found, 'parts', (found,))
 
 
 def _record(views: Sequence[View], page: Page) -> list[Recording]:
