@@ -3,8 +3,7 @@
 Where a launch file takes a substitution, it also takes a string, and several of both, which are joined.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -24,11 +23,11 @@ class Substitution:
         raise NotImplementedError
 
 
-@dataclass(kw_only=True)
 class TextSubstitution(Substitution):
     """A string that is known already."""
 
-    text: str
+    def __init__(self, *, text: str):
+        self.text = text
 
     def perform(self, context: Context) -> str:
         return self.text
@@ -37,12 +36,12 @@ class TextSubstitution(Substitution):
         return repr(self.text)
 
 
-@dataclass
 class LaunchConfiguration(Substitution):
     """The value of a launch argument."""
 
-    variable_name: Any
-    default: Any = field(default=None, kw_only=True)
+    def __init__(self, variable_name: Any, *, default: Any = None):
+        self.variable_name = variable_name
+        self.default = default
 
     def perform(self, context: Context) -> str:
         name = perform(self.variable_name, context)
@@ -56,11 +55,11 @@ class LaunchConfiguration(Substitution):
         return f'LaunchConfig({describe(self.variable_name)})'
 
 
-@dataclass
 class PathJoinSubstitution(Substitution):
     """A path made of parts."""
 
-    substitutions: Sequence[Any]
+    def __init__(self, substitutions: Iterable[Any]):
+        self.substitutions = list(substitutions)
 
     def perform(self, context: Context) -> str:
         return str(Path(*(perform(part, context) for part in self.substitutions)))
@@ -69,11 +68,11 @@ class PathJoinSubstitution(Substitution):
         return f"PathJoin('{describe(self.substitutions)}')"
 
 
-@dataclass
 class FindPackageShare(Substitution):
     """The share folder of a package."""
 
-    package: Any
+    def __init__(self, package: Any):
+        self.package = package
 
     def perform(self, context: Context) -> str:
         return str(index.share_folder_of(perform(self.package, context)))
