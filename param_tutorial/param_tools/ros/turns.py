@@ -56,7 +56,7 @@ class TurnLoop:
         return self._current
 
     def interrupt(self, error: type[BaseException]) -> bool:
-        return False  # whoever asks runs, so the loop doesn't
+        return False  # the caller runs, so the loop does not
 
     def join(self, timeout_sec: float) -> bool:
         return not self._current
@@ -123,7 +123,7 @@ def install() -> Turns:
                 _sleep(_PAUSE_SEC)
         finally:
             condition._acquire_restore(saved)  # type: ignore[attr-defined]
-            with contextlib.suppress(ValueError):  # whoever notifies takes it out
+            with contextlib.suppress(ValueError):  # the one who notifies takes it out
                 condition._waiters.remove(waiter)  # type: ignore[attr-defined]
         return was_notified
 
