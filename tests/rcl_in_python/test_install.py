@@ -99,3 +99,16 @@ print(0 < asked[0] <= 0.001)
 
 def test_the_layer_itself_needs_no_numpy():
     assert run('print("numpy" in sys.modules, "rclpy" in sys.modules)') == 'False False\n'
+
+
+def test_where_there_is_no_numpy_messages_get_what_they_use_of_it():
+    assert run('''
+from importlib.machinery import PathFinder
+find_spec = PathFinder.find_spec
+PathFinder.find_spec = lambda name, *more: None if name == 'numpy' else find_spec(name, *more)
+from service_msgs.msg import ServiceEventInfo
+from rclpy.serialization import deserialize_message, serialize_message
+info = ServiceEventInfo(client_gid=range(16), sequence_number=7)
+print(deserialize_message(serialize_message(info), ServiceEventInfo) == info, info == ServiceEventInfo())
+print(sys.modules['numpy'].__doc__.startswith('As much of numpy'))
+''') == 'True False\nTrue\n'

@@ -9,13 +9,14 @@ import sys
 import types
 from collections.abc import Sequence
 from importlib.abc import Loader, MetaPathFinder
-from importlib.machinery import ModuleSpec
+from importlib.machinery import ModuleSpec, PathFinder
 
 from param_tools.errors import LayerError
-from param_tools.rcl_in_python import module
+from param_tools.rcl_in_python import arrays, module
 
 _COMPILED = 'rclpy._rclpy_pybind11'
 _TYPE_SUPPORT = '_s__rosidl_typesupport_c'
+_NUMPY = 'numpy'
 
 
 class _TypeSupport(types.ModuleType):
@@ -28,16 +29,19 @@ class _TypeSupport(types.ModuleType):
 
 
 class _Finder(MetaPathFinder, Loader):
-    """Finds the layer under the names of compiled modules."""
+    """Finds the layer under the names of compiled modules, and a little of numpy if nobody else does."""
 
     def find_spec(self, name: str, path: Sequence[str] | None, target: types.ModuleType | None = None,
                   ) -> ModuleSpec | None:
-        if name == _COMPILED or name.endswith(_TYPE_SUPPORT):
+        is_numpy_missing = name == _NUMPY and PathFinder.find_spec(_NUMPY) is None
+        if name == _COMPILED or name.endswith(_TYPE_SUPPORT) or is_numpy_missing:
             return ModuleSpec(name, self, origin='rclpy in Python')
         return None
 
     def create_module(self, spec: ModuleSpec) -> types.ModuleType:
-        return module.make(spec.name) if spec.name == _COMPILED else _TypeSupport(spec.name)
+        if spec.name == _COMPILED:
+            return module.make(spec.name)
+        return arrays.make() if spec.name == _NUMPY else _TypeSupport(spec.name)
 
     def exec_module(self, _: types.ModuleType) -> None:
         """There is nothing left to do."""
@@ -67,6 +71,4 @@ def _has_compiled_layer() -> bool:
     package = importlib.util.find_spec('rclpy')
     if package is None or package.submodule_search_locations is None:
         return False
-    from importlib.machinery import PathFinder
-
     return PathFinder.find_spec(_COMPILED, package.submodule_search_locations) is not None
