@@ -47,15 +47,15 @@ hub:  ## start JupyterHub for a class on this machine: see environment/jupyterhu
 	@$(SET_UP) build/jupyterhub requirements.lock requirements-hub.lock
 	@build/jupyterhub/bin/python environment/jupyterhub/hub.py $(ARGS)
 
-# Five workers share two cores, so what they wait for may take twice as long.
-SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest -n 5 --dist loadscope --no-loadscope-reorder --nbval
+# Tests mostly wait, so many workers share two cores, and what they wait for may take twice as long.
+SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest --dist loadscope --no-loadscope-reorder --nbval
 
 # All but the tests marked `thorough`.
 test: setup-all  ## run the test suite before you commit: every notebook is a test
-	@$(SUITE) -m "not thorough" $(ARGS) tests notebooks
+	@$(SUITE) -n 8 -m "not thorough" $(ARGS) tests notebooks
 
 test-all: setup-all  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, each answer; CI runs it
-	@$(SUITE) $(ARGS) tests notebooks
+	@$(SUITE) -n 5 $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit
