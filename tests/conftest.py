@@ -35,7 +35,7 @@ if 'PYTEST_XDIST_WORKER' not in os.environ:
     os.environ |= {name: f'{_folder}/{name}' for name in ('IPYTHONDIR', 'JUPYTER_RUNTIME_DIR', 'ROS_LOG_DIR')}
 
 nbval.kernel.KernelManager = KernelManager
-# A user learns after 5 s that something has not come. A test has more patience, since five of them share two cores.
+# A user learns after 5 s that something has not come. A test has more patience, since many of them share two cores.
 waiting.wait_until.__defaults__ = (60.0,)
 node_log.NodeLog.read.__defaults__ = (None, 60.0)
 

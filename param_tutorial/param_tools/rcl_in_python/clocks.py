@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from param_tools.rcl_in_python.enums import ClockChange, ClockType
 from param_tools.rcl_in_python.exceptions import RCLError
-from param_tools.rcl_in_python.waiting import NOT_VALID, Destroyable, changed, wait_until
+from param_tools.rcl_in_python.waiting import Destroyable, changed, check_context, wait_until
 
 
 class rcl_time_point_t:
@@ -162,8 +162,7 @@ class Timer(Destroyable):
     def __init__(self, clock: Clock, context: Any, period_ns: int, autostart: bool):
         if period_ns < 0:
             raise RCLError('failed to create timer: timer period must be non-negative')
-        if not context.ok():
-            raise RCLError(f'failed to create timer: {NOT_VALID}')
+        check_context(context, 'failed to create timer')
         super().__init__()
         self._clock, self._period = clock, period_ns
         self._last = clock.now_ns()

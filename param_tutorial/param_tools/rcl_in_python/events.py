@@ -16,8 +16,18 @@ from param_tools.rcl_in_python.enums import (
 from param_tools.rcl_in_python.waiting import Destroyable, changed
 
 
+class _Taken:
+    """Counts, of which some tell what has changed since they were taken: their names end with ``_change``."""
+
+    def take(self) -> Any:
+        """Return a copy, and count changes from now on."""
+        taken = copy.copy(self)
+        self.__dict__.update({name: 0 for name in self.__dict__ if name.endswith('_change')})
+        return taken
+
+
 @dataclass
-class Status:
+class Status(_Taken):
     """How often something has happened."""
 
     total_count: int = 0
@@ -29,12 +39,6 @@ class Status:
 
     def has_changed(self) -> bool:
         return self.total_count_change != 0
-
-    def take(self) -> Any:
-        """Return a copy, and count changes from now on."""
-        taken = copy.copy(self)
-        self.__dict__.update({name: 0 for name in self.__dict__ if name.endswith('_change')})
-        return taken
 
 
 @dataclass
@@ -87,7 +91,7 @@ class LivelinessLost(Status):
 
 
 @dataclass
-class LivelinessChanged:
+class LivelinessChanged(_Taken):
     """rmw_liveliness_changed_status_t: how many publishers are alive; one that has gone is not counted."""
 
     alive_count: int = 0
@@ -101,11 +105,6 @@ class LivelinessChanged:
 
     def has_changed(self) -> bool:
         return self.alive_count_change != 0
-
-    def take(self) -> 'LivelinessChanged':
-        taken = copy.copy(self)
-        self.alive_count_change = self.not_alive_count_change = 0
-        return taken
 
 
 _PUBLISHER, _SUBSCRIPTION = rcl_publisher_event_type_t, rcl_subscription_event_type_t

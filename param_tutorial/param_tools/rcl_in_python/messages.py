@@ -17,7 +17,8 @@ Copy = Callable[[Any], Any]
 
 _INTEGERS = {f'{sign}int{bits}': (bits, sign == '') for sign in ('', 'u') for bits in (8, 16, 32, 64)} | {
     'char': (8, False), 'wchar': (16, False)}
-_ARRAY_CODES = {'int8': 'b', 'uint8': 'B', 'int16': 'h', 'uint16': 'H', 'int32': 'i', 'uint32': 'I', 'int64': 'q',
+# For the modules ``array`` and ``struct``.
+NUMBER_CODES = {'int8': 'b', 'uint8': 'B', 'int16': 'h', 'uint16': 'H', 'int32': 'i', 'uint32': 'I', 'int64': 'q',
                 'uint64': 'Q', 'float': 'f', 'double': 'd', 'char': 'B'}
 
 
@@ -69,11 +70,11 @@ def _copy_of(slot: Any) -> Copy:
         return functools.partial(_copy_nested, (*slot.namespaces, slot.name))
     typename = getattr(slot.value_type, 'typename', '')
     if kind == 'Array':
-        if typename in _ARRAY_CODES and typename != 'char':
+        if typename in NUMBER_CODES and typename != 'char':
             return lambda value: value.copy()  # an array of numpy
         return _copy_of_sequence(_copy_of(slot.value_type), None, slot.size)
     maximum = getattr(slot, 'maximum_size', None)
-    return _copy_of_sequence(_copy_of(slot.value_type), _ARRAY_CODES.get(typename), maximum)
+    return _copy_of_sequence(_copy_of(slot.value_type), NUMBER_CODES.get(typename), maximum)
 
 
 def _copy_of_sequence(copy_item: Copy, code: str | None, maximum: int | None) -> Copy:

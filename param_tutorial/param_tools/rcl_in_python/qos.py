@@ -201,31 +201,36 @@ def _errors(writer: Profile, reader: Profile) -> list[str]:
     return found
 
 
+# Of each policy: the values that leave it open, the one that the weakest writer offers, the one that the most demanding
+# reader wants; and rmw_dds_common's words (its spelling, too) for both open, an open writer, and an open reader.
+_OPEN_POLICIES = (
+    ('reliability', (SYSTEM_DEFAULT, UNKNOWN), BEST_EFFORT, RELIABLE,
+     'Publisher reliability is {writer} and subscription reliability is {reader}',
+     'Reliable subscription, but publisher is {writer}',
+     'Best effort publisher, but subscription is {reader}'),
+    ('durability', (SYSTEM_DEFAULT, UNKNOWN), VOLATILE, TRANSIENT_LOCAL,
+     'Publisher durabilty is {writer} and subscription durability is {reader}',
+     'Transient local subscription, but publisher is {writer}',
+     'Volatile publisher, but subscription is {reader}'),
+    ('liveliness', (SYSTEM_DEFAULT, LIVELINESS_UNKNOWN), AUTOMATIC, MANUAL_BY_TOPIC,
+     'Publisher liveliness is {writer} and subscription liveliness is {reader}',
+     "Subscription's liveliness is manual by topic, but publisher's is {writer}",
+     "Publisher's liveliness is automatic, but subscription's is {reader}"),
+)
+
+
 def _warnings(writer: Profile, reader: Profile) -> list[str]:
     found = []
-    unclear = (SYSTEM_DEFAULT, UNKNOWN)
-    names = {(name, who): _WORDS[name].get(getattr(profile, name), '') for name in _WORDS
-             for who, profile in (('writer', writer), ('reader', reader))}
-    ours, theirs = names['reliability', 'writer'], names['reliability', 'reader']
-    if writer.reliability in unclear and reader.reliability in unclear:
-        found.append(f'WARNING: Publisher reliability is {ours} and subscription reliability is {theirs};')
-    elif writer.reliability in unclear and reader.reliability == RELIABLE:
-        found.append(f'WARNING: Reliable subscription, but publisher is {ours};')
-    elif writer.reliability == BEST_EFFORT and reader.reliability in unclear:
-        found.append(f'WARNING: Best effort publisher, but subscription is {theirs};')
-    ours, theirs = names['durability', 'writer'], names['durability', 'reader']
-    if writer.durability in unclear and reader.durability in unclear:
-        found.append(f'WARNING: Publisher durabilty is {ours} and subscription durability is {theirs};')
-    elif writer.durability in unclear and reader.durability == TRANSIENT_LOCAL:
-        found.append(f'WARNING: Transient local subscription, but publisher is {ours};')
-    elif writer.durability == VOLATILE and reader.durability in unclear:
-        found.append(f'WARNING: Volatile publisher, but subscription is {theirs};')
-    unclear = (SYSTEM_DEFAULT, LIVELINESS_UNKNOWN)
-    ours, theirs = names['liveliness', 'writer'], names['liveliness', 'reader']
-    if writer.liveliness in unclear and reader.liveliness in unclear:
-        found.append(f'WARNING: Publisher liveliness is {ours} and subscription liveliness is {theirs};')
-    elif writer.liveliness in unclear and reader.liveliness == MANUAL_BY_TOPIC:
-        found.append(f"WARNING: Subscription's liveliness is manual by topic, but publisher's is {ours};")
-    elif writer.liveliness == AUTOMATIC and reader.liveliness in unclear:
-        found.append(f"WARNING: Publisher's liveliness is automatic, but subscription's is {theirs};")
+    for name, unclear, weakest, most_wanted, both_open, writer_open, reader_open in _OPEN_POLICIES:
+        offered, wanted = getattr(writer, name), getattr(reader, name)
+        if offered in unclear and wanted in unclear:
+            text = both_open
+        elif offered in unclear and wanted == most_wanted:
+            text = writer_open
+        elif offered == weakest and wanted in unclear:
+            text = reader_open
+        else:
+            continue
+        words = _WORDS[name]
+        found.append(f'WARNING: {text.format(writer=words.get(offered, ""), reader=words.get(wanted, ""))};')
     return found

@@ -13,8 +13,7 @@ from param_tools.rcl_in_python import messages
 from param_tools.rcl_in_python.exceptions import RMWError
 
 _LITTLE_ENDIAN = b'\0\1\0\0'
-_CODES = {'boolean': '?', 'octet': 'c', 'char': 'B', 'int8': 'b', 'uint8': 'B', 'int16': 'h', 'uint16': 'H',
-          'int32': 'i', 'uint32': 'I', 'wchar': 'I', 'int64': 'q', 'uint64': 'Q', 'float': 'f', 'double': 'd'}
+_CODES = {**messages.NUMBER_CODES, 'boolean': '?', 'octet': 'c', 'wchar': 'I'}
 
 
 class _Bytes(NamedTuple):

@@ -1,7 +1,7 @@
 """The one lock of the layer, and how a wait set waits for what changes under it.
 
 Whatever makes something ready (a message, a request, a guard condition, a clock that jumps) does so while it holds
-``changed``, and notifies. Waiting is left to ``block``, which a host without threads replaces by its own.
+``changed``, and notifies. A host without threads changes how every condition waits (``ros/turns.py``), this one too.
 """
 
 import itertools
@@ -16,14 +16,6 @@ _lock = threading.RLock()
 changed = threading.Condition(_lock)
 
 
-def _wait_for_another_thread(seconds: float | None) -> None:
-    changed.wait(seconds)
-
-
-# Called with ``changed`` held: return when it has been notified, or after so many seconds, if not None.
-block: Callable[[float | None], None] = _wait_for_another_thread
-
-
 def wait_until(condition: Callable[[], bool], deadline_ns: Callable[[], int | None]) -> None:
     """Wait until a condition is true, or a point of time is reached.
 
@@ -35,7 +27,7 @@ def wait_until(condition: Callable[[], bool], deadline_ns: Callable[[], int | No
             remaining = None if deadline is None else (deadline - time.monotonic_ns()) / 1e9
             if remaining is not None and remaining <= 0:
                 return
-            block(remaining)
+            changed.wait(remaining)
 
 
 class Destroyable:
@@ -93,13 +85,13 @@ class _Context(Protocol):
         """True between init and shutdown."""
 
 
-NOT_VALID = 'the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'
+_NOT_VALID = 'the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'
 
 
 def check_context(context: _Context, what: str) -> None:
     """:raises RCLError: the context has been shut down."""
     if not context.ok():
-        raise RCLError(f'{what}: {NOT_VALID}')
+        raise RCLError(f'{what}: {_NOT_VALID}')
 
 
 class GuardCondition(Destroyable):

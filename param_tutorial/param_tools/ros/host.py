@@ -6,7 +6,6 @@ whatever waits gives each loop its turn. No ROS, no Jupyter.
 """
 
 import threading
-import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Protocol, TypeVar
@@ -38,7 +37,7 @@ class Loop(Protocol):
 
 
 class Host(Protocol):
-    """Runs loops and jobs, and waits."""
+    """Runs loops and jobs."""
 
     def loop(self, step: Callable[[float], bool], is_over: Callable[[], bool], name: str, period_sec: float) -> Loop:
         """Return a loop that calls a function again and again until it is over.
@@ -53,12 +52,6 @@ class Host(Protocol):
 
     def map(self, question: Callable[[T], R], items: Sequence[T]) -> list[R]:
         """Call a function that waits with each item, all at the same time if that is possible; return the results."""
-
-    def sleep(self, seconds: float) -> None:
-        """Let others run for a time."""
-
-    def wait(self, event: threading.Event, seconds: float) -> bool:
-        """Let others run until an event is set or the time is over, and return whether the event is set."""
 
 
 class ThreadLoop:
@@ -107,12 +100,6 @@ class Threads:
     def map(self, question: Callable[[T], R], items: Sequence[T]) -> list[R]:
         with ThreadPoolExecutor(max(len(items), 1)) as threads:
             return list(threads.map(question, items))
-
-    def sleep(self, seconds: float) -> None:
-        time.sleep(seconds)
-
-    def wait(self, event: threading.Event, seconds: float) -> bool:
-        return event.wait(seconds)
 
 
 host: Host = Threads()

@@ -93,9 +93,6 @@ class Turns:
                 return
             _sleep(min(left, _PAUSE_SEC))
 
-    def wait(self, event: threading.Event, seconds: float) -> bool:
-        return event.wait(seconds)
-
     async def pump(self) -> None:
         """Give turns for as long as there is a loop; between the cells, asyncio runs this."""
         while self._loops:

@@ -1,6 +1,7 @@
 """Wait for something with a deadline, and never by sleeping for luck.
 
-Everything in the tools and the course that waits for a node does it here, and ``host`` lets the node run meanwhile.
+Everything in the tools and the course that waits for a node does it here. The node runs in another thread meanwhile;
+where there are none, ``turns`` has changed what waits, and it gives the node its turn.
 """
 
 import os
@@ -10,7 +11,6 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from param_tools.errors import WaitTimeoutError
-from param_tools.ros import host
 
 T = TypeVar('T')
 
@@ -26,7 +26,7 @@ def deadline(seconds: float) -> float:
 
 def wait_for(event: threading.Event, seconds: float) -> bool:
     """Wait for an event with a time limit, and return whether it is set."""
-    return host.host.wait(event, seconds * PATIENCE)
+    return event.wait(seconds * PATIENCE)
 
 
 def wait(condition: Callable[[], object], seconds: float) -> bool:
@@ -46,7 +46,7 @@ def wait_before(end: float, condition: Callable[[], object]) -> bool:
             return True
         if is_late:
             return False
-        host.host.sleep(pause_sec)
+        time.sleep(pause_sec)
         pause_sec = min(2 * pause_sec, _LONGEST_PAUSE_SEC)
 
 
