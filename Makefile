@@ -68,8 +68,17 @@ test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
 
+# Node.js comes with the packages of the tests; Pyodide, biome and TypeScript from npm.
+NODE := .venv/bin/node
+JS_TOOLS := node_modules/.package-lock.json
+$(JS_TOOLS): package.json package-lock.json | setup-all
+	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
+
 html: setup-all  ## make the HTML lessons, in build/html/
 	@$(VENV) -m param_tutorial.site $(ARGS)
+
+lite: setup-all $(JS_TOOLS)  ## make the course for any browser, in build/lite/: JupyterLab without a server, with a kernel in the page
+	@$(VENV) -m param_tutorial.site.browser.lite $(ARGS)
 
 lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
 	@test -n "$(CHAPTER)" || { echo "Which one? make lesson CHAPTER=08" >&2; exit 1; }
@@ -77,12 +86,6 @@ lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
 
 bench: setup-all  ## run the benchmarks
 	@$(VENV) -m tests.tools.bench $(ARGS)
-
-# Node.js comes with the packages of the tests, biome and TypeScript from npm.
-NODE := .venv/bin/node
-JS_TOOLS := node_modules/.package-lock.json
-$(JS_TOOLS): package.json package-lock.json | setup-all
-	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
 
 lint: setup-all $(JS_TOOLS)  ## check code, notebooks and spelling without running them
 	@$(VENV) -m ruff check .
@@ -97,14 +100,15 @@ release: setup  ## make the wheels, the list of licenses and the SBOM, in build/
 
 # The second lock is a part of the first, at the same versions.
 LOCK := environment/requirements
-COMPILE = build/uv/bin/uv pip compile --quiet --universal --upgrade --python-version 3.10 --generate-hashes \
-    --no-annotate --custom-compile-command "make lock"
+UV_COMPILE = build/uv/bin/uv pip compile --quiet --upgrade --generate-hashes --no-annotate --custom-compile-command "make lock"
+COMPILE = $(UV_COMPILE) --universal --python-version 3.10
 lock: export UV_CACHE_DIR ?= $(CURDIR)/build/uv-cache
 lock: setup-all  ## work out the locks in environment/ anew
 	@$(COMPILE) --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml
 	@$(COMPILE) --constraints $(LOCK)-dev.lock --extra course --output-file $(LOCK).lock pyproject.toml
 	@$(COMPILE) --constraints $(LOCK)-dev.lock --group hub --output-file $(LOCK)-hub.lock
 	@$(COMPILE) --group uv --output-file $(LOCK)-uv.lock
+	@$(UV_COMPILE) --python-platform wasm32-pyodide2024 --python-version 3.14 --group page --output-file $(LOCK)-page.lock
 	@.venv/bin/npm update --package-lock-only --omit-lockfile-registry-resolved --no-audit --no-fund
 
 # my_lessons/ is the learner's, and stays.
@@ -113,4 +117,4 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-pythons \
-    test-beside-ros html lesson bench lint release lock clean
+    test-beside-ros html lesson bench lint lite release lock clean

@@ -1,0 +1,40 @@
+"""Starts the course in a kernel that is itself in the browser: Pyodide, without threads, processes and a network.
+
+The kernel's IPython loads this as an extension before the first cell. From then on rclpy stands on
+``param_tools.rcl_in_python``, and nodes live whenever a cell waits, and between the cells.
+"""
+
+import asyncio
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from param_tools.rcl_in_python import install
+from param_tools.ros import turns
+from param_tutorial.learner import progress
+
+# Where JupyterLab's own files are seen by the kernel.
+_FILES = Path('/drive')
+_LOOK_SEC = 0.05
+# asyncio itself keeps no task alive.
+_tasks: set[asyncio.Future[None]] = set()
+
+
+def load_ipython_extension(_shell: Any) -> None:
+    """Make the kernel one that the chapters run in."""
+    # A look into this folder asks the page and waits for its answer, so Python looks for a module there last.
+    sys.path.sort(key=lambda path: path == '')
+    # A page has no network, and no other process in it.
+    os.environ.update(ROS_DOMAIN_ID='0', ROS_AUTOMATIC_DISCOVERY_RANGE='LOCALHOST')
+    install.install()
+
+    os.environ[progress.VARIABLE] = str(_FILES / progress.FILE)
+    _tasks.add(asyncio.ensure_future(_live(turns.install())))
+
+
+async def _live(host: turns.Turns) -> None:
+    """Give turns between the cells, from each start of a stage to its end."""
+    while True:
+        await host.pump()
+        await asyncio.sleep(_LOOK_SEC)

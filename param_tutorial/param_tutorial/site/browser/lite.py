@@ -1,0 +1,89 @@
+"""Builds JupyterLab for the browser, with the chapters and their kernel in it: JupyterLite, static files only.
+
+    .venv/bin/python -m param_tutorial.site.browser.lite [FOLDER]
+
+The learner's copies and progress stay in the browser. Any server of static files will do, and none but that is asked.
+"""
+
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from param_tutorial.learner.copies import Copies
+from param_tutorial.site.archive import ROOT
+from param_tutorial.site.browser import page_python
+from param_tutorial.site.build import replace
+
+TARGET, WORK = ROOT / 'build' / 'lite', ROOT / 'build' / 'page'
+_HERE = Path(__file__).parent
+# Neither the page nor a kernel in it may ask another host for anything. JupyterLab makes style sheets, and Pyodide
+# machine code, of their own.
+_POLICY = "default-src 'self' blob: data: 'unsafe-inline' 'unsafe-eval'"
+_SETTINGS = ROOT / 'environment' / 'jupyter' / 'labconfig'
+
+
+def build(target: Path) -> None:
+    """Build the site into a folder; the one of before stays until the new one is whole.
+
+    :raises PagePythonError: the kernel's Python can't be put together.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        lite, files, site = (Path(folder, name) for name in ('lite', 'files', 'site'))
+        page_python.gather(lite / 'static' / 'pyodide', WORK)
+        (lite / 'jupyter-lite.json').write_text(json.dumps(_configuration()), encoding='utf-8')
+        shutil.copy(_SETTINGS / 'default_setting_overrides.json', lite / 'overrides.json')
+        Copies(ROOT, files).deliver()
+        for path in files.glob('.*'):  # notes for later deliveries, of which there are none in a browser
+            shutil.rmtree(path)
+        subprocess.run([Path(sys.executable).with_name('jupyter-lite'), 'build', '--lite-dir', lite,
+                        '--contents', files, '--output-dir', site, '--apps', 'lab', '--no-sourcemaps'],
+                       check=True, cwd=folder, stdout=subprocess.DEVNULL)
+        _finish(site)
+        replace(site, target)
+
+
+def _finish(site: Path) -> None:
+    """Add what JupyterLite has no setting for: a policy, a notice while a kernel loads, and work without a network."""
+    page = site / 'lab' / 'index.html'
+    head = (f'<head>\n    <meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
+            f'    <script src="../loading.js"></script>')
+    page.write_text(page.read_text(encoding='utf-8').replace('<head>', head, 1), encoding='utf-8')
+    shutil.copy(_HERE / 'loading.js', site)
+    (site / 'service-worker.js').rename(site / 'jupyterlite-service-worker.js')
+    files = sorted(path for path in site.rglob('*') if path.is_file())
+    version = hashlib.sha256(b''.join(hashlib.sha256(path.read_bytes()).digest() for path in files)).hexdigest()
+    values = {'VERSION': version, 'POLICY': _POLICY, 'FILES': [str(path.relative_to(site)) for path in files]}
+    worker = (_HERE / 'service_worker.js').read_text(encoding='utf-8')
+    for name, value in values.items():
+        worker = worker.replace(f"'__{name}__'", json.dumps(value))
+    (site / 'service-worker.js').write_text(worker, encoding='utf-8')
+
+
+def _configuration() -> dict[str, object]:
+    """Return what JupyterLab and its kernel read when they start."""
+    page = json.loads((_SETTINGS / 'page_config.json').read_text(encoding='utf-8'))
+    return {'jupyter-lite-schema-version': 0, 'jupyter-config-data': {
+        'appName': 'Mastering ROS 2 Parameters',
+        'disabledExtensions': [name for name, is_disabled in page['disabledExtensions'].items() if is_disabled],
+        'litePluginSettings': {'@jupyterlite/pyodide-kernel-extension:kernel': {
+            'disablePyPIFallback': True, 'pipliteUrls': [],
+            'loadPyodideOptions': {'packages': page_python.PACKAGES}}}}}
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Build the site, and say where it is."""
+    target = Path(arguments[0]) if arguments else TARGET
+    build(target.resolve())
+    print(target / 'lab' / 'index.html')
+
+
+if __name__ == '__main__':
+    try:
+        main(sys.argv[1:])
+    except page_python.PagePythonError as error:
+        sys.exit(str(error))

@@ -1,0 +1,174 @@
+"""Gathers the Python of a web page: Pyodide from npm, and the packages that it loads, as wheels.
+
+rclpy, the messages and PyYAML are taken as they are installed here, without what is compiled; the other packages are
+wheels of a lock for CPython 3.14, which Pyodide is; the course and its tools are those of this checkout. Pyodide itself
+compiles every module beforehand, in Node.js, so that no page has to.
+"""
+
+import hashlib
+import importlib.metadata
+import importlib.util
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import zipfile
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from param_tools import __version__
+from param_tools.errors import ParameterToolError
+from param_tutorial.site.archive import ROOT
+
+PYODIDE = ROOT / 'node_modules' / 'pyodide'
+_PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs', 'python_stdlib.zip')
+_LOCK = ROOT / 'environment' / 'requirements-page.lock'
+_COMPILE = Path(__file__).with_name('compile.mjs')
+# Import packages that are pure Python but for a few compiled files, in whose place the layer stands.
+_INSTALLED = ('action_msgs', 'ament_index_python', 'builtin_interfaces', 'lifecycle_msgs', 'rcl_interfaces', 'rclpy',
+              'rosgraph_msgs', 'rosidl_generator_py', 'rosidl_parser', 'rosidl_pycommon', 'rpyutils', 'service_msgs',
+              'type_description_interfaces', 'unique_identifier_msgs', 'yaml')
+_OURS = ('param_tools', 'param_tutorial')
+# The kernel fetches each of these by itself, unless a package of that name is loaded.
+_KERNEL = ('comm', 'ipykernel', 'ipython', 'jedi', 'micropip', 'piplite', 'pyodide-kernel')
+_COURSE, _NEEDS = 'param-course', 'param-course-needs'
+PACKAGES = (*_KERNEL, _NEEDS, _COURSE)
+"""What a page has to load."""
+# Halves of the widgets that the page's JupyterLab has already.
+_LEFT_OUT = ('jupyterlab-widgets', 'widgetsnbextension')
+# Tests, what is installed outside of the packages, and stubs of libraries that no page has.
+_PARTS_LEFT_OUT = ('/tests/', '.data/', '/django-stubs/', '/typeshed/stubs/')
+# The kernel's IPython reads this when it starts.
+_START = b"c = get_config()\nc.InteractiveShellApp.extensions = ['param_tutorial.notebook.browser_kernel']\n"
+
+
+class PagePythonError(ParameterToolError):
+    """The Python of a page can't be put together."""
+
+
+def gather(target: Path, work: Path) -> None:
+    """Put Pyodide, the wheels and their lock into a folder.
+
+    :param target: Afterwards holds what a page loads, and nothing else.
+    :param work: What is kept from one time to the next.
+    :raises PagePythonError: something is missing; the error says how to get it.
+    """
+    if not PYODIDE.exists():
+        raise PagePythonError('Pyodide, the Python of web pages, is not there: `make lite` gets it from npm')
+    shutil.rmtree(target, ignore_errors=True)
+    target.mkdir(parents=True)
+    for name in _PYODIDE_FILES:
+        shutil.copy(PYODIDE / name, target / name)
+    lock = json.loads((PYODIDE / 'pyodide-lock.json').read_text(encoding='utf-8'))
+    lock['packages'] = {name: _make_wheel(name, files, target, work) for name, files in _wheels(work).items()}
+    (target / 'pyodide-lock.json').write_text(json.dumps(lock, indent=1), encoding='utf-8')
+
+
+def _wheels(work: Path) -> dict[str, dict[str, bytes]]:
+    """Return the files of each wheel: the packages that the kernel asks for, the course, and all that it needs."""
+    needs = dict(_installed_files(_INSTALLED))
+    wheels: dict[str, dict[str, bytes]] = {}
+    for path in [*_fetched(work), *_of_the_kernel()]:
+        name = re.sub(r'[-_.]+', '-', path.name.partition('-')[0]).lower()
+        if name in _LEFT_OUT:
+            continue
+        with zipfile.ZipFile(path) as wheel:
+            files = {each: wheel.read(each) for each in wheel.namelist()
+                     if not each.endswith(('/', '/RECORD')) and not any(part in each for part in _PARTS_LEFT_OUT)}
+        if name in _KERNEL:
+            wheels[name] = files
+        else:
+            needs |= files
+    return {**wheels, _NEEDS: needs, _COURSE: dict(_course_files())}
+
+
+def _fetched(work: Path) -> list[Path]:
+    """Return the wheels of the lock, each checked against its hash, and fetch them if the lock has changed.
+
+    :raises PagePythonError: they can't be fetched.
+    """
+    folder = work / 'wheels'
+    stamp = folder / _LOCK.name
+    if not stamp.exists() or stamp.read_bytes() != _LOCK.read_bytes():
+        shutil.rmtree(folder, ignore_errors=True)
+        if subprocess.run([sys.executable, '-m', 'pip', 'download', '--quiet', '--quiet', '--disable-pip-version-check',
+                           '--no-deps', '--require-hashes', '--python-version', '3.14', '--platform', 'any',
+                           '--only-binary=:all:', '--dest', folder, '--requirement', _LOCK], check=False).returncode:
+            raise PagePythonError("the packages of a page can't be fetched, for the reason above. This needs the "
+                                  'network; run the same command again once that is put right')
+        stamp.write_bytes(_LOCK.read_bytes())
+    return sorted(folder.glob('*.whl'))
+
+
+def _of_the_kernel() -> list[Path]:
+    """Return the wheels that come with JupyterLite's kernel."""
+    return sorted(Path(sys.prefix, 'share/jupyter/labextensions/@jupyterlite/pyodide-kernel-extension/static/pypi')
+                  .glob('*.whl'))
+
+
+def _installed_files(packages: Sequence[str]) -> Iterator[tuple[str, bytes]]:
+    """Yield the files of import packages as they are installed here, with their names in a wheel."""
+    for package in packages:
+        spec = importlib.util.find_spec(package)
+        if spec is None or spec.origin is None:
+            raise PagePythonError(f'{package} is not installed: `make lite` installs it')
+        folder = Path(spec.origin).parent
+        for path in sorted(folder.rglob('*')):
+            inside = path.relative_to(folder)
+            # A page builds no website.
+            if path.is_file() and path.suffix not in ('.so', '.pyc') and inside.parts[0] != 'site':
+                yield f'{package}/{inside}', path.read_bytes()
+
+
+def _course_files() -> Iterator[tuple[str, bytes]]:
+    """Yield the files of the course: its packages, what tells Python of them, and what starts them."""
+    yield from _installed_files(_OURS)
+    # The embedded ros2 looks for packages among the entry points.
+    points = ''.join(f'{each.name} = {each.value}\n' for each in importlib.metadata.entry_points(
+        group='param_tools.packages'))
+    wheel = f'{_COURSE.replace("-", "_")}-{__version__}'
+    yield f'{wheel}.dist-info/METADATA', f'Metadata-Version: 2.1\nName: {_COURSE}\nVersion: {__version__}\n'.encode()
+    yield f'{wheel}.dist-info/WHEEL', b'Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n'
+    yield f'{wheel}.dist-info/entry_points.txt', f'[param_tools.packages]\n{points}'.encode()
+    # What lies in data/ is put at the root of the page's file system: IPython looks for its settings there, and the
+    # chapters for the parameter files beside the folder of the packages.
+    for path in sorted((ROOT / 'config').iterdir()):
+        yield f'{wheel}.data/data/lib/python3.14/config/{path.name}', path.read_bytes()
+    yield f'{wheel}.data/data/etc/ipython/ipython_config.py', _START
+
+
+def _make_wheel(name: str, files: dict[str, bytes], target: Path, work: Path) -> dict[str, object]:
+    """Write a wheel, and return what Pyodide's lock says of it."""
+    digest = hashlib.sha256(b''.join((_COMPILE.read_bytes(), (PYODIDE / 'package.json').read_bytes(),
+                                      *(part for each in sorted(files) for part in (each.encode(), files[each])))))
+    kept = work / 'made' / f'{name}-{digest.hexdigest()[:16]}.whl'
+    if not kept.exists():
+        for old in kept.parent.glob(f'{name}-{16 * "?"}.whl'):
+            old.unlink()
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        content = {**files, **_compiled(files)}
+        with zipfile.ZipFile(beside := kept.with_suffix('.new'), 'w', zipfile.ZIP_DEFLATED) as wheel:
+            for inside in sorted(content):
+                # The same files make the same wheel, byte for byte.
+                wheel.writestr(zipfile.ZipInfo(inside), content[inside], zipfile.ZIP_DEFLATED)
+        beside.rename(kept)
+    # A wheel is of one package; what is of many is a plain archive.
+    file_name = f'{name}.zip' if name == _NEEDS else f'{name.replace("-", "_")}-{__version__}-py3-none-any.whl'
+    path = Path(shutil.copy(kept, target / file_name))
+    return {'name': name, 'version': __version__, 'file_name': file_name, 'install_dir': 'site', 'depends': [],
+            'imports': [], 'sha256': hashlib.sha256(path.read_bytes()).hexdigest(), 'package_type': 'package',
+            'unvendored_tests': False}
+
+
+def _compiled(files: dict[str, bytes]) -> dict[str, bytes]:
+    """Return the modules among the files as Pyodide compiles them, by their names in a wheel."""
+    with tempfile.TemporaryDirectory() as folder:
+        for each, content in files.items():
+            if each.endswith('.py') and '.data/' not in each:
+                path = Path(folder, each)
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(content)
+        subprocess.run([Path(sys.executable).with_name('node'), _COMPILE, PYODIDE, folder], check=True)
+        return {str(path.relative_to(folder)): path.read_bytes() for path in Path(folder).rglob('*.pyc')}
