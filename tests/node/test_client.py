@@ -358,6 +358,7 @@ def test_waiting_inside_a_callback_is_rejected(client, ros):
 
 
 @pytest.mark.slow
+@pytest.mark.real_layer(reason='somebody in another process asks')
 def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
     ros.add(Everything)
     child = process('''
@@ -386,6 +387,7 @@ def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
 
 
 @pytest.mark.slow
+@pytest.mark.real_layer(reason='the node is in another process')
 def test_a_node_in_another_process(ros, remote_node):
     client = ParameterClient('/remote', timeout_sec=30)
     assert client.set_parameter('max_speed_rpm', 42).successful
@@ -426,6 +428,7 @@ def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatc
 
 
 @pytest.mark.slow
+@pytest.mark.real_layer(reason='the node is in another process')
 def test_a_node_that_does_not_answer(ros, remote_node):
     ParameterClient('/remote', timeout_sec=30).list_parameters()
     client = ParameterClient('/remote', timeout_sec=0.3)
@@ -440,6 +443,7 @@ def test_a_node_that_does_not_answer(ros, remote_node):
 
 
 @pytest.mark.slow
+@pytest.mark.real_layer(reason='the node is in another process')
 def test_a_node_that_is_killed_in_mid_call(ros):
     """A killed process says no goodbye: DDS counts it as present for some seconds, and it does not answer."""
     child = process("""
@@ -460,6 +464,7 @@ def test_a_node_that_is_killed_in_mid_call(ros):
 
 
 @pytest.mark.slow
+@pytest.mark.real_layer(reason='the node is in another process')
 @pytest.mark.parametrize('waiting', [True, False])
 def test_a_node_that_leaves_in_mid_call(ros, waiting):
     child = process("""

@@ -24,7 +24,7 @@ def run(program):
 
 
 def test_it_is_not_installed_beside_the_real_one():
-    assert rclpy.get_rmw_implementation_identifier() != 'in_memory'
+    assert 'without_network' not in rclpy.get_rmw_implementation_identifier()
     with pytest.raises(LayerError, match='imported already'):
         install()
     assert not is_installed()
@@ -39,7 +39,10 @@ install()
 import rclpy
 from rclpy.impl.implementation_singleton import rclpy_implementation
 print(rclpy.get_rmw_implementation_identifier(), rclpy_implementation.__doc__)
-''') == "in_memory rclpy's own code, without a network: the layer in Python.\n"
+import param_tutorial
+print(param_tutorial.start())
+''') == ("rclpy_in_python_without_network rclpy's own code, without a network: the layer in Python.\n"
+         '<BackgroundExecutor: spinning no node, on rclpy_in_python_without_network>\n')
 
 
 def test_what_is_not_part_of_it_says_so():

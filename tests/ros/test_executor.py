@@ -547,6 +547,7 @@ def test_a_node_that_is_destroyed_leaves_the_stage(ros):
     assert ParameterClient(again).set_parameter('rpm', 2).successful
 
 
+@pytest.mark.real_layer(reason='rclpy in Python ends this service with its node')
 def test_listeners_to_the_graph_hear_of_a_node_whose_name_goes_late(ros, monkeypatch):
     # The name stays until the node's last service ends; the executor may look at the graph before.
     ends, keep = [], rclpy_private.keep_type_description_service
@@ -752,6 +753,27 @@ def test_a_request_ends_an_endless_loop_in_a_callback(ros, capfd):
     assert bystander in ros.nodes
     assert ParameterClient(bystander).set_parameter('rpm', 5).successful
     assert 'did not return' in capfd.readouterr().err
+
+
+@pytest.mark.slow
+def test_a_request_that_an_endless_loop_has_made_late_is_answered_nevertheless(ros):
+    class Looping(Node):
+        def __init__(self):
+            super().__init__('looping')
+            self.entered = threading.Event()
+            self.timer = self.create_timer(0.0, self.loop, autostart=False)
+
+        def loop(self):
+            self.timer.cancel()
+            self.entered.set()
+            while True:
+                pass
+
+    looping, client = ros.add(Looping), ParameterClient(ros.add(Speed))
+    client.set_parameter('rpm', 2)  # so that the next request is sent at once
+    ros.run(looping.timer.reset, 'begin to loop')
+    assert looping.entered.wait(30)
+    assert client.set_parameter('rpm', 3).successful
 
 
 @pytest.mark.slow

@@ -98,6 +98,7 @@ def test_a_handle_is_destroyed_when_its_last_user_has_left(other_context):
     observer.destroy_node()
 
 
+@pytest.mark.real_layer(reason='rclpy in Python ends this service with its node')
 def test_the_service_get_type_description_outlives_its_node_until_rcl_ends_it(ros):
     def is_there():
         return bool(ros.tool_node.get_subscriptions_info_by_topic(

@@ -206,6 +206,7 @@ def test_a_node_that_does_not_answer_at_first_is_asked_again(ros, monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.real_layer(reason='the log is written by another process')
 def test_a_log_survives_the_death_of_the_process_that_writes_it(ros, tmp_path):
     ros.add(Arm)
     path = tmp_path / 'changes.jsonl'

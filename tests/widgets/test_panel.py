@@ -158,6 +158,7 @@ def test_a_callback_that_raises_is_reported_beside_the_control(ros):
 
 
 @pytest.mark.slow
+@pytest.mark.real_layer(reason='the node is in another process')
 def test_a_node_elsewhere_that_goes_and_comes_back(ros, remote):
     process = remote('comes_and_goes')
     panel = ParameterPanel('comes_and_goes')
@@ -180,6 +181,7 @@ def test_a_node_elsewhere_that_goes_and_comes_back(ros, remote):
 
 
 @pytest.mark.slow
+@pytest.mark.real_layer(reason='the node is in another process')
 def test_no_answer_to_a_change_springs_back_and_says_so(ros, remote):
     process = remote('stopped')
     panel = ParameterPanel('stopped', timeout_sec=3.0)

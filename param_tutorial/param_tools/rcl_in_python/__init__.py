@@ -5,6 +5,6 @@ classes. ``install.install()`` puts it in the place of the compiled module ``rcl
 imported. Messages and requests go from queue to queue: no other process can see the nodes, and no thread is started.
 
 It is for places where the real one cannot be, such as a page in a browser. There,
-``rclpy.get_rmw_implementation_identifier()`` says ``in_memory``. The judge is the real one: tests/conformance runs on
-both.
+``rclpy.get_rmw_implementation_identifier()`` says ``rclpy_in_python_without_network``, and so does the stage when it is
+shown. The judge is the real one: tests of rclpy and of parameters run on both (tests/rcl_in_python).
 """

@@ -21,7 +21,7 @@ from param_tools.rcl_in_python import (
     waiting,
 )
 
-RMW_IDENTIFIER = 'in_memory'
+RMW_IDENTIFIER = 'rclpy_in_python_without_network'
 # The public names of these modules that were defined there are those of the C layer, and more.
 _SOURCES = (enums, exceptions, waiting, names, qos, arguments, logs, contexts, nodes, serialization, topics, services,
             clocks, events, type_descriptions)

@@ -206,7 +206,9 @@ class BackgroundExecutor:
 
     def __repr__(self) -> str:
         names = ', '.join(_full_name(node) for node in self._nodes) or 'no node'
-        return f'<BackgroundExecutor: {"spinning " + names if self.is_running else "stopped"}>'
+        if not self.is_running:
+            return '<BackgroundExecutor: stopped>'
+        return f'<BackgroundExecutor: spinning {names}, on {utilities.get_rmw_implementation_identifier()}>'
 
     # -- nodes ------------------------------------------------------------------------------------------
 
@@ -422,6 +424,8 @@ class BackgroundExecutor:
 
     def _show_once(self, error: BaseException) -> None:
         callback = self.running
+        if isinstance(error, _CallbackInterrupted):
+            self.services.give_a_turn((callback.node_name, callback.parameter_service) if callback else ('', ''))
         if callback is not None and callback.node not in self._nodes:
             return  # a callback or an answer was due when its node was removed, and has found its handles gone
         failure = self._count(error, callback)

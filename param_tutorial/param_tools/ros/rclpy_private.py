@@ -12,9 +12,9 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
 from rclpy.parameter import Parameter
-from rclpy.utilities import get_rmw_implementation_identifier
 
 # What a parameter callback is called with, and what it returns, depends on its kind.
 ParameterCallback = Callable[[list[Parameter]], Any]
@@ -102,14 +102,13 @@ def keep_type_description_service(node: Node) -> Callable[[], None]:
     service = getattr(getattr(node, '_type_description_service', None), '_type_description_srv', None)
     if service is None:  # start_type_description_service is false, or the constructor did not get so far
         return lambda: None
-    if get_rmw_implementation_identifier() == 'in_memory':  # rclpy in Python leaves nothing behind
-        return lambda: None
     # What is kept has a share in the node, which therefore is there until the end, wherever node.handle is by then.
     kept, pointer_to_node = [service.impl], node.handle.pointer
 
     def end() -> None:
         impl = kept.pop()
-        _rcl().rcl_service_fini(ctypes.c_void_p(impl.pointer), ctypes.c_void_p(pointer_to_node))
+        with contextlib.suppress(InvalidHandle), impl:  # rclpy in Python has ended it with its node
+            _rcl().rcl_service_fini(ctypes.c_void_p(impl.pointer), ctypes.c_void_p(pointer_to_node))
     return end
 
 

@@ -38,6 +38,8 @@ _QUESTIONS = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'l
 _REPEAT_PERIOD_SEC = 0.7
 # How long after its time limit the executor may take to end a call.
 _GRACE_SEC = 1.5
+# How long nodes may take to answer once a callback has been interrupted that kept them all waiting.
+_TURN_SEC = 1.0
 
 
 def full_name(node: str | Node) -> str:
@@ -258,6 +260,17 @@ class Services:
             # On a busy machine a service alone may seem gone for a moment.
             elif not call.client.service_is_ready() and graph.has_left(call.node, self._tool_node):
                 self._finish(future, NodeGoneError(call.node, call.service))
+
+    def give_a_turn(self, interrupted: tuple[str, str]) -> None:
+        """Leave nodes time to answer calls that were late because of a callback, which has now been interrupted.
+
+        :param interrupted: The node and the parameter service that the callback was serving, if any: that call gets no
+            answer.
+        """
+        with self._lock:
+            for call in self._pending.values():
+                if (call.node, call.service) != interrupted:
+                    call.deadline = max(call.deadline, deadline(_TURN_SEC))
 
     def fail(self, node: str, service: str, error: BaseException) -> bool:
         """Hand an exception that ended a service's callback to the oldest call from this process that waits for it.
