@@ -141,6 +141,8 @@ def register_sigint_guard_condition(guard: GuardCondition) -> None:
 
 
 def unregister_sigint_guard_condition(guard: GuardCondition) -> None:
+    if guard.is_gone:  # with the program that it belonged to
+        return
     if guard not in _guards:
         raise ValueError('Guard condition was not registered')
     _guards.remove(guard)
