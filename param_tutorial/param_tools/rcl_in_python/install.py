@@ -5,7 +5,9 @@ compiled modules; the files of rclpy and of the messages stay as they are.
 """
 
 import importlib.util
+import multiprocessing
 import sys
+import threading
 import types
 from collections.abc import Sequence
 from importlib.abc import Loader, MetaPathFinder
@@ -65,6 +67,8 @@ def install(*, even_beside_the_real_one: bool = False) -> None:
     if not even_beside_the_real_one and _has_compiled_layer():
         raise LayerError('the real rclpy is installed here, and its nodes reach other processes: use it')
     sys.meta_path.insert(0, _Finder())
+    if PathFinder.find_spec('_multiprocessing') is None:  # rclpy takes its lock from there, and means threads
+        multiprocessing.Lock = threading.Lock  # type: ignore[method-assign,assignment]
 
 
 def _has_compiled_layer() -> bool:
