@@ -35,7 +35,7 @@ CELLS = [
     cell('%%shell builder\npwd', printed('~\n')),
     cell("robot = Terminal('ros2 run a b', shell=runner)\nprint(robot.text)", printed('I am a robot.\n')),
     cell('robot.interrupt()', {'output_type': 'execute_result', 'data': {'text/plain': ['0']}}),
-    cell("robot = 1\nprint(robot)", printed('1\n')),
+    cell('robot = 1\nprint(robot)', printed('1\n')),
     cell('print(robot)', printed('1\n')),
     cell('%%ros2\nnode list', printed('builder\n')),
     cell('runner.close()')]
@@ -43,7 +43,8 @@ CELLS = [
 
 def test_those_cells_are_collected_that_need_a_shell_or_what_came_of_one():
     assert list(stored.collect({'cells': CELLS})) == [
-        '%%shell builder\npwd', "robot = Terminal('ros2 run a b', shell=runner)\nprint(robot.text)", 'robot.interrupt()',
+        '%%shell builder\npwd', "robot = Terminal('ros2 run a b', shell=runner)\nprint(robot.text)",
+        'robot.interrupt()',
         'runner.close()']
 
 
@@ -68,6 +69,7 @@ def test_in_a_page_each_of_them_says_why_and_shows_what_is_stored(tmp_path):
     stored_below = 'This is what it printed where there is one:'
     assert (tmp_path / 'a' / 'b').is_dir()
     assert done.stdout == (
-        f'{why} {stored_below}\n~\n{why} {stored_below}\nI am a robot.\n{why} {stored_below}\n0\n1\n1\n{why}\n{why}\n{why}\n'
+        f'{why} {stored_below}\n~\n{why} {stored_below}\nI am a robot.\n{why} {stored_below}\n0\n1\n1\n'
+        f'{why}\n{why}\n{why}\n'
         '<missing: there is no shell in a web page>\n'
         'there is no shell in a web page, so the cell that makes this has not run\n')

@@ -43,19 +43,20 @@ def written(tmp_path, source):
 
 def test_a_program_has_its_own_arguments_and_is_asked_and_ended(tmp_path):
     (tmp_path / 'file.yaml').write_text('/**: {ros__parameters: {robot_name: Berta}}')
-    assert run("robot = Terminal('ros2 run param_tutorial simple_param_node --ros-args -r __node:=late -p max_speed_rpm:=7"
-               " --params-file file.yaml')\n"
+    assert run("robot = Terminal('ros2 run param_tutorial simple_param_node --ros-args -r __node:=late '\n"
+               "                 '-p max_speed_rpm:=7 --params-file file.yaml')\n"
                "print(robot.read(until='max_speed_rpm'))\n"
                "from param_tutorial.nodes.simple_param_node import SimpleParamNode\n"
                "here = ros.add(SimpleParamNode)\n"
-               "print(ParameterClient('/late').set_parameter('max_speed_rpm', 8), here.get_parameter('robot_name').value)\n"
+               "print(ParameterClient('/late').set_parameter('max_speed_rpm', 8))\n"
+               "print(here.get_parameter('robot_name').value)\n"
                "print(robot.read(until='is now').splitlines()[-1])\n"
                "print(robot.is_running, robot.interrupt(), robot, ros.services.node_names())", tmp_path) == (
         '[INFO] [late]: SimpleParamNode has been started.\n'
         '[INFO] [late]: Parameters declared successfully.\n'
         '[INFO] [late]:   robot_name: Berta\n'
         '[INFO] [late]:   max_speed_rpm: 7\n'
-        '/late accepted max_speed_rpm = 8 Clawbot\n'
+        '/late accepted max_speed_rpm = 8\nClawbot\n'
         '[INFO] [late]: max_speed_rpm is now 8\n'
         'True 0 <Terminal: ros2 run param_tutorial simple_param_node --ros-args -r __node:=late -p max_speed_rpm:=7 '
         "--params-file file.yaml (ended with status 0)> ['/simple_param_node']\n")
@@ -101,7 +102,7 @@ def test_ctrl_c_is_raised_where_a_program_spins_and_what_it_does_then_is_done(tm
             sys.exit(3)
 
         main()
-        """) + "print(terminal.interrupt())\nprint(terminal.text)", tmp_path) == '3\ninterrupted\ntidy False\n\n'
+        """) + 'print(terminal.interrupt())\nprint(terminal.text)', tmp_path) == '3\ninterrupted\ntidy False\n\n'
 
 
 def test_an_uncaught_ctrl_c_and_a_kill_are_told_apart(tmp_path):
@@ -114,9 +115,9 @@ def test_an_uncaught_ctrl_c_and_a_kill_are_told_apart(tmp_path):
         finally:
             print('finally')
         """)
-    assert run(f"{start}print(terminal.interrupt(), terminal.text.splitlines()[-1])\n"
-               f"{start}terminal._process.send(9)\nprint(terminal._process.wait(3), terminal._process.poll(), "
-               "repr(terminal.text), ros.services.node_names(), flush=True)\n"
+    assert run(f'{start}print(terminal.interrupt(), terminal.text.splitlines()[-1])\n'
+               f'{start}terminal._process.send(9)\nprint(terminal._process.wait(3), terminal._process.poll(), '
+               'repr(terminal.text), ros.services.node_names(), flush=True)\n'
                # Python would close what is left behind, at its own end.
                'import os\nos._exit(0)', tmp_path) == (
         "-2 KeyboardInterrupt\nTrue -9 '' []\n")
@@ -158,7 +159,7 @@ def test_a_launch_starts_three_programs_and_ends_them(tmp_path):
     assert run("launch = Terminal('ros2 launch three_launch.py')\n"
                "print([ParameterClient(name).get_parameter('max_speed_rpm') for name in ('/anna', '/berta')])\n"
                "print(launch.interrupt(), ros.services.node_names())\n"
-               "print(*(line for line in launch.text.splitlines() if 'launch' in line or 'process' in line), sep='\\n')",
+               "for each in launch.text.splitlines():\n    if 'launch' in each or 'process' in each: print(each)",
                tmp_path).partition('exit code')[0] == (
         '[1, 2]\n0 []\n'
         '[INFO] [launch]: Default logging verbosity is set to INFO\n'

@@ -30,6 +30,23 @@ class _TypeSupport(types.ModuleType):
         return f'{self.__name__}.{name}'
 
 
+class Lock:
+    """A lock as ``multiprocessing.Lock()`` returns it, for the threads of one process."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self.release = self._lock.release
+
+    def acquire(self, block: bool = True, timeout: float | None = None) -> bool:
+        return self._lock.acquire(block, -1 if timeout is None or not block else max(0.0, timeout))
+
+    def __enter__(self) -> bool:
+        return self.acquire()
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+
 class _Finder(MetaPathFinder, Loader):
     """Finds the layer under the names of compiled modules, and a little of numpy if nobody else does."""
 
@@ -68,7 +85,7 @@ def install(*, even_beside_the_real_one: bool = False) -> None:
         raise LayerError('the real rclpy is installed here, and its nodes reach other processes: use it')
     sys.meta_path.insert(0, _Finder())
     if PathFinder.find_spec('_multiprocessing') is None:  # rclpy takes its lock from there, and means threads
-        multiprocessing.Lock = threading.Lock  # type: ignore[method-assign,assignment]
+        multiprocessing.Lock = Lock  # type: ignore[assignment]
 
 
 def _has_compiled_layer() -> bool:

@@ -72,7 +72,7 @@ class Destroyable:
                 self.end()
 
     def end(self) -> None:
-        """Destroy what this stands for now, whoever uses it."""
+        """Destroy what this stands for now, even if it is in use."""
         if not self.is_gone:
             self.is_gone = True
             self._destroy()

@@ -1,9 +1,9 @@
-"""What runs beside a cell, and how a wait lets it run: the one place that knows whether there are threads and processes.
+"""What runs beside a cell, and how a wait lets it run: the one place that knows of threads and of other processes.
 
 ``host`` is what the rest of the tools asks. In a kernel and in a plain process it is ``Threads``: each loop has a
-thread of its own, a wait only sleeps, and a command runs in a process of its own. Where a process can't have threads, as
-in a web page, it is ``turns.Turns``: whatever waits gives each loop its turn, and a program runs as one of these loops.
-No ROS, no Jupyter.
+thread of its own, a wait only sleeps, and a command runs in a process of its own. Where there are no threads, as in a
+web page, it is ``turns.Turns``: whatever waits gives each loop its turn, and a program runs as one of these loops. No
+ROS, no Jupyter.
 """
 
 import threading

@@ -66,8 +66,8 @@ class Child:
                  environment: Mapping[str, str] | None = None, folder: Path | None = None, is_guarded: bool = False):
         """Start it.
 
-        :param output: Takes what it prints. Then it is in a session of its own, Ctrl+C reaches it through ``send`` only,
-            and what it is given to read is empty. Without it, it shares the terminal of this process.
+        :param output: Takes what it prints. Then it is in a session of its own, with nothing to read, and Ctrl+C
+            reaches it through ``send`` only. Without it, it shares the terminal of this process.
         :param is_guarded: End it if this process ends before. Who ends it in any case need not have it guarded.
         :raises OSError: it cannot be started.
         """

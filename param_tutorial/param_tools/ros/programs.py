@@ -2,13 +2,13 @@
 
 A program's file is run as it is written, with one change: where it waits in a ``spin`` of rclpy, everything else gets
 its turn. Python's own coroutines do that: ``rclpy.spin(node)`` is compiled as ``await``, and a function that spins as
-``async def``, so that its ``try``, ``except`` and ``finally`` do what they do in a process. What a process has for itself
-is in place while its program runs: arguments, output, handlers of signals, rclpy's default context and with it
-``--ros-args``, logging. A signal comes while the program spins. At its end, its nodes leave the graph.
+``async def``. So its ``try``, ``except`` and ``finally`` do what they do in a process. What a process has for itself is
+in place while its program runs: arguments, output, handlers of signals, rclpy's default context and with it
+``--ros-args``, and logging. A signal comes while the program spins. At its end, its nodes leave the graph.
 
-Programs share what else there is: modules that are imported, the environment and the current folder after the start.
+All programs share what else there is: imported modules, and after the start the environment and the current folder.
 They have no threads. What waits in any other way (``time.sleep``, ``Client.call``) lets everything go on but the cell.
-Only Python files and the programs of provided packages run so, and the embedded ``ros2``.
+Only Python files, the programs of provided packages, and the embedded ``ros2`` run so.
 """
 
 import ast
@@ -288,7 +288,8 @@ def _compiled(source: str, path: str, *, calls_main: bool) -> types.CodeType:
             _spins(each, spinning) for each in ast.walk(function))}:
         spinning |= more
     tree = ast.fix_missing_locations(_Awaiting(spinning).visit(tree))
-    return compile(tree, path, 'exec', ast.PyCF_ALLOW_TOP_LEVEL_AWAIT, dont_inherit=True)
+    code: types.CodeType = compile(tree, path, 'exec', ast.PyCF_ALLOW_TOP_LEVEL_AWAIT, dont_inherit=True)
+    return code
 
 
 def _spins(node: ast.AST, functions: set[str]) -> bool:
@@ -332,7 +333,8 @@ async def _spin(function: Callable[..., Any], *args: Any, **options: Any) -> Any
     if not isinstance(executor, Executor) and getattr(function, '__module__', '') != 'rclpy':
         return function(*args, **options)  # somebody's own function of this name
     given = inspect.signature(function).bind(*args, **options).arguments
-    node, future, timeout = (given.get(name) for name in ('node', 'future', 'timeout_sec'))
+    node: Any = given.get('node')
+    future, timeout = given.get('future'), given.get('timeout_sec')
     if not isinstance(executor, Executor):
         executor = given.get('executor') or rclpy.get_global_executor()
     end = math.inf if timeout is None or timeout < 0 else time.monotonic() + timeout

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import time
 import weakref
+from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -72,7 +73,7 @@ class Shell:
         """The exit status of the last command."""
         self._process: subprocess.Popen[bytes] | None = None
         if not host.host.has_processes:
-            self._close = weakref.finalize(self, _remove, folder)
+            self._close: Callable[[], object] = weakref.finalize(self, _remove, folder)
             return
         has_genuine = genuine.path() is not None
         self._programs, colcon = _programs_without_space(self.home)

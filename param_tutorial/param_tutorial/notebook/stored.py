@@ -1,9 +1,9 @@
 """What a cell prints that can't run where there are no processes, as it is stored in the notebook.
 
-Such a cell is typed into a shell, or it uses a shell, or what another such cell would have made: ``robot =
-Terminal(…, shell=runner)``, and then all cells with ``robot``. In its place, ``install`` has a sentence shown, and below
-it the outputs that the notebook has stored for exactly this text. Whoever builds a page gets them with ``collect`` and
-lets the page ``offer`` them when it starts.
+Such a cell is typed into a shell, or uses one, or uses what another such cell would have made: ``robot =
+Terminal(…, shell=runner)``, and then every cell with ``robot``. ``install`` puts a sentence in its place, and below it
+the outputs that the notebook has stored for exactly this text. The build of a page gets them with ``collect``, and the
+page hands them to ``offer`` when it starts.
 """
 
 import ast
@@ -88,8 +88,8 @@ def install(ipython: InteractiveShell) -> None:
     """Have each cell that can't run replaced by what is stored of it; safe to call more than once."""
     if _MAGIC in ipython.magics_manager.magics['cell']:
         return
-    ipython.register_magic_function(functools.partial(_stand_in, ipython), 'cell', _MAGIC)
-    ipython.register_magic_function(_make_folders, 'line', 'mkdir')
+    ipython.magics_manager.magics['cell'][_MAGIC] = functools.partial(_stand_in, ipython)
+    ipython.magics_manager.magics['line']['mkdir'] = _make_folders
     ipython.input_transformers_cleanup.insert(0, functools.partial(_replaced, ipython))
 
 

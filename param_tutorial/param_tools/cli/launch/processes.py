@@ -96,14 +96,17 @@ class Launcher:
         for number, escalation in ((signal.SIGINT, 'SIGTERM'), (signal.SIGTERM, 'SIGKILL'), (signal.SIGKILL, '')):
             for process in self._running.values():
                 process.send(number)
-            deadline = time.monotonic() + GRACE_SEC
-            while self._running and time.monotonic() < deadline:
-                yield lambda: not self._events.empty() or time.monotonic() >= deadline
-                while not self._events.empty():
-                    self._running.pop(str(self._events.get()), None)  # a further Ctrl+C changes nothing
+            yield from self._wait_for_ends(time.monotonic() + GRACE_SEC)
             for name in self._running if escalation else ():
                 self.log('ERROR', name, f"process failed to terminate '{GRACE_SEC:g}' seconds after receiving "
                                         f"'{signal.Signals(number).name}', escalating to '{escalation}'")
+
+    def _wait_for_ends(self, deadline: float) -> Generator[Callable[[], object], None, None]:
+        """Wait until all programs have ended, or the time is over."""
+        while self._running and time.monotonic() < deadline:
+            yield lambda: not self._events.empty() or time.monotonic() >= deadline
+            while not self._events.empty():
+                self._running.pop(str(self._events.get()), None)  # a further Ctrl+C changes nothing
 
 
 class _ProgramOutput:
