@@ -11,9 +11,9 @@ from typing import Any
 from param_tools.rcl_in_python import contexts, logs, waiting
 
 _OWN: tuple[tuple[Any, str, Callable[[], Any]], ...] = (
-    (contexts, '_contexts', weakref.WeakSet), (contexts, '_guards', list), (contexts, '_before', dict),
-    (logs, '_state', logs._State), (logs, '_output', logs._Output), (logs, '_rosout', dict),
-    (logs, '_subloggers', Counter), (logs, '_publisher_of_sublogger', dict), (waiting, '_handles', weakref.WeakSet))
+    (contexts, 'known', weakref.WeakSet), (contexts, 'guards', list), (contexts, 'replaced', dict),
+    (logs, 'state', logs.State), (logs, 'output', logs.Output), (logs, 'rosout', dict),
+    (logs, 'subloggers', Counter), (logs, 'publisher_of_sublogger', dict), (waiting, 'handles', weakref.WeakSet))
 
 
 def own_places() -> list[tuple[Any, str, Any]]:
@@ -23,9 +23,9 @@ def own_places() -> list[tuple[Any, str, Any]]:
 
 def end() -> None:
     """Take everything of this process out of the graph, as its end would."""
-    for context in list(contexts._contexts):
+    for context in list(contexts.known):
         if context.ok():
             context.shutdown()
     with waiting.changed:
-        for handle in list(waiting._handles):
+        for handle in list(waiting.handles):
             handle.end()

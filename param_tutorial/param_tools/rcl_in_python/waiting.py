@@ -32,7 +32,7 @@ def wait_until(condition: Callable[[], bool], deadline_ns: Callable[[], int | No
 
 
 # All handles that there are in this process.
-_handles: 'weakref.WeakSet[Destroyable]' = weakref.WeakSet()
+handles: 'weakref.WeakSet[Destroyable]' = weakref.WeakSet()
 
 
 class Destroyable:
@@ -48,7 +48,7 @@ class Destroyable:
         self._users = 0
         self._is_to_go = False
         self.is_gone = False
-        _handles.add(self)
+        handles.add(self)
 
     def __enter__(self) -> None:
         with _lock:

@@ -28,12 +28,11 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import rclpy
-from rclpy import context as rclpy_context
-from rclpy import utilities
 from rclpy.executors import Executor, ExternalShutdownException
 
 from param_tools.errors import NoProcessError
 from param_tools.rcl_in_python import processes as layer
+from param_tools.ros import rclpy_private
 from param_tools.ros.environment import provided_packages
 from param_tools.ros.host import Loop
 from param_tools.ros.processes import Output
@@ -102,8 +101,7 @@ class Program:
         return [(sys, 'argv', list(arguments)), (sys, 'stdout', stdout), (sys, 'stderr', stderr),
                 (sys, 'path', [str(Path(arguments[0]).parent), *sys.path]),
                 (signal, 'signal', self._set_handler), (signal, 'getsignal', self._handlers.get),
-                (utilities, 'g_default_context', None), (rclpy, '__executor', None),
-                (rclpy_context, 'g_logging_ref_count', 0), *layer.own_places()]
+                *rclpy_private.own_places(), *layer.own_places()]
 
     def swap(self) -> None:
         """Put the program's surroundings into place, and keep what was there; or the other way round."""

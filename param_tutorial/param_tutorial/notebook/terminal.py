@@ -15,7 +15,7 @@ import sys
 import threading
 import time
 import weakref
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from param_tools.cli import command as embedded
 from param_tools.cli import genuine
@@ -48,7 +48,7 @@ class Terminal:
     0
     """
 
-    def __init__(self, command: str, shell: Shell | None = None):
+    def __init__(self, command: str, shell: Shell | None = None, variables: Mapping[str, str] | None = None):
         """Start a command, in the ROS domain of this process.
 
         The same command, if it still runs in an earlier terminal, is interrupted first: that is a cell that runs again,
@@ -57,6 +57,7 @@ class Terminal:
         :param command: As typed into a shell, without pipes and variables. A leading ``ros2`` is the genuine
             one if that is on the PATH, otherwise the embedded one.
         :param shell: Start it in the folder and with the environment that this shell has now.
+        :param variables: What its environment has besides.
         :raises FileNotFoundError: there is no such command.
         :raises NoProcessError: it needs a process of its own, and there can be none.
         """
@@ -72,20 +73,20 @@ class Terminal:
         self._changed = threading.Condition(self._lock)
         self._all_read = threading.Event()
         arguments = shlex.split(command)
-        variables, folder, instead = dict(os.environ), None, None
+        outer, folder, instead = dict(os.environ), None, None
         if shell is not None:
-            variables, folder = shell.environment(), shell.folder()
+            outer, folder = shell.environment(), shell.folder()
             if arguments[0] == 'ros2':
                 installed = genuine.path()
                 arguments[:1] = [installed] if installed else genuine.embedded_words()
         elif arguments[0] == 'ros2':
             instead = functools.partial(_embedded, arguments[1:])
-            arguments, variables = genuine.command(arguments[1:])
+            arguments, outer = genuine.command(arguments[1:])
         with interruptible():
             self._process = host.host.start(
                 arguments, Output(self._take, ended=self._end), folder=folder, is_guarded=True, instead=instead,
-                environment={**{name: value for name, value in variables.items() if not name.startswith('RCUTILS_')},
-                             'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
+                environment={**{name: value for name, value in outer.items() if not name.startswith('RCUTILS_')},
+                             **(variables or {}), 'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
                              'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
         _open.add(self)
 
