@@ -3,6 +3,7 @@
     ParameterToolError
     ├── ExecutorError               the background executor cannot do what was asked
     │   └── StuckError              because it does not return
+    ├── NoProcessError              this needs a process of its own, and a web page can start none
     ├── LayerError                  rclpy cannot stand on its layer in Python here  (also ImportError)
     ├── WaitTimeoutError            a condition did not come true in time           (also TimeoutError)
     ├── InvalidValueError           this Python value cannot be a ROS parameter     (also ValueError)
@@ -43,6 +44,10 @@ class ExecutorError(ParameterToolError):
 
 class StuckError(ExecutorError):
     """What the background executor was to do does not return, and cannot be interrupted."""
+
+
+class NoProcessError(ParameterToolError):
+    """This can't run without a process of its own, and where we are, no process can be started."""
 
 
 class LayerError(ParameterToolError, ImportError):

@@ -22,6 +22,7 @@ from param_tools.cli.launch.parameters import ParameterFile, ParameterValue, par
 from param_tools.cli.launch.processes import Launcher, Program
 from param_tools.cli.launch.reading import MODULES, load_description
 from param_tools.cli.launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from param_tools.ros.waiting import to_end
 from param_tutorial import ParameterClient, Terminal, wait_until
 from tests.support.paths import ROS_PACKAGE
 
@@ -238,7 +239,7 @@ def test_a_stream_that_only_goes_to_a_log_is_not_on_the_screen(launch_file, capf
     program = launch_file('', name='x').parent / 'both_streams'
     program.write_text('#!/bin/sh\necho to stdout\necho to stderr >&2\n')
     launcher = Launcher(sys.stdout)
-    launcher.run([Program(['sh', str(program)], 'x', True, False)])
+    to_end(launcher.run([Program(['sh', str(program)], 'x', True, False)]))
     shown = capfd.readouterr().out
     assert '[x-1] to stdout' in shown
     assert 'to stderr' not in shown
@@ -465,8 +466,8 @@ def test_several_nodes_are_ended_together_also_by_sigterm(ros, launch_file):
     for name in ('/a', '/x/b'):
         wait_until(lambda name=name: name in ros.services.node_names(), name, 30)
         ParameterClient(name, timeout_sec=30).list_parameters()
-    children = psutil.Process(terminal._process.pid).children()
-    terminal._process.send_signal(signal.SIGTERM)
+    children = psutil.Process(terminal._process.process.pid).children()
+    terminal._process.process.send_signal(signal.SIGTERM)
     terminal.read(until='user interrupted with SIGTERM')
     assert terminal.interrupt() == 0
     assert terminal.text.count('process has finished cleanly') == 2
@@ -478,7 +479,7 @@ def test_a_program_that_ignores_signals_is_killed_in_the_end(launch_file, monkey
     monkeypatch.setattr('param_tools.cli.launch.processes.GRACE_SEC', 0.2)
     script = launch_file('', name='x').parent / 'stubborn'
     script.write_text('trap "" INT TERM; kill -INT $PPID; while :; do sleep 0.1; done\n')
-    Launcher(sys.stdout).run([Program(['sh', str(script)], 'stubborn', True, True)])
+    to_end(Launcher(sys.stdout).run([Program(['sh', str(script)], 'stubborn', True, True)]))
     shown = capfd.readouterr().out
     assert "'0.2' seconds after receiving 'SIGINT', escalating to 'SIGTERM'" in shown
     assert "'0.2' seconds after receiving 'SIGTERM', escalating to 'SIGKILL'" in shown

@@ -69,7 +69,7 @@ def test_a_command_that_ignores_ctrl_c_is_killed():
         f'"{sys.executable}" -c "import signal, time; signal.signal(2, signal.SIG_IGN); print(1); time.sleep(60)"')
     terminal.read(until='1')
     assert terminal.interrupt(timeout_sec=0.2) == -9
-    assert not psutil.pid_exists(terminal._process.pid)
+    assert not psutil.pid_exists(terminal._process.process.pid)
 
 
 def test_a_command_that_does_not_exist():

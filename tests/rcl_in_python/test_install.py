@@ -114,3 +114,18 @@ info = ServiceEventInfo(client_gid=range(16), sequence_number=7)
 print(deserialize_message(serialize_message(info), ServiceEventInfo) == info, info == ServiceEventInfo())
 print(sys.modules['numpy'].__doc__.startswith('As much of numpy'))
 ''') == 'True False\nTrue\n'
+
+
+def test_where_there_is_no_multiprocessing_the_event_handler_has_a_lock_all_the_same():
+    assert run('''
+import multiprocessing
+from param_tools.rcl_in_python import install
+multiprocessing.Lock = install.Lock
+import rclpy
+from rclpy.parameter_event_handler import ParameterEventHandler
+rclpy.init(args=[])
+mutex = ParameterEventHandler(rclpy.create_node('node'))._callbacks.mutex
+with mutex:
+    print(mutex.acquire(block=False), mutex.acquire(timeout=0.01))
+print(mutex.acquire(), mutex.release())
+''') == 'False False\nTrue None\n'

@@ -184,6 +184,21 @@ def test_every_set_goes_through_one_method_of_the_node_and_no_declaration_does(r
     assert asked == [[6], [7], [8]]
 
 
+def test_these_three_are_all_that_a_second_program_needs_of_its_own(other_context, monkeypatch):
+    stage = rclpy.utilities.get_default_context()
+    for owner, name, value in rclpy_private.own_places():
+        monkeypatch.setattr(owner, name, value)
+    context = rclpy.utilities.get_default_context()
+    assert context is not stage
+    context.init([])
+    assert rclpy.context.g_logging_ref_count == 1
+    executor = rclpy.get_global_executor()
+    assert executor.context is context
+    context.shutdown()
+    assert rclpy.utilities.g_default_context is context
+    assert rclpy.__dict__['__executor'] is None
+
+
 @pytest.mark.slow
 def test_no_other_file_uses_private_names_of_rclpy(ros, lamp):
     client = lamp.create_client(GetParameters, '/nobody/get_parameters')

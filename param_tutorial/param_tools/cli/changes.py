@@ -14,10 +14,9 @@ from param_tools.cli.system_arguments import pattern
 from param_tools.errors import ParameterToolError
 from param_tools.files.parsing import matches
 from param_tools.markup.wording import format_count
+from param_tools.ros.waiting import Steps
 from param_tools.systems.change_log import KINDS, ChangeFollower, ChangeLog, ChangeLogWriter, LoggedChange
 from param_tools.systems.snapshot import Snapshot
-
-_LOOK_PERIOD_SEC = 0.5
 
 
 def add_to(commands: Commands) -> None:
@@ -36,7 +35,7 @@ def add_watch_arguments(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(verb=watch)
 
 
-def watch(session: Session, args: argparse.Namespace) -> int:
+def watch(session: Session, args: argparse.Namespace) -> Steps:
     """Print changes until somebody ends it."""
     if session.in_notebook and args.duration is None:
         raise CommandFailed(session.instead_of(['watch', *args.nodes]) + ' Or say how long: --duration 10')
@@ -50,9 +49,10 @@ def watch(session: Session, args: argparse.Namespace) -> int:
         with contextlib.suppress(KeyboardInterrupt), ChangeFollower(
                 happened.put, nodes=patterns, trouble=happened.put, timeout_sec=args.timeout,
                 executor=session.executor):
-            while (left := end - time.monotonic()) > 0:
-                with contextlib.suppress(queue.Empty):
-                    _tell(session, happened.get(timeout=min(_LOOK_PERIOD_SEC, left)), wanted, writer)
+            while time.monotonic() < end:
+                yield lambda: not happened.empty() or time.monotonic() >= end
+                while not happened.empty():
+                    _tell(session, happened.get(), wanted, writer)
         while not happened.empty():  # what the follower heard before the end
             _tell(session, happened.get(), wanted, writer)
     return 0

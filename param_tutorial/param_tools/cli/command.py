@@ -12,9 +12,11 @@ from param_tools.cli.session import (
     Printed,
     Session,
     TextStream,
+    run_verb,
     what_else_to_type,
 )
 from param_tools.errors import ParameterToolError
+from param_tools.ros.waiting import Steps, to_end
 
 if TYPE_CHECKING:
     from param_tools.ros.executor import BackgroundExecutor
@@ -50,15 +52,19 @@ def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream,
     :param instead_of: See ``Session``.
     :return: The exit status.
     """
-    session = Session(stdout, stderr, get_executor, in_notebook, instead_of)
+    return to_end(steps(argv, Session(stdout, stderr, get_executor, in_notebook, instead_of)))
+
+
+def steps(argv: Sequence[str], session: Session) -> Steps:
+    """Run one command, step by step if it goes on until somebody ends it."""
     try:
         parser = _parser(argv[0] if argv else '')
         args = parser.parse_args(argv)
         if not hasattr(args, 'verb'):
             getattr(args, 'help_of', parser).print_help()
-        return args.verb(session, args) or 0
+        return (yield from run_verb(session, args))
     except Printed as printed:
-        (stderr if printed.status else stdout).write(str(printed))
+        (session.stderr if printed.status else session.stdout).write(str(printed))
         return printed.status
     except (CommandFailed, ParameterToolError) as error:
         session.complain(error)

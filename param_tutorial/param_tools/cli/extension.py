@@ -11,9 +11,10 @@ import sys
 from collections.abc import Callable
 
 from param_tools.cli import changes, check, system
-from param_tools.cli.session import CommandFailed, Session
+from param_tools.cli.session import CommandFailed, Session, run_verb
 from param_tools.errors import ParameterToolError
 from param_tools.ros import stage
+from param_tools.ros.waiting import to_end
 
 
 class _Command:
@@ -31,7 +32,7 @@ class _Command:
         if not os.environ.get('ROS_DOMAIN_ID'):
             os.environ['ROS_DOMAIN_ID'] = '0'
         try:
-            return args.verb(Session(sys.stdout, sys.stderr, stage.start, in_notebook=False), args) or 0
+            return to_end(run_verb(Session(sys.stdout, sys.stderr, stage.start, in_notebook=False), args))
         except (CommandFailed, ParameterToolError) as error:
             return str(error)
 

@@ -6,14 +6,15 @@ import os
 import pkgutil
 import shlex
 import signal
-import subprocess
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from param_tools.cli import index
 from param_tools.cli.session import CommandFailed, Commands, Session
+from param_tools.ros import host
 from param_tools.ros.environment import provided_packages
+from param_tools.ros.waiting import Steps
 
 
 def add_to(commands: Commands) -> None:
@@ -33,7 +34,7 @@ def node_programs(package: str) -> list[str]:
     return sorted(module.name for module in pkgutil.iter_modules(folders or ()) if not module.name.startswith('_'))
 
 
-def run_program(session: Session, args: argparse.Namespace) -> int:
+def run_program(session: Session, args: argparse.Namespace) -> Steps:
     """Run the program, say if it failed, and return its exit status; negative if a signal ended it."""
     command = find_program(args.package_name, args.executable_name)
     if session.in_notebook:
@@ -42,7 +43,7 @@ def run_program(session: Session, args: argparse.Namespace) -> int:
     session.stdout.flush()
     session.stderr.flush()
     try:
-        status = _wait_for_end(command)
+        status = yield from _wait_for_end(command)
     except OSError as error:
         raise CommandFailed(f'cannot run {command[0]}: {error.strerror}') from None
     if status:
@@ -51,16 +52,18 @@ def run_program(session: Session, args: argparse.Namespace) -> int:
     return status
 
 
-def _wait_for_end(command: Sequence[str]) -> int:
+def _wait_for_end(command: Sequence[str]) -> Steps:
     """Run a command, and return its exit status, as ``subprocess`` has it.
 
     Ctrl+C reaches this process and the program alike, and the program decides what comes of it. SIGTERM is passed on;
     the genuine command ends and leaves the program running.
     """
-    program = subprocess.Popen(command)
+    program = host.host.start(command)
     signal.signal(signal.SIGINT, lambda *_: None)
-    signal.signal(signal.SIGTERM, lambda *_: program.terminate())
-    return program.wait()
+    signal.signal(signal.SIGTERM, lambda *_: program.send(signal.SIGTERM))
+    while (status := program.poll()) is None:
+        yield lambda: program.poll() is not None
+    return status
 
 
 def find_program(package: str, program: str, environment: Mapping[str, str] = os.environ) -> list[str]:

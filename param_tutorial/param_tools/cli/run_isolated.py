@@ -19,7 +19,7 @@ from param_tools.cli.session import CommandFailed
 from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions
 from param_tools.files.descriptions import AS_DECLARED, Descriptions
-from param_tools.ros import domain, stage
+from param_tools.ros import domain, host, stage
 from param_tools.systems.describe import describe
 
 START_TIMEOUT_SEC = 40.0
@@ -36,6 +36,9 @@ def describe_program(package: str, executable: str) -> Descriptions:
     :raises CommandFailed: there is no such program, it ends by itself, or no node of it answers in time.
     """
     program = find_program(package, executable)
+    if not host.host.has_processes:
+        raise CommandFailed(f'{package}/{executable} would be started in a process of its own, and there is none in a '
+                            f'web page: run it, and name its node instead')
     root = embedded_words()[-1]
     with tempfile.TemporaryDirectory(prefix='param_tools_') as folder, tempfile.TemporaryFile('w+') as complaint:
         path = Path(folder, 'descriptions.yaml')

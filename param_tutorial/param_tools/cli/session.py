@@ -8,11 +8,12 @@ import argparse
 import functools
 import math
 import shlex
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
 from param_tools.errors import NodeNotFoundError, ParameterToolError
+from param_tools.ros.waiting import Steps
 
 if TYPE_CHECKING:
     from param_tools.ros.executor import BackgroundExecutor
@@ -188,6 +189,14 @@ class Session:
         # Each call has a time limit of its own, so each finishes.
         waiting.wait(lambda: len(answers) == len(nodes), math.inf)
         return answers
+
+
+def run_verb(session: Session, args: argparse.Namespace) -> Steps:
+    """Run the verb that the arguments name, step by step if it goes on until somebody ends it."""
+    done = args.verb(session, args)
+    if isinstance(done, Generator):
+        done = yield from done
+    return done or 0
 
 
 def without_services(node: str | NodeName) -> str:

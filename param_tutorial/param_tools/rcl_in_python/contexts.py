@@ -33,10 +33,11 @@ class Context(Destroyable):
         self._domain_id = _domain_id() if domain_id == DEFAULT_DOMAIN_ID else domain_id
         if self._domain_id > _MAX_DOMAIN_ID:
             raise RCLError(f'failed to initialize rcl: Domain id {self._domain_id} exceeds {_MAX_DOMAIN_ID}')
-        self.domain: Domain = domains.setdefault(self._domain_id, Domain())
+        is_alone = os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper() == 'OFF'
+        self.domain = Domain() if is_alone else domains.setdefault(self._domain_id, Domain())
         self.arguments.check()
         self._is_ok = True
-        _contexts.add(self)
+        known.add(self)
 
     def ok(self) -> bool:
         return self._is_ok
@@ -57,7 +58,7 @@ class Context(Destroyable):
         self._is_ok = False
 
 
-_contexts: 'weakref.WeakSet[Context]' = weakref.WeakSet()
+known: 'weakref.WeakSet[Context]' = weakref.WeakSet()
 
 
 def _parsed(args: Sequence[str]) -> Arguments:
@@ -95,20 +96,20 @@ def rclpy_logging_configure(context: Context) -> None:
 # -- signals --------------------------------------------------------------------------------------------------
 
 _SIGNALS = {signal.SIGINT: SignalHandlerOptions.SIGINT, signal.SIGTERM: SignalHandlerOptions.SIGTERM}
-_guards: list[GuardCondition] = []
+guards: list[GuardCondition] = []
 # The handlers that there were before ours.
-_before: dict[int, Any] = {}
+replaced: dict[int, Any] = {}
 
 
 def _handle(number: int, frame: FrameType | None) -> None:
     """Shut down all contexts, wake all executors, and do what would have been done without this."""
     with changed:
-        for context in list(_contexts):
+        for context in list(known):
             if context.ok():
                 context.shutdown()
-        for guard in _guards:
+        for guard in guards:
             guard.trigger_guard_condition()
-    if callable(before := _before.get(number)):
+    if callable(before := replaced.get(number)):
         before(number, frame)
 
 
@@ -116,31 +117,33 @@ def install_signal_handlers(options: SignalHandlerOptions) -> None:
     if threading.current_thread() is not threading.main_thread():
         return  # Python lets only the main thread do this
     for number, option in _SIGNALS.items():
-        if options & option and number not in _before:
-            _before[number] = signal.signal(number, _handle)
+        if options & option and number not in replaced:
+            replaced[number] = signal.signal(number, _handle)
 
 
 def uninstall_signal_handlers() -> None:
     if threading.current_thread() is not threading.main_thread():
         return
-    while _before:
-        number, before = _before.popitem()
+    while replaced:
+        number, before = replaced.popitem()
         # Somebody may have set a handler since, and None stands for one that Python cannot give back.
         if signal.getsignal(number) is _handle:
             signal.signal(number, signal.SIG_DFL if before is None else before)
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    return SignalHandlerOptions(sum(_SIGNALS[signal.Signals(number)] for number in _before))
+    return SignalHandlerOptions(sum(_SIGNALS[signal.Signals(number)] for number in replaced))
 
 
 def register_sigint_guard_condition(guard: GuardCondition) -> None:
-    if guard in _guards:
+    if guard in guards:
         raise ValueError('Guard condition was already registered')
-    _guards.append(guard)
+    guards.append(guard)
 
 
 def unregister_sigint_guard_condition(guard: GuardCondition) -> None:
-    if guard not in _guards:
+    if guard.is_gone:  # with the program that it belonged to
+        return
+    if guard not in guards:
         raise ValueError('Guard condition was not registered')
-    _guards.remove(guard)
+    guards.remove(guard)

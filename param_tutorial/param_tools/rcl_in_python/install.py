@@ -5,7 +5,9 @@ compiled modules; the files of rclpy and of the messages stay as they are.
 """
 
 import importlib.util
+import multiprocessing
 import sys
+import threading
 import types
 from collections.abc import Sequence
 from importlib.abc import Loader, MetaPathFinder
@@ -26,6 +28,23 @@ class _TypeSupport(types.ModuleType):
         if name.startswith('__'):
             raise AttributeError(name)
         return f'{self.__name__}.{name}'
+
+
+class Lock:
+    """A lock as ``multiprocessing.Lock()`` returns it, for the threads of one process."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self.release = self._lock.release
+
+    def acquire(self, block: bool = True, timeout: float | None = None) -> bool:
+        return self._lock.acquire(block, -1 if timeout is None or not block else max(0.0, timeout))
+
+    def __enter__(self) -> bool:
+        return self.acquire()
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
 
 
 class _Finder(MetaPathFinder, Loader):
@@ -65,6 +84,8 @@ def install(*, even_beside_the_real_one: bool = False) -> None:
     if not even_beside_the_real_one and _has_compiled_layer():
         raise LayerError('the real rclpy is installed here, and its nodes reach other processes: use it')
     sys.meta_path.insert(0, _Finder())
+    if PathFinder.find_spec('_multiprocessing') is None:  # rclpy takes its lock from there, and means threads
+        multiprocessing.Lock = Lock  # type: ignore[assignment]
 
 
 def _has_compiled_layer() -> bool:

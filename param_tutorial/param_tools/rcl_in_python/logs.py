@@ -40,7 +40,7 @@ Publish = Callable[[Record], None]
 
 
 @dataclass
-class _State:
+class State:
     """What has been set, until the logging system is shut down."""
 
     levels: dict[str, int] = field(default_factory=dict)
@@ -50,19 +50,19 @@ class _State:
 
 
 @dataclass
-class _Output:
+class Output:
     """Where messages go besides, as the first context's arguments say."""
 
     has_terminal: bool = True
     has_rosout: bool = False
 
 
-_state = _State()
-_output = _Output()
+state = State()
+output = Output()
 # Publishers on /rosout, by the name of a node's logger, and how often each logger below one has been asked for.
-_rosout: dict[str, Publish] = {}
-_subloggers: Counter[str] = Counter()
-_publisher_of_sublogger: dict[str, Publish] = {}
+rosout: dict[str, Publish] = {}
+subloggers: Counter[str] = Counter()
+publisher_of_sublogger: dict[str, Publish] = {}
 
 
 # -- levels ---------------------------------------------------------------------------------------------------
@@ -75,10 +75,10 @@ def level_from_name(name: str) -> int | None:
 def effective_level(name: str) -> int:
     """Return the level of a logger, or that of the nearest one above it that has one."""
     while name:
-        if level := _state.levels.get(name):
+        if level := state.levels.get(name):
             return level
         name = name.rpartition(SEPARATOR)[0]
-    return _state.levels.get('', SEVERITY.RCUTILS_LOG_SEVERITY_INFO)
+    return state.levels.get('', SEVERITY.RCUTILS_LOG_SEVERITY_INFO)
 
 
 def rclpy_logging_get_logger_effective_level(name: str) -> int:
@@ -86,7 +86,7 @@ def rclpy_logging_get_logger_effective_level(name: str) -> int:
 
 
 def rclpy_logging_get_logger_level(name: str) -> int:
-    return _state.levels.get(name, 0) if name else effective_level('')
+    return state.levels.get(name, 0) if name else effective_level('')
 
 
 def rclpy_logging_logger_is_enabled_for(name: str, severity: int) -> bool:
@@ -98,7 +98,7 @@ def rclpy_logging_set_logger_level(name: str, level: int, detailed_error: bool =
         reason = ('Invalid severity level specified for logger' if level < 0 else
                   'Unable to determine severity_string for severity')
         raise RuntimeError(f'Failed reason: {reason}' if detailed_error else 'Failed to set level for logger')
-    _state.levels[name] = int(level)
+    state.levels[name] = int(level)
 
 
 def rclpy_logging_severity_level_from_string(name: str) -> int:
@@ -119,21 +119,21 @@ def rclpy_logging_initialize() -> None:
 
 
 def rclpy_logging_shutdown() -> None:
-    global _state
-    _state = _State()
+    global state
+    state = State()
 
 
 def configure(levels: dict[str, int], *, has_terminal: bool, has_rosout: bool) -> None:
     """Do as the arguments of the first context say."""
-    global _output
+    global output
     for name, level in levels.items():
         rclpy_logging_set_logger_level(name, level)
-    _output = _Output(has_terminal, has_rosout)
+    output = Output(has_terminal, has_rosout)
 
 
 def rclpy_logging_fini() -> None:
-    global _output
-    _output = _Output()
+    global output
+    output = Output()
 
 
 def rclpy_logging_get_logging_directory() -> str:
@@ -149,9 +149,9 @@ def rclpy_logging_rcutils_log(severity: int, name: str, message: str, function: 
     if not rclpy_logging_logger_is_enabled_for(name, severity):
         return
     record = Record(int(severity), name, message, function, file, line, time.time_ns())
-    if _output.has_terminal:
+    if output.has_terminal:
         _write(record)
-    if _output.has_rosout and (publish := _rosout.get(name) or _publisher_of_sublogger.get(name)):
+    if output.has_rosout and (publish := rosout.get(name) or publisher_of_sublogger.get(name)):
         publish(record)
 
 
@@ -166,11 +166,11 @@ def error(name: str, message: str) -> None:
 
 
 def _write(record: Record) -> None:
-    stream = sys.stdout if _state.uses_stdout else sys.stderr
+    stream = sys.stdout if state.uses_stdout else sys.stderr
     if stream is None:
         return
     text = _formatted(record)
-    if _state.colors == '1' or (_state.colors != '0' and stream.isatty()):
+    if state.colors == '1' or (state.colors != '0' and stream.isatty()):
         text = f'{_COLORS[_NAMES[record.severity]]}{text}\033[0m'
     stream.write(text + '\n')
     stream.flush()
@@ -185,7 +185,7 @@ def _formatted(record: Record) -> str:
         'time': f'{seconds}.{nanoseconds:09}', 'time_as_nanoseconds': record.time_ns,
         'date_time_with_ms': f'{moment:%Y-%m-%d %H:%M:%S}.{nanoseconds // 10**6:03}',
     }
-    text = _state.format
+    text = state.format
     # The message last: what it holds is no format.
     for key in sorted(values, key='message'.__eq__):
         text = text.replace(f'{{{key}}}', str(values[key]))
@@ -196,37 +196,37 @@ def _formatted(record: Record) -> str:
 
 def add_rosout(logger: str, publish: Publish) -> None:
     """Have what a node's logger logs published."""
-    if logger in _rosout:
+    if logger in rosout:
         warn('rcl.logging_rosout', (
             f"Publisher already registered for node name: '{logger}'. If this is due to multiple nodes with the same "
             f"name then all logs for the logger named '{logger}' will go out over the existing publisher. As soon as "
             f'any node with that name is destructed it will unregister the publisher, preventing any further logs for '
             f'that name from being published on the rosout topic.'))
         return
-    _rosout[logger] = publish
+    rosout[logger] = publish
 
 
 def remove_rosout(logger: str) -> None:
     """Have what a node's logger and those below it log published no longer."""
-    publish = _rosout.pop(logger, None)
-    for name in [name for name, each in _publisher_of_sublogger.items() if each is publish]:
-        del _publisher_of_sublogger[name], _subloggers[name]
+    publish = rosout.pop(logger, None)
+    for name in [name for name, each in publisher_of_sublogger.items() if each is publish]:
+        del publisher_of_sublogger[name], subloggers[name]
 
 
 def rclpy_logging_rosout_add_sublogger(logger: str, sublogger: str) -> bool:
     """Return whether the logger publishes, and so does the one below it from now on."""
-    publish = _rosout.get(logger) or _publisher_of_sublogger.get(logger)
+    publish = rosout.get(logger) or publisher_of_sublogger.get(logger)
     if publish is None:
         return False
     name = f'{logger}{SEPARATOR}{sublogger}'
-    _publisher_of_sublogger[name] = publish
-    _subloggers[name] += 1
+    publisher_of_sublogger[name] = publish
+    subloggers[name] += 1
     return True
 
 
 def rclpy_logging_rosout_remove_sublogger(logger: str, sublogger: str) -> None:
     name = f'{logger}{SEPARATOR}{sublogger}'
-    if name in _subloggers:
-        _subloggers[name] -= 1
-        if not _subloggers[name]:
-            del _publisher_of_sublogger[name], _subloggers[name]
+    if name in subloggers:
+        subloggers[name] -= 1
+        if not subloggers[name]:
+            del publisher_of_sublogger[name], subloggers[name]

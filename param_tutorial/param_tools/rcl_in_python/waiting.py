@@ -7,6 +7,7 @@ Whatever makes something ready (a message, a request, a guard condition, a clock
 import itertools
 import threading
 import time
+import weakref
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
@@ -30,6 +31,10 @@ def wait_until(condition: Callable[[], bool], deadline_ns: Callable[[], int | No
             changed.wait(remaining)
 
 
+# All handles that there are in this process.
+handles: 'weakref.WeakSet[Destroyable]' = weakref.WeakSet()
+
+
 class Destroyable:
     """A handle, which ``with`` keeps alive while it is in use.
 
@@ -42,7 +47,8 @@ class Destroyable:
         self.pointer = next(self._pointers)
         self._users = 0
         self._is_to_go = False
-        self._is_gone = False
+        self.is_gone = False
+        handles.add(self)
 
     def __enter__(self) -> None:
         with _lock:
@@ -56,18 +62,19 @@ class Destroyable:
                 raise RuntimeError('Internal error: Destroyable use_count would be negative')
             self._users -= 1
             if self._is_to_go and not self._users:
-                self._end()
+                self.end()
 
     def destroy_when_not_in_use(self) -> None:
         """Destroy what this stands for now, or at the end of the last ``with``."""
         with changed:
             self._is_to_go = True
             if not self._users:
-                self._end()
+                self.end()
 
-    def _end(self) -> None:
-        if not self._is_gone:
-            self._is_gone = True
+    def end(self) -> None:
+        """Destroy what this stands for now, even if it is in use."""
+        if not self.is_gone:
+            self.is_gone = True
             self._destroy()
 
     def _destroy(self) -> None:
@@ -75,9 +82,9 @@ class Destroyable:
 
     def __del__(self) -> None:
         # Nobody has destroyed it, and nobody can use it any more.
-        if not self.__dict__.get('_is_gone', True):
+        if not self.__dict__.get('is_gone', True):
             with changed:
-                self._end()
+                self.end()
 
 
 class _Context(Protocol):

@@ -1,16 +1,20 @@
-"""What runs beside a cell, and how a wait lets it run: the one place that knows whether there are threads.
+"""What runs beside a cell, and how a wait lets it run: the one place that knows of threads and of other processes.
 
 ``host`` is what the rest of the tools asks. In a kernel and in a plain process it is ``Threads``: each loop has a
-thread of its own, and a wait only sleeps. Where a process can't have threads, as in a web page, it is ``turns.Turns``:
-whatever waits gives each loop its turn. No ROS, no Jupyter.
+thread of its own, a wait only sleeps, and a command runs in a process of its own. Where there are no threads, as in a
+web page, it is ``turns.Turns``: whatever waits gives each loop its turn, and a program runs as one of these loops. No
+ROS, no Jupyter.
 """
 
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import Protocol, TypeVar
 
 from param_tools.ros import interrupts
+from param_tools.ros.processes import Child, Output
+from param_tools.ros.waiting import Steps
 
 T = TypeVar('T')
 R = TypeVar('R')
@@ -36,8 +40,24 @@ class Loop(Protocol):
         """Wait until the loop has ended, and return whether it has."""
 
 
+class Command(Protocol):
+    """A command that was started, in a process of its own or as a program in this one."""
+
+    def poll(self) -> int | None:
+        """Return its exit status, negative if a signal ended it; None if it runs."""
+
+    def send(self, number: int) -> None:
+        """Send it a signal; in a session of its own, also to what it has started in its turn."""
+
+    def wait(self, timeout_sec: float) -> bool:
+        """Wait until it has ended, and return whether it has."""
+
+
 class Host(Protocol):
-    """Runs loops and jobs."""
+    """Runs loops, jobs and commands."""
+
+    has_processes: bool
+    """True if any command can be started: a shell, a compiler, a genuine ``ros2``."""
 
     def loop(self, step: Callable[[float], bool], is_over: Callable[[], bool], name: str, period_sec: float) -> Loop:
         """Return a loop that calls a function again and again until it is over.
@@ -52,6 +72,16 @@ class Host(Protocol):
 
     def map(self, question: Callable[[T], R], items: Sequence[T]) -> list[R]:
         """Call a function that waits with each item, all at the same time if that is possible; return the results."""
+
+    def start(self, command: Sequence[str], output: Output | None = None, *,
+              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_guarded: bool = False,
+              instead: Callable[[], Steps] | None = None) -> Command:
+        """Start a command; ``processes.Child`` says what the arguments mean.
+
+        :param instead: Does the same in this process, where there are no others.
+        :raises OSError: it cannot be started.
+        :raises NoProcessError: it can't run without a process of its own, and there is none.
+        """
 
 
 class ThreadLoop:
@@ -89,7 +119,9 @@ class ThreadLoop:
 
 
 class Threads:
-    """The host of a process that has threads."""
+    """The host of a process that has threads, and can start others."""
+
+    has_processes = True
 
     def loop(self, step: Callable[[float], bool], is_over: Callable[[], bool], name: str, period_sec: float) -> Loop:
         return ThreadLoop(step, is_over, name, period_sec)
@@ -100,6 +132,11 @@ class Threads:
     def map(self, question: Callable[[T], R], items: Sequence[T]) -> list[R]:
         with ThreadPoolExecutor(max(len(items), 1)) as threads:
             return list(threads.map(question, items))
+
+    def start(self, command: Sequence[str], output: Output | None = None, *,
+              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_guarded: bool = False,
+              instead: Callable[[], Steps] | None = None) -> Command:
+        return Child(command, output, environment=environment, folder=folder, is_guarded=is_guarded)
 
 
 host: Host = Threads()

@@ -11,7 +11,9 @@ import types
 from collections.abc import Callable, Iterator
 from typing import Any
 
+import rclpy
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclpy import context, utilities
 from rclpy.exceptions import InvalidHandle
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -116,6 +118,16 @@ def keep_type_description_service(node: Node) -> Callable[[], None]:
 def _rcl() -> ctypes.CDLL:
     """Return the library in C on which rclpy stands, and which it has loaded."""
     return ctypes.CDLL('librcl.so')
+
+
+# -- processes ----------------------------------------------------------------------------------------------------
+
+def own_places() -> list[tuple[Any, str, Any]]:
+    """Return where rclpy keeps what there is once in a process: the module, the name in it, and what a new one has.
+
+    They are the default context, the executor of ``rclpy.spin``, and how many contexts use the logging.
+    """
+    return [(utilities, 'g_default_context', None), (rclpy, '__executor', None), (context, 'g_logging_ref_count', 0)]
 
 
 # -- parameters -----------------------------------------------------------------------------------------------

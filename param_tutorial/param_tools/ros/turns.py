@@ -1,7 +1,8 @@
 """The host of a process without threads, such as a web page: whatever waits gives each loop its turn.
 
 ``install()`` chooses it, before the stage is started, and makes ``time.sleep``, events and conditions give turns too:
-there, nobody else could end such a wait. ``pump()`` gives turns between the cells. No ROS, no Jupyter.
+there, nobody else could end such a wait. ``pump()`` gives turns between the cells. A command runs as a program in this
+process (``programs``). No ROS here, no Jupyter.
 
 A loop is never called by itself, so a callback that waits for an answer that its own executor would have to bring waits
 in vain, as in a thread.
@@ -11,10 +12,16 @@ import asyncio
 import contextlib
 import threading
 import time
-from collections.abc import Callable, Sequence
-from typing import TypeVar
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
 from param_tools.ros import host
+from param_tools.ros.processes import Output
+from param_tools.ros.waiting import Steps
+
+if TYPE_CHECKING:
+    from param_tools.ros.programs import Program
 
 T = TypeVar('T')
 R = TypeVar('R')
@@ -29,8 +36,9 @@ _sleep = time.sleep
 class TurnLoop:
     """A loop that gets turns."""
 
-    def __init__(self, step: Callable[[float], bool], is_over: Callable[[], bool]):
-        self._step, self._is_over = step, is_over
+    def __init__(self, turns: 'Turns', step: Callable[[float], bool], is_over: Callable[[], bool],
+                 program: 'Program | None' = None):
+        self._turns, self._step, self._is_over, self._program = turns, step, is_over, program
         self._began = self._current = False
 
     def start(self) -> None:
@@ -42,9 +50,10 @@ class TurnLoop:
             return
         self._current = True
         try:
-            for _ in range(_STEPS):
-                if self._is_over() or not self._step(0.0):
-                    break
+            with self._turns.within(self._program):
+                for _ in range(_STEPS):
+                    if self._is_over() or not self._step(0.0):
+                        break
         finally:
             self._current = False
 
@@ -65,8 +74,11 @@ class TurnLoop:
 class Turns:
     """Gives turns to loops, whenever somebody waits."""
 
+    has_processes = False
+
     def __init__(self) -> None:
         self._loops: list[TurnLoop] = []
+        self.program: Program | None = None
 
     def turn(self) -> None:
         """Give each loop a turn."""
@@ -76,8 +88,36 @@ class Turns:
 
     def loop(self, step: Callable[[float], bool], is_over: Callable[[], bool], name: str,
              period_sec: float) -> host.Loop:
-        self._loops.append(TurnLoop(step, is_over))
+        self._loops.append(TurnLoop(self, step, is_over))
         return self._loops[-1]
+
+    def loop_within(self, program: 'Program', step: Callable[[float], bool], is_over: Callable[[], bool]) -> host.Loop:
+        self._loops.append(TurnLoop(self, step, is_over, program))
+        return self._loops[-1]
+
+    @contextlib.contextmanager
+    def within(self, program: 'Program | None') -> Iterator[None]:
+        """Put a program's surroundings into place in this block; None for what runs in none."""
+        before = self.program
+        self._go_to(program)
+        try:
+            yield
+        finally:
+            self._go_to(before)
+
+    def _go_to(self, program: 'Program | None') -> None:
+        if program is not self.program:
+            for each in (self.program, program):
+                if each is not None:
+                    each.swap()
+            self.program = program
+
+    def start(self, command: Sequence[str], output: Output | None = None, *,
+              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_guarded: bool = False,
+              instead: Callable[[], Steps] | None = None) -> host.Command:
+        from param_tools.ros import programs
+
+        return programs.start(self, command, output, environment=environment, folder=folder, instead=instead)
 
     def run(self, job: Callable[[], object], name: str) -> None:
         job()

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 import rclpy
+from rclpy import utilities
 from rclpy.client import Client
 from rclpy.executors import Executor
 from rclpy.node import Node
@@ -80,14 +81,14 @@ class _Lines:
         self._stage, self._own_executor = stage, own_executor
 
     def init(self, init: Callable[..., Any], *, context: Any = None, **options: Any) -> None:
-        if context not in (None, self._own_executor.context):
+        if self._is_about_another(context):
             init(context=context, **options)
             return
         print('rclpy.init() has nothing to do here: start() has initialized rclpy already. A program of your own needs '
               'this line.', file=sys.stderr)
 
     def shutdown(self, shutdown: Callable[..., Any], *, context: Any = None, **options: Any) -> None:
-        if context not in (None, self._own_executor.context):
+        if self._is_about_another(context):
             shutdown(context=context, **options)
             return
         print('rclpy.shutdown() has nothing to do here: it would end every node on the stage, so the stage keeps '
@@ -136,6 +137,10 @@ class _Lines:
         if answer is None and _limited(timeout_sec) != timeout_sec:
             raise _in_vain(f'an answer from {client.srv_name}')
         return answer
+
+    def _is_about_another(self, context: Any) -> bool:
+        """True for another context than that of the stage; where a program runs, the default context is its own."""
+        return (context or utilities.get_default_context()) is not self._own_executor.context
 
     def _refuse_to_wait(self, *nodes: Node) -> None:
         if self._stage.in_thread():

@@ -4,15 +4,20 @@ Everything in the tools and the course that waits for a node does it here. The n
 where there are none, ``turns`` has changed what waits, and it gives the node its turn.
 """
 
+import math
 import os
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from typing import TypeVar
 
 from param_tools.errors import WaitTimeoutError
 
 T = TypeVar('T')
+
+# What goes on until somebody ends it, as a generator: it yields each condition that it waits for, and returns an exit
+# status. Ctrl+C is raised where it waits.
+Steps = Generator[Callable[[], object], None, int]
 
 # A machine that is always busy sets this to more than 1, and all limits are so many times as long.
 PATIENCE = float(os.environ.get('PARAM_TOOLS_PATIENCE') or 1)
@@ -66,3 +71,18 @@ def wait_until(condition: Callable[[], T], what: str, timeout_sec: float = 5.0) 
     if not wait(look, timeout_sec):
         raise WaitTimeoutError(f'timed out after {timeout_sec:g} s waiting for {what}')
     return found[0]
+
+
+def to_end(steps: Steps) -> int:
+    """Do all the steps, wait between them, and return the exit status."""
+    try:
+        condition = next(steps)
+        while True:
+            try:
+                wait(condition, math.inf)
+            except KeyboardInterrupt as error:
+                condition = steps.throw(error)
+            else:
+                condition = next(steps)
+    except StopIteration as end:
+        return int(end.value)

@@ -28,8 +28,9 @@ from param_tools.cli import genuine
 from param_tools.cli.session import TextStream
 from param_tools.errors import ExecutorError
 from param_tools.panel.pending_clicks import from_pages
-from param_tools.ros import domain, stage
+from param_tools.ros import domain, host, stage
 from param_tools.ros.processes import Guard
+from param_tutorial.notebook import stored
 from param_tutorial.notebook.interrupts import handed_to, interruptible
 from param_tutorial.notebook.shell import Shell
 
@@ -49,6 +50,8 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
     ipython.user_ns.update(exit=_NoExit(), quit=_NoExit())
     ipython.InteractiveTB.set_mode('Minimal')
     ipython.events.register('pre_run_cell', _before_cell)
+    if not host.host.has_processes:
+        stored.install(ipython)
     if hasattr(ipython, 'kernel') and _await_shell not in ipython.input_transformers_post:
         ipython.input_transformers_post.append(_await_shell)
 

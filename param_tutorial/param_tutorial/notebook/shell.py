@@ -15,12 +15,13 @@ import subprocess
 import sys
 import time
 import weakref
+from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from param_tools.cli import genuine
 from param_tools.errors import ParameterToolError
-from param_tools.ros import domain, environment
+from param_tools.ros import domain, environment, host
 from param_tools.ros.processes import Guard
 from param_tutorial.notebook.interrupts import handed_to, interruptible
 
@@ -29,6 +30,7 @@ from param_tutorial.notebook.interrupts import handed_to, interruptible
 _NOT_PASSED_ON = re.compile(
     r'^(PYTHON.*|GIT_.*|COLCON_.*|RCUTILS_.*|BASH_ENV|ENV|BASH_FUNC_.*|PROMPT_COMMAND|PS[0-4])$')
 _LOOK_PERIOD_SEC = 0.1
+NO_SHELL = 'there is no shell in a web page'
 # [0.52s] after a package, [0.523s] before a warning (on 3.13 a negative number), and [0.52s, exited with code 1].
 _SECONDS = r'-?(?:\d+min )?\d+(?:\.\d+)?s'
 _TIME_TAKEN = re.compile(rf'^\[{_SECONDS}\] | \[{_SECONDS}\]$|(?<=\[){_SECONDS}, ', re.MULTILINE)
@@ -69,19 +71,23 @@ class Shell:
         """The home folder."""
         self.status = 0
         """The exit status of the last command."""
+        self._process: subprocess.Popen[bytes] | None = None
+        if not host.host.has_processes:
+            self._close: Callable[[], object] = weakref.finalize(self, _remove, folder)
+            return
         has_genuine = genuine.path() is not None
         self._programs, colcon = _programs_without_space(self.home)
         with interruptible():
-            self._process = subprocess.Popen(
+            self._process = bash = subprocess.Popen(
                 ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(has_genuine),
                 start_new_session=True)
             # What is running when this process is killed would go on.
-            guard = Guard(self._process.pid)
+            guard = Guard(bash.pid)
         # Also when a cell that makes a shell runs again, and when the kernel ends.
-        self._close = weakref.finalize(self, _close, self._process, guard, folder)
-        assert self._process.stdin and self._process.stdout  # both are pipes
-        self._input, self._output = self._process.stdin, self._process.stdout
+        self._close = weakref.finalize(self, _close, bash, guard, folder)
+        assert bash.stdin and bash.stdout  # both are pipes
+        self._input, self._output = bash.stdin, bash.stdout
         os.set_blocking(self._output.fileno(), False)
         # Ctrl+C ends the command and not the shell.
         self.run('trap : INT')
@@ -104,6 +110,8 @@ class Shell:
                 'LOGNAME': 'learner', 'LC_ALL': 'C.UTF-8', 'GIT_CONFIG_NOSYSTEM': '1', 'PYTHONUNBUFFERED': '1'}
 
     def __repr__(self) -> str:
+        if self._process is None:
+            return f'<Shell: {NO_SHELL}>'
         return f'<Shell: {"running" if self._process.poll() is None else "closed"}>'
 
     def run(self, commands: str, timeout_sec: float = 120.0) -> str:
@@ -121,12 +129,23 @@ class Shell:
         :raises ShellError: as ``run``.
         """
         # A signal comes to the main thread only, and there it would cancel the cell.
-        with handed_to(self._process.pid):
+        with handed_to(self._bash.pid):
             return await asyncio.to_thread(self.run, commands, timeout_sec)
+
+    @property
+    def can_run(self) -> bool:
+        """False where there are no processes, and so no bash; then every command is an error that says so."""
+        return self._process is not None
+
+    @property
+    def _bash(self) -> subprocess.Popen[bytes]:
+        if self._process is None:
+            raise ShellError(NO_SHELL)
+        return self._process
 
     def _type(self, commands: str, timeout_sec: float = 120.0) -> tuple[str, int]:
         """Do what ``run`` says, and return what was printed, unchanged, and the exit status."""
-        if self._process.poll() is not None:
+        if self._bash.poll() is not None:
             raise ShellError('this shell is closed: start a new one with Shell()')
         mark = secrets.token_hex(8)
         # One `eval`, so that a quote that is never closed is an error here and does not swallow what is typed later;
@@ -135,7 +154,7 @@ class Shell:
         deadline = time.monotonic() + timeout_sec
         end = re.compile(rf'\n{mark} (\d+)\n'.encode())
         output = b''
-        with handed_to(self._process.pid), selectors.DefaultSelector() as selector:
+        with handed_to(self._bash.pid), selectors.DefaultSelector() as selector:
             selector.register(self._output, selectors.EVENT_READ)
             self._input.write(line.encode())
             self._input.flush()
@@ -198,5 +217,9 @@ def _close(process: subprocess.Popen[bytes], guard: Guard, folder: TemporaryDire
         process.wait(10.0)
     guard.dismiss()
     process.stdout.close()
+    _remove(folder)
+
+
+def _remove(folder: TemporaryDirectory[str] | None) -> None:
     if folder is not None:
         folder.cleanup()

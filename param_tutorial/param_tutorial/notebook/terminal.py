@@ -5,21 +5,25 @@ For commands that go on until Ctrl+C, such as ``ros2 run``. Those that end by th
 """
 
 import atexit
-import contextlib
+import functools
+import math
 import os
 import re
 import shlex
 import signal
-import subprocess
+import sys
 import threading
 import time
 import weakref
+from collections.abc import Mapping, Sequence
 
+from param_tools.cli import command as embedded
 from param_tools.cli import genuine
+from param_tools.cli.session import Session
 from param_tools.errors import WaitTimeoutError
-from param_tools.ros import domain, environment, stage
-from param_tools.ros.processes import Guard
-from param_tools.ros.waiting import PATIENCE, deadline
+from param_tools.ros import domain, environment, host, stage
+from param_tools.ros.processes import Output
+from param_tools.ros.waiting import PATIENCE, Steps, deadline
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 
@@ -44,7 +48,7 @@ class Terminal:
     0
     """
 
-    def __init__(self, command: str, shell: Shell | None = None):
+    def __init__(self, command: str, shell: Shell | None = None, variables: Mapping[str, str] | None = None):
         """Start a command, in the ROS domain of this process.
 
         The same command, if it still runs in an earlier terminal, is interrupted first: that is a cell that runs again,
@@ -53,7 +57,9 @@ class Terminal:
         :param command: As typed into a shell, without pipes and variables. A leading ``ros2`` is the genuine
             one if that is on the PATH, otherwise the embedded one.
         :param shell: Start it in the folder and with the environment that this shell has now.
+        :param variables: What its environment has besides.
         :raises FileNotFoundError: there is no such command.
+        :raises NoProcessError: it needs a process of its own, and there can be none.
         """
         domain.choose()
         environment.drop_old_builds()
@@ -65,26 +71,23 @@ class Terminal:
         self._read = 0
         self._lock = threading.RLock()
         self._changed = threading.Condition(self._lock)
+        self._all_read = threading.Event()
         arguments = shlex.split(command)
-        variables, folder = dict(os.environ), None
+        outer, folder, instead = dict(os.environ), None, None
         if shell is not None:
-            variables, folder = shell.environment(), shell.folder()
+            outer, folder = shell.environment(), shell.folder()
             if arguments[0] == 'ros2':
                 installed = genuine.path()
                 arguments[:1] = [installed] if installed else genuine.embedded_words()
         elif arguments[0] == 'ros2':
-            arguments, variables = genuine.command(arguments[1:])
+            instead = functools.partial(_embedded, arguments[1:])
+            arguments, outer = genuine.command(arguments[1:])
         with interruptible():
-            self._process = subprocess.Popen(
-                arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT, text=True, errors='replace', start_new_session=True, cwd=folder,
-                env={**{name: value for name, value in variables.items() if not name.startswith('RCUTILS_')},
-                     'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
-                     'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
-        # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
-        self._guard = Guard(self._process.pid)
-        self._all_read = threading.Event()
-        threading.Thread(target=self._collect, name=f'terminal: {command}', daemon=True).start()
+            self._process = host.host.start(
+                arguments, Output(self._take, ended=self._end), folder=folder, is_guarded=True, instead=instead,
+                environment={**{name: value for name, value in outer.items() if not name.startswith('RCUTILS_')},
+                             **(variables or {}), 'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
+                             'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
         _open.add(self)
 
     def __repr__(self) -> str:
@@ -129,33 +132,30 @@ class Terminal:
             killed before, it would leave them running.
         :return: Its exit status; negative if a signal ended it.
         """
-        if self._process.poll() is None:
-            os.killpg(self._process.pid, signal.SIGINT)
-        try:
-            self._process.wait(timeout_sec * PATIENCE)
-        except subprocess.TimeoutExpired:
-            os.killpg(self._process.pid, signal.SIGKILL)
-            self._process.wait()
+        self._process.send(signal.SIGINT)
+        if not self._process.wait(timeout_sec * PATIENCE):
+            self._process.send(signal.SIGKILL)
+            self._process.wait(math.inf)
         self._all_read.wait(timeout_sec)
-        return self._process.returncode
+        status = self._process.poll()
+        assert status is not None  # it has ended
+        return status
 
-    def _collect(self) -> None:
-        assert self._process.stdout  # a pipe
-        try:
-            with self._process.stdout as lines:
-                for line in lines:
-                    if line.startswith(_LOG_FOLDER):
-                        continue
-                    with self._lock:
-                        self._text += _PROCESS_ID.sub('', line)
-                        self._changed.notify_all()
-            with contextlib.suppress(ChildProcessError):  # another thread has noticed the end
-                os.waitid(os.P_PID, self._process.pid, os.WEXITED | os.WNOWAIT)
-            self._guard.dismiss()
-        finally:
+    def _take(self, line: str) -> None:
+        if not line.startswith(_LOG_FOLDER):
             with self._lock:
-                self._all_read.set()
+                self._text += _PROCESS_ID.sub('', line)
                 self._changed.notify_all()
+
+    def _end(self, _status: int) -> None:
+        with self._lock:
+            self._all_read.set()
+            self._changed.notify_all()
+
+
+def _embedded(words: Sequence[str]) -> Steps:
+    """Do what ``ros2`` does with these words, in this process."""
+    return embedded.steps(words, Session(sys.stdout, sys.stderr, stage.current, in_notebook=False))
 
 
 @atexit.register

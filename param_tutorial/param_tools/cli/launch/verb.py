@@ -12,6 +12,7 @@ from param_tools.cli.launch.processes import Launcher
 from param_tools.cli.launch.reading import load_description
 from param_tools.cli.launch.substitutions import describe
 from param_tools.cli.session import CommandFailed, Commands, Session
+from param_tools.ros.waiting import Steps
 
 
 def add_to(commands: Commands) -> None:
@@ -25,7 +26,7 @@ def add_to(commands: Commands) -> None:
     launch.set_defaults(verb=launch_file)
 
 
-def launch_file(session: Session, args: argparse.Namespace) -> int:
+def launch_file(session: Session, args: argparse.Namespace) -> Steps:
     """Start what a launch file describes, and stay until all of it has ended.
 
     :return: The exit status: 1 if the file cannot be carried out. A program that dies makes no difference.
@@ -44,7 +45,7 @@ def launch_file(session: Session, args: argparse.Namespace) -> int:
         context = Context(
             arguments, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text))
         try:
-            launcher.run(load_description(path).execute(context))
+            yield from launcher.run(load_description(path).execute(context))
         except LaunchFailed as error:
             # To standard output, as all that launch logs.
             launcher.log('ERROR', 'launch', f'Caught exception in launch (see debug for traceback): {error}')

@@ -14,11 +14,12 @@ from typing import NamedTuple
 from param_tools.cli.run import find_program
 from param_tools.cli.session import CommandFailed
 from param_tools.errors import ParameterToolError
+from param_tools.ros import host
 from param_tools.ros.waiting import PATIENCE
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
 from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
-from param_tutorial.notebook.shell import Shell
+from param_tutorial.notebook.shell import NO_SHELL, Shell
 
 CHAPTER = '02_workspace'
 BUILD = 'Build it'
@@ -89,8 +90,10 @@ def build(setup: str) -> Built:
 def _run(words: list[str], folder: Path, **environment: str) -> tuple[int, str]:
     """Run Python in a folder, and return its exit status and what it printed.
 
-    :raises NoUse: it does not come to an end.
+    :raises NoUse: it does not come to an end, or can't be started where there are no processes.
     """
+    if not host.host.has_processes:
+        raise NoUse('the package is built', NO_SHELL)
     passed_on = {name: value for name, value in os.environ.items() if not name.startswith('PYTHON')}
     with subprocess.Popen([sys.executable, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True,

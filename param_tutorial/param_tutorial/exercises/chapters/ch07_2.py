@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from param_tools.cli import genuine
 from param_tools.cli.index import share_folder_of
 from param_tools.cli.launch.actions import LaunchDescription
 from param_tools.cli.launch.context import Context, LaunchFailed
@@ -205,10 +204,9 @@ def runs(trial: Trial) -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, FILE_NAME)
         path.write_text(trial.work, encoding='utf-8')
-        # The robot must neither see nor be seen by a learner's own of the same name. It is started by the course's own
-        # command: nobody has built its package for the genuine one.
-        terminal = Terminal(shlex.join(['env', 'ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', *genuine.embedded_words(), 'launch',
-                                        str(path), 'serial:=0042']))
+        # The robot must neither see nor be seen by a learner's own of the same name.
+        terminal = Terminal(shlex.join(['ros2', 'launch', str(path), 'serial:=0042']),
+                            variables={'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF'})
         try:
             said = terminal.read(until='robot_serial_number: 0042', timeout_sec=60.0)
         except WaitTimeoutError:
