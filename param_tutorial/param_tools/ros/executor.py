@@ -345,8 +345,8 @@ class BackgroundExecutor:
 
     def _spin_once(self, wait_sec: float) -> bool:
         """Run the next callback that is due within a time, and return whether there was one."""
-        # In a thread of its own, a callback is interrupted by whoever needs the thread. In the main thread, everybody
-        # waits.
+        # Only in the main thread, where everybody waits for the callback: a thread of its own has no limit, and run()
+        # interrupts the callback when somebody needs the thread.
         with interrupts.time_limit(STOP_TIMEOUT_SEC, _CallbackInterrupted):
             return self._run_next(wait_sec)
 

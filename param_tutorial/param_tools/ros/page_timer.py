@@ -1,7 +1,8 @@
 """``signal.setitimer`` for Python in a web page (Pyodide), which has none: its SIGALRM ends an endless loop.
 
-About every fifty jumps and calls, Pyodide looks for the number of a signal at index 0 of its interrupt buffer. A page
-is to write the number there from another thread; this buffer has the clock write it. Python code is as fast as without.
+Every fiftieth time that Python code jumps back or calls a function, Pyodide reads the number of a signal from index 0
+of its interrupt buffer. It expects another thread to write there; this buffer, when read, looks at the clock instead.
+Python code runs as fast as without it.
 """
 
 import signal
