@@ -1,4 +1,4 @@
-"""Ctrl+C while the stage begins or ends, and exceptions in a thread that does not return."""
+"""Ctrl+C while the stage begins or ends, and exceptions in what does not return."""
 
 import os
 import signal
@@ -8,7 +8,7 @@ import time
 import pytest
 
 import param_tutorial
-from param_tools.ros.interrupts import held_back, raise_in
+from param_tools.ros.interrupts import held_back, raise_in, time_limit
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 
@@ -50,6 +50,45 @@ def test_the_stage_is_whole_after_an_interrupt_of_its_beginning_and_its_end(ros,
     again = param_tutorial.start()
     again.add(SimpleParamNode)
     assert ParameterClient('simple_param_node').list_parameters()
+
+
+def loop():
+    while True:
+        pass
+
+
+def test_a_block_is_ended_when_its_time_is_over():
+    before = signal.getsignal(signal.SIGALRM)
+    with pytest.raises(ValueError), time_limit(0.05, ValueError):
+        loop()
+    assert signal.getsignal(signal.SIGALRM) is before
+
+
+def test_a_block_that_catches_everything_once_is_ended_too():
+    with pytest.raises(ValueError), time_limit(0.05, ValueError):
+        with pytest.raises(ValueError):
+            loop()
+        loop()
+
+
+@pytest.mark.parametrize('outer_sec', [0.05, 0.15])
+def test_the_limit_of_a_block_waits_for_the_end_of_a_block_in_it(outer_sec):
+    with pytest.raises(ValueError), time_limit(outer_sec, ValueError):
+        with pytest.raises(KeyError), time_limit(0.1, KeyError):
+            loop()
+        loop()
+
+
+def test_another_thread_has_no_limit():
+    before, found = signal.getsignal(signal.SIGALRM), []
+
+    def look():
+        with time_limit(0.05, ValueError):
+            found.append(signal.getsignal(signal.SIGALRM))
+    thread = threading.Thread(target=look)
+    thread.start()
+    thread.join()
+    assert found == [before]
 
 
 def test_a_thread_that_runs_python_is_interrupted():

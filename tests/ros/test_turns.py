@@ -84,3 +84,47 @@ def test_asyncio_gives_turns_between_the_cells():
                '    while len(ticks) < 10: await asyncio.sleep(0.01)\n'
                "    param_tutorial.stop()\n    await pump\n    print('ended')\n"
                'asyncio.run(between())') == 'ended\n'
+
+
+def test_an_endless_loop_in_a_callback_is_ended_and_the_stage_goes_on():
+    said = run('import sys\nfrom param_tools.ros import executor\n'
+               'executor.STOP_TIMEOUT_SEC, sys.stderr = 0.2, sys.stdout\n'
+               'def loop():\n'
+               '    timer.cancel()\n'
+               '    while True:\n'
+               '        try: 1 / 0\n'
+               '        except Exception: pass\n'
+               'def doze():\n'
+               '    dozing.cancel()\n'
+               '    while True: time.sleep(0.01)\n'
+               'timer, dozing = node.create_timer(0.01, loop), node.create_timer(0.01, doze)\n'
+               "wait_until(lambda: len(ros.errors) == 2, 'both to be ended')\n"
+               "print(client.get_parameter('max_speed_rpm'))")
+    words = 'this callback did not return, so it was interrupted: the executor has one thread for all nodes'
+    assert said.count(words) == 2
+    for name in ('loop', 'doze'):
+        assert f'The timer callback {name} of /simple_param_node raised an exception; the node keeps running.' in said
+    assert 'interrupts.py' not in said
+    assert said.endswith('\n100\n')
+
+
+def test_an_endless_loop_that_wants_an_answer_again_and_again_is_ended():
+    """Its own limit is up while callbacks run, which have another one."""
+    assert run('from param_tutorial import exercises\nfrom param_tutorial.exercises import trial\n'
+               'trial.TIME_LIMIT_SEC = 0.5\n'
+               'def work(parameters, results):\n'
+               "    while True: client.set_parameter('max_speed_rpm', 150)\n"
+               "print('it was still running after 0.5 s' in repr(exercises.check('5.3b', work)))") == 'True\n'
+
+
+def test_a_callback_is_not_ended_when_the_limit_of_the_cell_is_up():
+    assert run('from param_tools.ros.interrupts import time_limit\n'
+               'done = []\n'
+               'def tick():\n'
+               '    timer.cancel()\n'
+               '    time.sleep(0.5)\n'
+               '    done.append(True)\n'
+               'timer = node.create_timer(0.001, tick)\n'
+               'try:\n'
+               '    with time_limit(0.2, KeyError): time.sleep(60)\n'
+               'except KeyError: print(done, ros.errors)') == '[True] []\n'

@@ -17,7 +17,6 @@ import traceback
 from collections import deque
 from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import dataclass
-from types import TracebackType
 from typing import Any, TypeVar
 
 import rclpy
@@ -51,7 +50,7 @@ INTERRUPT_TIMEOUT_SEC = 3.0
 _BUSY_SEC = 2.0
 # How long a caller that needs the thread waits at least, even if a callback has kept it for long already.
 _LEAST_PATIENCE_SEC = 0.3
-_PLUMBING = (__file__, executors.__file__, task.__file__)
+_PLUMBING = (__file__, executors.__file__, task.__file__, interrupts.__file__)
 _KINDS = {Timer: 'timer', Subscription: 'subscription', Service: 'service', Client: 'client'}
 
 T = TypeVar('T')
@@ -121,12 +120,11 @@ def _line_of(error: BaseException) -> tuple[str, int]:
     return ('', 0) if step is None else (step.tb_frame.f_code.co_filename, step.tb_lineno)
 
 
-def _own_part(error: BaseException) -> TracebackType | None:
-    """Return the part of a traceback that is about the callback, and not about how the executor called it."""
-    step = error.__traceback__
-    while step is not None and step.tb_next is not None and step.tb_frame.f_code.co_filename in _PLUMBING:
-        step = step.tb_next
-    return step
+def _describe(error: BaseException) -> str:
+    """Return an exception and the lines it went through, without those that called or interrupted the callback."""
+    described = traceback.TracebackException.from_exception(error)
+    described.stack[:] = [step for step in described.stack if step.filename not in _PLUMBING]
+    return ''.join(described.format()).rstrip('\n')
 
 
 class _WatchedExecutor(SingleThreadedExecutor):
@@ -349,6 +347,12 @@ class BackgroundExecutor:
 
     def _spin_once(self, wait_sec: float) -> bool:
         """Run the next callback that is due within a time, and return whether there was one."""
+        # Only in the main thread, where everybody waits for the callback: a thread of its own has no limit, and run()
+        # interrupts the callback when somebody needs the thread.
+        with interrupts.time_limit(STOP_TIMEOUT_SEC, _CallbackInterrupted):
+            return self._run_next(wait_sec)
+
+    def _run_next(self, wait_sec: float) -> bool:
         try:
             self._executor.spin_once(timeout_sec=wait_sec)
             if time.monotonic() >= self._next_tick:
@@ -434,8 +438,8 @@ class BackgroundExecutor:
             return  # the caller raises it
         failure.times_shown += 1
         if failure.times_shown == 1:
-            text = ''.join(traceback.format_exception(type(error), error, _own_part(error))).rstrip('\n')
-            print(f'{_sentence(failure)} raised an exception; the node keeps running.\n{text}', file=sys.stderr)
+            print(f'{_sentence(failure)} raised an exception; the node keeps running.\n{_describe(error)}',
+                  file=sys.stderr)
         elif failure.times_shown == 2:
             print(f'The same {type(error).__name__} again in {failure}. From now on, repeats are only counted, in the '
                   f'failures of the executor.', file=sys.stderr)

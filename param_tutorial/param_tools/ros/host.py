@@ -34,7 +34,7 @@ class Loop(Protocol):
         """True if the caller is called by the loop."""
 
     def interrupt(self, error: type[BaseException]) -> bool:
-        """Raise an exception in the loop if it runs Python code at the moment, and return whether it does."""
+        """End what keeps the loop, if that is possible, with an exception; return whether it is."""
 
     def join(self, timeout_sec: float) -> bool:
         """Wait until the loop has ended, and return whether it has."""

@@ -1,4 +1,4 @@
-"""Ctrl+C, and a notebook's "interrupt" button; and how to end an endless loop in another thread. No ROS, no Jupyter."""
+"""Ctrl+C, and a notebook's "interrupt" button; and how to end an endless loop. No ROS, no Jupyter."""
 
 import contextlib
 import ctypes
@@ -6,6 +6,7 @@ import signal
 import threading
 import time
 from collections.abc import Iterator
+from types import FrameType
 
 _LOOK_SEC = 0.3
 _set_async_exc = ctypes.pythonapi.PyThreadState_SetAsyncExc
@@ -30,6 +31,36 @@ def held_back() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
         if came:
             signal.raise_signal(signal.SIGINT)
+
+
+@contextlib.contextmanager
+def time_limit(seconds: float, error: type[BaseException]) -> Iterator[None]:
+    """Raise an exception in this block when a time is over: in the main thread, and not on Windows.
+
+    Blocks may be nested: while an inner block runs, only its own limit counts.
+    """
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
+        yield
+        return
+
+    def ring(_number: int, _frame: FrameType | None) -> None:
+        raise error
+
+    left_sec, period_sec = signal.setitimer(signal.ITIMER_REAL, 0)
+    began = time.monotonic()
+    before = signal.signal(signal.SIGALRM, ring)
+    # Again after as long: code may catch everything, and what is raised while Python runs a __del__ is lost.
+    signal.setitimer(signal.ITIMER_REAL, seconds, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+        if left_sec:  # of the block around this one
+            left_sec -= time.monotonic() - began
+            signal.setitimer(signal.ITIMER_REAL, left_sec if left_sec > 0.0 else period_sec, period_sec)
+            if left_sec <= 0.0:
+                signal.raise_signal(signal.SIGALRM)
 
 
 def raise_in(thread: threading.Thread, error: type[BaseException]) -> bool:

@@ -2,7 +2,8 @@
 
 ``install()`` chooses it, before the stage is started, and makes ``time.sleep``, events and conditions give turns too:
 there, nobody else could end such a wait. ``pump()`` gives turns between the cells. A command runs as a program in this
-process (``programs``). No ROS here, no Jupyter.
+process (``programs``). Endless loops are ended by ``interrupts.time_limit``, in a web page with the timer of
+``page_timer``. No ROS here, no Jupyter.
 
 A loop is never called by itself, so a callback that waits for an answer that its own executor would have to bring waits
 in vain, as in a thread.
@@ -10,13 +11,14 @@ in vain, as in a thread.
 
 import asyncio
 import contextlib
+import signal
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from param_tools.ros import host
+from param_tools.ros import host, page_timer
 from param_tools.ros.processes import Output
 from param_tools.ros.waiting import Steps
 
@@ -26,8 +28,8 @@ if TYPE_CHECKING:
 T = TypeVar('T')
 R = TypeVar('R')
 
-# A loop that always has something to do may do so many things in a turn.
-_STEPS = 50
+# How long the turn of a loop may take that always has something to do.
+_TURN_SEC = 0.02
 _PAUSE_SEC = 0.0005
 _PUMP_PERIOD_SEC = 0.02
 _sleep = time.sleep
@@ -51,9 +53,9 @@ class TurnLoop:
         self._current = True
         try:
             with self._turns.within(self._program):
-                for _ in range(_STEPS):
-                    if self._is_over() or not self._step(0.0):
-                        break
+                end = time.monotonic() + _TURN_SEC
+                while not self._is_over() and self._step(0.0) and time.monotonic() < end:
+                    pass
         finally:
             self._current = False
 
@@ -65,7 +67,7 @@ class TurnLoop:
         return self._current
 
     def interrupt(self, error: type[BaseException]) -> bool:
-        return False  # the caller runs, so the loop does not
+        return not self._current  # the caller runs, so a time limit has ended what kept the loop
 
     def join(self, timeout_sec: float) -> bool:
         return not self._current
@@ -144,6 +146,8 @@ def install() -> Turns:
     """Let all loops get turns from now on, and return what gives them; before the stage is started."""
     turns = Turns()
     host.choose(turns)
+    if not hasattr(signal, 'setitimer'):
+        page_timer.install()
 
     def wait(condition: threading.Condition, timeout: float | None = None) -> bool:
         """Wait as ``threading.Condition.wait`` does, which ``Event``, ``Queue`` and ``Future`` call."""

@@ -5,14 +5,12 @@ import inspect
 import io
 import linecache
 import re
-import signal
 import tempfile
 import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from types import FrameType
 from typing import Any, TypeVar, overload
 
 import yaml
@@ -30,7 +28,7 @@ from param_tools.errors import (
 from param_tools.files.parsing import LOADER
 from param_tools.node.client import ParameterClient
 from param_tools.node.declarations import describe_wrong_field
-from param_tools.ros import stage
+from param_tools.ros import interrupts, stage
 from param_tools.ros.executor import BackgroundExecutor, Failure
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import wait_until
@@ -353,23 +351,11 @@ def _time_limit(limit_sec: float) -> Iterator[None]:
 
     :raises WaitTimeoutError: the block was interrupted.
     """
-    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
-        yield
-        return
-
-    def ring(_number: int, _frame: FrameType | None) -> None:
-        raise _TimeIsUp
-
-    previous = signal.signal(signal.SIGALRM, ring)
-    # Again after as long: code may catch everything, and what is raised while Python runs a __del__ is lost.
-    signal.setitimer(signal.ITIMER_REAL, limit_sec, limit_sec)
     try:
-        yield
+        with interrupts.time_limit(limit_sec, _TimeIsUp):
+            yield
     except _TimeIsUp:
         raise WaitTimeoutError(f'it was still running after {limit_sec:.2g} s') from None
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, previous)
 
 
 def _in_corner(text: str) -> str:
