@@ -20,8 +20,8 @@ ipython = InteractiveShell.instance()
 """
 
 
-def cell(source, *outputs):
-    return {'cell_type': 'code', 'source': source, 'outputs': list(outputs)}
+def cell(source, *outputs, name='a'):
+    return {'cell_type': 'code', 'id': name, 'source': source, 'outputs': list(outputs)}
 
 
 def printed(text):
@@ -42,7 +42,7 @@ CELLS = [
 
 
 def test_those_cells_are_collected_that_need_a_shell_or_what_came_of_one():
-    assert list(stored.collect({'cells': CELLS})) == [
+    assert [each['source'] for each in stored.collect({'cells': CELLS})] == [
         '%%shell builder\npwd', "robot = Terminal('ros2 run a b', shell=runner)\nprint(robot.text)",
         'robot.interrupt()',
         'runner.close()']
@@ -73,3 +73,13 @@ def test_in_a_page_each_of_them_says_why_and_shows_what_is_stored(tmp_path):
         f'{why}\n{why}\n{why}\n'
         '<missing: there is no shell in a web page>\n'
         'there is no shell in a web page, so the cell that makes this has not run\n')
+
+
+def test_cells_of_the_same_text_are_told_apart_by_their_ids(monkeypatch, capsys, ipython):
+    monkeypatch.setattr(stored, '_offered', [])
+    pwd = '%%shell builder\npwd'
+    stored.offer(stored.collect({'cells': [
+        CELLS[0], cell(pwd, printed('first\n')), cell(pwd, printed('second\n'), name='b')]}))
+    monkeypatch.setattr(stored, 'this_cell', lambda: ('b', 'run 1'))
+    stored._stand_in(ipython, '', pwd)
+    assert capsys.readouterr().out.splitlines()[1:] == ['second']

@@ -13,7 +13,7 @@ def close_with_cell(widget: Any) -> None:
     would go on following its node. Front ends tell a cell's identity with each run; where none does (a console,
     nbval) nothing is closed.
     """
-    cell, run = _this_cell()
+    cell, run = this_cell()
     if cell is None:
         return
     earlier_run, widgets = _made.get(cell, ('', []))
@@ -31,7 +31,8 @@ def close_looks(widget: Any) -> None:
             look.close()
 
 
-def _this_cell() -> tuple[str | None, str]:
+def this_cell() -> tuple[str | None, str]:
+    """Return the id of the cell that runs, if it is known, and of its run."""
     from IPython import get_ipython
 
     kernel = getattr(get_ipython(), 'kernel', None)

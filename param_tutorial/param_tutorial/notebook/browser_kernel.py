@@ -5,17 +5,22 @@ The kernel's IPython loads this as an extension before the first cell. From then
 """
 
 import asyncio
+import json
 import os
 import sys
 from pathlib import Path
 from typing import Any
 
+import param_tutorial
 from param_tools.rcl_in_python import install
 from param_tools.ros import turns
 from param_tutorial.learner import progress
+from param_tutorial.notebook import stored
 
 # Where JupyterLab's own files are seen by the kernel.
 _FILES = Path('/drive')
+# The cells that can't run here, beside the course's packages.
+STORED = 'stored_cells.json'
 _LOOK_SEC = 0.05
 # asyncio itself keeps no task alive.
 _tasks: set[asyncio.Future[None]] = set()
@@ -30,6 +35,8 @@ def load_ipython_extension(_shell: Any) -> None:
     install.install()
 
     os.environ[progress.VARIABLE] = str(_FILES / progress.FILE)
+    cells = Path(param_tutorial.__file__).parents[2] / STORED
+    stored.offer(json.loads(cells.read_text(encoding='utf-8')))
     _tasks.add(asyncio.ensure_future(_live(turns.install())))
 
 

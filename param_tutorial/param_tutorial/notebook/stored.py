@@ -11,9 +11,9 @@ import contextlib
 import functools
 import shlex
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 from IPython.core.error import UsageError
 from IPython.core.inputtransformer2 import TransformerManager
@@ -21,33 +21,43 @@ from IPython.core.interactiveshell import InteractiveShell
 from IPython.display import publish_display_data
 
 from param_tools.errors import NoProcessError
+from param_tools.panel.close_with_cell import this_cell
 from param_tutorial.notebook.shell import NO_SHELL, Shell
 
-# As nbformat has them.
-Outputs = list[dict[str, Any]]
 _WIDGET = 'application/vnd.jupyter.widget-view+json'
 _MAGIC = 'stored_output'
-_offered: dict[str, Outputs] = {}
 
 
-def offer(outputs: Mapping[str, Outputs]) -> None:
-    """Give outputs to show: for the text of a cell, its list of outputs."""
-    _offered.update({source.rstrip(): each for source, each in outputs.items()})
+class Cell(TypedDict):
+    """A cell that can't run without processes."""
+
+    id: str
+    source: str
+    outputs: list[dict[str, Any]]
+    """As nbformat has them."""
 
 
-def collect(notebook: Mapping[str, Any]) -> dict[str, Outputs]:
-    """Return the stored outputs of those cells of a notebook that can't run without processes.
+_offered: list[Cell] = []
+
+
+def offer(cells: Iterable[Cell]) -> None:
+    """Give cells whose outputs can be shown."""
+    _offered.extend(cells)
+
+
+def collect(notebook: Mapping[str, Any]) -> list[Cell]:
+    """Return those cells of a notebook that can't run without processes.
 
     :param notebook: As JSON has it.
     """
-    found: dict[str, Outputs] = {}
+    found: list[Cell] = []
     missing: set[str] = set()
     for cell in notebook['cells']:
         source = ''.join(cell['source'])
         if cell['cell_type'] != 'code':
             continue
         if depends_on(source, missing):
-            found[source] = cell['outputs']
+            found.append({'id': cell['id'], 'source': source, 'outputs': cell['outputs']})
             missing |= _assigned(_parsed(source))
         else:
             missing -= _assigned(_parsed(source))
@@ -55,9 +65,15 @@ def collect(notebook: Mapping[str, Any]) -> dict[str, Outputs]:
     return found
 
 
-def shown(source: str) -> bool:
-    """Show the stored outputs of a cell, and return whether there are any for exactly this text."""
-    outputs = _offered.get(source.rstrip(), [])
+def _outputs_of(source: str) -> list[dict[str, Any]]:
+    """Return the stored outputs of the cell that runs, if it is as it was stored."""
+    found = [each for each in _offered if each['source'].rstrip() == source.rstrip()]
+    if len(found) > 1:  # the same command, typed again after something has changed
+        found = [each for each in found if each['id'] == this_cell()[0]]
+    return found[0]['outputs'] if found else []
+
+
+def _show(outputs: list[dict[str, Any]]) -> None:
     for output in outputs:
         if output['output_type'] == 'stream':
             print(_text(output['text']), end='', file=sys.stderr if output['name'] == 'stderr' else sys.stdout)
@@ -65,7 +81,6 @@ def shown(source: str) -> bool:
             print(f'{output["ename"]}: {output["evalue"]}', file=sys.stderr)
         else:
             publish_display_data({kind: _text(data) for kind, data in output['data'].items() if kind != _WIDGET})
-    return bool(outputs)
 
 
 def _text(lines: Any) -> Any:
@@ -106,8 +121,9 @@ def _replaced(ipython: InteractiveShell, lines: list[str]) -> list[str]:
 def _stand_in(ipython: InteractiveShell, _line: str, source: str) -> None:
     """Show the sentence and the stored outputs; what the cell would have made is missing from now on."""
     sentence = f'{NO_SHELL[0].upper()}{NO_SHELL[1:]}, so this cell does not run here.'
-    print(f'{sentence} This is what it printed where there is one:' if _offered.get(source.rstrip()) else sentence)
-    shown(source)
+    outputs = _outputs_of(source)
+    print(f'{sentence} This is what it printed where there is one:' if outputs else sentence)
+    _show(outputs)
     ipython.user_ns.update({name: Missing() for name in _assigned(_parsed(source))})
 
 

@@ -7,7 +7,6 @@ python.FS.mount(python.FS.filesystems.NODEFS, { root: folder }, "/modules");
 // A file in a page is as old as its arrival, so a digest stands in place of the time, and is not looked at.
 python.runPython(`
 import compileall, py_compile
-compileall.compile_dir('/modules', quiet=2, stripdir='/modules', prependdir='/lib/python3.14/site-packages',
-                       invalidation_mode=py_compile.PycInvalidationMode.UNCHECKED_HASH)
+compileall.compile_dir('/modules', quiet=2, invalidation_mode=py_compile.PycInvalidationMode.UNCHECKED_HASH)
 `);
 process.exit(0);

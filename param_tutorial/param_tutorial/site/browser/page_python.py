@@ -20,7 +20,9 @@ from pathlib import Path
 
 from param_tools import __version__
 from param_tools.errors import ParameterToolError
-from param_tutorial.site.archive import ROOT
+from param_tutorial.notebook import stored
+from param_tutorial.notebook.browser_kernel import STORED
+from param_tutorial.site.archive import PACKAGE_ROOT, ROOT
 
 PYODIDE = ROOT / 'node_modules' / 'pyodide'
 _PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs', 'python_stdlib.zip')
@@ -30,7 +32,6 @@ _COMPILE = Path(__file__).with_name('compile.mjs')
 _INSTALLED = ('action_msgs', 'ament_index_python', 'builtin_interfaces', 'lifecycle_msgs', 'rcl_interfaces', 'rclpy',
               'rosgraph_msgs', 'rosidl_generator_py', 'rosidl_parser', 'rosidl_pycommon', 'rpyutils', 'service_msgs',
               'type_description_interfaces', 'unique_identifier_msgs', 'yaml')
-_OURS = ('param_tools', 'param_tutorial')
 # The kernel fetches each of these by itself, unless a package of that name is loaded.
 _KERNEL = ('comm', 'ipykernel', 'ipython', 'jedi', 'micropip', 'piplite', 'pyodide-kernel')
 _COURSE, _NEEDS = 'param-course', 'param-course-needs'
@@ -41,7 +42,11 @@ _LEFT_OUT = ('jupyterlab-widgets', 'widgetsnbextension')
 # Tests, what is installed outside of the packages, and stubs of libraries that no page has.
 _PARTS_LEFT_OUT = ('/tests/', '.data/', '/django-stubs/', '/typeshed/stubs/')
 # The kernel's IPython reads this when it starts.
-_START = b"c = get_config()\nc.InteractiveShellApp.extensions = ['param_tutorial.notebook.browser_kernel']\n"
+_START = '''import sys
+sys.path.insert(0, '/course/param_tutorial')
+c = get_config()
+c.InteractiveShellApp.extensions = ['param_tutorial.notebook.browser_kernel']
+'''
 
 
 class PagePythonError(ParameterToolError):
@@ -114,29 +119,45 @@ def _installed_files(packages: Sequence[str]) -> Iterator[tuple[str, bytes]]:
         spec = importlib.util.find_spec(package)
         if spec is None or spec.origin is None:
             raise PagePythonError(f'{package} is not installed: `make lite` installs it')
-        folder = Path(spec.origin).parent
-        for path in sorted(folder.rglob('*')):
-            inside = path.relative_to(folder)
-            # A page builds no website.
-            if path.is_file() and path.suffix not in ('.so', '.pyc') and inside.parts[0] != 'site':
-                yield f'{package}/{inside}', path.read_bytes()
+        yield from _files_in(Path(spec.origin).parent, package)
+
+
+def _files_in(folder: Path, name: str) -> Iterator[tuple[str, bytes]]:
+    """Yield the files in a folder that a page can use, with their names in a wheel.
+
+    :param name: Of the folder.
+    """
+    for path in sorted(folder.rglob('*')):
+        if path.is_file() and path.suffix not in ('.so', '.pyc'):
+            yield f'{name}/{path.relative_to(folder)}', path.read_bytes()
 
 
 def _course_files() -> Iterator[tuple[str, bytes]]:
-    """Yield the files of the course: its packages, what tells Python of them, and what starts them."""
-    yield from _installed_files(_OURS)
+    """Yield the files of the course: its ROS package, parameter files, what tells Python of it, and what starts it."""
+    wheel = f'{_COURSE.replace("-", "_")}-{__version__}'
     # The embedded ros2 looks for packages among the entry points.
     points = ''.join(f'{each.name} = {each.value}\n' for each in importlib.metadata.entry_points(
         group='param_tools.packages'))
-    wheel = f'{_COURSE.replace("-", "_")}-{__version__}'
     yield f'{wheel}.dist-info/METADATA', f'Metadata-Version: 2.1\nName: {_COURSE}\nVersion: {__version__}\n'.encode()
     yield f'{wheel}.dist-info/WHEEL', b'Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n'
     yield f'{wheel}.dist-info/entry_points.txt', f'[param_tools.packages]\n{points}'.encode()
-    # What lies in data/ is put at the root of the page's file system: IPython looks for its settings there, and the
-    # chapters for the parameter files beside the folder of the packages.
-    for path in sorted((ROOT / 'config').iterdir()):
-        yield f'{wheel}.data/data/lib/python3.14/config/{path.name}', path.read_bytes()
-    yield f'{wheel}.data/data/etc/ipython/ipython_config.py', _START
+    # What lies in data/ is put at the root of the page's file system.
+    root = f'{wheel}.data/data'
+    yield f'{root}/etc/ipython/ipython_config.py', _START.encode()
+    yield f'{root}/course/{STORED}', json.dumps(_stored_cells()).encode()
+    yield from _files_in(ROOT / 'config', f'{root}/course/config')
+    package = PACKAGE_ROOT
+    yield f'{root}/course/{package.name}/package.xml', (package / 'package.xml').read_bytes()
+    for folder in ('launch', 'param_tools', 'param_tutorial'):
+        for name, content in _files_in(package / folder, f'{root}/course/{package.name}/{folder}'):
+            if '/param_tutorial/site/' not in name:  # a page builds no website
+                yield name, content
+
+
+def _stored_cells() -> list[stored.Cell]:
+    """Return the cells of all chapters that can't run in a page."""
+    notebooks = sorted((ROOT / 'notebooks').rglob('*.ipynb'))
+    return [cell for path in notebooks for cell in stored.collect(json.loads(path.read_text(encoding='utf-8')))]
 
 
 def _make_wheel(name: str, files: dict[str, bytes], target: Path, work: Path) -> dict[str, object]:
@@ -166,7 +187,7 @@ def _compiled(files: dict[str, bytes]) -> dict[str, bytes]:
     """Return the modules among the files as Pyodide compiles them, by their names in a wheel."""
     with tempfile.TemporaryDirectory() as folder:
         for each, content in files.items():
-            if each.endswith('.py') and '.data/' not in each:
+            if each.endswith('.py'):
                 path = Path(folder, each)
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(content)
