@@ -209,6 +209,7 @@ _WORDS = (
     ('there is no node name before', f'There are no node names before {KEY} at line {{}}'),
     ('there is a value before|a space must follow', f'Cannot have a value before {KEY} at line {{}}'),
     ('.* has no value', 'No value at line {}'),
+    ('there is a value without a name', 'No key at line {}'),
     ('this is not', 'Error parsing a event near line {}'),
 )
 _TYPES = {bool: 'bool', int: 'integer', float: 'double', str: 'string'}

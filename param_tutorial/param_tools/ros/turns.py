@@ -30,6 +30,8 @@ R = TypeVar('R')
 
 # How long the turn of a loop may take that always has something to do.
 _TURN_SEC = 0.02
+# How long to settle where something is due all the time.
+_SETTLING_SEC = 0.1
 _PAUSE_SEC = 0.0005
 _PUMP_PERIOD_SEC = 0.02
 _sleep = time.sleep
@@ -46,18 +48,20 @@ class TurnLoop:
     def start(self) -> None:
         self._began = True
 
-    def turn(self) -> None:
-        """Call the function until nothing is due, but not from within itself."""
+    def turn(self) -> bool:
+        """Call the function until nothing is due, but not from within itself; return whether anything was due."""
         if self._current or not self._began:
-            return
+            return False
         self._current = True
+        was_due = False
         try:
             with self._turns.within(self._program):
                 end = time.monotonic() + _TURN_SEC
                 while not self._is_over() and self._step(0.0) and time.monotonic() < end:
-                    pass
+                    was_due = True
         finally:
             self._current = False
+        return was_due
 
     @property
     def has_ended(self) -> bool:
@@ -82,11 +86,17 @@ class Turns:
         self._loops: list[TurnLoop] = []
         self.program: Program | None = None
 
-    def turn(self) -> None:
-        """Give each loop a turn."""
-        for loop in list(self._loops):
-            loop.turn()
+    def turn(self) -> bool:
+        """Give each loop a turn, and return whether anything was due."""
+        was_due = [loop.turn() for loop in list(self._loops)]
         self._loops = [loop for loop in self._loops if not loop.has_ended]
+        return any(was_due)
+
+    def settle(self) -> None:
+        """Give turns until nothing is due any more: before a cell, as threads would have done by then."""
+        end = time.monotonic() + _SETTLING_SEC
+        while self.turn() and time.monotonic() < end:
+            pass
 
     def loop(self, step: Callable[[float], bool], is_over: Callable[[], bool], name: str,
              period_sec: float) -> host.Loop:

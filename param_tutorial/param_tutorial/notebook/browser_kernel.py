@@ -9,7 +9,8 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import Any
+
+from IPython.core.interactiveshell import InteractiveShell
 
 import param_tutorial
 from param_tools.rcl_in_python import install
@@ -26,18 +27,19 @@ _LOOK_SEC = 0.05
 _tasks: set[asyncio.Future[None]] = set()
 
 
-def load_ipython_extension(_shell: Any) -> None:
+def load_ipython_extension(shell: InteractiveShell) -> None:
     """Make the kernel one that the chapters run in."""
     # A look into this folder asks the page and waits for its answer, so Python looks for a module there last.
     sys.path.sort(key=lambda path: path == '')
     # A page has no network, and no other process in it.
     os.environ.update(ROS_DOMAIN_ID='0', ROS_AUTOMATIC_DISCOVERY_RANGE='LOCALHOST')
     install.install()
-
     os.environ[progress.VARIABLE] = str(_FILES / progress.FILE)
     cells = Path(param_tutorial.__file__).parents[2] / STORED
     stored.offer(json.loads(cells.read_text(encoding='utf-8')))
-    _tasks.add(asyncio.ensure_future(_live(turns.install())))
+    host = turns.install()
+    shell.events.register('pre_run_cell', lambda _: host.settle())
+    _tasks.add(asyncio.ensure_future(_live(host)))
 
 
 async def _live(host: turns.Turns) -> None:
