@@ -12,12 +12,14 @@ import html
 import os
 import shutil
 from pathlib import Path
+from typing import Any
 
 import nbformat
 
 from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.archive import Archive, course_archive, provenance
 from param_tutorial.site.console import format_path, say
+from param_tutorial.site.live.site import Live
 from param_tutorial.site.pages.chapter import COURSE, chapter_source
 from param_tutorial.site.pages.front_page import front_page_source
 from param_tutorial.site.pages.links import NOTEBOOKS
@@ -39,7 +41,7 @@ class Site:
     """One build: which notebooks, and where everything goes."""
 
     def __init__(self, notebooks: Path, target: Path, work: Path, names: list[str] | None = None, *,
-                 processes: int = 0, address: str = ''):
+                 processes: int = 0, address: str = '', is_live: bool = False):
         """
         :param notebooks: The folder of the chapters.
         :param target: Where the site will be.
@@ -47,6 +49,7 @@ class Site:
         :param names: What the names of the wanted chapters begin with; by default all.
         :param processes: How many kernels run at once; by default one for each processor.
         :param address: Where the site will be on the web, for search engines; by default nobody knows.
+        :param is_live: Make pages with a live node in place of recordings.
         :raises BuildError: there is no such chapter.
         """
         self.address = f'{address.rstrip("/")}/' if address else ''
@@ -58,6 +61,7 @@ class Site:
                              f'there are {", ".join(path.stem for path in found) or "none"}')
         self.notebooks, self.target, self.work = notebooks, target, work
         self._processes = processes or os.cpu_count() or 1
+        self.live = Live(work / 'live') if is_live else None
 
     def build(self) -> None:
         """Make the site.
@@ -66,9 +70,13 @@ class Site:
         :raises BuildError: Sphinx is not content.
         """
         recover(self.target)
-        self._write_sources(self.record())
+        if self.live:
+            self.live.run(self.chapters, self._processes)
+        self._write_sources(dict.fromkeys(self.chapters, {}) if self.live else self.record())
         say('Writing the pages')
-        settings = {'html_baseurl': self.address} if self.address else {}
+        settings: dict[str, Any] = {'html_baseurl': self.address} if self.address else {}
+        if self.live:
+            settings |= self.live.settings()
         write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', processes=self._processes,
                     settings=settings)
         self._remove_strangers()
@@ -113,7 +121,7 @@ class Site:
             if not path.exists() or path.read_bytes() != content:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(content)
-        write_static(folder)
+        write_static(folder, self.live.scripts() if self.live else None)
 
     def _sources(self, recordings: dict[Path, Recordings]) -> dict[Path, str | bytes]:
         """Return what Sphinx reads, by the names of the files."""
@@ -128,7 +136,8 @@ class Site:
             sources[Path(claims.name)] = f'---\norphan: true\n---\n{claims.read_text(encoding="utf-8")}'
         glossary = Glossary.of(self.notebooks)
         for path in self.chapters:
-            page = chapter_source(path, recordings[path], pages, glossary=glossary)
+            page = chapter_source(path, recordings[path], pages, glossary=glossary,
+                                  live=self.live.chapters[path] if self.live else None)
             sources[Path(path.name)] = nbformat.writes(page) + '\n'
             sources[download / path.name] = path.read_text(encoding='utf-8')
         for path in sorted((self.notebooks / 'solutions').glob('*.ipynb')):

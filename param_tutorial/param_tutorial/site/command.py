@@ -24,11 +24,12 @@ def main(arguments: list[str] | None = None) -> int:
                         help='what is kept between builds')
     parser.add_argument('--lesson', metavar='CHAPTER', help='make one file of one chapter instead')
     parser.add_argument('--address', default='', help='where the site will be on the web, for search engines')
+    parser.add_argument('--live', action='store_true', help='pages with a live node in place of recordings')
     options = parser.parse_args(arguments)
     try:
         names = [options.lesson] if options.lesson else options.only
         site = Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names,
-                    address=options.address)
+                    address=options.address, is_live=options.live)
         if options.lesson:
             single.build(site)
         else:

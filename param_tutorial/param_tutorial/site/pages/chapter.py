@@ -1,6 +1,7 @@
 """A chapter with its recordings, as a source for Sphinx: outputs drawn, exercises with hints and solutions."""
 
 import itertools
+import json
 import re
 from pathlib import Path
 
@@ -11,6 +12,8 @@ from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.achievements import HOW
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.glossary import Glossary
+from param_tutorial.site.live.running import LiveChapter
+from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing, forms
 from param_tutorial.site.pages.links import NOTEBOOKS, Links
 from param_tutorial.site.pages.terms import terms_script
@@ -30,7 +33,7 @@ _WORDINGS_OF_OUTPUTS = {
 
 def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
                    glossary: Glossary | None = None, alone: dict[str, str] | None = None,
-                   address: str = '') -> nbformat.NotebookNode:
+                   address: str = '', live: LiveChapter | None = None) -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
     :param recordings: For the id of each cell that shows widgets, their recordings in order.
@@ -39,11 +42,18 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
         ran, and on what; see ``archive.provenance``.
     :param address: Where the whole site is on the web, for links to what is not beside that file.
+    :param live: The chapter as the page's kernel ran it, in place of recordings.
     :raises BuildError: a link leads to a file that is not there.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
     links = Links(path, notebook, pages, is_alone=alone is not None, address=address)
-    _draw_views(notebook, recordings, drawing.Drawer(path.stem, itertools.chain(*recordings.values())), links)
+    drawer = drawing.Drawer(path.stem, itertools.chain(*recordings.values()))
+    if live:
+        _draw_live_views(notebook, live)
+    else:
+        _draw_views(notebook, recordings, drawer)
+        _draw_forms(notebook, recordings, links)
+    _draw_predictions(notebook, drawer, links)
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
@@ -56,7 +66,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
         if len(cells) == 1:
             note = _download_note(path) if alone is None else _provenance_note(alone)
             words = terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
-            cells.append(_html_cell('to-run', note + words))
+            cells.append(_html_cell('to-run', note + words + (_live_cells(live) if live else '')))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
     notebook.cells = cells
@@ -64,14 +74,36 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     return notebook
 
 
-def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer, links: Links) -> None:
+def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer) -> None:
     """Put what a page can show in the place of each widget."""
     for _, cell in cells_with_widgets(notebook):
         remaining = iter(recordings[cell.id])
         for output in cell.outputs:
             if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
                 output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
-    _draw_forms(notebook, recordings, links)
+
+
+def _draw_live_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None:
+    """Put the first picture of each view in the place of its widget, and a name on each cell that runs."""
+    ran = {each.id: each for each in live.cells}
+    for cell in notebook.cells:
+        if cell.id not in ran:
+            continue
+        cell.metadata.tags = [*cell.metadata.get('tags', ()), f'live-{cell.id}']
+        for output in cell.outputs:
+            if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
+                output.data = nbformat.from_dict({'text/html': still(ran[cell.id])})
+
+
+def _live_cells(live: LiveChapter) -> str:
+    """Return what the page's script has to know of the cells."""
+    facts = json.dumps([each._asdict() for each in live.cells], ensure_ascii=False, separators=(',', ':'))
+    inside = facts.replace('</', '<\\/')
+    return f'<script type="application/json" class="live-cells">{inside}</script>'
+
+
+def _draw_predictions(notebook: nbformat.NotebookNode, drawer: drawing.Drawer, links: Links) -> None:
+    """Put the page's own form in the place of each prediction."""
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if MIME_TYPE in output.get('data', {}):

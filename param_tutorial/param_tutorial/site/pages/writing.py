@@ -2,6 +2,7 @@
 
 import re
 import shutil
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,15 @@ class BuildError(Exception):
     """The site cannot be made; the message is for the person who builds it."""
 
 
-def write_static(source: Path) -> None:
-    """Write the scripts of all pages, and the styles of the notebook's own views, beside Sphinx's sources."""
+def write_static(source: Path, live: Mapping[str, str] | None = None) -> None:
+    """Write the scripts of all pages, and the styles of the notebook's own views, beside Sphinx's sources.
+
+    :param live: The scripts of live pages, by their names.
+    """
+    for name, text in (live or {}).items():
+        (source / 'static').mkdir(exist_ok=True)
+        if not (path := source / 'static' / name).exists() or path.read_text(encoding='utf-8') != text:
+            path.write_text(text, encoding='utf-8')
     (source / 'static').mkdir(exist_ok=True)
     # A page on a disk can load no module, and the names in a script that is none are the whole page's.
     script = f"(() => {{\n'use strict';\n{bundle('param_tutorial/site/scripts/main.js')}}})();\n"

@@ -1,10 +1,11 @@
 /* All scripts of a page of the website. */
 
+import {beginLive} from '../live/page.js';
 import {beginGlossary} from './glossary.js';
 import {beginLesson} from './lesson.js';
 import {beginSearch} from './search.js';
 
-for (const begin of [beginLesson, beginGlossary, beginSearch]) {
+for (const begin of [beginLesson, beginLive, beginGlossary, beginSearch]) {
   if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin);
   else begin();
 }

@@ -1,0 +1,302 @@
+/* A lesson's page with a kernel: wakes it when something is touched, runs cells in it, and shows what they put out.
+
+   What the reader touches first may be in the middle of the lesson. The kernel then runs the cells down to that one, as
+   "Run All Above" does in a notebook. What they put out stands on the page already; only what differs is drawn again. */
+
+import {all, make, one} from '../../../param_tools/panel/dom.js';
+import {digest} from './kernel.js';
+import {add, draw} from './outputs.js';
+import {View} from './widgets.js';
+
+const WIDGET = 'application/vnd.jupyter.widget-view+json';
+
+/**
+ * What the page knows of a cell: its code in the lesson, a digest of its outputs, and, of those that show widgets, the
+ * widget's name and the states of all within it.
+ * @typedef {{id: string, source: string, digest: string, root?: string, states?: Record<string, any>}} CellFacts
+ */
+
+/** A code cell of the lesson. */
+class Cell {
+  /** How often the kernel was told to run it. */
+  told = 0;
+  /** True if its outputs are to be drawn whatever they are: the reader has run it. */
+  isAsked = false;
+  /** @type {any[]} */
+  outputs = [];
+  /** @type {View | undefined} */
+  view;
+
+  /**
+   * @param {CellFacts} facts
+   * @param {HTMLElement | null} element Null if the page shows nothing of it.
+   */
+  constructor(facts, element) {
+    this.facts = facts;
+    this.element = element;
+    this.code = facts.source;
+    // A prediction is the page's own; see scripts/predictions.js.
+    this.isOwn = Boolean(element?.querySelector('.rec-prediction'));
+  }
+
+  get place() {
+    const found = this.element?.querySelector('.cell_output');
+    if (found || !this.element) return found;
+    const made = make('div', {className: 'cell_output docutils container'});
+    this.element.append(made);
+    return made;
+  }
+
+  /** Draw all outputs anew; a view that is the same goes on. */
+  show() {
+    if (this.isOwn) return;
+    const drawn = this.outputs.map(output => (output.view ? output.view.element : draw(output)));
+    this.place?.replaceChildren(...drawn);
+  }
+}
+
+/** All of a lesson's page. */
+export class Page {
+  /** @type {Set<View>} */
+  views = new Set();
+  /** The kernel's widgets, by name. @type {Map<string, any>} */
+  widgets = new Map();
+  /** @type {Worker | undefined} */
+  worker;
+  /** The first cell that the kernel was not yet told to run. */
+  next = 0;
+  running = 0;
+
+  /** @param {CellFacts[]} facts */
+  constructor(facts) {
+    const find = (/** @type {string} */ id) => document.querySelector(`.cell.tag_live-${CSS.escape(id)}`);
+    this.cells = facts.map(each => new Cell(each, /** @type {HTMLElement | null} */ (find(each.id))));
+    this.byId = new Map(this.cells.map(each => [each.facts.id, each]));
+    this.notice = make('div', {className: 'live-notice', hidden: true});
+    this.notice.setAttribute('role', 'status');
+    document.body.append(this.notice);
+    this.say('asleep');
+    for (const cell of this.cells) {
+      const still = cell.element?.querySelector('.live-view');
+      if (still && cell.facts.root && cell.facts.states) {
+        cell.view = new View(this, cell.facts.id, cell.facts.root, cell.facts.states);
+        still.replaceWith(cell.view.element);
+      }
+    }
+  }
+
+  /** @param {string} state @param {string} [words] */
+  say(state, words = '') {
+    document.documentElement.dataset.node = state;
+    this.notice.textContent = words;
+    this.notice.hidden = !words;
+  }
+
+  /** Let the worker begin; once for the page. */
+  async begin() {
+    if (this.worker) return;
+    const [first, ...others] = all(document, 'script[data-live-python]');
+    const sources = [first, ...others].map(each => each.dataset.livePython ?? '').filter(Boolean);
+    const code = /** @type {any} */ (self).lessonWorker;
+    const address = URL.createObjectURL(new Blob([code], {type: 'text/javascript'}));
+    this.worker = new Worker(address, {type: 'module'});
+    this.worker.addEventListener('message', ({data}) => this.hear(data));
+    this.worker.addEventListener('error', event => this.die(event.message));
+    performance.mark('live-begin');
+    await Promise.all(sources.map(loadScript));
+    this.worker.postMessage({parts: /** @type {any} */ (self).lessonPython});
+    delete (/** @type {any} */ (self).lessonPython);
+  }
+
+  /** @param {string} why */
+  die(why) {
+    console.warn(why);
+    this.say('dead', 'Python could not be started in this browser, so this page shows what it was built with.');
+  }
+
+  /**
+   * Have all cells down to one run, that one included; those that were told to already are not told again.
+   * @param {string} id
+   */
+  wake(id) {
+    this.begin();
+    const last = this.cells.findIndex(each => each.facts.id === id);
+    while (this.next <= last) this.tellToRun(this.cells[this.next++]);
+  }
+
+  /**
+   * Run a cell with what stands in it now, after all above it.
+   * @param {Cell} cell
+   */
+  run(cell) {
+    const at = this.cells.indexOf(cell);
+    if (at > 0) this.wake(this.cells[at - 1].facts.id);
+    this.begin();
+    this.next = Math.max(this.next, at + 1);
+    cell.isAsked = true;
+    this.tellToRun(cell);
+  }
+
+  /** @param {Cell} cell */
+  tellToRun(cell) {
+    cell.told += 1;
+    this.running += 1;
+    cell.element?.setAttribute('aria-busy', 'true');
+    if (document.documentElement.dataset.node !== 'awake') {
+      this.say('waking', 'Waking the node: Python and ROS are coming into this page.');
+    }
+    this.worker?.postMessage({run: cell.facts.id, code: cell.code});
+  }
+
+  /** @param {string} widget @param {any} data */
+  tell(widget, data) {
+    this.worker?.postMessage({widget, data});
+  }
+
+  /** @param {any} said */
+  hear(said) {
+    if (said.is === 'ready') {
+      performance.mark('live-ready');
+      this.say('awake', this.running ? 'Running the cells above.' : '');
+      return;
+    }
+    if (said.is === 'dead') {
+      this.die(said.why);
+      return;
+    }
+    const cell = this.byId.get(said.cell);
+    if (said.is === 'widget') this.hearOfWidget(said);
+    else if (said.is === 'update') this.replace(said);
+    else if (said.is === 'clear') cell?.outputs.splice(0);
+    else if (said.is === 'begin') cell?.outputs.splice(0);
+    else if (cell && said.is === 'output') this.hearOutput(cell, said.output);
+    else if (cell && said.is === 'ran') this.end(cell);
+  }
+
+  /** @param {any} said */
+  hearOfWidget({does, name, state, content}) {
+    if (does === 'close') this.widgets.delete(name);
+    else if (does !== 'custom') this.widgets.set(name, {...this.widgets.get(name), ...state});
+    for (const view of this.views) {
+      const handle = view.handles.get(name);
+      if (!handle?.isLive) continue;
+      if (does === 'custom') handle.emit('msg:custom', content, []);
+      else if (does === 'update') handle.update(state);
+    }
+  }
+
+  /** @param {Cell} cell @param {any} output */
+  hearOutput(cell, output) {
+    const root = output.data?.[WIDGET]?.model_id;
+    if (root && !cell.isOwn) {
+      if (cell.view?.root !== root) {
+        if (cell.view) this.views.delete(cell.view);
+        cell.view = new View(this, cell.facts.id, root, {});
+      }
+      cell.view?.goLive();
+      cell.outputs.push({...output, view: cell.view});
+    } else add(cell.outputs, output);
+    // Who runs a cell sees what it writes at once.
+    if (cell.isAsked) cell.show();
+  }
+
+  /** @param {any} said */
+  replace({display, output}) {
+    for (const cell of this.cells) {
+      const found = cell.outputs.find(each => each.display === display && display);
+      if (found) {
+        Object.assign(found, output);
+        cell.show();
+      }
+    }
+  }
+
+  /** @param {Cell} cell */
+  end(cell) {
+    this.running -= 1;
+    cell.element?.removeAttribute('aria-busy');
+    if (cell.isAsked || digest(cell.outputs) !== cell.facts.digest) cell.show();
+    cell.isAsked = false;
+    if (!this.running) this.say('awake');
+    if (!this.running) performance.mark('live-idle');
+  }
+}
+
+/** @param {string} source */
+function loadScript(source) {
+  return new Promise((resolve, reject) => {
+    const script = make('script', {src: source, async: true});
+    script.addEventListener('load', () => resolve(script.remove()));
+    script.addEventListener('error', () => reject(new Error(`${source} can't be loaded`)));
+    document.head.append(script);
+  });
+}
+
+/** Bring the page to life if it has a kernel. */
+export function beginLive() {
+  const facts = document.querySelector('script.live-cells');
+  if (!facts) return undefined;
+  const page = new Page(JSON.parse(facts.textContent ?? ''));
+  for (const cell of page.cells) if (cell.element?.querySelector('.cell_input')) letEdit(page, cell);
+  // A reader who reads is not kept from it, and who touches something need not wait as long.
+  const soon = () => page.begin();
+  for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, soon, {once: true});
+  if (!(/** @type {any} */ (navigator).connection?.saveData)) setTimeout(() => requestIdleCallback?.(soon), 1500);
+  return page;
+}
+
+/**
+ * Put buttons beside a cell's code: run it, edit it, and bring back what the lesson says.
+ * @param {Page} page
+ * @param {Cell} cell
+ */
+function letEdit(page, cell) {
+  const input = one(/** @type {HTMLElement} */ (cell.element), '.cell_input');
+  const code = one(input, 'div');
+  /** @type {HTMLTextAreaElement | undefined} */
+  let box;
+  const button = (/** @type {string} */ words, /** @type {string} */ label, /** @type {() => void} */ onClick) => {
+    const made = make('button', {type: 'button', className: 'live-button'}, words);
+    made.setAttribute('aria-label', label);
+    made.addEventListener('click', onClick);
+    return made;
+  };
+  const run = () => {
+    page.run(cell);
+  };
+  const reset = () => {
+    cell.code = cell.facts.source;
+    box?.replaceWith(code);
+    box = undefined;
+    show();
+    editButton.focus();
+  };
+  const show = () => {
+    resetButton.hidden = cell.code === cell.facts.source && !box;
+    editButton.hidden = Boolean(box);
+    if (box) box.rows = box.value.split('\n').length;
+  };
+  const edit = () => {
+    box = make('textarea', {value: cell.code, className: 'live-code', spellcheck: false, autocapitalize: 'off'});
+    box.setAttribute('aria-label', 'The code of this cell');
+    const typed = box;
+    typed.addEventListener('input', () => {
+      cell.code = typed.value;
+      show();
+    });
+    typed.addEventListener('keydown', event => {
+      if (event.key === 'Enter' && (event.shiftKey || event.ctrlKey)) {
+        event.preventDefault();
+        run();
+      }
+    });
+    code.replaceWith(typed);
+    show();
+    typed.focus();
+  };
+  const editButton = button('Edit', 'Edit the code of this cell', edit);
+  const resetButton = button('Reset', 'Bring back the code of the lesson', reset);
+  const tools = make('div', {className: 'live-tools'}, button('Run', 'Run this cell', run), editButton, resetButton);
+  input.append(tools);
+  show();
+}

@@ -1,0 +1,46 @@
+// Runs the code cells of a notebook in the kernel of a page, in Node.js, and prints what it says to each as JSON:
+//     node run.mjs PYODIDE PACKAGES KERNEL NOTEBOOK
+// KERNEL is kernel.js as a module by itself, and PACKAGES what it unpacks.
+import fs from "node:fs";
+import path from "node:path";
+
+const [pyodide, packages, kernel, notebook] = process.argv.slice(2).map((each) => path.resolve(each));
+const { loadPyodide } = await import(path.join(pyodide, "pyodide.mjs"));
+const { digest, Kernel, unpackFiles } = await import(kernel);
+const python = await loadPyodide({ indexURL: pyodide, stdout: console.error, stderr: console.error });
+unpackFiles(python, new Uint8Array(fs.readFileSync(packages)));
+
+let said = [];
+let heardAt = 0;
+const page = new Kernel(python, (each) => {
+  heardAt = performance.now();
+  said.push(each);
+});
+// The stored outputs are those of somebody whose progress is not kept.
+python.runPython("import os; os.environ.pop('PARAM_TUTORIAL_PROGRESS')");
+
+// What moves has come to rest when nothing was heard for so long, which is more than the longest phase of a drive.
+const MOVING_MS = 4500;
+const STANDING_MS = 300;
+async function rest() {
+  const quietMs = said.some((each) => each.state?.picture) ? MOVING_MS : STANDING_MS;
+  while (performance.now() - heardAt < quietMs) {
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
+
+const results = [];
+for (const cell of JSON.parse(fs.readFileSync(notebook, "utf8")).cells) {
+  if (cell.cell_type === "code") {
+    said = [];
+    await page.run(cell.id, [cell.source].flat().join(""));
+    const outputs = said.filter((each) => each.is === "output").map((each) => each.output);
+    const known = digest(outputs);
+    // Only what is live goes on after its cell.
+    if (said.some((each) => each.output?.data?.["application/vnd.jupyter.widget-view+json"])) {
+      await rest();
+    }
+    results.push({ cell: cell.id, outputs, said, digest: known });
+  }
+}
+process.stdout.write(JSON.stringify(results), () => process.exit(0));

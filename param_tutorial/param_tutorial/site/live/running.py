@@ -1,0 +1,140 @@
+"""Runs a chapter in the kernel of its page, when the site is built: Pyodide in Node.js, with the page's own script.
+
+What the cells put out is compared with what is stored in the notebook, as when a chapter is recorded; a page of which
+the node says something else is not made. The states of the widgets after each cell are the page's first pictures.
+"""
+
+import hashlib
+import json
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import nbformat
+
+from param_tools.markup.styles import sheet
+from param_tutorial.exercises.prediction import MIME_TYPE
+from param_tutorial.notebook.shell import NO_SHELL
+from param_tutorial.site.recording.comparison import cells_of
+from param_tutorial.site.recording.run import WIDGET, ChapterError
+
+_RUN = Path(__file__).with_name('run.mjs')
+_TIMEOUT_SEC = 600
+_WITHOUT_SHELL = f'{NO_SHELL[0].upper()}{NO_SHELL[1:]}, so this cell does not run here.'
+# By a chapter's name: the first line of a cell whose output differs in a page, and why.
+EXPLAINED = {
+    '02_workspace': {
+        "ParameterPanel('/simple_param_node')": 'the node is one that only colcon could build',
+        "exercises.check('2c', lines)": 'its check builds a package, and says why it cannot',
+        "exercises.check('2a', setup)": 'its check builds a package, and says why it cannot',
+    },
+    '07_1_saving': {
+        '%ros2 param dump /simple_param_node > config/': 'a missing file has error number 44 in WebAssembly, and not 2',
+    },
+    '08_best_practices': {'%ros2 param dump /untidy > untidy.yaml': "rcl's error names its own C files"},
+    '09_1_moving_from_ros1': {"Path('ros1.yaml').write_text(": "rcl's error names its own C files"},
+    '09_2_ros1_and_ros2': {"Path('saved.yaml').write_text(": "rcl's error names its own C files"},
+}
+_KEPT = {'_dom_classes', '_model_name', '_esm', '_css'}
+_DROPPED = {'layout', 'style', 'tabbable', 'tooltip', 'box_style', 'description', 'description_allow_html',
+            'placeholder', 'own_id'}
+_SHARED = ('_esm', '_css')
+
+
+class LiveCell(NamedTuple):
+    """What a page has to know of a code cell."""
+
+    id: str
+    source: str
+    digest: str
+    """Of its outputs in the page's kernel."""
+    root: str
+    """The name of the widget that it shows; empty if it shows none."""
+    states: dict[str, Any]
+    """Of that widget and all within it, when the cell had run and what moves had come to rest."""
+
+
+class LiveChapter(NamedTuple):
+    """A chapter as its page's kernel ran it."""
+
+    cells: list[LiveCell]
+    shared: dict[str, str]
+    """Scripts and styles of the widgets, by the names that stand for them in the states."""
+
+
+def run_chapter(path: Path, pyodide: Path, packages: Path) -> LiveChapter:
+    """Run a chapter to its end.
+
+    :param pyodide: The folder that ``browser.page_python`` has filled.
+    :param packages: The file with what ``python_files.packages`` returns.
+    :raises ChapterError: an output is not the stored one, for no known reason.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        kernel = Path(folder, 'kernel.mjs')
+        kernel.write_text(sheet('param_tutorial/site/live/kernel.js'), encoding='utf-8')
+        done = subprocess.run([Path(sys.executable).with_name('node'), _RUN, pyodide, packages, kernel, path],
+                              capture_output=True, text=True, check=False, timeout=_TIMEOUT_SEC)
+    if done.returncode:
+        raise ChapterError(path, 0, '', f'its page has no kernel: {done.stderr[-2000:]}')
+    ran = json.loads(done.stdout)
+    _compare(path, ran)
+    return _chapter(path, ran)
+
+
+def _compare(path: Path, ran: list[dict[str, Any]]) -> None:
+    explained = tuple(EXPLAINED.get(path.stem, ()))
+    for cell, result in zip(cells_of(path), ran, strict=True):
+        outputs = [nbformat.from_dict(_as_stored(each)) for each in result['outputs']]
+        if cell.is_skipped or (outputs and outputs[0].get('text', '').startswith(_WITHOUT_SHELL)):
+            continue
+        if (difference := cell.difference(outputs)) and not cell.cell.source.startswith(explained):
+            raise ChapterError(path, cell.cell_num, cell.cell.source,
+                               f"its page's node says something else than is stored with it\n{difference}")
+
+
+def _as_stored(output: dict[str, Any]) -> dict[str, Any]:
+    kept = {key: value for key, value in output.items() if key != 'display'}
+    has_data = {'metadata': {}} if 'data' in kept else {}
+    return {**kept, **has_data, **({'execution_count': None} if kept['output_type'] == 'execute_result' else {})}
+
+
+def _chapter(path: Path, ran: list[dict[str, Any]]) -> LiveChapter:
+    sources = {cell.id: cell.source for cell in nbformat.read(path, as_version=4).cells}
+    states: dict[str, dict[str, Any]] = {}
+    shared: dict[str, str] = {}
+    cells = []
+    for result in ran:
+        for said in result['said']:
+            if said['is'] == 'widget' and said['does'] in ('open', 'update'):
+                states.setdefault(said['name'], {}).update(said['state'])
+        root = next((each['data'][WIDGET]['model_id'] for each in result['outputs']
+                     if WIDGET in each.get('data', {}) and MIME_TYPE not in each['data']), '')
+        within = {name: _lean(states[name], shared) for name in _within(root, states)} if root else {}
+        cells.append(LiveCell(result['cell'], sources[result['cell']], result['digest'], root, within))
+    return LiveChapter(cells, shared)
+
+
+def children(state: Mapping[str, Any]) -> list[str]:
+    """Return the names of the widgets in a box."""
+    return [each.removeprefix('IPY_MODEL_') for each in state.get('children', ())]
+
+
+def _within(root: str, states: Mapping[str, Mapping[str, Any]]) -> Iterable[str]:
+    yield root
+    for name in children(states[root]):
+        yield from _within(name, states)
+
+
+def _lean(state: Mapping[str, Any], shared: dict[str, str]) -> dict[str, Any]:
+    """Return what a front end needs of a state; what all widgets of a kind have in common is replaced by its name."""
+    lean = {key: value for key, value in state.items()
+            if key in _KEPT or not (key.startswith('_') or key in _DROPPED or value is None)}
+    for key in _SHARED:
+        if lean.get(key):
+            name = hashlib.sha256(lean[key].encode()).hexdigest()[:12]
+            shared[name] = lean[key]
+            lean[key] = name
+    return lean

@@ -1,0 +1,72 @@
+"""All live chapters of a build, and the scripts that their pages share."""
+
+import concurrent.futures
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+from param_tools.markup.scripts import bundle
+from param_tutorial.site.browser import page_python
+from param_tutorial.site.console import say
+from param_tutorial.site.live import python_files
+from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter, run_chapter
+
+# A page fetches nothing, not even from its own server, and neither does its kernel, which runs what the reader typed:
+# code comes in scripts of the site. Pyodide makes machine code, and a worker is a script in memory.
+POLICY = ("default-src 'self' data: blob: 'unsafe-inline'; connect-src data: blob:; worker-src blob:; "
+          "script-src 'self' blob: 'unsafe-inline' 'unsafe-eval'; form-action 'self'")
+_HERE = Path(__file__).parent
+
+
+class Live:
+    """Runs chapters in the kernel of their pages, and keeps what came of it as long as nothing has changed."""
+
+    def __init__(self, work: Path) -> None:
+        """:param work: What is kept from one build to the next."""
+        self.work = work
+        self.chapters: dict[Path, LiveChapter] = {}
+        self._python: dict[str, str] = {}
+
+    def run(self, paths: list[Path], processes: int) -> None:
+        """Run all chapters, several at a time.
+
+        :raises PagePythonError: the Python of a page can't be put together.
+        :raises ChapterError: a chapter fails, or its page's node says something else than is stored.
+        """
+        self.work.mkdir(parents=True, exist_ok=True)
+        pyodide = self.work / 'pyodide'
+        say('Gathering the Python of the pages')
+        page_python.gather(pyodide, self.work / 'page')
+        packed = python_files.packages(pyodide)
+        (self.work / 'packages').write_bytes(packed)
+        self._python = python_files.scripts(pyodide, packed)
+        surroundings = packed + b''.join(path.read_bytes() for path in sorted(_HERE.iterdir()) if path.is_file())
+        with concurrent.futures.ThreadPoolExecutor(processes) as pool:
+            runs = {pool.submit(self._run, path, pyodide, surroundings): path for path in paths}
+            for number, run in enumerate(concurrent.futures.as_completed(runs), 1):
+                self.chapters[runs[run]] = run.result()
+                say(f'[{number}/{len(paths)}] {runs[run].stem}: ran in its page as stored')
+
+    def _run(self, path: Path, pyodide: Path, surroundings: bytes) -> LiveChapter:
+        key = hashlib.sha256(path.read_bytes() + surroundings + repr(EXPLAINED).encode()).hexdigest()
+        kept = self.work / f'{path.stem}-{key[:16]}.json'
+        if not kept.exists():
+            for old in self.work.glob(f'{path.stem}-{16 * "?"}.json'):
+                old.unlink()
+            chapter = run_chapter(path, pyodide, self.work / 'packages')
+            kept.write_text(json.dumps(chapter), encoding='utf-8')
+        cells, shared = json.loads(kept.read_text(encoding='utf-8'))
+        return LiveChapter([LiveCell(*each) for each in cells], shared)
+
+    def scripts(self) -> dict[str, str]:
+        """Return the scripts of the pages, by name: the Python, the worker's, and those that widgets bring along."""
+        shared = {name: text for chapter in self.chapters.values() for name, text in chapter.shared.items()}
+        worker = bundle('param_tutorial/site/live/worker.js')
+        fronts = f'self.lessonFronts = {json.dumps(shared)};\nself.lessonWorker = {json.dumps(worker)};\n'
+        return {**self._python, 'fronts.js': fronts}
+
+    def settings(self) -> dict[str, Any]:
+        """Return Sphinx's settings for live pages."""
+        return {'html_context.live_policy': POLICY, 'html_context.live_python': list(self._python),
+                'html_js_files': ['fronts.js', 'lessons.js']}
