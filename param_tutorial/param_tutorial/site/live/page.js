@@ -99,7 +99,7 @@ export class Page {
     const sources = [first, ...others].map(each => each.dataset.livePython ?? '').filter(Boolean);
     const code = /** @type {any} */ (self).lessonWorker;
     const address = URL.createObjectURL(new Blob([code], {type: 'text/javascript'}));
-    this.worker = new Worker(address, {type: 'module'});
+    this.worker = new Worker(address);
     this.worker.addEventListener('message', ({data}) => this.hear(data));
     this.worker.addEventListener('error', event => this.die(event.message));
     performance.mark('live-begin');

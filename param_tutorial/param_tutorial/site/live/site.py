@@ -17,6 +17,8 @@ from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter, r
 POLICY = ("default-src 'self' data: blob: 'unsafe-inline'; connect-src data: blob:; worker-src blob:; "
           "script-src 'self' blob: 'unsafe-inline' 'unsafe-eval'; form-action 'self'")
 _HERE = Path(__file__).parent
+# What a chapter's run depends on, beside the packages.
+_RUNS = ('kernel.js', 'run.mjs', 'running.py')
 
 
 class Live:
@@ -41,7 +43,7 @@ class Live:
         packed = python_files.packages(pyodide)
         (self.work / 'packages').write_bytes(packed)
         self._python = python_files.scripts(pyodide, packed)
-        surroundings = packed + b''.join(path.read_bytes() for path in sorted(_HERE.iterdir()) if path.is_file())
+        surroundings = packed + b''.join((_HERE / name).read_bytes() for name in _RUNS)
         with concurrent.futures.ThreadPoolExecutor(processes) as pool:
             runs = {pool.submit(self._run, path, pyodide, surroundings): path for path in paths}
             for number, run in enumerate(concurrent.futures.as_completed(runs), 1):

@@ -56,18 +56,23 @@ async function begin(parts) {
   return new Kernel(python, said => worker.postMessage(said));
 }
 
+// The page may ask before all parts are here.
+/** @type {(kernel: Promise<Kernel>) => void} */
+let arrive;
 /** @type {Promise<Kernel>} */
-let kernel;
+const kernel = new Promise(resolve => {
+  arrive = resolve;
+});
+kernel.then(
+  () => worker.postMessage({is: 'ready'}),
+  error => worker.postMessage({is: 'dead', why: String(error?.stack ?? error)}),
+);
 // What the page asks for is done in that order.
 let before = Promise.resolve();
 
 worker.onmessage = (/** @type {MessageEvent} */ {data}) => {
   if (data.parts) {
-    kernel = begin(data.parts);
-    kernel.then(
-      () => worker.postMessage({is: 'ready'}),
-      error => worker.postMessage({is: 'dead', why: String(error?.stack ?? error)}),
-    );
+    arrive(begin(data.parts));
   } else if (data.run) {
     before = before.then(async () => (await kernel).run(data.run, data.code));
   } else {
