@@ -72,7 +72,7 @@ class Site:
         recover(self.target)
         if self.live:
             self.live.run(self.chapters, self._processes)
-        self._write_sources(dict.fromkeys(self.chapters, {}) if self.live else self.record())
+        self._write_sources({path: {} for path in self.chapters} if self.live else self.record())
         say('Writing the pages')
         settings: dict[str, Any] = {'html_baseurl': self.address} if self.address else {}
         if self.live:

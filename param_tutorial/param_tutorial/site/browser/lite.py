@@ -19,7 +19,7 @@ from param_tutorial.site.archive import ROOT
 from param_tutorial.site.browser import page_python
 from param_tutorial.site.build import replace
 
-TARGET, WORK = ROOT / 'build' / 'lite', ROOT / 'build' / 'page'
+TARGET, WORK = ROOT / 'build' / 'lite', page_python.WORK
 _HERE = Path(__file__).parent
 # Neither the page nor a kernel in it may ask another host for anything. JupyterLab makes style sheets, and Pyodide
 # machine code, of their own.

@@ -25,6 +25,8 @@ from param_tutorial.notebook.browser_kernel import STORED
 from param_tutorial.site.archive import PACKAGE_ROOT, ROOT
 
 PYODIDE = ROOT / 'node_modules' / 'pyodide'
+# What is kept from one build to the next.
+WORK = ROOT / 'build' / 'page'
 _PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs', 'python_stdlib.zip')
 _LOCK = ROOT / 'environment' / 'requirements-page.lock'
 _COMPILE = Path(__file__).with_name('compile.mjs')

@@ -1,0 +1,36 @@
+"""Lesson pages with a node of their own. `python -m param_tutorial.site --live` makes them, in place of recordings.
+
+A page is what it was: the chapter with its stored outputs, readable at once and without a script. Beside that it can
+run the chapter, in the Python that `browser.page_python` gathers for JupyterLite too: Pyodide, the real rclpy on
+``param_tools.rcl_in_python``, the course. Nothing else answers the reader, so there is nothing that it can't answer.
+
+**When the site is built**, ``running`` runs each chapter in Node.js with the page's own ``kernel.js``, compares what
+the cells put out with what is stored in the notebook, and notes the states of the widgets that each cell shows.
+``stills`` draws these states as HTML: the first picture. ``site`` puts all together.
+
+**The Python comes as scripts** (``python_files``), each one part of Pyodide or all packages, deflated and in base64,
+because a page on a disk can load scripts and nothing else. Over the web the same files serve. So a page never
+fetches, and its content-security policy forbids it to: `connect-src` names no server, not even its own, and a worker
+made from memory inherits that. What a reader, or somebody's link, puts into a cell can reach no other machine.
+
+**In the page** there are three layers, and the first two are the same in Node.js as in a browser:
+
+- ``kernel.js`` runs cells and says what they put out and what becomes of their widgets. Widgets go by names such as
+  ``cell-04/1/10`` (cell, run, number) in place of random ids, so that the states noted at the build and those of the
+  reader's kernel are about the same widgets.
+- ``worker.js`` begins Pyodide and is the kernel's thread. Reading is never held up. It is a classic worker, for
+  Chromium lets a page on a disk have no worker that is a module.
+- ``page.js`` knows the cells. The kernel begins when the page has been read for a moment, or at the first touch. What
+  is touched first may be in the middle: the cells above run then, as "Run All Above" does, with what the reader has
+  typed into them. A cell's outputs are drawn anew only if their digest isn't the one noted at the build.
+
+**A view is one thing from the first picture on** (``widgets.js``). The front ends of JupyterLab (anywidget's
+`render({model, el})`) draw the noted states at once. What a hand does before the kernel has the widget waits in the
+view's handle; when its cell has run, the same handles become the kernel's widgets, and what waits is told to them.
+Nothing is drawn twice, and a drag goes on under the hand. Of ipywidgets themselves only boxes and HTML are needed:
+the predictions, which use others, are forms of the page.
+
+Not yet: a lesson as one file; the robot of the first page; answers to exercises in the marks of progress; files that
+a reader saves; settings in the address. The recorder (`recording`, `replay.js` and what belongs to them) goes when
+this becomes the only way.
+"""

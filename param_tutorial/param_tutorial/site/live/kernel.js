@@ -23,6 +23,11 @@ const PREPARE = `
   import pyodide_kernel
 `;
 
+const SETTLE = `
+  from param_tools.ros import host
+  lambda: host.host.settle()
+`;
+
 /**
  * Put packed files where Python finds them: names and lengths as JSON on the first line, and then all contents.
  * @param {any} python
@@ -44,9 +49,11 @@ export function unpackFiles(python, packed) {
  * @param {any[]} outputs
  */
 export function digest(outputs) {
+  /** @type {any[]} */
   const parts = [];
   for (const {output_type, name, text, data, ename, evalue} of outputs) {
-    if (output_type === 'stream' && parts.at(-1)?.[0] === name) parts.at(-1)[1] += text;
+    const last = parts.at(-1);
+    if (output_type === 'stream' && last && last[0] === name) last[1] += text;
     else if (output_type === 'stream') parts.push([name, text]);
     else parts.push([ename ?? '', evalue ?? data?.['text/html'] ?? data?.['text/plain']]);
   }
@@ -77,6 +84,7 @@ export class Kernel {
     python.runPython(PREPARE);
     const {kernel_instance, ipython_shell, stdout_stream, stderr_stream} = python.pyimport('pyodide_kernel');
     this.kernel = kernel_instance;
+    this.settle = python.runPython(SETTLE);
     const output = (/** @type {any} */ content) => say({is: 'output', cell: this.cell, output: content});
     const stream = (/** @type {string} */ name, /** @type {string} */ text) =>
       output({output_type: 'stream', name, text});
@@ -86,8 +94,11 @@ export class Kernel {
     display_pub.clear_output_callback = (/** @type {boolean} */ wait) => say({is: 'clear', cell: this.cell, wait});
     display_pub.display_data_callback = (/** @type {any} */ data, /** @type {any} */ _, /** @type {any} */ transient) =>
       output({output_type: 'display_data', data: this.data(data), display: this.plain(transient)?.display_id});
-    display_pub.update_display_data_callback = (/** @type {any} */ data, /** @type {any} */ _, /** @type {any} */ how) =>
-      say({is: 'update', display: this.plain(how)?.display_id, output: {data: this.data(data)}});
+    display_pub.update_display_data_callback = (
+      /** @type {any} */ data,
+      /** @type {any} */ _,
+      /** @type {any} */ how,
+    ) => say({is: 'update', display: this.plain(how)?.display_id, output: {data: this.data(data)}});
     displayhook.publish_execution_result = (/** @type {number} */ _, /** @type {any} */ data) =>
       output({output_type: 'execute_result', data: this.data(data)});
     ipython_shell.send_comm = (/** @type {string} */ type, /** @type {any} */ content) =>
@@ -175,5 +186,8 @@ export class Kernel {
     if (!comm_id) return;
     const message = this.python.toPy({header: {}, metadata: {}, buffers: [], content: {comm_id, data}});
     this.kernel.comm_manager.comm_msg(null, null, message);
+    message.destroy();
+    // Or the answer would wait for the next turn between the cells.
+    this.settle();
   }
 }

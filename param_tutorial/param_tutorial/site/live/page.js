@@ -4,6 +4,7 @@
    "Run All Above" does in a notebook. What they put out stands on the page already; only what differs is drawn again. */
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
+import {keepCode, keptCode} from './kept_code.js';
 import {digest} from './kernel.js';
 import {add, draw} from './outputs.js';
 import {View} from './widgets.js';
@@ -233,26 +234,29 @@ function loadScript(source) {
 }
 
 /** Bring the page to life if it has a kernel. */
-export function beginLive() {
+export async function beginLive() {
   const facts = document.querySelector('script.live-cells');
-  if (!facts) return undefined;
+  if (!facts) return;
   const page = new Page(JSON.parse(facts.textContent ?? ''));
-  for (const cell of page.cells) if (cell.element?.querySelector('.cell_input')) letEdit(page, cell);
+  const codes = await keptCode();
+  for (const cell of page.cells) {
+    if (cell.element?.querySelector('.cell_input')) letEdit(page, cell, codes[cell.facts.id]);
+  }
   // A reader who reads is not kept from it, and who touches something need not wait as long.
   const soon = () => page.begin();
   for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, soon, {once: true});
-  if (!(/** @type {any} */ (navigator).connection?.saveData)) setTimeout(() => requestIdleCallback?.(soon), 1500);
-  return page;
+  if (!(/** @type {any} */ (navigator).connection?.saveData)) setTimeout(soon, 1500);
 }
 
 /**
  * Put buttons beside a cell's code: run it, edit it, and bring back what the lesson says.
  * @param {Page} page
  * @param {Cell} cell
+ * @param {string | undefined} code What the reader typed at an earlier visit.
  */
-function letEdit(page, cell) {
+function letEdit(page, cell, code) {
   const input = one(/** @type {HTMLElement} */ (cell.element), '.cell_input');
-  const code = one(input, 'div');
+  const lesson = one(input, 'div');
   /** @type {HTMLTextAreaElement | undefined} */
   let box;
   const button = (/** @type {string} */ words, /** @type {string} */ label, /** @type {() => void} */ onClick) => {
@@ -266,8 +270,9 @@ function letEdit(page, cell) {
   };
   const reset = () => {
     cell.code = cell.facts.source;
-    box?.replaceWith(code);
+    box?.replaceWith(lesson);
     box = undefined;
+    keepCode(cell.facts.id);
     show();
     editButton.focus();
   };
@@ -282,6 +287,7 @@ function letEdit(page, cell) {
     const typed = box;
     typed.addEventListener('input', () => {
       cell.code = typed.value;
+      keepCode(cell.facts.id, cell.code);
       show();
     });
     typed.addEventListener('keydown', event => {
@@ -290,13 +296,19 @@ function letEdit(page, cell) {
         run();
       }
     });
-    code.replaceWith(typed);
+    lesson.replaceWith(typed);
     show();
-    typed.focus();
   };
-  const editButton = button('Edit', 'Edit the code of this cell', edit);
+  const editButton = button('Edit', 'Edit the code of this cell', () => {
+    edit();
+    box?.focus();
+  });
   const resetButton = button('Reset', 'Bring back the code of the lesson', reset);
   const tools = make('div', {className: 'live-tools'}, button('Run', 'Run this cell', run), editButton, resetButton);
   input.append(tools);
   show();
+  if (code !== undefined && code !== cell.code) {
+    cell.code = code;
+    edit();
+  }
 }

@@ -12,11 +12,14 @@ import zlib
 from collections.abc import Iterator
 from pathlib import Path
 
-# What JupyterLab's kernel needs and no lesson page: completion, a terminal, packages from elsewhere, widgets' own pages.
-_LEFT_OUT = ('jedi', 'micropip', 'parso', 'piplite', 'prompt_toolkit', 'wcwidth', 'anywidget/labextension/',
-             'anywidget/nbextension/', 'IPython/terminal/', 'IPython/testing/', 'IPython/sphinxext/', 'pygments/lexers/')
-_KEPT = re.compile(r'IPython/(terminal|testing)/(__init__|skipdoctest|pt_inputhooks/__init__)\.py|pygments/lexers/(__init__|_mapping|css|data|html|'
-                   r'javascript|perl|python|ruby|shell|markup|_(css|lua|ruby)\w*)\.py')
+# What JupyterLab's kernel needs and no lesson page: completion, a terminal, packages from elsewhere, widgets' own
+# scripts; but for what IPython imports of these anyway.
+_LEFT_OUT = ('jedi', 'micropip', 'parso', 'piplite', 'prompt_toolkit', 'wcwidth',
+             'anywidget/labextension/', 'anywidget/nbextension/',
+             'IPython/terminal/', 'IPython/testing/', 'IPython/sphinxext/', 'pygments/lexers/')
+_KEPT = re.compile(r'IPython/(terminal|testing)/(__init__|skipdoctest|pt_inputhooks/__init__)\.py|'
+                   r'pygments/lexers/(__init__|_mapping|css|data|html|javascript|markup|perl|python|ruby|shell|'
+                   r'_(css|lua|ruby)\w*)\.py')
 # Whose lines a traceback may show; what lies outside of the packages is read as it is.
 _WITH_SOURCE = re.compile(r'rclpy/|/etc/|/course/config/|/course/\w+/launch/|.*/param_tutorial/nodes/')
 _COMPILED = re.compile(r'(.*/)?__pycache__/(\w+)\.cpython-\d+\.pyc')
@@ -25,12 +28,13 @@ PACKAGES = 'packages'
 _PYODIDE = ('pyodide.mjs', 'pyodide.asm.mjs', 'pyodide.asm.wasm', 'python_stdlib.zip', 'pyodide-lock.json')
 
 
-def packages(pyodide: Path) -> bytes:
+def packages(pyodide: Path, notebooks: Path) -> bytes:
     """Return all packages in one, as ``unpackFiles`` of ``kernel.js`` reads them.
 
     :param pyodide: The folder that ``browser.page_python`` has filled.
+    :param notebooks: The chapters, which stand beside the one that runs, as a notebook's neighbors do.
     """
-    files = dict(_package_files(pyodide))
+    files = {**dict(_package_files(pyodide)), **_texts_of(notebooks)}
     names = json.dumps([[name, len(content)] for name, content in files.items()], separators=(',', ':'))
     return b'\n'.join([names.encode(), b''.join(files.values())])
 
@@ -49,6 +53,18 @@ def _package_files(pyodide: Path) -> Iterator[tuple[str, bytes]]:
                 elif where.endswith('.py') and not has_source and _compiled_of(name) in names:
                     continue
                 yield where, wheel.read(name)
+
+
+def _texts_of(notebooks: Path) -> dict[str, bytes]:
+    """Return the chapters without their outputs, which nobody reads in them."""
+    found = {}
+    for path in sorted(notebooks.glob('*.ipynb')):
+        notebook = json.loads(path.read_text(encoding='utf-8'))
+        for cell in notebook['cells']:
+            if cell['cell_type'] == 'code':
+                cell['outputs'] = []
+        found[f'/drive/{path.name}'] = json.dumps(notebook, ensure_ascii=False, separators=(',', ':')).encode()
+    return found
 
 
 def _source_of(name: str) -> str:

@@ -97,8 +97,11 @@ def _compare(path: Path, ran: list[dict[str, Any]]) -> None:
 
 def _as_stored(output: dict[str, Any]) -> dict[str, Any]:
     kept = {key: value for key, value in output.items() if key != 'display'}
-    has_data = {'metadata': {}} if 'data' in kept else {}
-    return {**kept, **has_data, **({'execution_count': None} if kept['output_type'] == 'execute_result' else {})}
+    if 'data' in kept:
+        kept['metadata'] = {}
+    if kept['output_type'] == 'execute_result':
+        kept['execution_count'] = None
+    return kept
 
 
 def _chapter(path: Path, ran: list[dict[str, Any]]) -> LiveChapter:

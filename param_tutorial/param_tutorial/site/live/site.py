@@ -36,11 +36,12 @@ class Live:
         :raises PagePythonError: the Python of a page can't be put together.
         :raises ChapterError: a chapter fails, or its page's node says something else than is stored.
         """
-        self.work.mkdir(parents=True, exist_ok=True)
+        for folder in (self.work, page_python.WORK):
+            folder.mkdir(parents=True, exist_ok=True)
         pyodide = self.work / 'pyodide'
         say('Gathering the Python of the pages')
-        page_python.gather(pyodide, self.work / 'page')
-        packed = python_files.packages(pyodide)
+        page_python.gather(pyodide, page_python.WORK)
+        packed = python_files.packages(pyodide, paths[0].parent)
         (self.work / 'packages').write_bytes(packed)
         self._python = python_files.scripts(pyodide, packed)
         surroundings = packed + b''.join((_HERE / name).read_bytes() for name in _RUNS)

@@ -23,7 +23,7 @@ async function unpack(text) {
 
 /**
  * Return a module in a text.
- * @param {Uint8Array} code
+ * @param {Uint8Array<ArrayBuffer>} code
  */
 async function load(code) {
   const address = URL.createObjectURL(new Blob([code], {type: 'text/javascript'}));

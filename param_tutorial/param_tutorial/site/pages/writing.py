@@ -25,11 +25,9 @@ def write_static(source: Path, live: Mapping[str, str] | None = None) -> None:
 
     :param live: The scripts of live pages, by their names.
     """
-    for name, text in (live or {}).items():
-        (source / 'static').mkdir(exist_ok=True)
-        if not (path := source / 'static' / name).exists() or path.read_text(encoding='utf-8') != text:
-            path.write_text(text, encoding='utf-8')
     (source / 'static').mkdir(exist_ok=True)
+    for name, text in (live or {}).items():
+        (source / 'static' / name).write_text(text, encoding='utf-8')
     # A page on a disk can load no module, and the names in a script that is none are the whole page's.
     script = f"(() => {{\n'use strict';\n{bundle('param_tutorial/site/scripts/main.js')}}})();\n"
     (source / 'static' / 'lessons.js').write_text(script, encoding='utf-8')
