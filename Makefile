@@ -74,7 +74,7 @@ JS_TOOLS := node_modules/.package-lock.json
 $(JS_TOOLS): package.json package-lock.json | setup-all
 	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
 
-html: setup-all  ## make the HTML lessons, in build/html/
+html: setup-all $(JS_TOOLS)  ## make the HTML lessons, in build/html/, with JupyterLab for the browser
 	@$(VENV) -m param_tutorial.site $(ARGS)
 
 lite: setup-all $(JS_TOOLS)  ## make the course for any browser, in build/lite/: JupyterLab without a server, with a kernel in the page
@@ -95,7 +95,7 @@ lint: setup-all $(JS_TOOLS)  ## check code, notebooks and spelling without runni
 	@$(NODE) node_modules/.bin/biome check --error-on-warnings
 	@$(NODE) node_modules/.bin/tsc
 
-release: setup  ## make the wheels, the list of licenses and the SBOM, in build/release/
+release: setup-all $(JS_TOOLS)  ## make the wheels, the course for any browser, the list of licenses and the SBOM, in build/release/
 	@$(VENV) environment/release.py
 
 # The second lock is a part of the first, at the same versions.

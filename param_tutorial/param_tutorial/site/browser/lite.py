@@ -16,8 +16,8 @@ from pathlib import Path
 
 from param_tutorial.learner.copies import Copies
 from param_tutorial.site.archive import ROOT
-from param_tutorial.site.browser import page_python
-from param_tutorial.site.build import replace
+from param_tutorial.site.browser import licenses, page_python
+from param_tutorial.site.replacing import replace
 
 TARGET, WORK = ROOT / 'build' / 'lite', ROOT / 'build' / 'page'
 _HERE = Path(__file__).parent
@@ -43,8 +43,16 @@ def build(target: Path) -> None:
         subprocess.run([Path(sys.executable).with_name('jupyter-lite'), 'build', '--lite-dir', lite,
                         '--contents', files, '--output-dir', site, '--apps', 'lab', '--no-sourcemaps'],
                        check=True, cwd=folder, stdout=subprocess.DEVNULL)
+        _write_licenses(site)
         _finish(site)
         replace(site, target)
+
+
+def _write_licenses(site: Path) -> None:
+    (site / 'LICENSES.md').write_text(
+        f'# What comes into the page\n\nThe course is under Apache-2.0. What each package states of itself:\n\n'
+        f'{licenses.table(licenses.of_a_page(WORK))}\nJupyterLite and JupyterLab are under BSD-3-Clause; what they '
+        f'contain is listed in `build/third-party-licenses.json`.\n', encoding='utf-8')
 
 
 def _finish(site: Path) -> None:

@@ -10,6 +10,15 @@ notice.style.cssText = `position: fixed; right: 1rem; bottom: 2.5rem; z-index: 1
   padding: 0.6rem 1rem; border-radius: 4px; background: #0d47a1; color: #fff; font: 14px/1.4 system-ui, sans-serif`;
 let loading = 0;
 
+if (location.protocol === 'file:') {
+  // Browsers let no page that comes from the disk ask for its own files.
+  document.addEventListener('DOMContentLoaded', () => {
+    document.body.textContent =
+      'This page needs a web server, any will do: type  python3 -m http.server  in its folder, and open the address ' +
+      'that it prints.';
+  });
+}
+
 /** @param {number} difference */
 function count(difference) {
   loading += difference;

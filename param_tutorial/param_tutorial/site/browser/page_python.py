@@ -18,13 +18,15 @@ import zipfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from param_tools import __version__
 from param_tools.errors import ParameterToolError
 from param_tutorial.notebook import stored
 from param_tutorial.notebook.browser_kernel import STORED
 from param_tutorial.site.archive import PACKAGE_ROOT, ROOT
 
+VERSION = importlib.metadata.version('param-tutorial')
 PYODIDE = ROOT / 'node_modules' / 'pyodide'
+PYODIDE_VERSION = json.loads((ROOT / 'package-lock.json').read_text(encoding='utf-8'))['packages'][
+    'node_modules/pyodide']['version']
 _PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs', 'python_stdlib.zip')
 _LOCK = ROOT / 'environment' / 'requirements-page.lock'
 _COMPILE = Path(__file__).with_name('compile.mjs')
@@ -74,19 +76,36 @@ def gather(target: Path, work: Path) -> None:
 def _wheels(work: Path) -> dict[str, dict[str, bytes]]:
     """Return the files of each wheel: the packages that the kernel asks for, the course, and all that it needs."""
     needs = dict(_installed_files(_INSTALLED))
-    wheels: dict[str, dict[str, bytes]] = {}
-    for path in [*_fetched(work), *_of_the_kernel()]:
-        name = re.sub(r'[-_.]+', '-', path.name.partition('-')[0]).lower()
-        if name in _LEFT_OUT:
-            continue
+    packages: dict[str, dict[str, bytes]] = {}
+    for path in wheels(work):
+        name = _name(path)
         with zipfile.ZipFile(path) as wheel:
             files = {each: wheel.read(each) for each in wheel.namelist()
                      if not each.endswith(('/', '/RECORD')) and not any(part in each for part in _PARTS_LEFT_OUT)}
         if name in _KERNEL:
-            wheels[name] = files
+            packages[name] = files
         else:
             needs |= files
-    return {**wheels, _NEEDS: needs, _COURSE: dict(_course_files())}
+    return {**packages, _NEEDS: needs, _COURSE: dict(_course_files())}
+
+
+def wheels(work: Path) -> list[Path]:
+    """Return the wheels that a page loads as they are: those of the lock, and those of the kernel.
+
+    :raises PagePythonError: they can't be fetched.
+    """
+    return [path for path in [*_fetched(work), *_of_the_kernel()] if _name(path) not in _LEFT_OUT]
+
+
+def _name(wheel: Path) -> str:
+    return re.sub(r'[-_.]+', '-', wheel.name.partition('-')[0]).lower()
+
+
+def installed_distributions() -> list[str]:
+    """Return the names of the packages that are taken as they are installed here."""
+    of = importlib.metadata.packages_distributions()
+    # A ROS wheel may bring a second package along, which says less of itself.
+    return sorted({min(of[package], key=lambda name: not name.startswith('ros-')) for package in _INSTALLED})
 
 
 def _fetched(work: Path) -> list[Path]:
@@ -134,11 +153,11 @@ def _files_in(folder: Path, name: str) -> Iterator[tuple[str, bytes]]:
 
 def _course_files() -> Iterator[tuple[str, bytes]]:
     """Yield the files of the course: its ROS package, parameter files, what tells Python of it, and what starts it."""
-    wheel = f'{_COURSE.replace("-", "_")}-{__version__}'
+    wheel = f'{_COURSE.replace("-", "_")}-{VERSION}'
     # The embedded ros2 looks for packages among the entry points.
     points = ''.join(f'{each.name} = {each.value}\n' for each in importlib.metadata.entry_points(
         group='param_tools.packages'))
-    yield f'{wheel}.dist-info/METADATA', f'Metadata-Version: 2.1\nName: {_COURSE}\nVersion: {__version__}\n'.encode()
+    yield f'{wheel}.dist-info/METADATA', f'Metadata-Version: 2.1\nName: {_COURSE}\nVersion: {VERSION}\n'.encode()
     yield f'{wheel}.dist-info/WHEEL', b'Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n'
     yield f'{wheel}.dist-info/entry_points.txt', f'[param_tools.packages]\n{points}'.encode()
     # What lies in data/ is put at the root of the page's file system.
@@ -176,9 +195,9 @@ def _make_wheel(name: str, files: dict[str, bytes], target: Path, work: Path) ->
                 wheel.writestr(zipfile.ZipInfo(inside), content[inside], zipfile.ZIP_DEFLATED)
         beside.rename(kept)
     # A wheel is of one package; what is of many is a plain archive.
-    file_name = f'{name}.zip' if name == _NEEDS else f'{name.replace("-", "_")}-{__version__}-py3-none-any.whl'
+    file_name = f'{name}.zip' if name == _NEEDS else f'{name.replace("-", "_")}-{VERSION}-py3-none-any.whl'
     path = Path(shutil.copy(kept, target / file_name))
-    return {'name': name, 'version': __version__, 'file_name': file_name, 'install_dir': 'site', 'depends': [],
+    return {'name': name, 'version': VERSION, 'file_name': file_name, 'install_dir': 'site', 'depends': [],
             'imports': [], 'sha256': hashlib.sha256(path.read_bytes()).hexdigest(), 'package_type': 'package',
             'unvendored_tests': False}
 

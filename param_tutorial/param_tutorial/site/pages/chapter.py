@@ -12,7 +12,7 @@ from param_tutorial.exercises.achievements import HOW
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.pages import drawing, forms
-from param_tutorial.site.pages.links import NOTEBOOKS, Links
+from param_tutorial.site.pages.links import LAB, NOTEBOOKS, Links
 from param_tutorial.site.pages.terms import terms_script
 from param_tutorial.site.recording.recorded import Recordings
 from param_tutorial.site.recording.run import WIDGET, cells_with_widgets
@@ -29,8 +29,8 @@ _WORDINGS_OF_OUTPUTS = {
 
 
 def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
-                   glossary: Glossary | None = None, alone: dict[str, str] | None = None,
-                   address: str = '') -> nbformat.NotebookNode:
+                   glossary: Glossary | None = None, alone: dict[str, str] | None = None, address: str = '',
+                   has_lab: bool = False) -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
     :param recordings: For the id of each cell that shows widgets, their recordings in order.
@@ -39,6 +39,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
         ran, and on what; see ``archive.provenance``.
     :param address: Where the whole site is on the web, for links to what is not beside that file.
+    :param has_lab: True if JupyterLab for the browser is a part of the site.
     :raises BuildError: a link leads to a file that is not there.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
@@ -54,7 +55,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
             cell.source = links.in_markdown(for_page(cell.source))
         cells.append(cell)
         if len(cells) == 1:
-            note = _download_note(path) if alone is None else _provenance_note(alone)
+            note = _download_note(path, has_lab) if alone is None else _provenance_note(alone)
             words = terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
             cells.append(_html_cell('to-run', note + words))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
@@ -107,11 +108,13 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
     return cell
 
 
-def _download_note(path: Path) -> str:
+def _download_note(path: Path, has_lab: bool) -> str:
+    in_lab = (f'<a href="{LAB}/lab/index.html?path={path.name}">open it in JupyterLab, in this browser</a>, or '
+              if has_lab else '')
     return (f'<p class="lesson-download">Every cell on this page has been run, and what it put out stands below it. '
-            f'To run it yourself, with a node that is alive, <a href="{COURSE}.zip" download>download the course</a>, '
-            f'unpack it on a Linux machine with Python, and type <code>make lab</code> in its folder. This lesson is '
-            f'<a href="{NOTEBOOKS}/{path.name}" download><code>{path.name}</code></a> there.</p>')
+            f'To run it yourself, with a node that is alive, {in_lab}<a href="{COURSE}.zip" download>download the '
+            f'course</a>, unpack it on a Linux machine with Python, and type <code>make lab</code> in its folder. This '
+            f'lesson is <a href="{NOTEBOOKS}/{path.name}" download><code>{path.name}</code></a> there.</p>')
 
 
 def _provenance_note(facts: dict[str, str]) -> str:
