@@ -102,13 +102,16 @@ release: setup-all $(JS_TOOLS)  ## make the wheels, the course for any browser, 
 LOCK := environment/requirements
 UV_COMPILE = build/uv/bin/uv pip compile --quiet --upgrade --generate-hashes --no-annotate --custom-compile-command "make lock"
 COMPILE = $(UV_COMPILE) --universal --python-version 3.10
+# What the kernel's wheel asks for is for the build, which runs here; a page has its own half of the widgets.
+NOT_IN_A_PAGE := jupyterlab-widgets widgetsnbextension doit jupyter-core jupyterlite-core pkginfo platformdirs
 lock: export UV_CACHE_DIR ?= $(CURDIR)/build/uv-cache
 lock: setup-all  ## work out the locks in environment/ anew
 	@$(COMPILE) --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml
 	@$(COMPILE) --constraints $(LOCK)-dev.lock --extra course --output-file $(LOCK).lock pyproject.toml
 	@$(COMPILE) --constraints $(LOCK)-dev.lock --group hub --output-file $(LOCK)-hub.lock
 	@$(COMPILE) --group uv --output-file $(LOCK)-uv.lock
-	@$(UV_COMPILE) --python-platform wasm32-pyodide2024 --python-version 3.14 --group page --output-file $(LOCK)-page.lock
+	@$(UV_COMPILE) --python-platform wasm32-pyodide2024 --python-version 3.14 --group page --output-file $(LOCK)-page.lock \
+	    $(addprefix --no-emit-package ,$(NOT_IN_A_PAGE))
 	@.venv/bin/npm update --package-lock-only --omit-lockfile-registry-resolved --no-audit --no-fund
 
 # my_lessons/ is the learner's, and stays.

@@ -24,6 +24,9 @@ _HERE = Path(__file__).parent
 # Neither the page nor a kernel in it may ask another host for anything. JupyterLab makes style sheets, and Pyodide
 # machine code, of their own.
 _POLICY = "default-src 'self' blob: data: 'unsafe-inline' 'unsafe-eval'"
+# The folder of the page's Python.
+PYODIDE = 'pyodide'
+_KERNEL = '@jupyterlite/pyodide-kernel-extension'
 _SETTINGS = ROOT / 'environment' / 'jupyter' / 'labconfig'
 
 
@@ -34,15 +37,19 @@ def build(target: Path) -> None:
     """
     with tempfile.TemporaryDirectory() as folder:
         lite, files, site = (Path(folder, name) for name in ('lite', 'files', 'site'))
-        page_python.gather(lite / 'static' / 'pyodide', WORK)
-        (lite / 'jupyter-lite.json').write_text(json.dumps(_configuration()), encoding='utf-8')
-        shutil.copy(_SETTINGS / 'default_setting_overrides.json', lite / 'overrides.json')
+        lite.mkdir()
         Copies(ROOT, files).deliver()
         for path in files.glob('.*'):  # notes for later deliveries, of which there are none in a browser
             shutil.rmtree(path)
+        page_python.gather(Path(folder, PYODIDE), WORK)
+        (lite / 'jupyter-lite.json').write_text(json.dumps(_configuration()), encoding='utf-8')
+        (lite / 'jupyter_lite_config.json').write_text(json.dumps({'LiteBuildConfig': {
+            'federated_extensions': [str(page_python.kernel_wheel(WORK))]}}), encoding='utf-8')
+        shutil.copy(_SETTINGS / 'default_setting_overrides.json', lite / 'overrides.json')
         subprocess.run([Path(sys.executable).with_name('jupyter-lite'), 'build', '--lite-dir', lite,
                         '--contents', files, '--output-dir', site, '--apps', 'lab', '--no-sourcemaps'],
                        check=True, cwd=folder, stdout=subprocess.DEVNULL)
+        Path(folder, PYODIDE).rename(site / PYODIDE)
         _write_licenses(site)
         _finish(site)
         replace(site, target)
@@ -78,8 +85,8 @@ def _configuration() -> dict[str, object]:
     return {'jupyter-lite-schema-version': 0, 'jupyter-config-data': {
         'appName': 'Mastering ROS 2 Parameters',
         'disabledExtensions': [name for name, is_disabled in page['disabledExtensions'].items() if is_disabled],
-        'litePluginSettings': {'@jupyterlite/pyodide-kernel-extension:kernel': {
-            'disablePyPIFallback': True, 'pipliteUrls': [],
+        'litePluginSettings': {f'{_KERNEL}:kernel': {
+            'disablePyPIFallback': True, 'pipliteUrls': [], 'pyodideUrl': f'./{PYODIDE}/pyodide.mjs',
             'loadPyodideOptions': {'packages': page_python.PACKAGES}}}}}
 
 

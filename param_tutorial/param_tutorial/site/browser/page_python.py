@@ -39,8 +39,6 @@ _KERNEL = ('comm', 'ipykernel', 'ipython', 'jedi', 'micropip', 'piplite', 'pyodi
 _COURSE, _NEEDS = 'param-course', 'param-course-needs'
 PACKAGES = (*_KERNEL, _NEEDS, _COURSE)
 """What a page has to load."""
-# Halves of the widgets that the page's JupyterLab has already.
-_LEFT_OUT = ('jupyterlab-widgets', 'widgetsnbextension')
 # Tests, what is installed outside of the packages, and stubs of libraries that no page has.
 _PARTS_LEFT_OUT = ('/tests/', '.data/', '/django-stubs/', '/typeshed/stubs/')
 # The kernel's IPython reads this when it starts.
@@ -90,11 +88,24 @@ def _wheels(work: Path) -> dict[str, dict[str, bytes]]:
 
 
 def wheels(work: Path) -> list[Path]:
-    """Return the wheels that a page loads as they are: those of the lock, and those of the kernel.
+    """Return the wheels of Python packages that a page loads, those of the lock and those in the kernel's.
 
+    :param work: As for ``gather``.
     :raises PagePythonError: they can't be fetched.
     """
-    return [path for path in [*_fetched(work), *_of_the_kernel()] if _name(path) not in _LEFT_OUT]
+    fetched = _fetched(work)
+    inside = work / 'wheels' / 'of_the_kernel'
+    inside.mkdir(exist_ok=True)
+    with zipfile.ZipFile(kernel_wheel(work)) as kernel:
+        for name in kernel.namelist():
+            if name.endswith('.whl') and '/widgetsnbextension-' not in name:  # for what has no widgets of its own
+                (inside / Path(name).name).write_bytes(kernel.read(name))
+    return [*(path for path in fetched if path != kernel_wheel(work)), *sorted(inside.glob('*.whl'))]
+
+
+def kernel_wheel(work: Path) -> Path:
+    """Return the wheel of JupyterLite's kernel: an extension of JupyterLab, with Python packages in it."""
+    return next(path for path in _fetched(work) if path.name.startswith('jupyterlite_pyodide_kernel-'))
 
 
 def _name(wheel: Path) -> str:
@@ -124,12 +135,6 @@ def _fetched(work: Path) -> list[Path]:
                                   'network; run the same command again once that is put right')
         stamp.write_bytes(_LOCK.read_bytes())
     return sorted(folder.glob('*.whl'))
-
-
-def _of_the_kernel() -> list[Path]:
-    """Return the wheels that come with JupyterLite's kernel."""
-    return sorted(Path(sys.prefix, 'share/jupyter/labextensions/@jupyterlite/pyodide-kernel-extension/static/pypi')
-                  .glob('*.whl'))
 
 
 def _installed_files(packages: Sequence[str]) -> Iterator[tuple[str, bytes]]:
