@@ -47,6 +47,12 @@ hub:  ## start JupyterHub for a class on this machine: see environment/jupyterhu
 	@$(SET_UP) build/jupyterhub requirements.lock requirements-hub.lock
 	@build/jupyterhub/bin/python environment/jupyterhub/hub.py $(ARGS)
 
+# Node.js comes with the packages of the tests; Pyodide, biome and TypeScript from npm.
+NODE := .venv/bin/node
+JS_TOOLS := node_modules/.package-lock.json
+$(JS_TOOLS): package.json package-lock.json | setup-all
+	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
+
 # Tests mostly wait, so many workers share two cores, and what they wait for may take twice as long.
 SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest --dist loadscope --no-loadscope-reorder --nbval
 
@@ -54,7 +60,7 @@ SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest --dist loadscope --no-loadscop
 test: setup-all  ## run the test suite before you commit: every notebook is a test
 	@$(SUITE) -n 8 -m "not thorough" $(ARGS) tests notebooks
 
-test-all: setup-all  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, each answer; CI runs it
+test-all: setup-all $(JS_TOOLS)  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, each answer; CI runs it
 	@$(SUITE) -n 5 $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
@@ -67,12 +73,6 @@ test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on
 
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
-
-# Node.js comes with the packages of the tests; Pyodide, biome and TypeScript from npm.
-NODE := .venv/bin/node
-JS_TOOLS := node_modules/.package-lock.json
-$(JS_TOOLS): package.json package-lock.json | setup-all
-	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
 
 html: setup-all $(JS_TOOLS)  ## make the HTML lessons, in build/html/, with JupyterLab for the browser
 	@$(VENV) -m param_tutorial.site $(ARGS)

@@ -295,10 +295,10 @@ def _run_genuine(installed: str, words: list[str], streams: _Streams) -> int:
     """Run the installed command, show what it prints as it comes, and pass an interrupt on."""
     domain.choose()
     command, environment = genuine.command_of(installed, words)
-    process = subprocess.Popen(
-        command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-        start_new_session=True)
-    with process, Guard(process.pid), handed_to(process.pid), selectors.DefaultSelector() as selector:
+    with Guard() as guard, subprocess.Popen(
+            command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            start_new_session=True) as process, handed_to(process.pid), selectors.DefaultSelector() as selector:
+        guard.watch(process.pid)
         assert process.stdout and process.stderr  # both are pipes
         for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):
             selector.register(pipe, selectors.EVENT_READ, (stream, codecs.getincrementaldecoder('utf-8')('replace')))

@@ -47,8 +47,8 @@ def build(target: Path) -> None:
             'federated_extensions': [str(page_python.kernel_wheel(WORK))]}}), encoding='utf-8')
         shutil.copy(_SETTINGS / 'default_setting_overrides.json', lite / 'overrides.json')
         subprocess.run([sys.executable, '-W', 'ignore', '-m', 'jupyterlite_core', 'build', '--log-level', 'ERROR',
-                        '--lite-dir', lite, '--contents', files, '--output-dir', site, '--apps', 'lab', '--no-sourcemaps'],
-                       check=True, cwd=folder, stdout=subprocess.DEVNULL)
+                        '--lite-dir', lite, '--contents', files, '--output-dir', site, '--apps', 'lab',
+                        '--no-sourcemaps'], check=True, cwd=folder, stdout=subprocess.DEVNULL)
         Path(folder, PYODIDE).rename(site / PYODIDE)
         _write_licenses(site)
         _finish(site)
