@@ -102,8 +102,9 @@ release: setup-all $(JS_TOOLS)  ## make the wheels, the course for any browser, 
 LOCK := environment/requirements
 UV_COMPILE = build/uv/bin/uv pip compile --quiet --upgrade --generate-hashes --no-annotate --custom-compile-command "make lock"
 COMPILE = $(UV_COMPILE) --universal --python-version 3.10
-# What the kernel's wheel asks for is for the build, which runs here; a page has its own half of the widgets.
-NOT_IN_A_PAGE := jupyterlab-widgets widgetsnbextension doit jupyter-core jupyterlite-core pkginfo platformdirs
+# A page has no terminal, and its own half of the widgets; what the kernel's wheel asks for is for the build, which runs here.
+NOT_IN_A_PAGE := prompt-toolkit wcwidth jupyterlab-widgets widgetsnbextension doit jupyter-core jupyterlite-core pkginfo \
+    platformdirs
 lock: export UV_CACHE_DIR ?= $(CURDIR)/build/uv-cache
 lock: setup-all  ## work out the locks in environment/ anew
 	@$(COMPILE) --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml

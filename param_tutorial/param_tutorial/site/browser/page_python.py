@@ -30,20 +30,22 @@ PYODIDE_VERSION = json.loads((ROOT / 'package-lock.json').read_text(encoding='ut
 _PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs', 'python_stdlib.zip')
 _LOCK = ROOT / 'environment' / 'requirements-page.lock'
 _COMPILE = Path(__file__).with_name('compile.mjs')
+# In place of the kernel's own, which would import micropip.
+_PIPLITE = Path(__file__).with_name('piplite')
 # Import packages that are pure Python but for a few compiled files, in whose place the layer stands.
 _INSTALLED = ('action_msgs', 'ament_index_python', 'builtin_interfaces', 'lifecycle_msgs', 'rcl_interfaces', 'rclpy',
               'rosgraph_msgs', 'rosidl_generator_py', 'rosidl_parser', 'rosidl_pycommon', 'rpyutils', 'service_msgs',
               'type_description_interfaces', 'unique_identifier_msgs', 'yaml')
 # The kernel fetches each of these by itself, unless a package of that name is loaded.
 _KERNEL = ('comm', 'ipykernel', 'ipython', 'jedi', 'micropip', 'piplite', 'pyodide-kernel')
-_COURSE, _NEEDS = 'param-course', 'param-course-needs'
-PACKAGES = (*_KERNEL, _NEEDS, _COURSE)
+_COURSE, _NEEDS, _START = 'param-course', 'param-course-needs', 'param-course-start'
+PACKAGES = (*_KERNEL, _NEEDS, _COURSE, _START)
 """What a page has to load."""
 # Tests, what is installed outside of the packages, and stubs of libraries that no page has.
 _PARTS_LEFT_OUT = ('/tests/', '.data/', '/django-stubs/', '/typeshed/stubs/')
 # The kernel's IPython reads this when it starts.
-_START = '''import sys
-sys.path.insert(0, '/course/param_tutorial')
+_IPYTHON_CONFIG = '''import sys
+sys.path.insert(0, '/lib/python3.14/site-packages/course/param_tutorial')
 c = get_config()
 c.InteractiveShellApp.extensions = ['param_tutorial.notebook.browser_kernel']
 '''
@@ -84,7 +86,8 @@ def _wheels(work: Path) -> dict[str, dict[str, bytes]]:
             packages[name] = files
         else:
             needs |= files
-    return {**packages, _NEEDS: needs, _COURSE: dict(_course_files())}
+    return {**packages, 'micropip': {}, 'piplite': dict(_files_in(_PIPLITE, 'piplite')),
+            _NEEDS: needs, _COURSE: dict(_course_files()), _START: _start_files()}
 
 
 def wheels(work: Path) -> list[Path]:
@@ -98,7 +101,7 @@ def wheels(work: Path) -> list[Path]:
     inside.mkdir(exist_ok=True)
     with zipfile.ZipFile(kernel_wheel(work)) as kernel:
         for name in kernel.namelist():
-            if name.endswith('.whl') and '/widgetsnbextension-' not in name:  # for what has no widgets of its own
+            if name.endswith('.whl') and not name.rpartition('/')[2].startswith(('piplite-', 'widgetsnbextension-')):
                 (inside / Path(name).name).write_bytes(kernel.read(name))
     return [*(path for path in fetched if path != kernel_wheel(work)), *sorted(inside.glob('*.whl'))]
 
@@ -157,25 +160,29 @@ def _files_in(folder: Path, name: str) -> Iterator[tuple[str, bytes]]:
 
 
 def _course_files() -> Iterator[tuple[str, bytes]]:
-    """Yield the files of the course: its ROS package, parameter files, what tells Python of it, and what starts it."""
-    wheel = f'{_COURSE.replace("-", "_")}-{VERSION}'
+    """Yield the files of the course as in a checkout: its ROS package, the parameter files, and what can't run here."""
+    yield f'course/{STORED}', json.dumps(_stored_cells()).encode()
+    yield from _files_in(ROOT / 'config', 'course/config')
+    package = f'course/{PACKAGE_ROOT.name}'
+    yield f'{package}/package.xml', (PACKAGE_ROOT / 'package.xml').read_bytes()
+    for folder in ('launch', 'param_tools', 'param_tutorial'):
+        for name, content in _files_in(PACKAGE_ROOT / folder, f'{package}/{folder}'):
+            if '/param_tutorial/site/' not in name:  # a page builds no website
+                yield name, content
+
+
+def _start_files() -> dict[str, bytes]:
+    """Return the files that tell Python and IPython of the course."""
+    wheel = f'{_START.replace("-", "_")}-{VERSION}'
     # The embedded ros2 looks for packages among the entry points.
     points = ''.join(f'{each.name} = {each.value}\n' for each in importlib.metadata.entry_points(
         group='param_tools.packages'))
-    yield f'{wheel}.dist-info/METADATA', f'Metadata-Version: 2.1\nName: {_COURSE}\nVersion: {VERSION}\n'.encode()
-    yield f'{wheel}.dist-info/WHEEL', b'Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n'
-    yield f'{wheel}.dist-info/entry_points.txt', f'[param_tools.packages]\n{points}'.encode()
-    # What lies in data/ is put at the root of the page's file system.
-    root = f'{wheel}.data/data'
-    yield f'{root}/etc/ipython/ipython_config.py', _START.encode()
-    yield f'{root}/course/{STORED}', json.dumps(_stored_cells()).encode()
-    yield from _files_in(ROOT / 'config', f'{root}/course/config')
-    package = PACKAGE_ROOT
-    yield f'{root}/course/{package.name}/package.xml', (package / 'package.xml').read_bytes()
-    for folder in ('launch', 'param_tools', 'param_tutorial'):
-        for name, content in _files_in(package / folder, f'{root}/course/{package.name}/{folder}'):
-            if '/param_tutorial/site/' not in name:  # a page builds no website
-                yield name, content
+    return {name: text.encode() for name, text in {
+        f'{wheel}.dist-info/METADATA': f'Metadata-Version: 2.1\nName: {_START}\nVersion: {VERSION}\n',
+        f'{wheel}.dist-info/WHEEL': 'Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n',
+        f'{wheel}.dist-info/entry_points.txt': f'[param_tools.packages]\n{points}',
+        # What lies in data/ is put at the root of the page's file system, where IPython looks for its settings.
+        f'{wheel}.data/data/etc/ipython/ipython_config.py': _IPYTHON_CONFIG}.items()}
 
 
 def _stored_cells() -> list[stored.Cell]:
@@ -199,8 +206,9 @@ def _make_wheel(name: str, files: dict[str, bytes], target: Path, work: Path) ->
                 # The same files make the same wheel, byte for byte.
                 wheel.writestr(zipfile.ZipInfo(inside), content[inside], zipfile.ZIP_DEFLATED)
         beside.rename(kept)
-    # A wheel is of one package; what is of many is a plain archive.
-    file_name = f'{name}.zip' if name == _NEEDS else f'{name.replace("-", "_")}-{VERSION}-py3-none-any.whl'
+    # A wheel is of one package, with metadata; everything else is a plain archive.
+    is_wheel = name != _NEEDS and any(each.endswith('.dist-info/METADATA') for each in files)
+    file_name = f'{name.replace("-", "_")}-{VERSION}-py3-none-any.whl' if is_wheel else f'{name}.zip'
     path = Path(shutil.copy(kept, target / file_name))
     return {'name': name, 'version': VERSION, 'file_name': file_name, 'install_dir': 'site', 'depends': [],
             'imports': [], 'sha256': hashlib.sha256(path.read_bytes()).hexdigest(), 'package_type': 'package',
