@@ -317,9 +317,13 @@ def _run_genuine(installed: str, words: list[str], streams: _Streams) -> int:
 
 
 def terminal_hint() -> 'PersonalLine':
-    """Return a widget with the line that makes a terminal join the ROS domain of this notebook."""
+    """Return a widget with the line that makes a terminal join the ROS domain of this notebook, if any could."""
     from param_tutorial.notebook.personal_line import PersonalLine
 
+    if not host.host.has_processes:
+        return PersonalLine('The nodes of this notebook live in a web page, and no terminal finds them there. On your own '
+                            'computer, this cell shows a line to paste into a terminal.',
+                            '(no terminal finds the nodes of a web page)')
     return PersonalLine(
         f'Paste this line into a terminal, and <code>ros2</code> there finds the nodes of this notebook:'
         f'<pre style="user-select: all; white-space: pre-wrap">{html.escape(terminal_line())}</pre>',

@@ -28,6 +28,19 @@ _POLICY = "default-src 'self' blob: data: 'unsafe-inline' 'unsafe-eval'"
 PYODIDE = 'pyodide'
 _KERNEL = '@jupyterlite/pyodide-kernel-extension'
 _SETTINGS = ROOT / 'environment' / 'jupyter' / 'labconfig'
+# The end of the start page says where a learner's work is kept. In a browser it ends like this.
+_WHERE_WORK_IS = 'Your changes are saved as you work.'
+_WORK_IN_BROWSER = f'''{_WHERE_WORK_IS} They are kept in this browser and nowhere else; a private window forgets them when
+you close it. The exercises you solve are saved here too, in `progress.json`. When you open this page again, a ✓ marks
+each chapter whose exercises you have all solved.
+
+To keep your work safe, or to move it to another browser, right-click a file in the list on the left and choose
+*Download*. The arrow above that list uploads it again. If you delete a chapter that you have changed, a fresh copy
+appears. If you delete `progress.json`, the course forgets what you have solved.
+
+The nodes of a notebook live in its tab, with ROS 2's own Python library and without a network. A cell that needs a
+shell says so, and shows what it prints on a computer that has one.
+'''
 
 
 def build(target: Path) -> None:
@@ -41,11 +54,12 @@ def build(target: Path) -> None:
         Copies(ROOT, files).deliver()
         for path in files.glob('.*'):  # notes for later deliveries, of which there are none in a browser
             shutil.rmtree(path)
+        _adapt(files)
         page_python.gather(Path(folder, PYODIDE), WORK)
         (lite / 'jupyter-lite.json').write_text(json.dumps(_configuration()), encoding='utf-8')
         (lite / 'jupyter_lite_config.json').write_text(json.dumps({'LiteBuildConfig': {
             'federated_extensions': [str(page_python.kernel_wheel(WORK))]}}), encoding='utf-8')
-        shutil.copy(_SETTINGS / 'default_setting_overrides.json', lite / 'overrides.json')
+        (lite / 'overrides.json').write_text(json.dumps(_settings()), encoding='utf-8')
         subprocess.run([sys.executable, '-W', 'ignore', '-m', 'jupyterlite_core', 'build', '--log-level', 'ERROR',
                         '--lite-dir', lite, '--contents', files, '--output-dir', site, '--apps', 'lab',
                         '--no-sourcemaps'], check=True, cwd=folder, stdout=subprocess.DEVNULL)
@@ -55,11 +69,21 @@ def build(target: Path) -> None:
         replace(site, target)
 
 
+<<<<<<< HEAD
 def _write_licenses(site: Path) -> None:
     (site / 'LICENSES.md').write_text(
         f'# What comes into the page\n\nThe course is under Apache-2.0. What each package states of itself:\n\n'
         f'{licenses.table(licenses.of_a_page(WORK))}\nJupyterLite and JupyterLab are under BSD-3-Clause; what they '
         f'contain is listed in `build/third-party-licenses.json`.\n', encoding='utf-8')
+=======
+def _adapt(files: Path) -> None:
+    """Change what learners get where it would not be true, or not be seen, in a browser."""
+    start = files / 'index.md'
+    text, _, _ = start.read_text(encoding='utf-8').partition(_WHERE_WORK_IS)
+    start.write_text(text + _WORK_IN_BROWSER, encoding='utf-8')
+    for picture in files.rglob('*.svg'):  # which JupyterLite hands to the browser as Latin-1
+        picture.write_bytes(picture.read_text(encoding='utf-8').encode('ascii', 'xmlcharrefreplace'))
+>>>>>>> lite
 
 
 def _finish(site: Path) -> None:
@@ -88,6 +112,13 @@ def _configuration() -> dict[str, object]:
         'litePluginSettings': {f'{_KERNEL}:kernel': {
             'disablePyPIFallback': True, 'pipliteUrls': [], 'pyodideUrl': f'./{PYODIDE}/pyodide.mjs',
             'loadPyodideOptions': {'packages': page_python.PACKAGES}}}}}
+
+
+def _settings() -> dict[str, dict[str, object]]:
+    """Return the course's settings of JupyterLab; here it also saves often, since people close a tab without asking."""
+    settings = json.loads((_SETTINGS / 'default_setting_overrides.json').read_text(encoding='utf-8'))
+    settings['@jupyterlab/docmanager-extension:plugin']['autosaveInterval'] = 10
+    return dict(settings)
 
 
 def main(arguments: Sequence[str]) -> None:

@@ -1,7 +1,12 @@
 // @ts-check
 
-// Says that a kernel is being loaded: from the moment its worker begins until it answers that it is ready. Then it has
-// the service worker keep the rest of the course, too.
+// Opens the start page for somebody whose address names no file. Says that a kernel is being loaded: from the moment its
+// worker begins until it answers that it is ready. Then it has the service worker keep the rest of the course, too.
+
+const [arrival] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
+if (arrival.type === 'navigate' && !new URLSearchParams(location.search).has('path')) {
+  history.replaceState(null, '', '?path=index.md');
+}
 
 const notice = document.createElement('div');
 notice.setAttribute('role', 'status');
