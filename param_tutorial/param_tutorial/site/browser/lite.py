@@ -30,9 +30,9 @@ _KERNEL = '@jupyterlite/pyodide-kernel-extension'
 _SETTINGS = ROOT / 'environment' / 'jupyter' / 'labconfig'
 # The end of the start page says where a learner's work is kept. In a browser it ends like this.
 _WHERE_WORK_IS = 'Your changes are saved as you work.'
-_WORK_IN_BROWSER = f'''{_WHERE_WORK_IS} They are kept in this browser and nowhere else; a private window forgets them when
-you close it. The exercises you solve are saved here too, in `progress.json`. When you open this page again, a ✓ marks
-each chapter whose exercises you have all solved.
+_WORK_IN_BROWSER = f'''{_WHERE_WORK_IS} They are kept in this browser and nowhere else; a private window forgets them
+when you close it. The exercises you solve are saved here too, in `progress.json`. When you open this page again, a ✓
+marks each chapter whose exercises you have all solved.
 
 To keep your work safe, or to move it to another browser, right-click a file in the list on the left and choose
 *Download*. The arrow above that list uploads it again. If you delete a chapter that you have changed, a fresh copy
@@ -69,13 +69,13 @@ def build(target: Path) -> None:
         replace(site, target)
 
 
-<<<<<<< HEAD
 def _write_licenses(site: Path) -> None:
     (site / 'LICENSES.md').write_text(
         f'# What comes into the page\n\nThe course is under Apache-2.0. What each package states of itself:\n\n'
         f'{licenses.table(licenses.of_a_page(WORK))}\nJupyterLite and JupyterLab are under BSD-3-Clause; what they '
         f'contain is listed in `build/third-party-licenses.json`.\n', encoding='utf-8')
-=======
+
+
 def _adapt(files: Path) -> None:
     """Change what learners get where it would not be true, or not be seen, in a browser."""
     start = files / 'index.md'
@@ -83,7 +83,6 @@ def _adapt(files: Path) -> None:
     start.write_text(text + _WORK_IN_BROWSER, encoding='utf-8')
     for picture in files.rglob('*.svg'):  # which JupyterLite hands to the browser as Latin-1
         picture.write_bytes(picture.read_text(encoding='utf-8').encode('ascii', 'xmlcharrefreplace'))
->>>>>>> lite
 
 
 def _finish(site: Path) -> None:
