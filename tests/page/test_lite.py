@@ -51,7 +51,7 @@ FIRST, UNTOUCHED, LAST = CHAPTERS[0], '04_retrieving.ipynb', CHAPTERS[-1]
 
 # In the page: the open notebook, and what a test asks of it.
 HELP = '''window.test = {
-    get panel() { return jupyterapp.shell.currentWidget; },
+    get panel() { return [...jupyterapp.shell.widgets('main')].find(widget => widget.sessionContext); },
     get kernel() { return test.panel?.sessionContext?.session?.kernel; },
     get cells() { return test.panel.content.widgets; },
     isCode: cell => cell.model.type === 'code',
@@ -64,6 +64,8 @@ HELP = '''window.test = {
         panel.dispose();
     },
     run: async index => {
+        // Firefox without a window gives the focus to none.
+        jupyterapp.shell.activateById(test.panel.id);
         test.panel.content.activeCellIndex = index;
         await jupyterapp.commands.execute('notebook:run-cell');
         return test.cells[index].outputArea.node.innerText;
@@ -245,6 +247,7 @@ def in_firefox(folder):
     if FIREFOX is None:
         missing.skip('there is no Firefox on the PATH: apt-get install firefox-esr')
     with firefox(folder) as page:
+        page.resize(1280, 1200)  # the robot stays in view above the controls that are clicked
         yield page
 
 
