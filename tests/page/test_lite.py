@@ -347,7 +347,7 @@ class VisitsOfLearners(Visits):
     def _go_on(self, visit):
         index = visit.cell(f"check('{LAST.exercise}'")
         visit.write(index - 1, '# mine')
-        visit.page.evaluate("jupyterapp.commands.execute('docmanager:save').then(() => null)")
+        visit.page.evaluate('test.panel.context.save().then(() => null)')
         visit.reload(LAST.name)
         assert visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source') == '# mine'
         visit.run(visit.cell('import param_tutorial'))
