@@ -25,8 +25,10 @@ from tests.support.paths import ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
-# Before JupyterLab finds a picture among the reader's files, the browser asks for it beside the page.
-KNOWN = r'lab/images/robot\.svg'
+# Before JupyterLab finds a picture among the reader's files, the browser asks for it beside the page. And the browser
+# names each request that the policy forbids; the tests make some to this machine, and none may go to another one.
+KNOWN = r"lab/images/robot\.svg|http://127\.0\.0\.1:\d+/'? because it violates|Fetch API cannot load http://127|" \
+        r"Connecting to 'http://127|Failed to load 'http://127"
 
 
 class Chapter(NamedTuple):
@@ -170,12 +172,12 @@ class Visit:
     def load(self, address):
         """Open an address of the site."""
         self.page.open(f'{self.site.url}{address}')
-        self.page.wait_for('window.jupyterapp')
+        self.page.wait_for('window.jupyterapp?.shell.isEmpty("main") === false')
         self.page.evaluate(f'(() => {{ {HELP} }})()')
 
     def reload(self, name):
         self.page.reload()
-        self.page.wait_for('window.jupyterapp')
+        self.page.wait_for('window.jupyterapp?.shell.isEmpty("main") === false')
         self.page.evaluate(f'(() => {{ {HELP} }})()')
         self.wait_for_kernel(name)
 
@@ -292,7 +294,6 @@ class VisitsOfLearners(Visits):
         finally:
             outside.stop()
         assert outside.asked == []
-        visit.page.complaints[:] = [each for each in visit.page.complaints if outside.url not in each]
 
     def _work_through(self, visit, chapter):
         assert visit.ask('import os; print(os.getcwd(), os.path.exists("index.md"))') == '/drive True'

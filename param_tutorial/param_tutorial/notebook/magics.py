@@ -321,8 +321,8 @@ def terminal_hint() -> 'PersonalLine':
     from param_tutorial.notebook.personal_line import PersonalLine
 
     if not host.host.has_processes:
-        return PersonalLine('The nodes of this notebook live in a web page, and no terminal finds them there. On your own '
-                            'computer, this cell shows a line to paste into a terminal.',
+        return PersonalLine('The nodes of this notebook live in a web page, and no terminal finds them there. On your '
+                            'own computer, this cell shows a line to paste into a terminal.',
                             '(no terminal finds the nodes of a web page)')
     return PersonalLine(
         f'Paste this line into a terminal, and <code>ros2</code> there finds the nodes of this notebook:'
