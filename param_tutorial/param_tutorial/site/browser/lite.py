@@ -28,8 +28,8 @@ _SETTINGS = ROOT / 'environment' / 'jupyter' / 'labconfig'
 # The end of the start page says where a learner's work is kept. In a browser it ends like this.
 _WHERE_WORK_IS = 'Your changes are saved as you work.'
 _WORK_IN_BROWSER = f'''{_WHERE_WORK_IS} They are kept in this browser and nowhere else; a private window forgets them
-when you close it. The exercises you solve are saved here too, in `progress.json`. When you open this page again, a ✓ marks
-each chapter whose exercises you have all solved.
+when you close it. The exercises you solve are saved here too, in `progress.json`. When you open this page again, a ✓
+marks each chapter whose exercises you have all solved.
 
 To keep your work safe, or to move it to another browser, right-click a file in the list on the left and choose
 *Download*. The arrow above that list uploads it again. If you delete a chapter that you have changed, a fresh copy
