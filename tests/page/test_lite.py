@@ -172,12 +172,12 @@ class Visit:
     def load(self, address):
         """Open an address of the site."""
         self.page.open(f'{self.site.url}{address}')
-        self.page.wait_for('window.jupyterapp?.shell.isEmpty("main") === false')
+        self.page.wait_for('window.jupyterapp?.commands.hasCommand("docmanager:open")')
         self.page.evaluate(f'(() => {{ {HELP} }})()')
 
     def reload(self, name):
         self.page.reload()
-        self.page.wait_for('window.jupyterapp?.shell.isEmpty("main") === false')
+        self.page.wait_for('window.jupyterapp?.commands.hasCommand("docmanager:open")')
         self.page.evaluate(f'(() => {{ {HELP} }})()')
         self.wait_for_kernel(name)
 
