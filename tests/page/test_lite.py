@@ -369,24 +369,13 @@ class TestInChromium(VisitsOfLearners):
     browser = staticmethod(in_chromium)
 
 
-class TestWithoutServer(Visits):
+class TestALink(Visits):
     browser = staticmethod(in_chromium)
 
-    def test_a_link_runs_no_code_and_what_it_brought_goes_on_without_a_server(self, visit, site, built):
+    def test_a_link_runs_no_code(self, visit):
         visit.load(f'lab/index.html?path={UNTOUCHED}')
         visit.wait_for_kernel(UNTOUCHED)
         assert visit.page.evaluate("""test.cells.filter(
             cell => cell.model.executionCount || cell.model.outputs?.length).length""") == 0
         assert visit.ask("print('param_tutorial' in globals())") == 'False'
-
-        files = json.loads(re.search(r'\[".+?\]', (built / 'service-worker.js').read_text())[0])
-        lab.wait_for(lambda: {f'{site.url}{file}' for file in files} <= set(visit.page.evaluate(
-            'caches.keys().then(([name]) => caches.open(name)).then(kept => kept.keys())'
-            '.then(kept => kept.map(request => request.url))')), 'the course to be kept')
-        visit.close()
-        site.stop()
-        visit.load('')
-        visit.open('08_best_practices.ipynb')
-        visit.run(visit.cell('import param_tutorial'))
-        assert visit.ask("print('param_tutorial' in globals())") == 'True'
         assert visit.complaints() == []
