@@ -1,7 +1,7 @@
 """The course for any browser, as learners work with it: the built site in real Chromium and Firefox, with clicks.
 
 What each cell prints is tests/page/test_chapters.py's; here are the page around the kernel, the files that stay in the
-browser, the network that nobody reaches, and work without the server.
+browser, and the network that nobody reaches.
 """
 
 import contextlib
