@@ -47,6 +47,12 @@ hub:  ## start JupyterHub for a class on this machine: see environment/jupyterhu
 	@$(SET_UP) build/jupyterhub requirements.lock requirements-hub.lock
 	@build/jupyterhub/bin/python environment/jupyterhub/hub.py $(ARGS)
 
+# Node.js comes with the packages of the tests; Pyodide, biome and TypeScript from npm.
+NODE := .venv/bin/node
+JS_TOOLS := node_modules/.package-lock.json
+$(JS_TOOLS): package.json package-lock.json | setup-all
+	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
+
 # Tests mostly wait, so many workers share two cores, and what they wait for may take twice as long.
 SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest --dist loadscope --no-loadscope-reorder --nbval
 
@@ -54,7 +60,7 @@ SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest --dist loadscope --no-loadscop
 test: setup-all  ## run the test suite before you commit: every notebook is a test
 	@$(SUITE) -n 8 -m "not thorough" $(ARGS) tests notebooks
 
-test-all: setup-all  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, each answer; CI runs it
+test-all: setup-all $(JS_TOOLS)  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, each answer; CI runs it
 	@$(SUITE) -n 5 $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
@@ -68,13 +74,7 @@ test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
 
-# Node.js comes with the packages of the tests; Pyodide, biome and TypeScript from npm.
-NODE := .venv/bin/node
-JS_TOOLS := node_modules/.package-lock.json
-$(JS_TOOLS): package.json package-lock.json | setup-all
-	@.venv/bin/npm ci --ignore-scripts --no-audit --no-fund --silent
-
-html: setup-all  ## make the HTML lessons, in build/html/
+html: setup-all $(JS_TOOLS)  ## make the HTML lessons, in build/html/, with JupyterLab for the browser
 	@$(VENV) -m param_tutorial.site $(ARGS)
 
 lite: setup-all $(JS_TOOLS)  ## make the course for any browser, in build/lite/: JupyterLab without a server, with a kernel in the page
@@ -95,20 +95,24 @@ lint: setup-all $(JS_TOOLS)  ## check code, notebooks and spelling without runni
 	@$(NODE) node_modules/.bin/biome check --error-on-warnings
 	@$(NODE) node_modules/.bin/tsc
 
-release: setup  ## make the wheels, the list of licenses and the SBOM, in build/release/
+release: setup-all $(JS_TOOLS)  ## make the wheels, the course for any browser, the list of licenses and the SBOM, in build/release/
 	@$(VENV) environment/release.py
 
 # The second lock is a part of the first, at the same versions.
 LOCK := environment/requirements
 UV_COMPILE = build/uv/bin/uv pip compile --quiet --upgrade --generate-hashes --no-annotate --custom-compile-command "make lock"
 COMPILE = $(UV_COMPILE) --universal --python-version 3.10
+# A page has no terminal, and its own half of the widgets; what the kernel's wheel asks for is for the build, which runs here.
+NOT_IN_A_PAGE := prompt-toolkit wcwidth jupyterlab-widgets widgetsnbextension doit jupyter-core jupyterlite-core pkginfo \
+    platformdirs
 lock: export UV_CACHE_DIR ?= $(CURDIR)/build/uv-cache
 lock: setup-all  ## work out the locks in environment/ anew
 	@$(COMPILE) --extra html --group test --output-file $(LOCK)-dev.lock pyproject.toml
 	@$(COMPILE) --constraints $(LOCK)-dev.lock --extra course --output-file $(LOCK).lock pyproject.toml
 	@$(COMPILE) --constraints $(LOCK)-dev.lock --group hub --output-file $(LOCK)-hub.lock
 	@$(COMPILE) --group uv --output-file $(LOCK)-uv.lock
-	@$(UV_COMPILE) --python-platform wasm32-pyodide2024 --python-version 3.14 --group page --output-file $(LOCK)-page.lock
+	@$(UV_COMPILE) --python-platform wasm32-pyodide2024 --python-version 3.14 --group page --output-file $(LOCK)-page.lock \
+	    $(addprefix --no-emit-package ,$(NOT_IN_A_PAGE))
 	@.venv/bin/npm update --package-lock-only --omit-lockfile-registry-resolved --no-audit --no-fund
 
 # my_lessons/ is the learner's, and stays.

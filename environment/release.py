@@ -7,6 +7,7 @@
 - sbom.json: what a learner's environment consists of, with versions, licenses and hashes, as CycloneDX 1.6. Each of its
   facts is in the lock or in the packages' metadata, so no tool is needed for it.
 - LICENSES.md: the same for people.
+- an archive of the course for any browser, as `make lite` builds it.
 """
 
 import base64
@@ -22,11 +23,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import xml.etree.ElementTree as ET
 import zipfile
 from pathlib import Path
 
 from setuptools import build_meta
+
+from param_tutorial.site.browser import licenses, lite
 
 ROOT = Path(__file__).resolve().parent.parent
 TARGET = ROOT / 'build' / 'release'
@@ -99,24 +101,10 @@ def locked() -> dict[str, tuple[str, list[str]]]:
     return found
 
 
-def license_of(name: str) -> str:
-    """Return the license that a package states of itself, in its metadata or, as ROS does, in its package.xml."""
-    about = importlib.metadata.metadata(name)
-    for file in importlib.metadata.files(name) or ():
-        if file.name == 'package.xml':
-            return ' and '.join(each.text.strip() for each in ET.parse(file.locate()).getroot().iter('license'))
-    if expression := about.get('License-Expression'):
-        return expression
-    named = [each.split(' :: ')[-1] for each in about.get_all('Classifier', []) if each.startswith('License :: ')]
-    text = (about.get('License') or '').strip().splitlines()
-    elsewhere = 'see its license file' if about.get('License-File') else 'not stated'
-    return ' or '.join(each for each in named if each != 'OSI Approved') or (text[0] if text else elsewhere)
-
-
 def make_lists() -> None:
     """Write sbom.json and LICENSES.md."""
     version = importlib.metadata.version('param-tutorial')
-    packages = {name: (number, license_of(name), hashes) for name, (number, hashes) in locked().items()}
+    packages = {name: (number, licenses.of_installed(name), hashes) for name, (number, hashes) in locked().items()}
     (TARGET / 'sbom.json').write_text(json.dumps({
         'bomFormat': 'CycloneDX', 'specVersion': '1.6', 'version': 1,
         'metadata': {'component': {
@@ -131,10 +119,19 @@ def make_lists() -> None:
         'dependencies': [{'ref': 'param-tutorial',
                           'dependsOn': [f'pkg:pypi/{name}@{number}' for name, (number, *_) in packages.items()]}],
     }, indent=1) + '\n')
-    rows = '\n'.join(f'| {name} | {number} | {stated} |' for name, (number, stated, _) in packages.items())
+    installed = licenses.table((name, number, stated) for name, (number, stated, _) in packages.items())
+    in_a_page = licenses.table(licenses.of_a_page(lite.WORK))
     (TARGET / 'LICENSES.md').write_text(
         f'# What param-tutorial {version} is installed with\n\nThe course is under Apache-2.0. What each package '
-        f'states of itself:\n\n| Package | Version | License |\n| --- | --- | --- |\n{rows}\n')
+        f'states of itself:\n\n{installed}\n# What the course in a browser is made of\n\n{in_a_page}')
+
+
+def make_browser_archive() -> None:
+    """Make an archive of the course for any browser: static files for any web server."""
+    with tempfile.TemporaryDirectory() as folder:
+        name = f'param_tutorial_in_the_browser-{importlib.metadata.version("param-tutorial")}'
+        lite.build(Path(folder, name))
+        shutil.make_archive(str(TARGET / name), 'zip', folder, name)
 
 
 def main() -> None:
@@ -142,6 +139,7 @@ def main() -> None:
     TARGET.mkdir(parents=True, exist_ok=True)
     make_lists()
     make_tools_wheel()
+    make_browser_archive()
     print(make_wheel().relative_to(ROOT))
 
 

@@ -42,6 +42,8 @@ print(_count())
 
 @pytest.mark.slow
 @pytest.mark.thorough
+# Chapter 2 builds its workspace in each of the four runs.
+@pytest.mark.timeout(600)
 @pytest.mark.parametrize('path', sorted(NOTEBOOKS.glob('*.ipynb')), ids=lambda path: path.stem)
 def test_cells_that_run_again_leave_nothing_behind(path):
     cells = [cell for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == 'code']

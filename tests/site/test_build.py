@@ -12,7 +12,7 @@ import psutil
 import pytest
 
 from param_tools.ros.waiting import wait_until
-from param_tutorial.site import archive, build
+from param_tutorial.site import archive, replacing
 from tests.site.test_lessons import write
 
 
@@ -39,8 +39,8 @@ def test_there_is_one_whole_site_at_whatever_step_the_build_ends(tmp_path, monke
         return step
 
     if not can_exchange:
-        monkeypatch.setattr(build, '_exchange', lambda *_: False)
-    for owner, name in ((Path, 'rename'), (shutil, 'copytree'), (shutil, 'rmtree'), (build, '_exchange')):
+        monkeypatch.setattr(replacing, '_exchange', lambda *_: False)
+    for owner, name in ((Path, 'rename'), (shutil, 'copytree'), (shutil, 'rmtree'), (replacing, '_exchange')):
         monkeypatch.setattr(owner, name, counted(getattr(owner, name)))
     old, new = {'index.html': 'old', 'a.html': 'old'}, {'index.html': 'new', 'b.html': 'new'}
     outcomes = []
@@ -52,12 +52,12 @@ def test_there_is_one_whole_site_at_whatever_step_the_build_ends(tmp_path, monke
                 (folder / name / page).write_text(text)
         steps, ended_at = 0, moment
         try:
-            build.replace(folder / 'work', folder / 'html')
+            replacing.replace(folder / 'work', folder / 'html')
         except EndedError:
             if can_exchange:
                 assert pages(folder / 'html') in (old, new)
             ended_at = -1
-            build.recover(folder / 'html')
+            replacing.recover(folder / 'html')
         outcomes.append('old' if pages(folder / 'html') == old else 'new')
         assert pages(folder / 'html') in (old, new)
         assert not (folder / 'html.old').exists()

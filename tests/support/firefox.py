@@ -47,6 +47,10 @@ class FirefoxPage:
         """Load the page again, as F5 does."""
         self._ask('browsingContext.reload', context=self._tab, wait='complete')
 
+    def resize(self, width: int, height: int) -> None:
+        """Give the page another size, in pixels."""
+        self._ask('browsingContext.setViewport', context=self._tab, viewport={'width': width, 'height': height})
+
     def evaluate(self, expression: str) -> Any:
         """Return the value of an expression, or of what it promises, through JSON."""
         value = self._run(f'(async () => JSON.stringify(await ({expression})))()').get('value')

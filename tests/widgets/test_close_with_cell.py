@@ -16,7 +16,7 @@ from param_tutorial.views.robot import RobotView
 def run(monkeypatch):
     """Yield a list whose one item is the cell that runs now, and which of its runs it is."""
     run = [('cell 1', 'run 1')]
-    monkeypatch.setattr(close_with_cell, '_this_cell', lambda: run[0])
+    monkeypatch.setattr(close_with_cell, 'this_cell', lambda: run[0])
     monkeypatch.setattr(close_with_cell, '_made', {})
     return run
 

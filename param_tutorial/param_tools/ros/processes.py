@@ -10,13 +10,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
-# It reads a line, or learns that the process at the other end is gone. launch needs up to 10 s for nodes that ignore
-# signals, and leaves them running if it is killed before.
+# It reads the group, and then a second line, or learns that the process at the other end is gone. launch needs up to
+# 10 s for nodes that ignore signals, and leaves them running if it is killed before.
 _GUARD = """
+read -r group || exit
 read -r _ && exit
-kill -s TERM -- "-$0" || exit
-for _ in $(seq 200); do sleep 0.1; kill -s 0 -- "-$0" || exit; done
-kill -s KILL -- "-$0"
+kill -s TERM -- "-$group" || exit
+for _ in $(seq 200); do sleep 0.1; kill -s 0 -- "-$group" || exit; done
+kill -s KILL -- "-$group"
 """
 
 
@@ -38,18 +39,24 @@ class Guard:
     """Ends a group of processes if this process ends before, however it ends: SIGTERM, and SIGKILL 20 s later.
 
     Unlike Linux's "parent death signal", it also reaches what a command has started in its turn, and minds no thread.
+    It is made before what it guards: a command that waits for it to start could be left alone by then.
     """
 
-    def __init__(self, group: int):
+    def __init__(self) -> None:
+        self.process = subprocess.Popen(['sh', '-c', _GUARD], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL, start_new_session=True)
+
+    def watch(self, group: int) -> None:
         """Guard from now on.
 
         :param group: The group's id, which is the process id of the one that was started in a new session.
         """
-        self.process = subprocess.Popen(['sh', '-c', _GUARD, str(group)], stdin=subprocess.PIPE,
-                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        assert self.process.stdin
+        self.process.stdin.write(f'{group}\n'.encode())
+        self.process.stdin.flush()
 
     def dismiss(self) -> None:
-        """Guard no longer: the group has ended, and another may get its number."""
+        """Guard no longer: the group has ended, and another may get its number; or there is none."""
         self.process.communicate(b'\n')
 
     def __enter__(self) -> 'Guard':
@@ -72,13 +79,20 @@ class Child:
         :raises OSError: it cannot be started.
         """
         pipe = None if output is None else subprocess.PIPE
-        self.process = subprocess.Popen(
-            command, stdin=None if output is None else subprocess.DEVNULL, stdout=pipe,
-            stderr=subprocess.STDOUT if output is not None and output.show_err is None else pipe, text=True,
-            errors='replace', start_new_session=output is not None, cwd=folder, env=environment)
-        self._has_session = output is not None
         # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
-        self._guard = Guard(self.process.pid) if is_guarded else None
+        self._guard = Guard() if is_guarded else None
+        try:
+            self.process = subprocess.Popen(
+                command, stdin=None if output is None else subprocess.DEVNULL, stdout=pipe,
+                stderr=subprocess.STDOUT if output is not None and output.show_err is None else pipe, text=True,
+                errors='replace', start_new_session=output is not None, cwd=folder, env=environment)
+        except OSError:
+            if self._guard is not None:
+                self._guard.dismiss()
+            raise
+        if self._guard is not None:
+            self._guard.watch(self.process.pid)
+        self._has_session = output is not None
         if output is not None:
             output.began(self.process.pid)
             threading.Thread(target=self._pass_on, args=[output], name=f'output of {command[0]}', daemon=True).start()

@@ -42,13 +42,13 @@ def only_one(folder: Path) -> Iterator[None]:
     :raises OSError: there is no such folder.
     """
     try:
-        import fcntl
-    except ImportError:  # Windows has none
+        from fcntl import LOCK_EX, flock
+    except ImportError:  # neither Windows nor a web page has it
         yield
         return
     number = os.open(folder, os.O_RDONLY)
     try:
-        fcntl.flock(number, fcntl.LOCK_EX)
+        flock(number, LOCK_EX)
         yield
     finally:
         os.close(number)

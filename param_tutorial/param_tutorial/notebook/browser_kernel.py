@@ -12,7 +12,6 @@ from pathlib import Path
 
 from IPython.core.interactiveshell import InteractiveShell
 
-import param_tutorial
 from param_tools.rcl_in_python import install
 from param_tools.ros import turns
 from param_tutorial.learner import progress
@@ -35,7 +34,7 @@ def load_ipython_extension(shell: InteractiveShell) -> None:
     os.environ.update(ROS_DOMAIN_ID='0', ROS_AUTOMATIC_DISCOVERY_RANGE='LOCALHOST')
     install.install()
     os.environ[progress.VARIABLE] = str(_FILES / progress.FILE)
-    cells = Path(param_tutorial.__file__).parents[2] / STORED
+    cells = Path(__file__).parents[3] / STORED
     stored.offer(json.loads(cells.read_text(encoding='utf-8')))
     host = turns.install()
     shell.events.register('pre_run_cell', lambda _: host.settle())

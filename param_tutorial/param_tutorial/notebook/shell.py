@@ -78,12 +78,13 @@ class Shell:
         has_genuine = genuine.path() is not None
         self._programs, colcon = _programs_without_space(self.home)
         with interruptible():
+            # What is running when this process is killed would go on.
+            guard = Guard()
             self._process = bash = subprocess.Popen(
                 ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(has_genuine),
                 start_new_session=True)
-            # What is running when this process is killed would go on.
-            guard = Guard(bash.pid)
+            guard.watch(bash.pid)
         # Also when a cell that makes a shell runs again, and when the kernel ends.
         self._close = weakref.finalize(self, _close, bash, guard, folder)
         assert bash.stdin and bash.stdout  # both are pipes

@@ -7,10 +7,8 @@ The site is written beside the old one and takes its place when it is whole; wha
 one as it was.
 """
 
-import ctypes
 import html
 import os
-import shutil
 from pathlib import Path
 from typing import Any
 
@@ -18,13 +16,15 @@ import nbformat
 
 from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.archive import Archive, course_archive, provenance
+from param_tutorial.site.browser import lite
 from param_tutorial.site.console import format_path, say
 from param_tutorial.site.live.site import Live
 from param_tutorial.site.pages.chapter import COURSE, chapter_source
 from param_tutorial.site.pages.front_page import front_page_source
-from param_tutorial.site.pages.links import NOTEBOOKS
+from param_tutorial.site.pages.links import LAB, NOTEBOOKS
 from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
 from param_tutorial.site.recording.recorded import Recordings
+from param_tutorial.site.replacing import recover, replace
 
 _NOT_FOUND = '''---
 orphan: true
@@ -33,15 +33,13 @@ orphan: true
 
 The lesson may have another name now. [The first page](index.md) lists all lessons, and the search finds their words.
 '''
-# Of Linux: see renameat2(2).
-_AT_FDCWD, _RENAME_EXCHANGE = -100, 2
 
 
 class Site:
     """One build: which notebooks, and where everything goes."""
 
     def __init__(self, notebooks: Path, target: Path, work: Path, names: list[str] | None = None, *,
-                 processes: int = 0, address: str = '', is_live: bool = False):
+                 processes: int = 0, address: str = '', has_lab: bool = False, is_live: bool = False):
         """
         :param notebooks: The folder of the chapters.
         :param target: Where the site will be.
@@ -50,8 +48,10 @@ class Site:
         :param processes: How many kernels run at once; by default one for each processor.
         :param address: Where the site will be on the web, for search engines; by default nobody knows.
         :param is_live: Make pages with a live node in place of recordings.
+        :param has_lab: True if JupyterLab for the browser is a part of the site.
         :raises BuildError: there is no such chapter.
         """
+        self._has_lab = has_lab
         self.address = f'{address.rstrip("/")}/' if address else ''
         found = sorted(notebooks.glob('[0-9]*.ipynb'))
         self.chapters = [path for path in found
@@ -68,6 +68,7 @@ class Site:
 
         :raises ChapterError: a chapter fails, or does not do what is stored in it.
         :raises BuildError: Sphinx is not content.
+        :raises PagePythonError: the Python of a page can't be put together.
         """
         recover(self.target)
         if self.live:
@@ -81,6 +82,9 @@ class Site:
                     settings=settings)
         self._remove_strangers()
         self._write_sitemap()
+        if self._has_lab:
+            say('Building JupyterLab for the browser')
+            lite.build(self.work / 'html' / LAB)
         replace(self.work / 'html', self.target)
         say(f'The lessons are in {format_path(self.target / "index.html")}')
 
@@ -128,7 +132,8 @@ class Site:
         pages = {path.stem for path in self.chapters} | {'index', 'claims'}
         download = Path('extra', NOTEBOOKS)
         sources: dict[Path, str | bytes] = {
-            Path('index.md'): front_page_source(self.notebooks / 'index.md', recordings, provenance()),
+            Path('index.md'): front_page_source(self.notebooks / 'index.md', recordings, provenance(),
+                                                has_lab=self._has_lab),
             Path('404.md'): _NOT_FOUND,
             Path('extra', f'{COURSE}.zip'): course_archive(COURSE)}
         claims = self.notebooks / 'claims.md'
@@ -136,7 +141,7 @@ class Site:
             sources[Path(claims.name)] = f'---\norphan: true\n---\n{claims.read_text(encoding="utf-8")}'
         glossary = Glossary.of(self.notebooks)
         for path in self.chapters:
-            page = chapter_source(path, recordings[path], pages, glossary=glossary,
+            page = chapter_source(path, recordings[path], pages, glossary=glossary, has_lab=self._has_lab,
                                   live=self.live.chapters[path] if self.live else None)
             sources[Path(path.name)] = nbformat.writes(page) + '\n'
             sources[download / path.name] = path.read_text(encoding='utf-8')
@@ -144,40 +149,3 @@ class Site:
             if path.stem in pages:
                 sources[download / 'solutions' / path.name] = path.read_text(encoding='utf-8')
         return sources
-
-
-def replace(new: Path, target: Path) -> None:
-    """Put a copy of a folder in the place of another, as a whole: at no moment is there none, or a part of one."""
-    recover(target)
-    beside, old = _beside(target)
-    shutil.rmtree(beside, ignore_errors=True)
-    shutil.copytree(new, beside, ignore=shutil.ignore_patterns('.buildinfo*', '_sources', '*.map'))
-    if not target.exists():
-        beside.rename(target)
-    elif not _exchange(beside, target):
-        target.rename(old)
-        beside.rename(target)
-    for folder in (beside, old):
-        shutil.rmtree(folder, ignore_errors=True)
-
-
-def recover(target: Path) -> None:
-    """Bring back the site that a build had put aside when it was ended."""
-    _, old = _beside(target)
-    if old.exists() and not target.exists():
-        old.rename(target)
-    shutil.rmtree(old, ignore_errors=True)
-
-
-def _beside(target: Path) -> tuple[Path, Path]:
-    """Return where a new site is written, and where the old one goes if it cannot be exchanged in one step."""
-    return target.with_name(f'{target.name}.new'), target.with_name(f'{target.name}.old')
-
-
-def _exchange(one: Path, other: Path) -> bool:
-    """Let two folders change their names in one step, and return True; False where the system can't do that."""
-    try:
-        renameat2 = ctypes.CDLL(None, use_errno=True).renameat2
-    except AttributeError:
-        return False
-    return bool(renameat2(_AT_FDCWD, os.fsencode(one), _AT_FDCWD, os.fsencode(other), _RENAME_EXCHANGE) == 0)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from param_tutorial.site import single
 from param_tutorial.site.archive import ROOT
+from param_tutorial.site.browser.page_python import PagePythonError
 from param_tutorial.site.build import Site
 from param_tutorial.site.pages.writing import BuildError
 from param_tutorial.site.recording.run import ChapterError
@@ -29,12 +30,12 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         names = [options.lesson] if options.lesson else options.only
         site = Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names,
-                    address=options.address, is_live=options.live)
+                    address=options.address, has_lab=names is None, is_live=options.live)
         if options.lesson:
             single.build(site)
         else:
             site.build()
-    except (ChapterError, BuildError) as error:
+    except (ChapterError, BuildError, PagePythonError) as error:
         print(f'{error}\nNo site was made; the previous one is kept.', file=sys.stderr)
         return 1
     except KeyboardInterrupt:

@@ -16,15 +16,31 @@ from pathlib import Path
 
 from param_tutorial.learner.copies import Copies
 from param_tutorial.site.archive import ROOT
-from param_tutorial.site.browser import page_python
-from param_tutorial.site.build import replace
+from param_tutorial.site.browser import licenses, page_python
+from param_tutorial.site.replacing import replace
 
 TARGET, WORK = ROOT / 'build' / 'lite', page_python.WORK
 _HERE = Path(__file__).parent
 # Neither the page nor a kernel in it may ask another host for anything. JupyterLab makes style sheets, and Pyodide
 # machine code, of their own.
 _POLICY = "default-src 'self' blob: data: 'unsafe-inline' 'unsafe-eval'"
+# The folder of the page's Python.
+PYODIDE = 'pyodide'
+_KERNEL = '@jupyterlite/pyodide-kernel-extension'
 _SETTINGS = ROOT / 'environment' / 'jupyter' / 'labconfig'
+# The end of the start page says where a learner's work is kept. In a browser it ends like this.
+_WHERE_WORK_IS = 'Your changes are saved as you work.'
+_WORK_IN_BROWSER = f'''{_WHERE_WORK_IS} They are kept in this browser and nowhere else; a private window forgets them
+when you close it. The exercises you solve are saved here too, in `progress.json`. When you open this page again, a ✓
+marks each chapter whose exercises you have all solved.
+
+To keep your work safe, or to move it to another browser, right-click a file in the list on the left and choose
+*Download*. The arrow above that list uploads it again. If you delete a chapter that you have changed, a fresh copy
+appears. If you delete `progress.json`, the course forgets what you have solved.
+
+The nodes of a notebook live in its tab, with ROS 2's own Python library and without a network. A cell that needs a
+shell says so, and shows what it prints on a computer that has one.
+'''
 
 
 def build(target: Path) -> None:
@@ -34,17 +50,39 @@ def build(target: Path) -> None:
     """
     with tempfile.TemporaryDirectory() as folder:
         lite, files, site = (Path(folder, name) for name in ('lite', 'files', 'site'))
-        page_python.gather(lite / 'static' / 'pyodide', WORK)
-        (lite / 'jupyter-lite.json').write_text(json.dumps(_configuration()), encoding='utf-8')
-        shutil.copy(_SETTINGS / 'default_setting_overrides.json', lite / 'overrides.json')
+        lite.mkdir()
         Copies(ROOT, files).deliver()
         for path in files.glob('.*'):  # notes for later deliveries, of which there are none in a browser
             shutil.rmtree(path)
-        subprocess.run([Path(sys.executable).with_name('jupyter-lite'), 'build', '--lite-dir', lite,
-                        '--contents', files, '--output-dir', site, '--apps', 'lab', '--no-sourcemaps'],
-                       check=True, cwd=folder, stdout=subprocess.DEVNULL)
+        _adapt(files)
+        page_python.gather(Path(folder, PYODIDE), WORK)
+        (lite / 'jupyter-lite.json').write_text(json.dumps(_configuration()), encoding='utf-8')
+        (lite / 'jupyter_lite_config.json').write_text(json.dumps({'LiteBuildConfig': {
+            'federated_extensions': [str(page_python.kernel_wheel(WORK))]}}), encoding='utf-8')
+        (lite / 'overrides.json').write_text(json.dumps(_settings()), encoding='utf-8')
+        subprocess.run([sys.executable, '-W', 'ignore', '-m', 'jupyterlite_core', 'build', '--log-level', 'ERROR',
+                        '--lite-dir', lite, '--contents', files, '--output-dir', site, '--apps', 'lab',
+                        '--no-sourcemaps'], check=True, cwd=folder, stdout=subprocess.DEVNULL)
+        Path(folder, PYODIDE).rename(site / PYODIDE)
+        _write_licenses(site)
         _finish(site)
         replace(site, target)
+
+
+def _write_licenses(site: Path) -> None:
+    (site / 'LICENSES.md').write_text(
+        f'# What comes into the page\n\nThe course is under Apache-2.0. What each package states of itself:\n\n'
+        f'{licenses.table(licenses.of_a_page(WORK))}\nJupyterLite and JupyterLab are under BSD-3-Clause; what they '
+        f'contain is listed in `build/third-party-licenses.json`.\n', encoding='utf-8')
+
+
+def _adapt(files: Path) -> None:
+    """Change what learners get where it would not be true, or not be seen, in a browser."""
+    start = files / 'index.md'
+    text, _, _ = start.read_text(encoding='utf-8').partition(_WHERE_WORK_IS)
+    start.write_text(text + _WORK_IN_BROWSER, encoding='utf-8')
+    for picture in files.rglob('*.svg'):  # which JupyterLite hands to the browser as Latin-1
+        picture.write_bytes(picture.read_text(encoding='utf-8').encode('ascii', 'xmlcharrefreplace'))
 
 
 def _finish(site: Path) -> None:
@@ -70,9 +108,16 @@ def _configuration() -> dict[str, object]:
     return {'jupyter-lite-schema-version': 0, 'jupyter-config-data': {
         'appName': 'Mastering ROS 2 Parameters',
         'disabledExtensions': [name for name, is_disabled in page['disabledExtensions'].items() if is_disabled],
-        'litePluginSettings': {'@jupyterlite/pyodide-kernel-extension:kernel': {
-            'disablePyPIFallback': True, 'pipliteUrls': [],
+        'litePluginSettings': {f'{_KERNEL}:kernel': {
+            'disablePyPIFallback': True, 'pipliteUrls': [], 'pyodideUrl': f'./{PYODIDE}/pyodide.mjs',
             'loadPyodideOptions': {'packages': page_python.PACKAGES}}}}}
+
+
+def _settings() -> dict[str, dict[str, object]]:
+    """Return the course's settings of JupyterLab; here it also saves often, since people close a tab without asking."""
+    settings = json.loads((_SETTINGS / 'default_setting_overrides.json').read_text(encoding='utf-8'))
+    settings['@jupyterlab/docmanager-extension:plugin']['autosaveInterval'] = 10
+    return dict(settings)
 
 
 def main(arguments: Sequence[str]) -> None:

@@ -1,41 +1,80 @@
 // @ts-check
 
-// Says that a kernel is being loaded: from the moment its worker begins until it answers that it is ready. Then it has
-// the service worker keep the rest of the course, too.
+// Opens the start page for somebody whose address names no file. Says that a kernel is being loaded, and when it is there,
+// has the service worker keep the rest of the course, too. Says how to end a cell that runs for long: JupyterLab's own
+// button cannot, since Python in a page hears of nothing while it runs.
 
-const notice = document.createElement('div');
-notice.setAttribute('role', 'status');
-notice.textContent = 'Python and ROS are coming into this page: 30 MB the first time, and then they are here.';
-notice.style.cssText = `position: fixed; right: 1rem; bottom: 2.5rem; z-index: 10000; max-width: 22rem;
-  padding: 0.6rem 1rem; border-radius: 4px; background: #0d47a1; color: #fff; font: 14px/1.4 system-ui, sans-serif`;
-let loading = 0;
+const [arrival] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
+if (arrival.type === 'navigate' && !new URLSearchParams(location.search).has('path')) {
+  history.replaceState(null, '', '?path=index.md');
+}
 
-/** @param {number} difference */
-function count(difference) {
-  loading += difference;
-  if (loading > 0) {
-    document.body.append(notice);
-  } else {
-    notice.remove();
-    navigator.serviceWorker.controller?.postMessage('keep everything');
-  }
+const LOADING = 'Python and ROS are coming into this page: 30 MB the first time, and then they are here.';
+const RUNNING =
+  'A cell has been running for half a minute. If it never ends, Kernel → Restart Kernel… ends it. Its variables and ' +
+  'nodes are lost; your files stay.';
+const LONG_MS = 30_000;
+
+if (location.protocol === 'file:') {
+  // Browsers let no page that comes from the disk ask for its own files.
+  document.addEventListener('DOMContentLoaded', () => {
+    document.body.textContent =
+      'This page needs a web server, any will do: type  python3 -m http.server  in its folder, and open the address ' +
+      'that it prints.';
+  });
+}
+
+/**
+ * Show a notice, and return what takes it away.
+ * @param {string} text
+ */
+function show(text) {
+  const notice = document.createElement('div');
+  notice.setAttribute('role', 'status');
+  notice.textContent = text;
+  notice.style.cssText = `position: fixed; right: 1rem; bottom: 2.5rem; z-index: 10000; max-width: 22rem;
+    padding: 0.6rem 1rem; border-radius: 4px; background: #0d47a1; color: #fff; font: 14px/1.4 system-ui, sans-serif`;
+  document.body.append(notice);
+  return () => notice.remove();
 }
 
 window.Worker = class extends Worker {
   /** @param {any} message @param {any} others */
   postMessage(message, others) {
-    // JupyterLite's kernel is asked to begin by a message with this path, and its answer has the same id.
-    if (message?.path?.[0] === 'initialize') {
-      count(1);
-      /** @param {MessageEvent} event */
-      const answered = event => {
-        if (event.data?.id === message.id) {
-          count(-1);
-          this.removeEventListener('message', answered);
-        }
-      };
-      this.addEventListener('message', answered);
+    // JupyterLite's kernel is called by messages with the name of what it is to do, and its answer has the same id.
+    const asked = message?.path?.[0];
+    if (asked === 'initialize') {
+      const hide = show(LOADING);
+      this.whenAnswered(message.id, () => {
+        hide();
+        navigator.serviceWorker.controller?.postMessage('keep everything');
+      });
+    } else if (asked === 'execute') {
+      let hide = () => {};
+      const timer = setTimeout(() => {
+        hide = show(RUNNING);
+      }, LONG_MS);
+      this.whenAnswered(message.id, () => {
+        clearTimeout(timer);
+        hide();
+      });
     }
     super.postMessage(message, others);
+  }
+
+  terminate() {
+    this.dispatchEvent(new Event('terminated'));
+    super.terminate();
+  }
+
+  /** @param {string} id @param {() => void} then */
+  whenAnswered(id, then) {
+    const end = new AbortController();
+    const finish = () => {
+      end.abort();
+      then();
+    };
+    this.addEventListener('message', ({data}) => data?.id === id && finish(), {signal: end.signal});
+    this.addEventListener('terminated', finish, {signal: end.signal});
   }
 };

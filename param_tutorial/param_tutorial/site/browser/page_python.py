@@ -18,34 +18,36 @@ import zipfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from param_tools import __version__
 from param_tools.errors import ParameterToolError
 from param_tutorial.notebook import stored
 from param_tutorial.notebook.browser_kernel import STORED
 from param_tutorial.site.archive import PACKAGE_ROOT, ROOT
 
+VERSION = importlib.metadata.version('param-tutorial')
 PYODIDE = ROOT / 'node_modules' / 'pyodide'
 # What is kept from one build to the next.
 WORK = ROOT / 'build' / 'page'
+PYODIDE_VERSION = json.loads((ROOT / 'package-lock.json').read_text(encoding='utf-8'))['packages'][
+    'node_modules/pyodide']['version']
 _PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs', 'python_stdlib.zip')
 _LOCK = ROOT / 'environment' / 'requirements-page.lock'
 _COMPILE = Path(__file__).with_name('compile.mjs')
+# In place of the kernel's own, which would import micropip.
+_PIPLITE = Path(__file__).with_name('piplite')
 # Import packages that are pure Python but for a few compiled files, in whose place the layer stands.
 _INSTALLED = ('action_msgs', 'ament_index_python', 'builtin_interfaces', 'lifecycle_msgs', 'rcl_interfaces', 'rclpy',
               'rosgraph_msgs', 'rosidl_generator_py', 'rosidl_parser', 'rosidl_pycommon', 'rpyutils', 'service_msgs',
               'type_description_interfaces', 'unique_identifier_msgs', 'yaml')
 # The kernel fetches each of these by itself, unless a package of that name is loaded.
 _KERNEL = ('comm', 'ipykernel', 'ipython', 'jedi', 'micropip', 'piplite', 'pyodide-kernel')
-_COURSE, _NEEDS = 'param-course', 'param-course-needs'
-PACKAGES = (*_KERNEL, _NEEDS, _COURSE)
+_COURSE, _NEEDS, _START = 'param-course', 'param-course-needs', 'param-course-start'
+PACKAGES = (*_KERNEL, _NEEDS, _COURSE, _START)
 """What a page has to load."""
-# Halves of the widgets that the page's JupyterLab has already.
-_LEFT_OUT = ('jupyterlab-widgets', 'widgetsnbextension')
 # Tests, what is installed outside of the packages, and stubs of libraries that no page has.
 _PARTS_LEFT_OUT = ('/tests/', '.data/', '/django-stubs/', '/typeshed/stubs/')
 # The kernel's IPython reads this when it starts.
-_START = '''import sys
-sys.path.insert(0, '/course/param_tutorial')
+_IPYTHON_CONFIG = '''import sys
+sys.path.insert(0, '/lib/python3.14/site-packages/course/param_tutorial')
 c = get_config()
 c.InteractiveShellApp.extensions = ['param_tutorial.notebook.browser_kernel']
 '''
@@ -76,19 +78,50 @@ def gather(target: Path, work: Path) -> None:
 def _wheels(work: Path) -> dict[str, dict[str, bytes]]:
     """Return the files of each wheel: the packages that the kernel asks for, the course, and all that it needs."""
     needs = dict(_installed_files(_INSTALLED))
-    wheels: dict[str, dict[str, bytes]] = {}
-    for path in [*_fetched(work), *_of_the_kernel()]:
-        name = re.sub(r'[-_.]+', '-', path.name.partition('-')[0]).lower()
-        if name in _LEFT_OUT:
-            continue
+    packages: dict[str, dict[str, bytes]] = {}
+    for path in wheels(work):
+        name = _name(path)
         with zipfile.ZipFile(path) as wheel:
             files = {each: wheel.read(each) for each in wheel.namelist()
                      if not each.endswith(('/', '/RECORD')) and not any(part in each for part in _PARTS_LEFT_OUT)}
         if name in _KERNEL:
-            wheels[name] = files
+            packages[name] = files
         else:
             needs |= files
-    return {**wheels, _NEEDS: needs, _COURSE: dict(_course_files())}
+    return {**packages, 'micropip': {}, 'piplite': dict(_files_in(_PIPLITE, 'piplite')),
+            _NEEDS: needs, _COURSE: dict(_course_files()), _START: _start_files()}
+
+
+def wheels(work: Path) -> list[Path]:
+    """Return the wheels of Python packages that a page loads, those of the lock and those in the kernel's.
+
+    :param work: As for ``gather``.
+    :raises PagePythonError: they can't be fetched.
+    """
+    fetched = _fetched(work)
+    inside = work / 'wheels' / 'of_the_kernel'
+    inside.mkdir(exist_ok=True)
+    with zipfile.ZipFile(kernel_wheel(work)) as kernel:
+        for name in kernel.namelist():
+            if name.endswith('.whl') and not name.rpartition('/')[2].startswith(('piplite-', 'widgetsnbextension-')):
+                (inside / Path(name).name).write_bytes(kernel.read(name))
+    return [*(path for path in fetched if path != kernel_wheel(work)), *sorted(inside.glob('*.whl'))]
+
+
+def kernel_wheel(work: Path) -> Path:
+    """Return the wheel of JupyterLite's kernel: an extension of JupyterLab, with Python packages in it."""
+    return next(path for path in _fetched(work) if path.name.startswith('jupyterlite_pyodide_kernel-'))
+
+
+def _name(wheel: Path) -> str:
+    return re.sub(r'[-_.]+', '-', wheel.name.partition('-')[0]).lower()
+
+
+def installed_distributions() -> list[str]:
+    """Return the names of the packages that are taken as they are installed here."""
+    of = importlib.metadata.packages_distributions()
+    # A ROS wheel may bring a second package along, which says less of itself.
+    return sorted({min(of[package], key=lambda name: not name.startswith('ros-')) for package in _INSTALLED})
 
 
 def _fetched(work: Path) -> list[Path]:
@@ -107,12 +140,6 @@ def _fetched(work: Path) -> list[Path]:
                                   'network; run the same command again once that is put right')
         stamp.write_bytes(_LOCK.read_bytes())
     return sorted(folder.glob('*.whl'))
-
-
-def _of_the_kernel() -> list[Path]:
-    """Return the wheels that come with JupyterLite's kernel."""
-    return sorted(Path(sys.prefix, 'share/jupyter/labextensions/@jupyterlite/pyodide-kernel-extension/static/pypi')
-                  .glob('*.whl'))
 
 
 def _installed_files(packages: Sequence[str]) -> Iterator[tuple[str, bytes]]:
@@ -135,25 +162,29 @@ def _files_in(folder: Path, name: str) -> Iterator[tuple[str, bytes]]:
 
 
 def _course_files() -> Iterator[tuple[str, bytes]]:
-    """Yield the files of the course: its ROS package, parameter files, what tells Python of it, and what starts it."""
-    wheel = f'{_COURSE.replace("-", "_")}-{__version__}'
+    """Yield the files of the course as in a checkout: its ROS package, the parameter files, and what can't run here."""
+    yield f'course/{STORED}', json.dumps(_stored_cells()).encode()
+    yield from _files_in(ROOT / 'config', 'course/config')
+    package = f'course/{PACKAGE_ROOT.name}'
+    yield f'{package}/package.xml', (PACKAGE_ROOT / 'package.xml').read_bytes()
+    for folder in ('launch', 'param_tools', 'param_tutorial'):
+        for name, content in _files_in(PACKAGE_ROOT / folder, f'{package}/{folder}'):
+            if '/param_tutorial/site/' not in name:  # a page builds no website
+                yield name, content
+
+
+def _start_files() -> dict[str, bytes]:
+    """Return the files that tell Python and IPython of the course."""
+    wheel = f'{_START.replace("-", "_")}-{VERSION}'
     # The embedded ros2 looks for packages among the entry points.
     points = ''.join(f'{each.name} = {each.value}\n' for each in importlib.metadata.entry_points(
         group='param_tools.packages'))
-    yield f'{wheel}.dist-info/METADATA', f'Metadata-Version: 2.1\nName: {_COURSE}\nVersion: {__version__}\n'.encode()
-    yield f'{wheel}.dist-info/WHEEL', b'Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n'
-    yield f'{wheel}.dist-info/entry_points.txt', f'[param_tools.packages]\n{points}'.encode()
-    # What lies in data/ is put at the root of the page's file system.
-    root = f'{wheel}.data/data'
-    yield f'{root}/etc/ipython/ipython_config.py', _START.encode()
-    yield f'{root}/course/{STORED}', json.dumps(_stored_cells()).encode()
-    yield from _files_in(ROOT / 'config', f'{root}/course/config')
-    package = PACKAGE_ROOT
-    yield f'{root}/course/{package.name}/package.xml', (package / 'package.xml').read_bytes()
-    for folder in ('launch', 'param_tools', 'param_tutorial'):
-        for name, content in _files_in(package / folder, f'{root}/course/{package.name}/{folder}'):
-            if '/param_tutorial/site/' not in name:  # a page builds no website
-                yield name, content
+    return {name: text.encode() for name, text in {
+        f'{wheel}.dist-info/METADATA': f'Metadata-Version: 2.1\nName: {_START}\nVersion: {VERSION}\n',
+        f'{wheel}.dist-info/WHEEL': 'Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n',
+        f'{wheel}.dist-info/entry_points.txt': f'[param_tools.packages]\n{points}',
+        # What lies in data/ is put at the root of the page's file system, where IPython looks for its settings.
+        f'{wheel}.data/data/etc/ipython/ipython_config.py': _IPYTHON_CONFIG}.items()}
 
 
 def _stored_cells() -> list[stored.Cell]:
@@ -177,10 +208,11 @@ def _make_wheel(name: str, files: dict[str, bytes], target: Path, work: Path) ->
                 # The same files make the same wheel, byte for byte.
                 wheel.writestr(zipfile.ZipInfo(inside), content[inside], zipfile.ZIP_DEFLATED)
         beside.rename(kept)
-    # A wheel is of one package; what is of many is a plain archive.
-    file_name = f'{name}.zip' if name == _NEEDS else f'{name.replace("-", "_")}-{__version__}-py3-none-any.whl'
+    # A wheel is of one package, with metadata; everything else is a plain archive.
+    is_wheel = name != _NEEDS and any(each.endswith('.dist-info/METADATA') for each in files)
+    file_name = f'{name.replace("-", "_")}-{VERSION}-py3-none-any.whl' if is_wheel else f'{name}.zip'
     path = Path(shutil.copy(kept, target / file_name))
-    return {'name': name, 'version': __version__, 'file_name': file_name, 'install_dir': 'site', 'depends': [],
+    return {'name': name, 'version': VERSION, 'file_name': file_name, 'install_dir': 'site', 'depends': [],
             'imports': [], 'sha256': hashlib.sha256(path.read_bytes()).hexdigest(), 'package_type': 'package',
             'unvendored_tests': False}
 

@@ -18,7 +18,7 @@ const isJupyterLites = url => /\/api\/(drive|stdin|service-worker-heartbeat)/.te
 /** @param {Request} request */
 async function deliver(request) {
   const kept = await caches.open(VERSION);
-  const url = request.url.replace(/[?#].*/, '');
+  const url = request.url.replace(/[?#].*/, '').replace(/\/$/, '/index.html');
   const found = await kept.match(url);
   if (found) {
     return found;

@@ -15,7 +15,7 @@ from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing, forms
-from param_tutorial.site.pages.links import NOTEBOOKS, Links
+from param_tutorial.site.pages.links import LAB, NOTEBOOKS, Links
 from param_tutorial.site.pages.terms import terms_script
 from param_tutorial.site.recording.recorded import Recordings
 from param_tutorial.site.recording.run import WIDGET, cells_with_widgets
@@ -32,8 +32,8 @@ _WORDINGS_OF_OUTPUTS = {
 
 
 def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
-                   glossary: Glossary | None = None, alone: dict[str, str] | None = None,
-                   address: str = '', live: LiveChapter | None = None) -> nbformat.NotebookNode:
+                   glossary: Glossary | None = None, alone: dict[str, str] | None = None, address: str = '',
+                   has_lab: bool = False, live: LiveChapter | None = None) -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
     :param recordings: For the id of each cell that shows widgets, their recordings in order.
@@ -43,6 +43,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
         ran, and on what; see ``archive.provenance``.
     :param address: Where the whole site is on the web, for links to what is not beside that file.
     :param live: The chapter as the page's kernel ran it, in place of recordings.
+    :param has_lab: True if JupyterLab for the browser is a part of the site.
     :raises BuildError: a link leads to a file that is not there.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
@@ -64,7 +65,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
             cell.source = links.in_markdown(for_page(cell.source))
         cells.append(cell)
         if len(cells) == 1:
-            note = _download_note(path) if alone is None else _provenance_note(alone)
+            note = _download_note(path, has_lab) if alone is None else _provenance_note(alone)
             words = terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
             cells.append(_html_cell('to-run', note + words + (_live_cells(live) if live else '')))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
@@ -139,11 +140,13 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
     return cell
 
 
-def _download_note(path: Path) -> str:
+def _download_note(path: Path, has_lab: bool) -> str:
+    in_lab = (f'<a href="{LAB}/lab/index.html?path={path.name}">open it in JupyterLab, in this browser</a>, or '
+              if has_lab else '')
     return (f'<p class="lesson-download">Every cell on this page has been run, and what it put out stands below it. '
-            f'To run it yourself, with a node that is alive, <a href="{COURSE}.zip" download>download the course</a>, '
-            f'unpack it on a Linux machine with Python, and type <code>make lab</code> in its folder. This lesson is '
-            f'<a href="{NOTEBOOKS}/{path.name}" download><code>{path.name}</code></a> there.</p>')
+            f'To run it yourself, with a node that is alive, {in_lab}<a href="{COURSE}.zip" download>download the '
+            f'course</a>, unpack it on a Linux machine with Python, and type <code>make lab</code> in its folder. This '
+            f'lesson is <a href="{NOTEBOOKS}/{path.name}" download><code>{path.name}</code></a> there.</p>')
 
 
 def _provenance_note(facts: dict[str, str]) -> str:

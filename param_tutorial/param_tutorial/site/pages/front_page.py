@@ -9,7 +9,7 @@ import nbformat
 
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.chapter import for_page
-from param_tutorial.site.pages.links import Links
+from param_tutorial.site.pages.links import LAB, Links
 from param_tutorial.site.recording.recorded import Recordings
 
 _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|'
@@ -38,8 +38,8 @@ Each lesson asks one question and lets a real ROS 2 Jazzy node answer it. Everyt
 was recorded from the real one when the page was built. If something was not recorded, the page says so. Your
 predictions are kept in this browser; other changes are gone when you close the page.
 
-**In JupyterLab, with a live robot.** Each lesson starts with a link to its notebook. The course brings a panel, a
-terminal and the real rclpy to any Linux machine with Python. `make lab` starts it; you don't need to install ROS.
+{in_lab}**On a Linux machine with Python.** Each lesson starts with a link to its notebook. The course brings a panel, a
+terminal and the real ROS 2 with it. `make lab` starts it; you don't need to install ROS.
 
 ## When they ran
 
@@ -52,18 +52,28 @@ terminal and the real rclpy to any Linux machine with Python. `make lab` starts 
 ```
 '''
 
+_IN_LAB = f'''**In JupyterLab, with a live robot, in this browser.**
+<a href="{LAB}/lab/index.html?path=index.md">Open the lab</a>: the same lessons as notebooks, in which you can change
+and run every cell. Python and rclpy, ROS's own code for Python, come into the page, once, about 50 MB; there is nothing
+to install. What you change stays in this browser. <a href="{LAB}/LICENSES.md">Its licenses</a>.
 
-def front_page_source(index: Path, recordings: dict[Path, Recordings], facts: dict[str, str]) -> str:
+'''
+
+
+def front_page_source(index: Path, recordings: dict[Path, Recordings], facts: dict[str, str], *,
+                      has_lab: bool = False) -> str:
     """Return the first page, as Markdown.
 
     :param index: The start page of the notebooks, whose table names the chapters.
     :param facts: From which state of the course the lessons ran, and on what; see ``archive.provenance``.
+    :param has_lab: True if JupyterLab for the browser is a part of the site.
     """
     names = [path.stem for path in recordings]
     text = for_page(index.read_text(encoding='utf-8'))
     links = Links(index, nbformat.v4.new_notebook(), {*names, 'claims'})
     return _TEXT.format(try_it=_robot_to_try(recordings), ways=_ways(links.in_markdown(text)),
-                        chapters=_groups(text, names), provenance=_provenance_text(facts), names='\n'.join(names))
+                        chapters=_groups(text, names), provenance=_provenance_text(facts),
+                        in_lab=_IN_LAB if has_lab else '', names='\n'.join(names))
 
 
 def _robot_to_try(recordings: dict[Path, Recordings]) -> str:

@@ -10,6 +10,8 @@ from param_tutorial.site.pages.writing import BuildError
 
 # Where the site keeps the notebooks for readers who want to run them.
 NOTEBOOKS = 'notebooks'
+# The folder of JupyterLab for the browser.
+LAB = 'lite'
 _MARKDOWN = re.compile(r'(?<!!)\[([^\]]*)\]\(([\w/.-]+\.(?:ipynb|md))(#[^)]*)?\)')
 _HREF = re.compile(r'<a href="(\w+)\.ipynb">(.*?)</a>', re.DOTALL)
 _HEADING = re.compile(r'^#+ +(.+)$', re.MULTILINE)

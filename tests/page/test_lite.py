@@ -1,0 +1,382 @@
+"""The course for any browser, as learners work with it: the built site in real Chromium and Firefox, with clicks.
+
+What each cell prints is tests/page/test_chapters.py's; here are the page around the kernel, the files that stay in the
+browser, and the network that nobody reaches.
+"""
+
+import contextlib
+import functools
+import json
+import re
+import threading
+from http.server import BaseHTTPRequestHandler, SimpleHTTPRequestHandler, ThreadingHTTPServer
+from typing import NamedTuple
+
+import nbformat
+import pytest
+
+from param_tutorial.exercises import PREDICTIONS
+from param_tutorial.learner.storage import only_one
+from param_tutorial.site.browser import lite
+from tests.support import lab, missing
+from tests.support.firefox import FIREFOX, firefox
+from tests.support.lab import chromium
+from tests.support.paths import ROOT
+
+pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+
+# Before JupyterLab finds a picture among the reader's files, the browser asks for it beside the page. And the browser
+# names each request that the policy forbids; the tests make some to this machine, and none may go to another one.
+KNOWN = r"lab/images/robot\.svg|http://127\.0\.0\.1:\d+/'? because it violates|Fetch API cannot load http://127|" \
+        r"Connecting to 'http://127|Failed to load 'http://127"
+
+
+class Chapter(NamedTuple):
+    """What a learner does in a chapter."""
+
+    name: str
+    node: str
+    """Its panel is this node's."""
+    parameter: str
+    prediction: str
+    exercise: str
+
+
+CHAPTERS = (
+    Chapter('01_what_are_parameters.ipynb', '/clawbot_node', 'max_speed_rpm', '1-1', '1b'),
+    Chapter('03_declaring.ipynb', '/simple_param_node', 'max_acceleration_mps2', '3-1', '3a'),
+    Chapter('05_1_from_the_command_line.ipynb', '/simple_param_node', 'enable_safety_mode', '5.1-1', '5.1a'),
+    Chapter('05_2_with_a_callback.ipynb', '/simple_param_node', 'max_acceleration_mps2', '5.2-1', '5.2a'),
+    Chapter('06_1_descriptors_and_ranges.ipynb', '/gripper', 'force_n', '6.1-1', '6.1a'),
+)
+FIRST, UNTOUCHED, LAST = CHAPTERS[0], '04_retrieving.ipynb', CHAPTERS[-1]
+
+# In the page: the open notebook, and what a test asks of it.
+HELP = '''window.test = {
+    get panel() { return [...jupyterapp.shell.widgets('main')].find(widget => widget.sessionContext); },
+    get kernel() { return test.panel?.sessionContext?.session?.kernel; },
+    get cells() { return test.panel.content.widgets; },
+    isCode: cell => cell.model.type === 'code',
+    cell: text => test.cells.findIndex(cell => test.isCode(cell) && cell.model.sharedModel.source.includes(text)),
+    isReady: name => test.panel?.context?.path === name && test.kernel?.status === 'idle' && test.cells?.length > 1,
+    close: async () => {
+        const {panel} = test;
+        await panel.context.save();
+        await panel.sessionContext.shutdown();
+        panel.dispose();
+    },
+    run: async index => {
+        // Firefox without a window gives the focus to none.
+        jupyterapp.shell.activateById(test.panel.id);
+        test.panel.content.activeCellIndex = index;
+        await jupyterapp.commands.execute('notebook:run-cell');
+        return test.cells[index].outputArea.node.innerText;
+    },
+    ask: async code => {
+        const future = test.kernel.requestExecute({code, store_history: false});
+        let said = '';
+        future.onIOPub = message => { said += message.content.text ?? message.content.evalue ?? ''; };
+        await future.done;
+        return said;
+    },
+    mark: element => {
+        document.querySelector('#marked')?.removeAttribute('id');
+        element.id = 'marked';
+    },
+};'''
+
+
+class ChromiumPage:
+    """A page of Chromium, asked as ``FirefoxPage`` is."""
+
+    def __init__(self, page):
+        self._page = page
+        self.complaints = []
+        page.set_default_timeout(lab.TIMEOUT_SEC * 1000)
+        page.on('console', lambda said: said.type == 'error' and self.complaints.append(
+            f'{said.text} {said.location["url"]}'))
+        page.on('pageerror', lambda error: self.complaints.append(error.stack or str(error)))
+        page.context.on('request', lambda request: not re.match('(blob:)?http://127.0.0.1:|data:', request.url)
+                        and self.complaints.append(f'It asks another host: {request.url}'))
+        self.open, self.click, self.reload = page.goto, page.click, page.reload
+
+    def evaluate(self, expression):
+        return self._page.evaluate(f'async () => await ({expression})')
+
+    def wait_for(self, expression):
+        self._page.wait_for_function(f'() => Boolean({expression})')
+
+    def press(self, *keys):
+        for key in keys:
+            self._page.keyboard.press(key)
+
+
+class Server:
+    """A server on this machine; what it was asked for is in ``asked``."""
+
+    def __init__(self, folder=None):
+        server = self
+        self.asked = []
+
+        class Handler(SimpleHTTPRequestHandler if folder else BaseHTTPRequestHandler):
+            def do_GET(self):
+                server.asked.append(self.path)
+                if folder:
+                    super().do_GET()
+                else:  # it lets anybody read
+                    self.send_response(200)
+                    self.send_header('Access-Control-Allow-Origin', '*')
+                    self.end_headers()
+
+            def log_message(self, *_):
+                pass
+
+        self._server = ThreadingHTTPServer(
+            ('127.0.0.1', 0), functools.partial(Handler, directory=folder) if folder else Handler)
+        self.url = f'http://127.0.0.1:{self._server.server_port}/'
+        threading.Thread(target=self._server.serve_forever, daemon=True).start()
+
+    def stop(self):
+        self._server.shutdown()
+        self._server.server_close()
+
+
+@pytest.fixture(scope='module')
+def built(tmp_path_factory):
+    """Return the folder of the built site; its JupyterLab can be reached by scripts."""
+    folder = tmp_path_factory.mktemp('lite') / 'site'
+    lite.WORK.mkdir(parents=True, exist_ok=True)
+    with only_one(lite.WORK):
+        lite.build(folder)
+    configuration = folder / 'jupyter-lite.json'
+    content = json.loads(configuration.read_text())
+    content['jupyter-config-data']['exposeAppInBrowser'] = True
+    configuration.write_text(json.dumps(content))
+    return folder
+
+
+@pytest.fixture
+def site(built):
+    server = Server(built)
+    yield server
+    with contextlib.suppress(OSError):  # a test has stopped it
+        server.stop()
+
+
+class Visit:
+    """A learner in one browser, from the first page on."""
+
+    def __init__(self, page, site):
+        self.page, self.site = page, site
+
+    def load(self, address):
+        """Open an address of the site."""
+        self.page.open(f'{self.site.url}{address}')
+        self.page.wait_for('window.jupyterapp?.commands.hasCommand("docmanager:open")')
+        self.page.evaluate(f'(() => {{ {HELP} }})()')
+
+    def reload(self, name):
+        self.page.reload()
+        self.page.wait_for('window.jupyterapp?.commands.hasCommand("docmanager:open")')
+        self.page.evaluate(f'(() => {{ {HELP} }})()')
+        self.wait_for_kernel(name)
+
+    def wait_for_kernel(self, name):
+        self.page.wait_for(f'test.isReady({json.dumps(name)})')
+
+    def close(self):
+        """Save the notebook, close it, and end its kernel."""
+        self.page.evaluate('test.close().then(() => null)')
+
+    def open(self, name):
+        self.page.evaluate(f'jupyterapp.commands.execute("docmanager:open", {{path: "{name}"}}).then(() => null)')
+        self.wait_for_kernel(name)
+
+    def ask(self, code):
+        """Return what the kernel prints."""
+        return self.page.evaluate(f'test.ask({json.dumps(code)})').strip()
+
+    def cell(self, text):
+        """Return the position of the first code cell with this text."""
+        index = self.page.evaluate(f'test.cell({json.dumps(text)})')
+        assert index >= 0, text
+        return index
+
+    def run(self, index):
+        """Run a cell, and return what is below it."""
+        return self.page.evaluate(f'test.run({index})')
+
+    def run_between(self, start, end):
+        """Run the code cells from one position up to another, and that one."""
+        for index in range(start, end + 1):
+            if self.page.evaluate(f'test.isCode(test.cells[{index}])'):
+                self.run(index)
+
+    def write(self, index, source):
+        self.page.evaluate(f'test.cells[{index}].model.sharedModel.setSource({json.dumps(source)})')
+
+    def read(self, path):
+        """Return the text of one of the learner's files."""
+        return self.page.evaluate(f'jupyterapp.serviceManager.contents.get({json.dumps(path)}, '
+                                  f'{{content: true, format: "text"}}).then(file => file.content)')
+
+    def click(self, index, selector, nth=0):
+        """Click something in a cell's output, once it is there."""
+        found = f'test.cells[{index}].node.querySelectorAll({json.dumps(selector)})[{nth}]'
+        self.page.wait_for(f'{found} && !{found}.disabled')
+        self.page.evaluate(f'test.mark({found})')
+        self.page.click('#marked')
+
+    def wait_for_text(self, index, text):
+        self.page.wait_for(f'test.cells[{index}].outputArea.node.innerText.includes({json.dumps(text)})')
+
+
+    def complaints(self):
+        """Return what the browser complained about, apart from what is known."""
+        return [each for each in self.page.complaints if not re.search(KNOWN, each)]
+
+
+@contextlib.contextmanager
+def in_chromium(_folder):
+    if lab.CHROMIUM is None:
+        missing.skip('there is no Chromium on the PATH: apt-get install chromium-headless-shell')
+    with chromium() as browser:
+        yield ChromiumPage(browser.new_page(viewport={'width': 1280, 'height': 800}))
+
+
+@contextlib.contextmanager
+def in_firefox(folder):
+    if FIREFOX is None:
+        missing.skip('there is no Firefox on the PATH: apt-get install firefox-esr')
+    with firefox(folder) as page:
+        page.resize(1280, 1200)  # the robot stays in view above the controls that are clicked
+        yield page
+
+
+class Visits:
+    browser = None
+
+    @pytest.fixture
+    def visit(self, site, tmp_path):
+        with type(self).browser(tmp_path) as page:
+            yield Visit(page, site)
+
+
+class VisitsOfLearners(Visits):
+    """The first visit of a learner, from the link on, as one test: a kernel takes long to come."""
+
+    def test_five_chapters_worked_through_and_gone_on_with(self, visit):
+        page = visit.page
+        visit.load('')
+        page.wait_for("document.querySelector('.jp-MarkdownViewer img')?.naturalWidth > 0")
+        page.click('.jp-MarkdownViewer a[href*="01_what"]')
+        visit.wait_for_kernel(FIRST.name)
+        # Now, since no service worker stood between page and server when the page came.
+        self._reach_nobody(visit)
+        for chapter in CHAPTERS:
+            if chapter is not FIRST:
+                visit.close()
+                visit.open(chapter.name)
+            self._work_through(visit, chapter)
+        self._go_on(visit)
+        if self.browser is in_chromium:  # Firefox names no source, so what is JupyterLab's own can't be told apart
+            assert visit.complaints() == []
+
+    def _reach_nobody(self, visit):
+        outside = Server()
+        try:
+            for code in (f'import js; await js.fetch({outside.url!r})',
+                         f'import pyodide.http; await pyodide.http.pyfetch({outside.url!r})',
+                         f'import pyodide.http; pyodide.http.open_url({outside.url!r})',
+                         f'import urllib.request; urllib.request.urlopen({outside.url!r})'):
+                assert visit.ask(f'{code}\nprint("reached")') not in ('', 'reached'), code
+            assert visit.page.evaluate(
+                f'fetch({json.dumps(outside.url)}).then(() => "reached", error => "forbidden")') == 'forbidden'
+        finally:
+            outside.stop()
+        assert outside.asked == []
+
+    def _work_through(self, visit, chapter):
+        assert visit.ask('import os; print(os.getcwd(), os.path.exists("index.md"))') == '/drive True'
+        panel, question = visit.cell(' ParameterPanel('), visit.cell(f"predict('{chapter.prediction}')")
+        done = -1
+        for index, use in sorted([(panel, self._use_panel), (question, self._predict)], key=lambda each: each[0]):
+            visit.run_between(done + 1, index)
+            done = use(visit, index, chapter)
+        self._solve(visit, chapter)
+
+    def _use_panel(self, visit, index, chapter):
+        before = self._value(visit, chapter)
+        visit.click(index, f'.param-row[data-name="{chapter.parameter}"] input:is([type=range], [type=checkbox])')
+        lab.wait_for(lambda: self._value(visit, chapter) != before, 'the node to have what its control says')
+        if chapter is FIRST:
+            visit.click(index, '.robot-view button, .robot-stage button')
+            visit.wait_for_text(index, 'has stopped')
+        return index
+
+    def _value(self, visit, chapter):
+        return visit.ask(f'import param_tutorial as it\n'
+                         f'print(it.ParameterClient({chapter.node!r}).get_parameter({chapter.parameter!r}))')
+
+    def _predict(self, visit, index, chapter):
+        prediction = PREDICTIONS[chapter.prediction]
+        right = next(position for position, each in enumerate(prediction.choices) if each.is_right)
+        if prediction.is_typed:
+            visit.click(index, 'input[type=text]')
+            visit.page.press(*prediction.choices[right].text)
+        else:
+            visit.click(index, 'input[type=radio]', right)
+        visit.click(index, 'button')
+        visit.wait_for_text(index, 'Now run the next cell.')
+        after = visit.page.evaluate(
+            f'test.cells.findIndex((cell, index) => index > {index} && test.isCode(cell))')
+        visit.run(after)
+        visit.wait_for_text(index, 'Right.')
+        return after
+
+    def _solve(self, visit, chapter):
+        solutions = nbformat.read(ROOT / 'notebooks' / 'solutions' / chapter.name, as_version=4).cells
+        imports, *code = [cell.source for cell in solutions if cell.cell_type == 'code']
+        check = next(position for position, source in enumerate(code) if f"check('{chapter.exercise}'" in source)
+        index = visit.cell(f"check('{chapter.exercise}'")
+        given = visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source')
+        for work, verdict in ((given, 'not yet'), (code[check - 1], 'done')):
+            visit.write(index - 1, f'{imports}\n{work}')
+            visit.run(index - 1)
+            visit.run(index)
+            visit.wait_for_text(index, f'Exercise {chapter.exercise}: {verdict}')
+
+    def _go_on(self, visit):
+        index = visit.cell(f"check('{LAST.exercise}'")
+        visit.write(index - 1, '# mine')
+        visit.page.evaluate('test.panel.context.save().then(() => null)')
+        visit.reload(LAST.name)
+        assert visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source') == '# mine'
+        visit.run(visit.cell('import param_tutorial'))
+        visit.run(visit.cell('from param_tutorial import exercises'))
+        assert '1 of 3 exercises solved, 1 of ' in visit.run(visit.cell('exercises.progress('))
+        progress = json.loads(visit.read('progress.json'))
+        assert set(progress['solved']) == {each.exercise for each in CHAPTERS}
+        assert {number: each['right'] for number, each in progress['predicted'].items()} == {
+            each.prediction: True for each in CHAPTERS}
+        assert '| 1 1/3 | [What parameters are]' in visit.read('index.md')
+
+
+class TestInFirefox(VisitsOfLearners):
+    browser = staticmethod(in_firefox)
+
+
+class TestInChromium(VisitsOfLearners):
+    browser = staticmethod(in_chromium)
+
+
+class TestALink(Visits):
+    browser = staticmethod(in_chromium)
+
+    def test_a_link_runs_no_code(self, visit):
+        visit.load(f'lab/index.html?path={UNTOUCHED}')
+        visit.wait_for_kernel(UNTOUCHED)
+        assert visit.page.evaluate("""test.cells.filter(
+            cell => cell.model.executionCount || cell.model.outputs?.length).length""") == 0
+        assert visit.ask("print('param_tutorial' in globals())") == 'False'
+        assert visit.complaints() == []
