@@ -40,7 +40,7 @@ def packages(pyodide: Path, notebooks: Path) -> bytes:
 
 
 def _package_files(pyodide: Path) -> Iterator[tuple[str, bytes]]:
-    for archive in sorted((*pyodide.glob('*.whl'), pyodide / 'param-course-needs.zip')):
+    for archive in sorted((*pyodide.glob('*.whl'), *pyodide.glob('param-course*.zip'))):
         with zipfile.ZipFile(archive) as wheel:
             names = set(wheel.namelist())
             for name in sorted(names):
