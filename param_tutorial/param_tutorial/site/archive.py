@@ -1,115 +1,15 @@
-"""The recordings of all chapters: those that are kept, and new ones of what has changed.
+"""The course that a site is made of: the state it is in, and all of it as an archive that readers download."""
 
-A chapter's recordings are kept under a digest of all that they may depend on, so a chapter is not run again without
-need.
-"""
-
-import hashlib
 import io
-import json
 import os
 import platform
 import subprocess
-import sys
-import time
 import zipfile
-from collections.abc import Iterator
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
-
-from param_tools.markup.wording import format_count
-from param_tutorial.site.console import say
-from param_tutorial.site.recording.recorded import Recordings
-from param_tutorial.site.recording.run import read_notebook, source_of
-from param_tutorial.site.workers import record_all
 
 PACKAGE_ROOT = Path(__file__).parents[2]
 ROOT = PACKAGE_ROOT.parent
-_SITE = Path(__file__).parent
-_VERSIONS = ('ros-jazzy-rclpy', 'ipykernel', 'ipywidgets')
-
-
-class Archive:
-    """Recordings of chapters; those that are missing are made, in as many kernels at once as there are processes."""
-
-    def __init__(self, notebooks: Path, work: Path, processes: int):
-        """
-        :param notebooks: The folder of all chapters.
-        :param work: Where recordings are kept from one build to the next.
-        """
-        self._notebooks, self._work, self._processes = notebooks, work, processes
-
-    def recordings(self, chapters: list[Path]) -> dict[Path, Recordings]:
-        """Run every chapter that has changed, and return the recordings of all.
-
-        :raises ChapterError: a chapter fails, or does not do what is stored in it.
-        """
-        kept = self._work / 'recordings'
-        kept.mkdir(parents=True, exist_ok=True)
-        surroundings = digest_of_surroundings()
-        recordings: dict[Path, Recordings] = {}
-        to_run: dict[Path, str] = {}
-        for path in chapters:
-            key = hashlib.sha256(what_runs(path) + surroundings + self._others_read_by(path)).hexdigest()
-            found = _load(kept / f'{path.stem}.json')
-            if found.get('key') == key:
-                recordings[path] = found['recordings']
-            else:
-                to_run[path] = key
-        if recordings:
-            say(f'{len(recordings)} of {len(chapters)} chapters have not changed')
-        for path, recorded in self._run(list(to_run)):
-            recordings[path] = recorded
-            _save(kept / f'{path.stem}.json', {'key': to_run[path], 'recordings': recorded})
-        return {path: recordings[path] for path in chapters}
-
-    def _others_read_by(self, path: Path) -> bytes:
-        """Return all chapters, if a chapter reads them: the glossary is made of all."""
-        if 'Glossary' not in path.read_text(encoding='utf-8'):
-            return b''
-        return b''.join(each.read_bytes() for each in sorted(self._notebooks.glob('*.ipynb')))
-
-    def _run(self, paths: list[Path]) -> Iterator[tuple[Path, Recordings]]:
-        """Run chapters in several kernels at once, and yield each with its recordings when all of it is there."""
-        if not paths:
-            return
-        os.environ['IPYTHONDIR'] = str(self._work / 'ipython')
-        (self._work / 'ipython').mkdir(parents=True, exist_ok=True)
-        began = time.monotonic()
-        say(f'Running {format_count(len(paths), "chapter")}, {self._processes} kernels at a time')
-        for done, (path, recorded) in enumerate(record_all(paths, self._processes), 1):
-            asked = sum(part.get('asked', 0) for found in recorded.values() for each in found
-                        for part in each.get('parts', [each]))
-            kinds = [each['kind'] for found in recorded.values() for each in found]
-            views, forms = len(kinds) - kinds.count('answers'), kinds.count('answers')
-            say(f'[{done}/{len(paths)}] {path.stem}: ran as stored; {format_count(views, "view")} and '
-                f'{format_count(forms, "exercise")} recorded'
-                + (f', {asked:,} answers' if asked else '') + f' ({time.monotonic() - began:.0f} s)')
-            yield path, recorded
-
-
-def what_runs(path: Path) -> bytes:
-    """Return all of a chapter, and of the code of its solutions, that its recordings may depend on: not its prose."""
-    cells = [[cell.id, cell.source, cell.metadata.get('tags'), cell.execution_count, cell.outputs]
-             for cell in read_notebook(path).cells if cell.cell_type == 'code']
-    return json.dumps([path.name, cells, source_of(path)], sort_keys=True).encode()
-
-
-def digest_of_surroundings() -> bytes:
-    """Return a digest of all that a chapter's run may depend on beside the chapter.
-
-    That is the package without the lessons, which no chapter imports, but with their ``recording``, which imports
-    nothing of the rest of them.
-    """
-    digest = hashlib.sha256(json.dumps([sys.version, [version(name) for name in _VERSIONS]]).encode())
-    files = [path for folder in (PACKAGE_ROOT, ROOT / 'config') for path in sorted(folder.rglob('*'))
-             if path.is_file() and path.suffix != '.pyc'
-             and (_SITE not in path.parents or _SITE / 'recording' in path.parents)
-             and not any(part.endswith('.egg-info') for part in path.parts)]
-    for path in files:
-        digest.update(str(path.relative_to(ROOT)).encode() + b'\0' + path.read_bytes())
-    return digest.digest()
 
 
 def provenance() -> dict[str, str]:
@@ -149,18 +49,3 @@ def _git(*arguments: str) -> str:
         return subprocess.run(['git', *arguments], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
     except (OSError, subprocess.CalledProcessError):
         return ''
-
-
-def _load(path: Path) -> dict[str, Any]:
-    """Return what ``_save`` wrote; nothing if that is not there or not whole."""
-    try:
-        return dict(json.loads(path.read_text(encoding='utf-8')))
-    except (OSError, ValueError):
-        return {}
-
-
-def _save(path: Path, content: dict[str, Any]) -> None:
-    """Write JSON, as a whole or not at all."""
-    new = path.with_suffix('.new')
-    new.write_text(json.dumps(content, ensure_ascii=False), encoding='utf-8')
-    new.replace(path)

@@ -1,4 +1,4 @@
-"""Makes the website: has what has changed run and recorded, has the pages written, and puts the site in its place.
+"""Makes the website: runs the chapters in the kernel of their pages, has the pages written, and puts the site in place.
 
     .venv/bin/python -m param_tutorial.site                          the site, in build/html/
     .venv/bin/python -m param_tutorial.site --lesson 06              one chapter as one file, in build/
@@ -10,12 +10,11 @@ one as it was.
 import html
 import os
 from pathlib import Path
-from typing import Any
 
 import nbformat
 
 from param_tutorial.notebook.glossary import Glossary
-from param_tutorial.site.archive import Archive, course_archive, provenance
+from param_tutorial.site.archive import course_archive, provenance
 from param_tutorial.site.browser import lite
 from param_tutorial.site.console import format_path, say
 from param_tutorial.site.live.site import Live
@@ -23,7 +22,6 @@ from param_tutorial.site.pages.chapter import COURSE, chapter_source
 from param_tutorial.site.pages.front_page import front_page_source
 from param_tutorial.site.pages.links import LAB, NOTEBOOKS
 from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
-from param_tutorial.site.recording.recorded import Recordings
 from param_tutorial.site.replacing import recover, replace
 
 _NOT_FOUND = '''---
@@ -39,15 +37,14 @@ class Site:
     """One build: which notebooks, and where everything goes."""
 
     def __init__(self, notebooks: Path, target: Path, work: Path, names: list[str] | None = None, *,
-                 processes: int = 0, address: str = '', has_lab: bool = False, is_live: bool = False):
+                 processes: int = 0, address: str = '', has_lab: bool = False):
         """
         :param notebooks: The folder of the chapters.
         :param target: Where the site will be.
-        :param work: Where recordings and Sphinx's memory are kept from one build to the next.
+        :param work: Where runs of chapters and Sphinx's memory are kept from one build to the next.
         :param names: What the names of the wanted chapters begin with; by default all.
-        :param processes: How many kernels run at once; by default one for each processor.
+        :param processes: How many chapters run at once; by default one for each processor.
         :param address: Where the site will be on the web, for search engines; by default nobody knows.
-        :param is_live: Make pages with a live node in place of recordings.
         :param has_lab: True if JupyterLab for the browser is a part of the site.
         :raises BuildError: there is no such chapter.
         """
@@ -61,7 +58,7 @@ class Site:
                              f'there are {", ".join(path.stem for path in found) or "none"}')
         self.notebooks, self.target, self.work = notebooks, target, work
         self._processes = processes or os.cpu_count() or 1
-        self.live = Live(work / 'live') if is_live else None
+        self.live = Live(work / 'live')
 
     def build(self) -> None:
         """Make the site.
@@ -71,13 +68,11 @@ class Site:
         :raises PagePythonError: the Python of a page can't be put together.
         """
         recover(self.target)
-        if self.live:
-            self.live.run(self.chapters, self._processes)
-        self._write_sources({path: {} for path in self.chapters} if self.live else self.record())
+        self.run()
+        self._write_sources()
         say('Writing the pages')
-        settings: dict[str, Any] = {'html_baseurl': self.address} if self.address else {}
-        if self.live:
-            settings |= self.live.settings()
+        settings = {**self.live.settings(), 'html_context.lab': LAB if self._has_lab else '',
+                    'html_baseurl': self.address}
         write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', processes=self._processes,
                     settings=settings)
         self._remove_strangers()
@@ -106,18 +101,19 @@ class Site:
                             f'<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n{pages}</urlset>\n',
                             encoding='utf-8')
 
-    def record(self) -> dict[Path, Recordings]:
-        """Run every chapter that has changed, and return the recordings of all.
+    def run(self) -> None:
+        """Run every chapter that has changed.
 
         :raises ChapterError: a chapter fails, or does not do what is stored in it.
+        :raises PagePythonError: the Python of a page can't be put together.
         """
-        return Archive(self.notebooks, self.work, self._processes).recordings(self.chapters)
+        self.live.run(self.chapters, self._processes)
 
-    def _write_sources(self, recordings: dict[Path, Recordings]) -> None:
+    def _write_sources(self) -> None:
         """Write what Sphinx reads; files that stay the same are not touched, so that Sphinx need not read them."""
         folder = self.work / 'source'
         wanted = {folder / name: text.encode() if isinstance(text, str) else text
-                  for name, text in self._sources(recordings).items()}
+                  for name, text in self._sources().items()}
         for path in folder.rglob('*'):
             if path.is_file() and path not in wanted:
                 path.unlink()
@@ -125,14 +121,14 @@ class Site:
             if not path.exists() or path.read_bytes() != content:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(content)
-        write_static(folder, self.live.scripts() if self.live else None)
+        write_static(folder, self.live.scripts())
 
-    def _sources(self, recordings: dict[Path, Recordings]) -> dict[Path, str | bytes]:
+    def _sources(self) -> dict[Path, str | bytes]:
         """Return what Sphinx reads, by the names of the files."""
         pages = {path.stem for path in self.chapters} | {'index', 'claims'}
         download = Path('extra', NOTEBOOKS)
         sources: dict[Path, str | bytes] = {
-            Path('index.md'): front_page_source(self.notebooks / 'index.md', recordings, provenance(),
+            Path('index.md'): front_page_source(self.notebooks / 'index.md', self.live.chapters, provenance(),
                                                 has_lab=self._has_lab),
             Path('404.md'): _NOT_FOUND,
             Path('extra', f'{COURSE}.zip'): course_archive(COURSE)}
@@ -141,8 +137,7 @@ class Site:
             sources[Path(claims.name)] = f'---\norphan: true\n---\n{claims.read_text(encoding="utf-8")}'
         glossary = Glossary.of(self.notebooks)
         for path in self.chapters:
-            page = chapter_source(path, recordings[path], pages, glossary=glossary, has_lab=self._has_lab,
-                                  live=self.live.chapters[path] if self.live else None)
+            page = chapter_source(path, self.live.chapters[path], pages, glossary=glossary, has_lab=self._has_lab)
             sources[Path(path.name)] = nbformat.writes(page) + '\n'
             sources[download / path.name] = path.read_text(encoding='utf-8')
         for path in sorted((self.notebooks / 'solutions').glob('*.ipynb')):

@@ -8,8 +8,8 @@ from param_tutorial.site import single
 from param_tutorial.site.archive import ROOT
 from param_tutorial.site.browser.page_python import PagePythonError
 from param_tutorial.site.build import Site
+from param_tutorial.site.live.running import ChapterError
 from param_tutorial.site.pages.writing import BuildError
-from param_tutorial.site.recording.run import ChapterError
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -25,12 +25,11 @@ def main(arguments: list[str] | None = None) -> int:
                         help='what is kept between builds')
     parser.add_argument('--lesson', metavar='CHAPTER', help='make one file of one chapter instead')
     parser.add_argument('--address', default='', help='where the site will be on the web, for search engines')
-    parser.add_argument('--live', action='store_true', help='pages with a live node in place of recordings')
     options = parser.parse_args(arguments)
     try:
         names = [options.lesson] if options.lesson else options.only
         site = Site(options.notebooks.resolve(), options.target.resolve(), options.work.resolve(), names,
-                    address=options.address, has_lab=names is None, is_live=options.live)
+                    address=options.address, has_lab=names is None)
         if options.lesson:
             single.build(site)
         else:

@@ -34,16 +34,17 @@ def build(site: Site) -> Path:
         names = ', '.join(path.stem for path in site.chapters)
         raise BuildError(f'this means more than one chapter: {names}. Write more of its name.')
     path, = site.chapters
-    recordings = site.record()
+    site.run()
     folder = site.work / 'single' / path.stem
     shutil.rmtree(folder, ignore_errors=True)
     source = folder / 'source'
     source.mkdir(parents=True)
-    write_static(source)
-    chapter = chapter_source(path, recordings[path], {path.stem}, glossary=Glossary.of(site.notebooks),
+    write_static(source, site.live.scripts())
+    chapter = chapter_source(path, site.live.chapters[path], {path.stem}, glossary=Glossary.of(site.notebooks),
                              alone=provenance(), address=site.address)
     (source / path.name).write_text(nbformat.writes(chapter), encoding='utf-8')
-    write_pages(source, folder / 'html', folder / 'doctrees', settings={'root_doc': path.stem, **_SETTINGS})
+    write_pages(source, folder / 'html', folder / 'doctrees',
+                settings={'root_doc': path.stem, **site.live.settings(), **_SETTINGS})
     target = site.target.parent / f'{path.stem}.html'
     target.write_text(inline_page(folder / 'html' / f'{path.stem}.html'), encoding='utf-8')
     say(f'The lesson is in {format_path(target)}, {target.stat().st_size / 1e6:.1f} MB')

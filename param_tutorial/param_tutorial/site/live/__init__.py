@@ -1,4 +1,4 @@
-"""Lesson pages with a node of their own. `python -m param_tutorial.site --live` makes them, in place of recordings.
+"""Lesson pages with a node of their own.
 
 A page is what it was: the chapter with its stored outputs, readable at once and without a script. Beside that it can
 run the chapter, in the Python that `browser.page_python` gathers for JupyterLite too: Pyodide, the real rclpy on
@@ -30,7 +30,7 @@ view's handle; when its cell has run, the same handles become the kernel's widge
 Nothing is drawn twice, and a drag goes on under the hand. Of ipywidgets themselves only boxes and HTML are needed:
 the predictions, which use others, are forms of the page.
 
-Not yet: a lesson as one file; the robot of the first page; answers to exercises in the marks of progress; files that
-a reader saves; settings in the address. The recorder (`recording`, `replay.js` and what belongs to them) goes when
-this becomes the only way.
+**What the reader does is kept**: settings of panels in the page's address (``address.js``), code in the browser
+(``kept_code.js``), and there, too, what is solved and predicted (``scripts/progress.js``); the kernel gets it as the
+file that the course keeps in a checkout.
 """

@@ -6,12 +6,15 @@
 
 /**
  * What the kernel says: that it begins with a cell; an output of a cell; that an earlier output is another one now, or that all before are to go;
- * what a widget has become; and how a cell has ended.
+ * what a widget has become; which exercises are solved;
+ * and how a cell has ended.
  * @typedef {{is: 'begin', cell: string} | {is: 'output', cell: string, output: any} | {is: 'update', display: string, output: any} |
  *   {is: 'clear', cell: string, wait: boolean} | {is: 'widget', does: string, name: string, state?: any, content?: any} |
- *   {is: 'ran', cell: string, status: string}} Said
+ *   {is: 'solved', numbers: string[]} | {is: 'ran', cell: string, status: string}} Said
  */
 
+/** The file in which the course keeps what the learner has solved. */
+export const PROGRESS = '/drive/progress.json';
 const SITE = '/lib/python3.14/site-packages/';
 // Nobody types into a terminal here, and what IPython would load for one takes a second.
 const PREPARE = `
@@ -173,7 +176,16 @@ export class Kernel {
       const output = {output_type: 'error', ename: name, evalue, traceback: this.plain(traceback)};
       this.say({is: 'output', cell, output});
     }
+    this.tellSolved();
     this.say({is: 'ran', cell, status});
+  }
+
+  /** Say which exercises the course knows as solved, if it keeps that. */
+  tellSolved() {
+    const {FS} = this.python;
+    if (!FS.analyzePath(PROGRESS).exists) return;
+    const {solved} = JSON.parse(FS.readFile(PROGRESS, {encoding: 'utf8'}));
+    this.say({is: 'solved', numbers: Object.keys(solved)});
   }
 
   /**

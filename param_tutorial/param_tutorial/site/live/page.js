@@ -4,6 +4,8 @@
    "Run All Above" does in a notebook. What they put out stands on the page already; only what differs is drawn again. */
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
+import {answerTo, keepAnswer, progressFile} from '../scripts/progress.js';
+import {followAddress, keepSettings} from './address.js';
 import {keepCode, keptCode} from './kept_code.js';
 import {digest} from './kernel.js';
 import {add, draw} from './outputs.js';
@@ -37,7 +39,7 @@ class Cell {
     this.element = element;
     this.code = facts.source;
     // A prediction is the page's own; see scripts/predictions.js.
-    this.isOwn = Boolean(element?.querySelector('.rec-prediction'));
+    this.isOwn = Boolean(element?.querySelector('.lesson-prediction'));
   }
 
   get place() {
@@ -96,16 +98,15 @@ export class Page {
   /** Let the worker begin; once for the page. */
   async begin() {
     if (this.worker) return;
-    const [first, ...others] = all(document, 'script[data-live-python]');
-    const sources = [first, ...others].map(each => each.dataset.livePython ?? '').filter(Boolean);
+    const scripts = all(document, 'script[data-live-python]');
     const code = /** @type {any} */ (self).lessonWorker;
     const address = URL.createObjectURL(new Blob([code], {type: 'text/javascript'}));
     this.worker = new Worker(address);
     this.worker.addEventListener('message', ({data}) => this.hear(data));
     this.worker.addEventListener('error', event => this.die(event.message));
     performance.mark('live-begin');
-    await Promise.all(sources.map(loadScript));
-    this.worker.postMessage({parts: /** @type {any} */ (self).lessonPython});
+    await Promise.all(scripts.map(loadPart));
+    this.worker.postMessage({parts: /** @type {any} */ (self).lessonPython, progress: progressFile()});
     delete (/** @type {any} */ (self).lessonPython);
   }
 
@@ -168,6 +169,7 @@ export class Page {
     const cell = this.byId.get(said.cell);
     if (said.is === 'widget') this.hearOfWidget(said);
     else if (said.is === 'update') this.replace(said);
+    else if (said.is === 'solved') this.keepSolved(said.numbers);
     else if (said.is === 'clear') cell?.outputs.splice(0);
     else if (said.is === 'begin') cell?.outputs.splice(0);
     else if (cell && said.is === 'output') this.hearOutput(cell, said.output);
@@ -183,6 +185,7 @@ export class Page {
       if (!handle?.isLive) continue;
       if (does === 'custom') handle.emit('msg:custom', content, []);
       else if (does === 'update') handle.update(state);
+      if (handle.isUsed && state?.state?.rows) keepSettings(handle);
     }
   }
 
@@ -199,6 +202,14 @@ export class Page {
     } else add(cell.outputs, output);
     // Who runs a cell sees what it writes at once.
     if (cell.isAsked) cell.show();
+  }
+
+  /** @param {string[]} numbers Of the exercises that the course knows as solved. */
+  keepSolved(numbers) {
+    for (const number of numbers) {
+      const isHere = document.querySelector(`.tag_live-check-${number.replace('.', '-')}`);
+      if (isHere && answerTo(number) === undefined) keepAnswer(number, '', true);
+    }
   }
 
   /** @param {any} said */
@@ -223,13 +234,18 @@ export class Page {
   }
 }
 
-/** @param {string} source */
-function loadScript(source) {
+/**
+ * Load a part of the Python: a script that stands beside the page, or, in a lesson that is one file, in it.
+ * @param {HTMLElement} part
+ */
+function loadPart(part) {
+  const source = part.dataset.livePython ?? '';
   return new Promise((resolve, reject) => {
-    const script = make('script', {src: source, async: true});
+    const script = source ? make('script', {src: source, async: true}) : make('script', {}, part.textContent ?? '');
     script.addEventListener('load', () => resolve(script.remove()));
     script.addEventListener('error', () => reject(new Error(`${source} can't be loaded`)));
     document.head.append(script);
+    if (!source) resolve(script.remove());
   });
 }
 
@@ -242,6 +258,7 @@ export async function beginLive() {
   for (const cell of page.cells) {
     if (cell.element?.querySelector('.cell_input')) letEdit(page, cell, codes[cell.facts.id]);
   }
+  followAddress(name => page.byId.get(name.split('/')[0])?.view?.handles.get(name));
   // A reader who reads is not kept from it, and who touches something need not wait as long.
   const soon = () => page.begin();
   for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, soon, {once: true});

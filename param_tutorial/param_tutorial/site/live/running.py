@@ -1,7 +1,7 @@
 """Runs a chapter in the kernel of its page, when the site is built: Pyodide in Node.js, with the page's own script.
 
-What the cells put out is compared with what is stored in the notebook, as when a chapter is recorded; a page of which
-the node says something else is not made. The states of the widgets after each cell are the page's first pictures.
+What the cells put out is compared with what is stored in the notebook; a page of which the node says something else is
+not made. The states of the widgets after each cell are the page's first pictures.
 """
 
 import hashlib
@@ -18,9 +18,9 @@ import nbformat
 from param_tools.markup.styles import sheet
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.shell import NO_SHELL
-from param_tutorial.site.recording.comparison import cells_of
-from param_tutorial.site.recording.run import WIDGET, ChapterError
+from param_tutorial.site.comparison import cells_of
 
+WIDGET = 'application/vnd.jupyter.widget-view+json'
 _RUN = Path(__file__).with_name('run.mjs')
 _TIMEOUT_SEC = 600
 _WITHOUT_SHELL = f'{NO_SHELL[0].upper()}{NO_SHELL[1:]}, so this cell does not run here.'
@@ -42,6 +42,22 @@ _KEPT = {'_dom_classes', '_model_name', '_esm', '_css'}
 _DROPPED = {'layout', 'style', 'tabbable', 'tooltip', 'box_style', 'description', 'description_allow_html',
             'placeholder', 'own_id'}
 _SHARED = ('_esm', '_css')
+
+
+class ChapterError(Exception):
+    """A chapter does not run, or does not do what is stored in it; the message names the notebook and the cell."""
+
+    def __init__(self, path: Path, cell: int, source: str, what: str):
+        """
+        :param cell: Its number as a reader counts cells, from 1; 0 for the notebook as a whole.
+        :param what: What is wrong, over several lines if need be.
+        """
+        super().__init__(path, cell, source, what)
+
+    def __str__(self) -> str:
+        path, cell, source, what = self.args
+        first_line = source.strip().splitlines()[0] if source.strip() else ''
+        return f'{path.name}, cell {cell} ({first_line}): {what}' if cell else f'{path.name}: {what}'
 
 
 class LiveCell(NamedTuple):

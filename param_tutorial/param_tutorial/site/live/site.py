@@ -45,11 +45,13 @@ class Live:
         (self.work / 'packages').write_bytes(packed)
         self._python = python_files.scripts(pyodide, packed)
         surroundings = packed + b''.join((_HERE / name).read_bytes() for name in _RUNS)
-        with concurrent.futures.ThreadPoolExecutor(processes) as pool:
+        # Most of a run is waiting for what moves.
+        with concurrent.futures.ThreadPoolExecutor(2 * processes) as pool:
             runs = {pool.submit(self._run, path, pyodide, surroundings): path for path in paths}
             for number, run in enumerate(concurrent.futures.as_completed(runs), 1):
-                self.chapters[runs[run]] = run.result()
+                run.result()
                 say(f'[{number}/{len(paths)}] {runs[run].stem}: ran in its page as stored')
+        self.chapters = {path: run.result() for run, path in runs.items()}
 
     def _run(self, path: Path, pyodide: Path, surroundings: bytes) -> LiveChapter:
         key = hashlib.sha256(path.read_bytes() + surroundings + repr(EXPLAINED).encode()).hexdigest()

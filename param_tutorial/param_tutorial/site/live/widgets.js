@@ -16,6 +16,8 @@ export class Handle {
   /** @type {Map<string, Set<Function>>} */
   listeners = new Map();
   isLive = false;
+  /** True once a hand has done something with it. */
+  isUsed = false;
   /** What a hand did before the kernel had the widget. @type {any[]} */
   waiting = [];
   /** @type {Set<string>} */
@@ -62,6 +64,7 @@ export class Handle {
 
   /** @param {any} data */
   tell(data) {
+    this.isUsed = true;
     if (this.isLive) this.view.page.tell(this.name, data);
     else {
       this.waiting.push(data);

@@ -2,7 +2,7 @@
 
    Nothing is fetched: a page on a disk may not, and a page on the web must not, since it runs what its reader typed. */
 
-import {Kernel, unpackFiles} from './kernel.js';
+import {Kernel, PROGRESS, unpackFiles} from './kernel.js';
 
 const worker = /** @type {any} */ (self);
 
@@ -30,8 +30,11 @@ async function load(code) {
   return import(address);
 }
 
-/** @param {Record<string, string>} parts */
-async function begin(parts) {
+/**
+ * @param {Record<string, string>} parts
+ * @param {string} progress What the browser has kept, as the course writes it into a file.
+ */
+async function begin(parts, progress) {
   const names = Object.keys(parts);
   const contents = await Promise.all(names.map(name => unpack(parts[name])));
   const part = Object.fromEntries(names.map((name, at) => [name, contents[at]]));
@@ -53,6 +56,7 @@ async function begin(parts) {
   });
   worker.fetch = fetchOfBrowser;
   unpackFiles(python, part.packages);
+  python.FS.writeFile(PROGRESS, progress);
   return new Kernel(python, said => worker.postMessage(said));
 }
 
@@ -72,7 +76,7 @@ let before = Promise.resolve();
 
 worker.onmessage = (/** @type {MessageEvent} */ {data}) => {
   if (data.parts) {
-    arrive(begin(data.parts));
+    arrive(begin(data.parts, data.progress));
   } else if (data.run) {
     before = before.then(async () => (await kernel).run(data.run, data.code));
   } else {

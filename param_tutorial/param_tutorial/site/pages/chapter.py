@@ -1,8 +1,8 @@
-"""A chapter with its recordings, as a source for Sphinx: outputs drawn, exercises with hints and solutions."""
+"""A chapter as a source for Sphinx: its views drawn, its exercises with hints and solutions."""
 
-import itertools
 import json
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import nbformat
@@ -12,13 +12,12 @@ from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.achievements import HOW
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.glossary import Glossary
-from param_tutorial.site.live.running import LiveChapter
+from param_tutorial.site.live.running import WIDGET, LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
-from param_tutorial.site.pages import drawing, forms
+from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.links import LAB, NOTEBOOKS, Links
+from param_tutorial.site.pages.predictions import draw_prediction
 from param_tutorial.site.pages.terms import terms_script
-from param_tutorial.site.recording.recorded import Recordings
-from param_tutorial.site.recording.run import WIDGET, cells_with_widgets
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
@@ -27,34 +26,27 @@ _BOTH_WORDINGS = re.compile(r'<!-- notebook -->.*?<!-- page:\s*(.*?)\s*-->', re.
 # What checks and ticks say, as HTML, and what a page says in its place: all hints stand below a check.
 _WORDINGS_OF_OUTPUTS = {
     r' \(the next: <code>exercises\.hint\([^)]*\)</code>\)': '',
-    re.escape(str(with_code(HOW))): 'In the notebook, what you solve is remembered and ticked here. This page '
-                                    'remembers the questions that you answer on it.'}
+    re.escape(str(with_code(HOW))): 'What you solve on this page is remembered in this browser, and ticked here.'}
 
 
-def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
-                   glossary: Glossary | None = None, alone: dict[str, str] | None = None, address: str = '',
-                   has_lab: bool = False, live: LiveChapter | None = None) -> nbformat.NotebookNode:
+def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: Glossary | None = None,
+                   alone: dict[str, str] | None = None, address: str = '', has_lab: bool = False,
+                   ) -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
-    :param recordings: For the id of each cell that shows widgets, their recordings in order.
+    :param live: The chapter as its page's kernel ran it.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
     :param glossary: The words that the page explains where they stand.
     :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
         ran, and on what; see ``archive.provenance``.
     :param address: Where the whole site is on the web, for links to what is not beside that file.
-    :param live: The chapter as the page's kernel ran it, in place of recordings.
     :param has_lab: True if JupyterLab for the browser is a part of the site.
     :raises BuildError: a link leads to a file that is not there.
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
     links = Links(path, notebook, pages, is_alone=alone is not None, address=address)
-    drawer = drawing.Drawer(path.stem, itertools.chain(*recordings.values()))
-    if live:
-        _draw_live_views(notebook, live)
-    else:
-        _draw_views(notebook, recordings, drawer)
-        _draw_forms(notebook, recordings, links)
-    _draw_predictions(notebook, drawer, links)
+    _draw_views(notebook, live)
+    _draw_predictions(notebook, links)
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
@@ -67,7 +59,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
         if len(cells) == 1:
             note = _download_note(path, has_lab) if alone is None else _provenance_note(alone)
             words = terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
-            cells.append(_html_cell('to-run', note + words + (_live_cells(live) if live else '')))
+            cells.append(_html_cell('to-run', note + words + live_cells(live.cells)))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
     notebook.cells = cells
@@ -75,16 +67,7 @@ def chapter_source(path: Path, recordings: Recordings, pages: set[str], *,
     return notebook
 
 
-def _draw_views(notebook: nbformat.NotebookNode, recordings: Recordings, drawer: drawing.Drawer) -> None:
-    """Put what a page can show in the place of each widget."""
-    for _, cell in cells_with_widgets(notebook):
-        remaining = iter(recordings[cell.id])
-        for output in cell.outputs:
-            if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
-                output.data = nbformat.from_dict({'text/html': drawer.draw(next(remaining))})
-
-
-def _draw_live_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None:
+def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None:
     """Put the first picture of each view in the place of its widget, and a name on each cell that runs."""
     ran = {each.id: each for each in live.cells}
     for cell in notebook.cells:
@@ -96,34 +79,22 @@ def _draw_live_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None
                 output.data = nbformat.from_dict({'text/html': still(ran[cell.id])})
 
 
-def _live_cells(live: LiveChapter) -> str:
-    """Return what the page's script has to know of the cells."""
-    facts = json.dumps([each._asdict() for each in live.cells], ensure_ascii=False, separators=(',', ':'))
+def live_cells(cells: Sequence[LiveCell]) -> str:
+    """Return what the page's script has to know of the cells that it can run."""
+    facts = json.dumps([each._asdict() for each in cells], ensure_ascii=False, separators=(',', ':'))
     inside = facts.replace('</', '<\\/')
     return f'<script type="application/json" class="live-cells">{inside}</script>'
 
 
-def _draw_predictions(notebook: nbformat.NotebookNode, drawer: drawing.Drawer, links: Links) -> None:
+def _draw_predictions(notebook: nbformat.NotebookNode, links: Links) -> None:
     """Put the page's own form in the place of each prediction."""
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if MIME_TYPE in output.get('data', {}):
                 number = output.data[MIME_TYPE]['number']
                 prediction = PREDICTIONS.get(number) or RECALLS[number]
-                output.data = nbformat.from_dict({'text/html': drawer.draw_prediction(prediction, links.in_verdict)})
+                output.data = nbformat.from_dict({'text/html': draw_prediction(prediction, links.in_verdict)})
                 cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
-
-
-def _draw_forms(notebook: nbformat.NotebookNode, recordings: Recordings, links: Links) -> None:
-    """Put a form in the place of each check whose answers were recorded, and of the cell that is to be filled in."""
-    cells = {cell.id: cell for cell in notebook.cells}
-    for name, cell in cells.items():
-        for recording in recordings.get(name, ()) if name.startswith('check-') else ():
-            drawn = forms.draw(recording, EXERCISES[recording['number']].title, links.in_check)
-            cell.outputs = [nbformat.v4.new_output('display_data', {'text/html': drawn})]
-            cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
-            exercise = cells[name.replace('check', 'exercise', 1)]
-            exercise.metadata.tags = [*exercise.metadata.get('tags', ()), 'remove-cell']
 
 
 def title(path: Path) -> str:
@@ -141,12 +112,14 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
 
 
 def _download_note(path: Path, has_lab: bool) -> str:
-    in_lab = (f'<a href="{LAB}/lab/index.html?path={path.name}">open it in JupyterLab, in this browser</a>, or '
-              if has_lab else '')
-    return (f'<p class="lesson-download">Every cell on this page has been run, and what it put out stands below it. '
-            f'To run it yourself, with a node that is alive, {in_lab}<a href="{COURSE}.zip" download>download the '
-            f'course</a>, unpack it on a Linux machine with Python, and type <code>make lab</code> in its folder. This '
-            f'lesson is <a href="{NOTEBOOKS}/{path.name}" download><code>{path.name}</code></a> there.</p>')
+    in_lab = (f'To have it as a notebook, <a href="{LAB}/lab/index.html?path={path.name}">open it in JupyterLab, in '
+              f'this browser</a>. For all of ROS 2, with its middleware and a shell, ' if has_lab
+              else 'For all of ROS 2, with its middleware and a shell, ')
+    return (f'<p class="lesson-download">This page is alive: rclpy’s own code runs in it, without a network. Change '
+            f'any value, and edit and run any cell; what you do stays in this browser. {in_lab}'
+            f'<a href="{COURSE}.zip" download>download the course</a>, unpack it on a Linux machine with Python, and '
+            f'type <code>make lab</code> in its folder. This lesson is '
+            f'<a href="{NOTEBOOKS}/{path.name}" download><code>{path.name}</code></a> there.</p>')
 
 
 def _provenance_note(facts: dict[str, str]) -> str:

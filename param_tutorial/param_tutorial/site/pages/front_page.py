@@ -1,16 +1,17 @@
 """The first page of the site: a robot to try at once, the chapters, and what the lessons ran on."""
 
 import html
-import itertools
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
 import nbformat
 
+from param_tutorial.site.live.running import LiveChapter
+from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
-from param_tutorial.site.pages.chapter import for_page
+from param_tutorial.site.pages.chapter import for_page, live_cells
 from param_tutorial.site.pages.links import LAB, Links
-from param_tutorial.site.recording.recorded import Recordings
 
 _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|'
                   r'(?: *([^|\n]+?) *\|)?')
@@ -34,9 +35,9 @@ Each lesson asks one question and lets a real ROS 2 Jazzy node answer it. Everyt
 
 ## How to read them
 
-**Here, without installing anything.** No node runs in these pages. Every answer of a panel and every drive of a robot
-was recorded from the real one when the page was built. If something was not recorded, the page says so. Your
-predictions are kept in this browser; other changes are gone when you close the page.
+**Here, without installing anything.** A node runs in each page: rclpy, ROS's own code for Python, on Python in the
+browser, without a network. Change any value, and edit and run any cell; exercises are checked. What you do is kept in
+this browser and nowhere else.
 
 {in_lab}**On a Linux machine with Python.** Each lesson starts with a link to its notebook. The course brings a panel, a
 terminal and the real ROS 2 with it. `make lab` starts it; you don't need to install ROS.
@@ -52,44 +53,42 @@ terminal and the real ROS 2 with it. `make lab` starts it; you don't need to ins
 ```
 '''
 
-_IN_LAB = f'''**In JupyterLab, with a live robot, in this browser.**
-<a href="{LAB}/lab/index.html?path=index.md">Open the lab</a>: the same lessons as notebooks, in which you can change
-and run every cell. Python and rclpy, ROS's own code for Python, come into the page, once, about 50 MB; there is nothing
-to install. What you change stays in this browser. <a href="{LAB}/LICENSES.md">Its licenses</a>.
+_IN_LAB = f'''**In JupyterLab, in this browser.** <a href="{LAB}/lab/index.html?path=index.md">Open the lab</a>: the same
+lessons as notebooks, about 50 MB, once; there is nothing to install. What you change stays in this browser.
+<a href="{LAB}/LICENSES.md">Its licenses</a>.
 
 '''
 
 
-def front_page_source(index: Path, recordings: dict[Path, Recordings], facts: dict[str, str], *,
+def front_page_source(index: Path, chapters: Mapping[Path, LiveChapter], facts: dict[str, str], *,
                       has_lab: bool = False) -> str:
     """Return the first page, as Markdown.
 
     :param index: The start page of the notebooks, whose table names the chapters.
+    :param chapters: As the kernels of their pages ran them.
     :param facts: From which state of the course the lessons ran, and on what; see ``archive.provenance``.
     :param has_lab: True if JupyterLab for the browser is a part of the site.
     """
-    names = [path.stem for path in recordings]
+    names = [path.stem for path in chapters]
     text = for_page(index.read_text(encoding='utf-8'))
     links = Links(index, nbformat.v4.new_notebook(), {*names, 'claims'})
-    return _TEXT.format(try_it=_robot_to_try(recordings), ways=_ways(links.in_markdown(text)),
+    return _TEXT.format(try_it=_robot_to_try(chapters), ways=_ways(links.in_markdown(text)),
                         chapters=_groups(text, names), provenance=_provenance_text(facts),
                         in_lab=_IN_LAB if has_lab else '', names='\n'.join(names))
 
 
-def _robot_to_try(recordings: dict[Path, Recordings]) -> str:
-    """Return a robot and its panel, if a chapter begins with them."""
-    for path, recorded in recordings.items():
-        views = [part for found in recorded.values() for each in found for part in each.get('parts', [each])]
-        robot = next((each for each in views if each['kind'] == 'robot'), None)
-        panel = next((each for each in views if robot and each['kind'] == 'panel' and each['node'] == robot['node']),
-                     None)
-        if robot and panel:
-            drawer = drawing.Drawer('front', itertools.chain(*recorded.values()))
-            both = drawer.draw({'kind': 'side by side', 'parts': [robot, panel]})
-            markup = f'<div class="front-robot">{both}</div>'
-            return (f'{_one_block(markup)}\n\n'
-                    'Move a slider, and press **Drive**. What happens without the safety mode? '
-                    f'That is where [the first lesson]({path.name}) begins.')
+def _robot_to_try(chapters: Mapping[Path, LiveChapter]) -> str:
+    """Return a robot and its panel, alive, if a chapter begins with them."""
+    for path, live in chapters.items():
+        for at, cell in enumerate(live.cells):
+            shown = ''.join(state.get('markup', '') for state in cell.states.values())
+            if 'robot-picture' in shown and 'param-row' in shown:
+                # The page runs the cells down to this one, and shows none but this.
+                markup = (f'{live_cells(live.cells[:at + 1])}<div class="front-robot cell tag_live-{cell.id}">'
+                          f'<div class="cell_output">{still(cell)}</div></div>')
+                return (f'{_one_block(markup)}\n\n'
+                        'Move a slider, and press **Drive**. What happens without the safety mode? '
+                        f'That is where [the first lesson]({path.name}) begins.')
     return ''
 
 

@@ -20,13 +20,13 @@ class BuildError(Exception):
     """The site cannot be made; the message is for the person who builds it."""
 
 
-def write_static(source: Path, live: Mapping[str, str] | None = None) -> None:
+def write_static(source: Path, live: Mapping[str, str]) -> None:
     """Write the scripts of all pages, and the styles of the notebook's own views, beside Sphinx's sources.
 
-    :param live: The scripts of live pages, by their names.
+    :param live: The scripts that the pages' kernels need, by their names.
     """
     (source / 'static').mkdir(exist_ok=True)
-    for name, text in (live or {}).items():
+    for name, text in live.items():
         (source / 'static' / name).write_text(text, encoding='utf-8')
     # A page on a disk can load no module, and the names in a script that is none are the whole page's.
     script = f"(() => {{\n'use strict';\n{bundle('param_tutorial/site/scripts/main.js')}}})();\n"

@@ -1,7 +1,7 @@
 /* The predictions of a lesson: a reader commits to an answer before the page shows what happens. */
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
-import {answerTo, forgetAnswer, keepAnswer} from './progress.js';
+import {answerTo, forgetAnswer, isDue, keepAnswer} from './progress.js';
 
 /** For each prediction what is folded below it. @type {Map<HTMLElement, Fold>} */
 const folds = new Map();
@@ -66,7 +66,8 @@ function foldAnswer(form) {
   for (; each instanceof HTMLElement && !each.matches('section, h2, h3'); each = each.nextElementSibling) {
     if (document.readyState === 'loading' && !each.nextSibling) break; // it may have come in part
     const isCell = each.matches('div.cell');
-    if (isCell && (answer.some(part => !part.matches('.cell_output')) || each.querySelector('.rec-prediction'))) break;
+    if (isCell && (answer.some(part => !part.matches('.cell_output')) || each.querySelector('.lesson-prediction')))
+      break;
     answer.push(...(isCell ? all(each, ':scope > .cell_output') : [each]));
   }
   const [first] = answer;
@@ -77,27 +78,36 @@ function foldAnswer(form) {
 }
 
 export function foldAnswers() {
-  all(document, '.rec-prediction[data-decided]').forEach(foldAnswer);
+  all(document, '.lesson-prediction[data-decided]').forEach(foldAnswer);
+}
+
+/**
+ * Return an answer as it is compared: see `exercises/prediction.py`.
+ * @param {string} answer
+ */
+function plainly(answer) {
+  const value = Number(answer);
+  return Number.isNaN(value) ? answer.toLowerCase() : String(value);
 }
 
 /**
  * Let a prediction be committed: it is locked then, and the page says what became of it. The browser keeps it.
  * @param {HTMLFormElement} form
- * @param {{choices: Record<string, string>, otherwise: string}} facts What to say to each answer, as HTML.
+ * @param {{choices: Record<string, string>, otherwise: string, right: string[]}} facts What to say to each answer, as
+ *   HTML, and which answers are right.
  */
 export function askForPrediction(form, facts) {
   const number = form.dataset.number ?? '';
   const fields = one(form, 'fieldset', HTMLFieldSetElement);
-  const said = one(form, '.rec-says');
-  const button = one(form, '.rec-commit', HTMLButtonElement);
-  const again = one(form, '.rec-again');
+  const said = one(form, '.lesson-says');
+  const button = one(form, '.lesson-commit', HTMLButtonElement);
+  const again = one(form, '.lesson-again');
   const boxes = all(form, 'input', HTMLInputElement);
   const given = () => String(new FormData(form).get('answer') ?? '').trim();
 
   /** @param {string} answer */
   function lock(answer) {
-    const value = Number(answer);
-    const plain = Number.isNaN(value) ? answer.toLowerCase() : String(value);
+    const plain = plainly(answer);
     const verdict = Object.hasOwn(facts.choices, plain) ? facts.choices[plain] : facts.otherwise;
     said.innerHTML = verdict;
     fields.disabled = Boolean(verdict);
@@ -109,7 +119,7 @@ export function askForPrediction(form, facts) {
 
   function comeBack() {
     const kept = answerTo(number);
-    if (kept === undefined || !again.hidden) return;
+    if (kept === undefined || isDue(number) || !again.hidden) return;
     const box = boxes.find(each => each.type === 'text' || each.value === kept);
     // The question may have other choices today.
     if (!box || !lock(kept)) return;
@@ -123,7 +133,7 @@ export function askForPrediction(form, facts) {
   form.addEventListener('submit', event => {
     event.preventDefault();
     const answer = given();
-    if (answer && lock(answer)) keepAnswer(number, answer);
+    if (answer && lock(answer)) keepAnswer(number, answer, facts.right.includes(plainly(answer)));
   });
   again.addEventListener('click', () => {
     forgetAnswer(number);

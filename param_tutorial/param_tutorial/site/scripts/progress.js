@@ -4,7 +4,13 @@
 
 import {all, make} from '../../../param_tools/panel/dom.js';
 
-/** @typedef {{of: number, answers: Record<string, string>, drafts: Record<string, string>}} Lesson */
+/**
+ * An answer to a question, or an exercise that is solved, which has no text: whether it was right, when (local time in ISO
+ * 8601), and, of a recall, how often it was right in a row.
+ * @typedef {{text: string, right: boolean, at: string, times: number}} Answer
+ *
+ * @typedef {{of: number, answers: Record<string, Answer>}} Lesson
+ */
 
 const NAME = 'ros2-parameters-lessons';
 const here = page(location.pathname);
@@ -15,6 +21,9 @@ const news = new BroadcastChannel(NAME);
 /** @type {Record<string, Lesson>} */
 let lessons = {};
 let writes = 0;
+/** What a lesson has to answer or to solve. */
+const QUESTIONS = '.lesson-prediction, [class*="tag_live-check-"]';
+const DAY_MS = 24 * 3600 * 1000;
 
 /** @param {string} path */
 function page(path) {
@@ -30,7 +39,7 @@ function open() {
   return new Promise((resolve, reject) => {
     const request = indexedDB.open(NAME, 1);
     request.onupgradeneeded = () => {
-      // By lesson and number: {text, isDone}; and by lesson how many questions and exercises it has.
+      // By lesson and number: an Answer; and by lesson how many questions and exercises it has.
       for (const each of ['answers', 'sizes']) request.result.createObjectStore(each);
     };
     request.onsuccess = () => resolve(request.result);
@@ -51,11 +60,11 @@ async function load() {
     } while (writes !== before);
     lessons = {};
     for (const [name, of] of sizes) {
-      if (Number.isInteger(of)) lessons[name] = {of, answers: {}, drafts: {}};
+      if (Number.isInteger(of)) lessons[name] = {of, answers: {}};
     }
     for (const [[name, number], kept] of answers) {
       if (typeof kept?.text !== 'string' || !lessons[name]) continue;
-      lessons[name][kept.isDone ? 'answers' : 'drafts'][number] = kept.text;
+      lessons[name].answers[number] = kept;
     }
   } catch {
     // Nothing can be read, or what is kept is not ours.
@@ -105,30 +114,26 @@ async function write(how) {
 }
 
 /**
- * Keep the answer to a question or an exercise of this page.
+ * Keep the answer to a question of this page, or that an exercise of it is solved.
  * @param {string} number
  * @param {string} text
+ * @param {boolean} right
  */
-export function keepAnswer(number, text, isDone = true) {
-  const of = document.querySelectorAll('.rec-prediction, .rec-exercise').length;
-  const {answers, drafts} = lessons[here] ?? {answers: {}, drafts: {}};
-  lessons[here] = {answers, drafts, of};
-  delete drafts[number];
-  (isDone ? answers : drafts)[number] = text;
+export function keepAnswer(number, text, right) {
+  const of = document.querySelectorAll(QUESTIONS).length;
+  const {answers} = lessons[here] ?? {answers: {}};
+  const times = right ? (answers[number]?.times ?? 0) + 1 : 0;
+  const answer = {text, right, at: localTime(), times};
+  lessons[here] = {answers: {...answers, [number]: answer}, of};
   write((kept, sizes) => {
-    kept.put({text, isDone}, [here, number]);
+    kept.put(answer, [here, number]);
     sizes.put(of, here);
   });
 }
 
-/**
- * Keep what was filled in; it counts as soon as it is right, and what was right once stays so.
- * @param {string} number
- * @param {string} text
- * @param {boolean} isDone
- */
-export function keepExercise(number, text, isDone) {
-  if (isDone || answerTo(number) === undefined) keepAnswer(number, text, isDone);
+function localTime() {
+  const now = new Date();
+  return new Date(now.getTime() - 60_000 * now.getTimezoneOffset()).toISOString().slice(0, 19);
 }
 
 /** @param {string} number */
@@ -150,15 +155,36 @@ function forgetAll() {
  * @returns {string | undefined}
  */
 export function answerTo(number) {
-  return lessons[here]?.answers[number];
+  return lessons[here]?.answers[number]?.text;
+}
+
+/** @param {string} number Of a prediction, a recall or an exercise: '5.2-1', '5.2-r1', '5.2b'. */
+const isQuestion = number => number.includes('-');
+
+/** Return what all lessons keep as the course writes it into a file, which `make class` reads: see `learner/progress.py`. */
+export function progressFile() {
+  /** @type {Record<string, string>} */
+  const solved = {};
+  /** @type {Record<string, {choice: string, right: boolean, at: string}>} */
+  const predicted = {};
+  for (const {answers} of Object.values(lessons)) {
+    for (const [number, {text, right, at}] of Object.entries(answers)) {
+      if (isQuestion(number)) predicted[number] = {choice: text, right, at};
+      else solved[number] = at;
+    }
+  }
+  return `${JSON.stringify({version: 1, solved, predicted}, null, 1)}\n`;
 }
 
 /**
+ * Tell whether a recall comes again: a day after a wrong answer, and three, nine, 27 days after the first, second and
+ * third right one in a row.
  * @param {string} number
- * @returns {string | undefined}
+ * @param {Answer | undefined} [answer]
  */
-export function draftOf(number) {
-  return lessons[here]?.drafts[number];
+export function isDue(number, answer = lessons[here]?.answers[number]) {
+  if (!answer || !number.includes('-r')) return false;
+  return Date.now() - Date.parse(answer.at) > 3 ** answer.times * DAY_MS;
 }
 
 /** Put the marks beside the links to the lessons. */
@@ -178,6 +204,12 @@ function show() {
     if (count === of) mark.dataset.done = '';
     link.append(mark);
   }
+  const line = /** @type {HTMLElement | null} */ (document.querySelector('.lesson-here'));
+  if (line) {
+    const of = document.querySelectorAll(QUESTIONS).length;
+    line.hidden = !of;
+    line.textContent = `${Object.keys(lessons[here]?.answers ?? {}).length} of ${of} answered`;
+  }
   tell();
 }
 
@@ -187,13 +219,35 @@ function tell() {
   if (!line) return;
   const kept = Object.values(lessons);
   const count = kept.reduce((sum, {answers}) => sum + Object.keys(answers).length, 0);
-  line.hidden = !count && kept.every(({drafts}) => !Object.keys(drafts).length);
-  const button = make('button', {type: 'button'}, 'Forget my answers');
-  button.addEventListener('click', forgetAll);
+  line.hidden = !count;
+  const save = make('a', {className: 'lesson-save', download: 'progress.json'}, 'Save as progress.json');
+  save.href = `data:application/json,${encodeURIComponent(progressFile())}`;
+  const forget = make('button', {type: 'button'}, 'Forget my answers');
+  forget.addEventListener('click', forgetAll);
   const questions = count === 1 ? 'one question' : `${count} questions`;
   line.replaceChildren(
     `You have answered ${questions}. This browser keeps the answers; nobody else gets them.`,
-    button,
+    save,
+    forget,
+  );
+  tellDue(line);
+}
+
+/**
+ * Say which recalls come again today, with links to them.
+ * @param {HTMLElement} line What it stands below.
+ */
+function tellDue(line) {
+  document.querySelector('.lesson-due')?.remove();
+  const due = Object.entries(lessons).flatMap(([name, {answers}]) =>
+    Object.entries(answers)
+      .filter(([number, answer]) => isDue(number, answer))
+      .map(([number]) => make('a', {href: `${name}.html#recall-${number}`}, number)),
+  );
+  if (!due.length) return;
+  const links = due.flatMap((link, at) => (at ? [', ', link] : [link]));
+  line.after(
+    make('p', {className: 'lesson-due'}, make('b', {}, 'Due today'), ', to see what you remember: ', ...links),
   );
 }
 
