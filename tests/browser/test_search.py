@@ -6,8 +6,8 @@ import re
 import nbformat
 import pytest
 
+from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.pages import chapter, writing
-from param_tutorial.site.recording.run import WIDGET, cells_with_widgets, read_notebook
 from tests.support.paths import NOTEBOOKS
 from tests.tools.site_rules import open_page
 
@@ -25,15 +25,13 @@ def site(tmp_path_factory):
     paths = sorted(NOTEBOOKS.glob('[0-9]*.ipynb'))
     pages = {path.stem for path in paths}
     for path in paths:
-        nothing = {cell.id: [{'kind': 'still', 'html': '', 'text': ''}] * len(
-            [output for output in cell.outputs if WIDGET in output.get('data', {})])
-            for _, cell in cells_with_widgets(read_notebook(path))}
-        (source / path.name).write_text(nbformat.writes(chapter.chapter_source(path, nothing, pages)))
+        page = chapter.chapter_source(path, LiveChapter([], {}), pages)
+        (source / path.name).write_text(nbformat.writes(page))
     names = '\n'.join(path.stem for path in paths)
     (source / 'index.md').write_text(f'# Start\n\n```{{toctree}}\n{names}\n```\n')
     claims = (NOTEBOOKS / 'claims.md').read_text()
     (source / 'claims.md').write_text(f'---\norphan: true\n---\n{claims}')
-    writing.write_static(source)
+    writing.write_static(source, {})
     writing.write_pages(source, folder / 'html', folder / 'doctrees', processes=2)
     return folder / 'html'
 

@@ -28,13 +28,13 @@ print('and on it goes')
 
 
 @pytest.fixture
-def run(outputs_in_a_page, tmp_path):
+def run(run_in_a_page, tmp_path):
     """Return a function that runs cells in the kernel of a page, and returns what each prints to stdout and stderr."""
     def run(*cells: str) -> list[tuple[str, str]]:
         notebook = nbformat.v4.new_notebook(cells=list(map(nbformat.v4.new_code_cell, cells)))
         nbformat.write(notebook, tmp_path / 'notebook.ipynb')
-        return [tuple(''.join(each['text'] for each in outputs if each.get('name') == name)
-                      for name in ('stdout', 'stderr')) for outputs in outputs_in_a_page(tmp_path / 'notebook.ipynb')]
+        return [tuple(''.join(each['text'] for each in ran['outputs'] if each.get('name') == name)
+                      for name in ('stdout', 'stderr')) for ran in run_in_a_page(tmp_path / 'notebook.ipynb')]
 
     return run
 

@@ -9,8 +9,7 @@ import pytest
 from nbclient import NotebookClient
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 
-from param_tutorial.site.recording import comparison
-from param_tutorial.site.recording.run import OwnKernel
+from param_tutorial.site import comparison
 
 
 def printed(text, name='stdout'):
@@ -69,7 +68,7 @@ def notebook(tmp_path_factory):
     path = tmp_path_factory.mktemp('pairs') / 'pairs.ipynb'
     nbformat.write(new_notebook(cells=cells), path)
     executed = nbformat.read(path, as_version=4)
-    NotebookClient(executed, kernel_manager_class=OwnKernel, coalesce_streams=True, store_widget_state=False).execute()
+    NotebookClient(executed, kernel_name='python3', coalesce_streams=True, store_widget_state=False).execute()
     return path, executed
 
 

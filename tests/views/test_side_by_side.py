@@ -1,11 +1,11 @@
 """Two views as one: they stay whole when the frame goes, the frame loses what is closed, and a page records both."""
 
 import pytest
+from param_tutorial.site.recording import recorder
 
 from param_tutorial import ParameterPanel
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.site.pages import drawing
-from param_tutorial.site.recording import recorder
 from param_tutorial.views import RobotView, SideBySide
 from tests.support.albums import unpack
 

@@ -21,7 +21,7 @@ _KEPT = re.compile(r'IPython/(terminal|testing)/(__init__|skipdoctest|pt_inputho
                    r'pygments/lexers/(__init__|_mapping|css|data|html|javascript|markup|perl|python|ruby|shell|'
                    r'_(css|lua|ruby)\w*)\.py')
 # Whose lines a traceback may show; what lies outside of the packages is read as it is.
-_WITH_SOURCE = re.compile(r'rclpy/|/etc/|/course/config/|/course/\w+/launch/|.*/param_tutorial/nodes/')
+_WITH_SOURCE = re.compile(r'rclpy/|/etc/|course/config/|course/\w+/launch/|.*/param_tutorial/nodes/')
 _COMPILED = re.compile(r'(.*/)?__pycache__/(\w+)\.cpython-\d+\.pyc')
 _ROOT = re.compile(r'[\w.-]+\.data/data(/.*)')
 PACKAGES = 'packages'

@@ -1,10 +1,14 @@
 // Runs the code cells of a notebook in the kernel of a page, in Node.js, and prints what it says to each as JSON:
-//     node run.mjs PYODIDE PACKAGES KERNEL NOTEBOOK
-// KERNEL is kernel.js as a module by itself, and PACKAGES what it unpacks.
+//     node run.mjs PYODIDE PACKAGES KERNEL NOTEBOOK [rest]
+// KERNEL is kernel.js as a module by itself, and PACKAGES what it unpacks. With `rest` it waits after each cell until what
+// moves has come to rest.
 import fs from "node:fs";
 import path from "node:path";
 
-const [pyodide, packages, kernel, notebook] = process.argv.slice(2).map((each) => path.resolve(each));
+const [pyodide, packages, kernel, notebook] = process.argv.slice(2, 6).map((each) => path.resolve(each));
+const isToRest = process.argv[6] === "rest";
+// Whoever has started it is gone.
+process.stdin.resume().on("end", () => process.exit(1));
 const { loadPyodide } = await import(path.join(pyodide, "pyodide.mjs"));
 const { digest, Kernel, unpackFiles } = await import(kernel);
 const python = await loadPyodide({ indexURL: pyodide, stdout: console.error, stderr: console.error });
@@ -37,7 +41,7 @@ for (const cell of JSON.parse(fs.readFileSync(notebook, "utf8")).cells) {
     const outputs = said.filter((each) => each.is === "output").map((each) => each.output);
     const known = digest(outputs);
     // Only what is live goes on after its cell.
-    if (said.some((each) => each.output?.data?.["application/vnd.jupyter.widget-view+json"])) {
+    if (isToRest && said.some((each) => each.output?.data?.["application/vnd.jupyter.widget-view+json"])) {
       await rest();
     }
     results.push({ cell: cell.id, outputs, said, digest: known });

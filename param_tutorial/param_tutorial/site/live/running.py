@@ -18,11 +18,10 @@ import nbformat
 from param_tools.markup.styles import sheet
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.shell import NO_SHELL
-from param_tutorial.site.comparison import cells_of
+from param_tutorial.site.comparison import Cell, cells_of
 
 WIDGET = 'application/vnd.jupyter.widget-view+json'
 _RUN = Path(__file__).with_name('run.mjs')
-_TIMEOUT_SEC = 600
 _WITHOUT_SHELL = f'{NO_SHELL[0].upper()}{NO_SHELL[1:]}, so this cell does not run here.'
 # By a chapter's name: the first line of a cell whose output differs in a page, and why.
 EXPLAINED = {
@@ -31,6 +30,7 @@ EXPLAINED = {
         "exercises.check('2c', lines)": 'its check builds a package, and says why it cannot',
         "exercises.check('2a', setup)": 'its check builds a package, and says why it cannot',
     },
+    '05_1_from_the_command_line': {'%ros2_terminal': 'no terminal finds the nodes of a page, and the cell says so'},
     '07_1_saving': {
         '%ros2 param dump /simple_param_node > config/': 'a missing file has error number 44 in WebAssembly, and not 2',
     },
@@ -88,27 +88,56 @@ def run_chapter(path: Path, pyodide: Path, packages: Path) -> LiveChapter:
     :param packages: The file with what ``python_files.packages`` returns.
     :raises ChapterError: an output is not the stored one, for no known reason.
     """
-    with tempfile.TemporaryDirectory() as folder:
-        kernel = Path(folder, 'kernel.mjs')
-        kernel.write_text(sheet('param_tutorial/site/live/kernel.js'), encoding='utf-8')
-        done = subprocess.run([Path(sys.executable).with_name('node'), _RUN, pyodide, packages, kernel, path],
-                              capture_output=True, text=True, check=False, timeout=_TIMEOUT_SEC)
-    if done.returncode:
-        raise ChapterError(path, 0, '', f'its page has no kernel: {done.stderr[-2000:]}')
-    ran = json.loads(done.stdout)
-    _compare(path, ran)
+    ran = run_notebook(path, pyodide, packages, to_rest=True)
+    for cell, difference in compare(path, ran).different:
+        if not cell.cell.source.startswith(tuple(EXPLAINED.get(path.stem, ()))):
+            raise ChapterError(path, cell.cell_num, cell.cell.source,
+                               f"its page's node says something else than is stored with it\n{difference}")
     return _chapter(path, ran)
 
 
-def _compare(path: Path, ran: list[dict[str, Any]]) -> None:
-    explained = tuple(EXPLAINED.get(path.stem, ()))
+def run_notebook(path: Path, pyodide: Path, packages: Path, *, to_rest: bool = False) -> list[dict[str, Any]]:
+    """Return what each code cell of a notebook puts out in a page, as ``run.mjs`` says it.
+
+    :param pyodide: As for ``run_chapter``.
+    :param packages: The same.
+    :param to_rest: After each cell wait until what moves has come to rest.
+    :raises ChapterError: the kernel does not start, or ends.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        kernel = Path(folder, 'kernel.mjs')
+        kernel.write_text(sheet('param_tutorial/site/live/kernel.js'), encoding='utf-8')
+        with Path(folder, 'said').open('w+', encoding='utf-8') as said, subprocess.Popen(
+                [Path(sys.executable).with_name('node'), _RUN, pyodide, packages, kernel, path, *['rest'] * to_rest],
+                # It ends with its input, and so with this process, however that ends.
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=said, text=True) as process:
+            assert process.stdout
+            ran = process.stdout.read()
+            if process.wait():
+                said.seek(0)
+                raise ChapterError(path, 0, '', f'its page has no kernel: {said.read()[-2000:]}')
+    return list(json.loads(ran))
+
+
+class Comparison(NamedTuple):
+    """What a page puts out beside what is stored."""
+
+    different: list[tuple[Cell, str]]
+    """Cells with other outputs, each with the difference in words."""
+    without_shell: int
+    """How many cells say that there is no shell, and show what is stored."""
+
+
+def compare(path: Path, ran: list[dict[str, Any]]) -> Comparison:
+    """Compare what ``run_notebook`` has returned with what is stored in the notebook, as nbval does."""
+    different, without_shell = [], 0
     for cell, result in zip(cells_of(path), ran, strict=True):
         outputs = [nbformat.from_dict(_as_stored(each)) for each in result['outputs']]
-        if cell.is_skipped or (outputs and outputs[0].get('text', '').startswith(_WITHOUT_SHELL)):
-            continue
-        if (difference := cell.difference(outputs)) and not cell.cell.source.startswith(explained):
-            raise ChapterError(path, cell.cell_num, cell.cell.source,
-                               f"its page's node says something else than is stored with it\n{difference}")
+        if outputs and outputs[0].get('text', '').startswith(_WITHOUT_SHELL):
+            without_shell += 1
+        elif not cell.is_skipped and (difference := cell.difference(outputs)):
+            different.append((cell, difference))
+    return Comparison(different, without_shell)
 
 
 def _as_stored(output: dict[str, Any]) -> dict[str, Any]:
