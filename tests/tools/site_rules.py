@@ -65,8 +65,8 @@ def check_page(page):
     found = [f'{rule["id"]}: {node["html"][:200]}'
              for rule in Axe().run(page, options=AXE_OPTIONS).response['violations'] for node in rule['nodes']]
     too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
-    undrawn = page.evaluate('''() => [...document.querySelectorAll('.rec-panel, .rec-robot, .rec-log, .rec-still')]
-        .filter(each => !each.getBoundingClientRect().height).map(each => each.id)''')
+    undrawn = page.evaluate('''() => [...document.querySelectorAll('.live-view')]
+        .filter(each => !each.getBoundingClientRect().height).map(each => each.dataset.cell)''')
     lost = page.evaluate('''() => [...document.querySelectorAll('a[href^="#"]')].filter(each => each.hash.length > 1
         && !document.getElementById(decodeURIComponent(each.hash.slice(1)))).map(each => each.hash)''')
     found += [f'a link leads to {each}, which is not on the page' for each in lost]

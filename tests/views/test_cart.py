@@ -38,8 +38,8 @@ def test_boxes_lean_back_while_it_speeds_up_and_forward_while_it_brakes():
     lean = math.atan(1.0 / 9.81)
     assert angles == pytest.approx([-lean, 0.0, lean, 0.0], abs=1e-4)
     assert steps.count('step-end') == 3
-    # Of a film, the scenes tell it.
-    assert [scene.lean_rad for scene in driving.scenes(cart(2.0, 1.0))] == pytest.approx(angles, abs=1e-4)
+    # Of a picture that is told, the scenes say it.
+    assert [cart(2.0, 1.0).at(second).scene.lean_rad for second in (0, 3, 7, 9)] == pytest.approx(angles, abs=1e-4)
 
 
 # -- the view ------------------------------------------------------------------------------------------------
@@ -118,12 +118,3 @@ def test_it_shows_a_cart_that_is_being_built_and_says_what_is_missing(ros):
     shows(view, 'READY')
     view.close()
     assert repr(view) == '<CartView: /my_cart, closed>'
-
-
-def test_it_is_recorded_with_its_drive(view):
-    view.drive()
-    view.rest()
-    assert view.snapshot()['look']['scene'][2].startswith('READY')
-    film = view.film()
-    assert [word for _, word, *_ in film['scenes']] == ['SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED']
-    assert 'robot-NAME' in film['picture']

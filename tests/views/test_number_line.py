@@ -1,7 +1,6 @@
 """The number line: where values stand, which of them have a ring, and which traces a request leaves on it."""
 
 import math
-import re
 from itertools import pairwise
 
 import pytest
@@ -123,13 +122,10 @@ def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, cl
 
 
 @pytest.mark.slow
-def test_it_is_recorded_lets_go_of_a_node_and_follows_the_next_stage(robot, client):
+def test_it_lets_go_of_a_node_and_follows_the_next_stage(robot, client):
     view, other = NumberLineView(robot, 'speed'), NumberLineView(robot, 'speed')
     client.set_parameter('speed', 5)
     wait_for_text(view, 'speed = 5')
-    recorded = view.snapshot()
-    assert recorded['kind'] == 'still' and recorded['text'] == repr(view)
-    assert re.search(r'<div class="motion">.*aria-label="[^"]*speed = 5', recorded['html'], re.DOTALL)
     view.close()
     view.close()
     client.set_parameter('speed', 6)

@@ -139,12 +139,11 @@ def test_a_robot_is_painted_by_its_name_and_patterns_tell_paints_apart():
     assert len({driving.pattern(number, 0, 0, 40, 10) for number in range(8)}) == 8
 
 
-def test_a_film_tells_each_phase_when_it_begins():
-    motion = plan(0.0, 0.0, FAST)
-    facts = drawing(motion)
-    times, states, full_texts, sentences, leans = zip(*driving.scenes(facts))
+def test_a_scene_tells_what_a_vehicle_does_from_a_moment_on():
+    facts = drawing(plan(0.0, 0.0, FAST))
+    times, states, full_texts, sentences, leans = zip(*(facts.at(second).scene for second in (0.0, 2.5, 4.0, 9.0)))
     assert states == ('SPEEDING UP', 'CRUISING', 'BRAKING', 'STOPPED')
-    assert times == pytest.approx((0.0, 2.0, 3.8, 5.8))
+    assert times == pytest.approx((0.0, 2.5, 4.0, 5.8))
     assert leans == pytest.approx((-math.atan(.5 / 9.81), 0.0, math.atan(.5 / 9.81), 0.0), abs=1e-4)
     assert all(sentence in text for sentence, text in zip(sentences, full_texts))
 

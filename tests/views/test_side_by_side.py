@@ -1,13 +1,10 @@
-"""Two views as one: they stay whole when the frame goes, the frame loses what is closed, and a page records both."""
+"""Two views as one: they stay whole when the frame goes, and the frame loses what is closed."""
 
 import pytest
-from param_tutorial.site.recording import recorder
 
 from param_tutorial import ParameterPanel
 from param_tutorial.nodes.clawbot_node import ClawbotNode
-from param_tutorial.site.pages import drawing
 from param_tutorial.views import RobotView, SideBySide
-from tests.support.albums import unpack
 
 
 @pytest.fixture
@@ -49,20 +46,3 @@ def test_a_view_that_is_closed_leaves_it_before(views):
     assert open_then == [True]
     both.close()
     assert panel._on_close == []
-
-
-@pytest.mark.slow
-@pytest.mark.thorough
-def test_a_page_records_both_and_draws_them_in_their_places(views):
-    both = SideBySide(*views)
-    facts = recorder.describe([both.model_id])
-    assert [each['node'] for each in facts] == ['/clawbot_node'] * 2
-    recording = recorder.record(both.model_id, {'literals': [], 'source': '', 'views': facts, 'albums': []})
-    assert recording['kind'] == 'side by side'
-    assert [part['kind'] for part in recording['parts']] == ['robot', 'panel']
-    looks = unpack(recording['parts'][1]['looks'])
-    # Nothing was driven before the last picture of the robot at the start was taken.
-    assert {look['scene'][1] for look in looks.values()} == {'READY'}
-    assert recording['parts'][0]['films'][0]['look']['scene'][1] == 'READY'
-    html = drawing.Drawer('page').draw(recording)
-    assert html.index('side-by-side-parts') < html.index('rec-robot') < html.index('rec-panel')

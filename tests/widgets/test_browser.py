@@ -43,13 +43,6 @@ def test_a_panel_without_a_node_lists_the_nodes_that_there_are(shown):
     assert repr(shown) == '<ParameterBrowser>'
 
 
-def test_a_page_without_a_kernel_gets_the_list_to_read(shown):
-    recorded = shown.snapshot()
-    assert recorded['kind'] == 'still'
-    assert '<code>/fan</code><span class="node-says">4 parameters</span>' in recorded['html']
-    assert '<button' not in recorded['html']
-
-
 @pytest.mark.slow
 def test_nodes_come_and_go_and_come_back_as_others(ros, shown):
     class Bigger(Fan):

@@ -48,8 +48,6 @@ class PanelRow:
     """True for what every node has."""
     unit: str = ''
     """The unit of its numbers, where that is known."""
-    note: str = ''
-    """What else there is to say of it."""
 
     @property
     def is_number(self) -> bool:
@@ -112,24 +110,20 @@ def arrange(rows: Iterable[PanelRow]) -> list[PanelRow]:
 
 
 def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowState], *, status: str = '',
-                 in_order: bool = False, tools: bool = True, mark: str = '', prefix: str = 'panel-NAME') -> str:
-    """Return a panel as HTML; its style sheet is ``panel.css``.
+                 in_order: bool = False) -> str:
+    """Return a panel as HTML; its style sheet is ``panel.css``. Each id begins with what ``panel_widget.js`` replaces.
 
     :param node: The node's fully qualified name.
     :param states: By the parameters' names.
     :param status: Why nothing can be changed now; empty if it can.
     :param in_order: True if the rows stay as they stand, with a heading wherever another group begins.
-    :param tools: False for a panel without buttons for undo and redo.
-    :param mark: A word to put into its head.
-    :param prefix: Begins each id on the page; by default what ``panel_widget.js`` replaces.
     """
-    draw = _Drawing(states, prefix, is_locked=bool(status))
+    draw = _Drawing(states, is_locked=bool(status))
     body = draw.runs(rows) if in_order else draw.content(_tree(rows), '')
-    head = _head(node, len(rows), status, tools, mark)
-    return f'{head}<div class="param-rows">{body}</div>'
+    return f'{_head(node, len(rows), status)}<div class="param-rows">{body}</div>'
 
 
-def _head(node: str, count: int, status: str, tools: bool, mark: str) -> str:
+def _head(node: str, count: int, status: str) -> str:
     search = (f'<input type="search" class="param-search" placeholder="Search {count} parameters" '
               f'aria-label="Search the parameters of {html.escape(node)}" autocomplete="off" spellcheck="false">'
               if count >= _SEARCH_FROM else '')
@@ -143,13 +137,12 @@ def _head(node: str, count: int, status: str, tools: bool, mark: str) -> str:
                'title="Bring every parameter back to what this panel saw first">Reset</button></span>'
                '<span class="param-tools" role="group" aria-label="Parameter file">'
                '<button type="button" class="param-save" aria-expanded="false">Save…</button>'
-               '<button type="button" class="param-load" aria-expanded="false">Load…</button></span>' if tools else '')
-    marked = f'<span class="param-mark">{html.escape(mark)}</span>' if mark else ''
+               '<button type="button" class="param-load" aria-expanded="false">Load…</button></span>')
     told = format_count(count, 'parameter')
     bad = ' param-status-bad' if status else ''
     return (f'<div class="param-head"><span role="status"><span class="param-node">{html.escape(node)}</span>'
             f'<span class="param-status{bad}" data-count="{told}">{html.escape(status) or told}</span></span>'
-            f'{buttons}{marked}{search}<span class="param-found" role="status"></span>{_BAR if tools else ""}</div>')
+            f'{buttons}{search}<span class="param-found" role="status"></span>{_BAR}</div>')
 
 
 def file_markup(summary: str, notes: Sequence[str] = (), columns: Sequence[str] = (),
@@ -173,8 +166,8 @@ def file_markup(summary: str, notes: Sequence[str] = (), columns: Sequence[str] 
 class _Drawing:
     """Draws rows and groups, and counts the ids."""
 
-    def __init__(self, states: Mapping[str, RowState], prefix: str, *, is_locked: bool):
-        self._states, self._prefix, self._is_locked = states, prefix, is_locked
+    def __init__(self, states: Mapping[str, RowState], *, is_locked: bool):
+        self._states, self._is_locked = states, is_locked
         self._count = 0
 
     def runs(self, rows: Iterable[PanelRow]) -> str:
@@ -207,7 +200,7 @@ class _Drawing:
     def row(self, row: PanelRow, label: str) -> str:
         """Return one parameter's row."""
         self._count += 1
-        name, state = f'{self._prefix}-{self._count}', self._states[row.name]
+        name, state = f'panel-NAME-{self._count}', self._states[row.name]
         off = ' disabled' if row.is_read_only or state.is_locked or self._is_locked else ''
         common = f'id="{name}" class="param-box" aria-describedby="{name}-help {name}-said"{off}'
         kinds = ''.join(f' param-{kind}' for kind, so in (
@@ -245,8 +238,7 @@ def _box(row: PanelRow, state: RowState, common: str) -> str:
 def _help(row: PanelRow) -> str:
     texts = [html.escape(text) for text in (row.description, row.constraints) if text]
     facts = ', '.join((row.kind, *map(html.escape, row.facts), *['<b>read only</b>'] * row.is_read_only))
-    note = f' <span class="param-extra">{html.escape(row.note)}</span>' if row.note else ''
-    return f'{" ".join(texts)} <span class="param-facts">({facts})</span>{note}'
+    return f'{" ".join(texts)} <span class="param-facts">({facts})</span>'
 
 
 def _message(state: RowState) -> str:

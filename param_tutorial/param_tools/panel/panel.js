@@ -1,12 +1,11 @@
 /* A parameter panel on a page: it shows what the node confirmed, and passes on what a person enters.
 
-   The same in JupyterLab, where a kernel answers (`panel_widget.js`), and on a page of the website, where a recording
-   answers (`lesson.js`). The markup is Python's: `pictures/panel.py`. */
+   `panel_widget.js` connects it with the kernel. The markup is Python's: `drawing.py`. */
 
 import {all, focusedBeside, make, one} from './dom.js';
 
 /**
- * What a panel shows of a parameter's value; see the class of this name in `pictures/panel.py`.
+ * What a panel shows of a parameter's value; see the class of this name in `drawing.py`.
  * @typedef {{text: string, position?: number, is_locked?: boolean, is_busy?: boolean, message?: string[] | null,
  *   first?: string, is_gathered?: boolean, items?: string[]}} RowState
  *
@@ -18,13 +17,15 @@ import {all, focusedBeside, make, one} from './dom.js';
  * was taken hold of.
  * @typedef {{text?: string, position?: number, items?: string[], number: number, grip: number}} Entry
  *
- * Takes what is entered, and what the buttons do if there are any. `bringBack` gets null for all parameters; `patience`
- * is what to say until an entry is taken up.
- * @typedef {{patience: string, enter: (name: string, entry: Entry) => void, bringBack: (name: string | null) => void,
- *   undo?: () => void, redo?: () => void, gather?: (isWanted: boolean) => void, apply?: () => void}} Wire
+ * Takes what is entered, and what the buttons do. `bringBack` gets null for all parameters.
+ * @typedef {{enter: (name: string, entry: Entry) => void, bringBack: (name: string | null) => void, undo: () => void,
+ *   redo: () => void, gather: (isWanted: boolean) => void, apply: () => void}} Wire
  *
  * @typedef {HTMLElement & {value: string, disabled: boolean}} Box
  */
+
+// What is said until an entry is taken up.
+const PATIENCE = 'Waiting for the kernel, which is still running a cell\u2026';
 
 /** The elements of an array, one box for each, below a row's text box. */
 class Elements {
@@ -274,7 +275,7 @@ class PanelRow {
 
   drawMessage() {
     const isWaiting = this.entered !== this.answered;
-    const [kind, words] = isWaiting ? ['waiting', this.panel.wire.patience] : (this.state.message ?? ['', '']);
+    const [kind, words] = isWaiting ? ['waiting', PATIENCE] : (this.state.message ?? ['', '']);
     if (this.said.dataset.said === `${kind} ${words}`) return;
     this.said.dataset.said = `${kind} ${words}`;
     this.said.replaceChildren();
@@ -282,12 +283,7 @@ class PanelRow {
     const told = make('span', {className: `param-message param-${kind}`});
     // An alert is read out when it comes onto the page.
     told.setAttribute('role', kind === 'rejected' || kind === 'failed' ? 'alert' : 'status');
-    const word = new Map([
-      ['rejected', 'Rejected:'],
-      ['accepted', 'Accepted.'],
-      ['unknown', 'Not recorded:'],
-    ]).get(kind);
-    if (word) told.append(make('b', {}, word), ' ');
+    if (kind === 'rejected') told.append(make('b', {}, 'Rejected:'), ' ');
     told.append(words);
     this.said.append(told);
   }
@@ -317,7 +313,7 @@ export class ParameterPanel {
       event.stopPropagation();
       if (event.key === 'Escape') this.find('');
     });
-    this.tools = root.querySelector('.param-undo') && this.findTools();
+    this.tools = this.findTools();
   }
 
   /** Return the buttons by which changes are made together, undone and taken back, and the bar of gathered changes. */
@@ -334,12 +330,12 @@ export class ParameterPanel {
     return {
       bar,
       gathered: one(bar, '.param-gathered'),
-      gather: button('gather', () => wire.gather?.(Boolean(bar.hidden))),
-      undo: button('undo', () => wire.undo?.()),
-      redo: button('redo', () => wire.redo?.()),
+      gather: button('gather', () => wire.gather(Boolean(bar.hidden))),
+      undo: button('undo', wire.undo),
+      redo: button('redo', wire.redo),
       reset: button('reset', () => wire.bringBack(null)),
-      apply: button('apply', () => wire.apply?.()),
-      discard: button('discard', () => wire.gather?.(false)),
+      apply: button('apply', wire.apply),
+      discard: button('discard', () => wire.gather(false)),
     };
   }
 
@@ -349,7 +345,7 @@ export class ParameterPanel {
    */
   keep(event) {
     event.stopPropagation();
-    if (this.tools) this.onKey(event);
+    this.onKey(event);
   }
 
   /** @param {KeyboardEvent} event */
@@ -358,8 +354,8 @@ export class ParameterPanel {
     // In a text that is being typed these keys are the browser's.
     if (!isUndo || [...this.rows.values()].some(row => row.isTyping || row.elements?.isTyping)) return;
     event.preventDefault();
-    if (event.shiftKey) this.wire.redo?.();
-    else this.wire.undo?.();
+    if (event.shiftKey) this.wire.redo();
+    else this.wire.undo();
   }
 
   /** @param {PanelState} state */
@@ -368,14 +364,12 @@ export class ParameterPanel {
     this.status.textContent = state.status || (this.status.dataset.count ?? '');
     this.status.classList.toggle('param-status-bad', this.isLocked);
     for (const [name, row] of this.rows) if (state.rows[name]) row.show(state.rows[name]);
-    if (this.tools) this.showTools(this.tools, state);
+    this.showTools(state);
   }
 
-  /**
-   * @param {ReturnType<ParameterPanel['findTools']>} tools
-   * @param {PanelState} state
-   */
-  showTools(tools, {gathered, note = '', undo, redo}) {
+  /** @param {PanelState} state */
+  showTools({gathered, note = '', undo, redo}) {
+    const {tools} = this;
     const isGathering = gathered !== undefined;
     tools.gather.disabled = this.isLocked;
     tools.gather.setAttribute('aria-pressed', String(isGathering));

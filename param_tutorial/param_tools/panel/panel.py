@@ -11,7 +11,6 @@ request is sent; the executor's thread takes no lock of a panel at all.
 
 import contextlib
 import functools
-import html
 import queue
 import threading
 from collections.abc import Callable, Iterable, Iterator
@@ -42,12 +41,10 @@ from param_tools.panel.control import Control
 from param_tools.panel.drawing import PanelRow, arrange, panel_markup
 from param_tools.panel.edits import Edits, State
 from param_tools.panel.front import Front
-from param_tools.panel.recordable import ControlFacts
 from param_tools.panel.view import FollowingView, ParameterView
 from param_tools.ros import host
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
-from param_tools.ros.waiting import wait_until
 from param_tools.systems.catalog import Catalog, CatalogNode
 
 if TYPE_CHECKING:  # what reads and checks files is imported when a file is first named: most panels never need it
@@ -445,18 +442,6 @@ class ParameterPanel(ParameterView):
         rows = [control.row for control in controls.values()]
         self._controls = {row.name: controls[row.name] for row in (rows if self._in_order else arrange(rows))}
 
-    # -- recording: see ``recordable`` -------------------------------------------------------------------
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page without a kernel needs to draw it as it stands, beside its controls."""
-        return {'kind': 'panel', 'node': self.node, 'status': self.status, 'in_order': self._in_order, 'rows': []}
-
-    def controls(self) -> dict[str, ControlFacts]:
-        """Return what a person can change, by the parameters' names."""
-        return {name: ControlFacts(control.descriptor, control.value, control.row,
-                                   control.state(is_locked=bool(self.status)), control.scale)
-                for name, control in self._controls.items()}
-
 
 class ParameterBrowser(FollowingView):
     """The nodes of a robot as they come and go, a search over all their parameters, and panels of what is opened.
@@ -568,20 +553,6 @@ class ParameterBrowser(FollowingView):
         super()._end()
         for node in list(self._panels):
             self._panels.pop(node).close()
-
-    # -- recording: see ``recordable`` -------------------------------------------------------------------
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return the nodes that are there as a list to read: without a kernel nothing can be opened or found."""
-        def nodes() -> Iterable[CatalogNode]:
-            return self._catalog.nodes.values() if self._catalog else ()
-
-        wait_until(lambda: all(node.is_read or node.problem for node in nodes()), 'the answers of the nodes')
-        lines = ''.join(f'<li class="node-line"><code>{html.escape(node.name)}</code>'
-                        f'<span class="node-says">{html.escape(_says(node))}</span></li>' for node in nodes())
-        return {'kind': 'still', 'text': repr(self), 'html':
-                f'{style("param_tools/panel/browser.css")}'
-                f'<div class="param-browser"><ul class="node-list">{lines}</ul></div>'}
 
 
 def _says(node: CatalogNode) -> str:

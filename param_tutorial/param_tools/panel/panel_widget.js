@@ -15,7 +15,6 @@ function render({model, el}) {
   const client = uniqueName();
   /** @type {Wire} */
   const wire = {
-    patience: 'Waiting for the kernel, which is still running a cell\u2026',
     enter: (name, entry) => model.send({do: 'enter', name, client, ...entry}),
     bringBack: name => model.send({do: 'reset', name}),
     undo: () => model.send({do: 'undo'}),

@@ -5,14 +5,12 @@ What each of them shows is in ``panel``, ``robot``, ``step_response``, ``events`
 
 import html
 import threading
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from collections.abc import Callable, Iterable
 
 import ipywidgets as widgets
 
 from param_tools.errors import ExecutorError
 from param_tools.node.live import FIRST_LOOK_TIMEOUT_SEC, LiveParameters
-from param_tools.panel import recordable
 from param_tools.panel.beside_cells import answer_beside_cells
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
 from param_tools.panel.front import Front
@@ -33,8 +31,6 @@ class View(widgets.VBox):
     """The widgets in the box; a trait of ipywidgets."""
     # Until it is built: ipywidgets closes even a widget whose constructor has raised an exception.
     _closed = True
-    follows: frozenset[str] = frozenset()
-    """What it collects by itself, of LOG and EVENTS: a panel's recording has to bring that along."""
 
     def __init__(self, parts: Iterable[widgets.Widget], css_class: str):
         self._closed = False
@@ -47,7 +43,11 @@ class View(widgets.VBox):
             answer_beside_cells(widget)
             if isinstance(widget, Front):
                 widget.drawing = self._drawing
-        recordable.register(self.model_id, self)
+
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the node that it shows, or what it says in the place of one."""
+        raise NotImplementedError
 
     def on_close(self, listener: Callable[['View'], object]) -> Callable[[], None]:
         """Call a listener with the view when it is about to be closed.
@@ -84,21 +84,6 @@ class View(widgets.VBox):
     def _end(self) -> None:
         """Stop following."""
         raise NotImplementedError
-
-    # -- recording: see ``recordable`` -------------------------------------------------------------------
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the node that it shows, or what it says in the place of one."""
-        raise NotImplementedError
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page without a kernel needs to draw it as it stands."""
-        return {'kind': 'still', 'html': recordable.html_of(self), 'text': repr(self)}
-
-    def controls(self) -> Mapping[str, recordable.ControlFacts]:
-        """Return what a hand can change in it, by the parameters' names."""
-        return {}
 
 
 def _all_within(box: widgets.Box) -> list[widgets.Widget]:

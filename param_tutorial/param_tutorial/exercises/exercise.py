@@ -2,7 +2,7 @@
 
 import contextlib
 import inspect
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from rclpy.node import Node
@@ -10,7 +10,6 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.errors import ExecutorError, NoAnswerError
 from param_tools.ros import no_input
-from param_tutorial.exercises.forms import Blanks, Form
 from param_tutorial.exercises.results import Answer, Finding, Hint, Result
 from param_tutorial.exercises.trial import (
     CORNER,
@@ -67,15 +66,13 @@ class Exercise:
     """One exercise of a chapter."""
 
     def __init__(self, number: str, title: str, chapter: str, takes: Kind, hints: tuple[str, ...], *,
-                 node_name: str = '', form: Form | None = None):
+                 node_name: str = ''):
         """
         :param number: Of the chapter, and a letter: '5.2b'.
         :param title: As in the chapter's heading.
         :param chapter: The name of its notebook, without the ending.
         :param hints: From a nudge to nearly the answer.
         :param node_name: How the learner's node has to be called.
-        :param form: How a page asks for the answer. One whose requirements are predictions has a form by itself; others
-            without one can be answered in the notebook alone.
         """
         self.number = number
         self.title = title
@@ -85,7 +82,6 @@ class Exercise:
         self.hints = hints
         self.node_name = node_name
         self.requirements: list[Requirement] = []
-        self.form = form
         self._draw: Draw | None = None
 
     def require(self, sentence: str, *, see: str) -> Callable[[Examine], Examine]:
@@ -112,7 +108,6 @@ class Exercise:
         """
         def add(find_out: FindOut) -> FindOut:
             truth: list[Any] = []
-            self.add_blank(question, because, choices=words, word=word)
 
             @self.require(f'`{question}`', see=see)
             def examine(trial: Trial) -> None:
@@ -135,11 +130,6 @@ class Exercise:
                        f'it does not say `{given!r}`{remark or _of_another_type(given, truth[0])}')
             return find_out
         return add
-
-    def add_blank(self, name: str, guesses: Iterable[Any] = (), *, choices: Sequence[Any] = (), word: str = '') -> None:
-        """Let a page ask for one more entry of the dictionary, about which the next requirement is; see Blanks."""
-        before = self.form.guesses if isinstance(self.form, Blanks) else {}
-        self.form = Blanks({**before, name: list(guesses)}, choices=choices, word=word)
 
     def show(self, draw: Draw) -> Draw:
         """Let the decorated function draw, as HTML, what work that meets all requirements makes a node do."""

@@ -6,7 +6,7 @@ A recall is its sister: a question about an earlier chapter, which no cell has t
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
-# In the output of a cell that shows a prediction: its number, so that a page without a kernel can show it too.
+# In the output of a cell that shows a prediction: its number, so that a page of the website can show it as a form.
 MIME_TYPE = 'application/x-param-tutorial-prediction+json'
 
 

@@ -16,7 +16,7 @@ from param_tools.ros.schedule import Job
 from param_tutorial.nodes.cart_node import AISLE_M, SIGHT_M
 from param_tutorial.nodes.clawbot_node import SAFETY_GAP_M, Motion, Settings, State, plan
 from param_tutorial.views.drawing.cart import Cart
-from param_tutorial.views.driving import DrivingView, Start
+from param_tutorial.views.driving import DrivingView
 
 _SHOW_PERIOD_SEC = 0.05
 _READY = Motion((), State('READY', 0.0))
@@ -123,22 +123,3 @@ class CartView(DrivingView, ParameterView):
     def _cart(self) -> Cart:
         assert self._settings is not None
         return _cart(self.node, self._settings, self._motion, self._before_sec)
-
-    # -- recording: see ``recordable`` -------------------------------------------------------------------
-
-    def rest(self) -> None:
-        """Put the cart back to the start, with what the node has now."""
-        with self._drawing:
-            self._motion, self._before_sec = _READY, 0.0
-        self.settle()
-
-    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> Cart | None:
-        self.rest()
-        with self._drawing:
-            if self._settings is None or self._live.status:
-                return None
-            if not driving:
-                return self._cart()
-            driven_sec, state = start or Start(0.0, _READY.end)
-            motion = plan(state.position_m, state.velocity_mps, self._settings)
-            return _cart(self.node, self._settings, motion, driven_sec)

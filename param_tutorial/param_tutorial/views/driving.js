@@ -1,7 +1,6 @@
 /* A vehicle on its track, with the button that lets it drive.
 
-   The same in JupyterLab, where a kernel says what the vehicle does (`driving_widget.js`), and on a page of the website,
-   where a recording does (`lesson.js`). The markup is Python's: `drawing/driving.py`. */
+   The kernel says what the vehicle does (`driving_widget.js`). The markup is Python's: `drawing/driving.py`. */
 
 import {one, uniqueName} from '../../param_tools/panel/dom.js';
 

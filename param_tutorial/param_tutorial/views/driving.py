@@ -7,8 +7,7 @@ stands still, nothing is sent.
 
 import contextlib
 import html
-import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import traitlets
 
@@ -17,15 +16,7 @@ from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
 from param_tools.panel.front import Front
 from param_tools.panel.view import View
-from param_tutorial.nodes.clawbot_node import State
 from param_tutorial.views.drawing import driving
-
-
-class Start(NamedTuple):
-    """Where a vehicle is on its way when a parameter is changed."""
-
-    driven_sec: float
-    state: State
 
 
 class _Front(Front):
@@ -33,7 +24,7 @@ class _Front(Front):
 
     _esm = bundle('param_tutorial/views/driving_widget.js')
     _css = sheet('param_tutorial/views/drawing/track.css') + sheet('param_tutorial/views/driving.css')
-    markup = traitlets.Unicode(driving.view_markup()).tag(sync=True)
+    markup = traitlets.Unicode(driving.VIEW).tag(sync=True)
     picture = traitlets.Unicode().tag(sync=True)
     take = traitlets.Int().tag(sync=True)
     """The number of the picture: the same one may be shown again, from its beginning."""
@@ -93,48 +84,3 @@ class DrivingView(View):
     def _show_picture(self, picture: str) -> None:
         self._front.picture = picture
         self._front.take += 1
-
-    # -- recording: see ``recordable`` -------------------------------------------------------------------
-
-    in_motion = True
-
-    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> driving.Vehicle | None:
-        """Return the vehicle as it stands, or as it begins to drive and then arrives at once; None without one.
-
-        :param start: Where it is to begin on the way.
-        """
-        raise NotImplementedError
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page without a kernel needs to draw it as it stands."""
-        shown = self.look()
-        if shown is None:
-            return {**super().snapshot(), 'html': f'{driving.STYLE}<div class="robot-view">{self._front.picture}</div>'}
-        return {'kind': 'robot', 'node': self.node, 'look': shown}
-
-    def look(self) -> dict[str, Any] | None:
-        """Return the vehicle as it stands; None if it is not there."""
-        vehicle = self._vehicle_to_show(driving=False)
-        if vehicle is None:
-            return None
-        moment = vehicle.at(vehicle.motion.duration_sec)
-        return {'picture': driving.still(moment), 'scene': list(moment.scene)}
-
-    def moments(self, step_sec: float) -> list[Start]:
-        """Return where a drive is after each so many seconds, until it ends."""
-        vehicle = self._vehicle_to_show(driving=True)
-        if vehicle is None:
-            return []
-        count = math.ceil(vehicle.motion.duration_sec / step_sec)
-        return [Start(number * step_sec, vehicle.motion.at(number * step_sec)) for number in range(1, count)]
-
-    def film(self, *, start: Start | None = None) -> dict[str, Any] | None:
-        """Let the vehicle drive, and return what there is to see; it is at its goal then.
-
-        :param start: Where it is to begin, on the way of another drive.
-        """
-        vehicle = self._vehicle_to_show(driving=True, start=start)
-        if vehicle is None:
-            return None
-        return {'picture': driving.moving(vehicle), 'end': driving.still(vehicle.at(vehicle.motion.duration_sec)),
-                'scenes': [list(each) for each in driving.scenes(vehicle)]}

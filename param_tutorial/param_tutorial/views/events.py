@@ -11,7 +11,6 @@ from rcl_interfaces.msg import ParameterEvent
 from param_tools import values
 from param_tools.markup.styles import style
 from param_tools.markup.tables import table
-from param_tools.panel.recordable import EVENTS, html_of
 from param_tools.panel.view import FeedView
 from param_tools.ros.executor import BackgroundExecutor
 
@@ -43,8 +42,6 @@ def changes_in(event: ParameterEvent) -> list[EventRow]:
 class EventView(FeedView):
     """A table of what is published on /parameter_events from now on, newest first, until it is closed."""
 
-    follows = frozenset({EVENTS})
-
     def __init__(self, node: str | None = None) -> None:
         """
         :param node: Only the events of this node; by default those of all nodes whose names do not begin with an
@@ -75,7 +72,3 @@ class EventView(FeedView):
                 for each in reversed(self.changes)]
         return (f'<div role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
                 f'{table(("node", "what", "parameter", "value"), rows)}</div>')
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page without a kernel needs to draw the table as it stands."""
-        return {'kind': 'events', 'node': self.node, 'html': html_of(self)}

@@ -2,10 +2,8 @@
 
 import html
 from collections.abc import Callable
-from typing import Any
 
 from param_tools.markup.styles import style
-from param_tools.panel.recordable import LOG
 from param_tools.panel.view import FeedView
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.node_log import LogLine, NodeLog
@@ -20,8 +18,6 @@ _NOTHING_YET = '<span class="param-log-quiet">(nothing logged yet)</span>'
 
 class LogView(FeedView):
     """A view of what the nodes log: newest line at the bottom, following the log until it is closed."""
-
-    follows = frozenset({LOG})
 
     def __init__(self, node: str | None = None) -> None:
         """:param node: Only what this node logs; by default what all nodes log."""
@@ -50,10 +46,6 @@ class LogView(FeedView):
         text = '\n'.join(map(_line_markup, self._recent()))
         return (f'<pre role="log" tabindex="0" aria-label="{html.escape(self._title)}">'
                 f'{text or _NOTHING_YET}</pre>')
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page without a kernel needs to draw the log as it stands."""
-        return {'kind': 'log', 'node': self.node, 'lines': self.lines}
 
 
 def _line_markup(line: LogLine) -> str:

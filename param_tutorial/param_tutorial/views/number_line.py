@@ -63,11 +63,6 @@ class NumberLineView(AnimatedView, FollowingView):
         """The fully qualified name of the node."""
         return self._subject
 
-    def snapshot(self) -> dict[str, object]:
-        """Return what a page without a kernel needs: the picture plays there once, and again when it is told to."""
-        self._job.call_now(1.0)
-        return super().snapshot()
-
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
         stop_listening = executor.on_graph_change(self._on_graph_change)
         with contextlib.suppress(ExecutorError):

@@ -1,6 +1,5 @@
 """The robot of ClawbotNode on its track, as a widget that moves."""
 
-import math
 from collections.abc import Callable
 from typing import Any
 
@@ -8,10 +7,10 @@ from param_tools.errors import NodeNotFoundError
 from param_tools.panel.view import FollowingView, nothing
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import full_name
-from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, SENSOR_MOUNT_M, ClawbotNode, Motion, plan
+from param_tutorial.nodes.clawbot_node import ROBOT_LENGTH_M, SENSOR_MOUNT_M, ClawbotNode, Motion
 from param_tutorial.views.base import name_of
 from param_tutorial.views.drawing.robot import Robot
-from param_tutorial.views.driving import DrivingView, Start
+from param_tutorial.views.driving import DrivingView
 
 
 class RobotView(DrivingView, FollowingView):
@@ -35,15 +34,17 @@ class RobotView(DrivingView, FollowingView):
 
         :raises NodeNotFoundError: it is not running in this process.
         """
-        robot = self._robot_here()
+        with self._drawing:
+            robot = self._find_robot()
         if robot is None:
             raise NodeNotFoundError(self._name, [name_of(node) for node in self._executor.nodes]
                                     if self._executor else [])
         robot.drive()
 
-    def _robot_here(self) -> ClawbotNode | None:
-        with self._drawing:
-            return self._find_robot()
+    @property
+    def node(self) -> str:
+        """The fully qualified name of the robot's node."""
+        return self._name
 
     # -- following the node ------------------------------------------------------------------------------
 
@@ -73,31 +74,6 @@ class RobotView(DrivingView, FollowingView):
         else:
             motion, elapsed_sec = robot.motion
             self._draw(vehicle_of(robot, motion), elapsed_sec)
-
-    # -- recording: see ``recordable`` -------------------------------------------------------------------
-
-    @property
-    def node(self) -> str:
-        """The fully qualified name of the robot's node."""
-        return self._name
-
-    def rest(self) -> None:
-        """Let the robot's motion come to its end at once."""
-        if robot := self._robot_here():
-            robot.step(math.inf)
-
-    def _vehicle_to_show(self, *, driving: bool, start: Start | None = None) -> Robot | None:
-        if (robot := self._robot_here()) is None:
-            return None
-        if start:
-            # The node would plan with the same function; but on its way no time may pass while one asks.
-            return vehicle_of(robot, plan(start.state.position_m, start.state.velocity_mps, robot.settings))
-        if driving:
-            robot.drive()
-        vehicle = vehicle_of(robot, robot.motion[0])
-        if driving:
-            robot.step(math.inf)
-        return vehicle
 
 
 def vehicle_of(robot: ClawbotNode, motion: Motion) -> Robot:

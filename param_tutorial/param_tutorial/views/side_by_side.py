@@ -1,11 +1,8 @@
 """Two views as one: a picture, and beside it the panel that changes it."""
 
-from typing import Any
-
 import ipywidgets as widgets
 
 from param_tools.markup.styles import style
-from param_tools.panel import recordable
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
 from param_tools.panel.view import View
 
@@ -31,7 +28,6 @@ class SideBySide(widgets.VBox):
         super().__init__([self._style, self._box])
         self.add_class('side-by-side')
         self._stop_watching = [part.on_close(self._drop) for part in self.parts]
-        recordable.register(self.model_id, self)
         close_with_cell(self)
 
     def __repr__(self) -> str:
@@ -54,7 +50,3 @@ class SideBySide(widgets.VBox):
     def _drop(self, view: View) -> None:
         """Take a view out that is about to be closed: a browser cannot do so afterwards, and says so."""
         self._box.children = tuple(each for each in self._box.children if each is not view)
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page without a kernel needs to draw it, but for its parts."""
-        return {'kind': 'side by side'}

@@ -15,7 +15,6 @@ from rclpy.node import Node
 from param_tools.markup.styles import style
 from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
-from param_tools.panel.recordable import html_of
 from param_tools.panel.view import ParameterView
 from param_tutorial.nodes.pid_controller_node import SETTLING_BAND, Figures, StepResponse, response_of
 from param_tutorial.views.drawing.plots import Band
@@ -60,10 +59,9 @@ class StepResponseView(ParameterView):
         """:param node: The node or its name; it may run in another process, and it may be absent now."""
         self._shown: tuple[str, dict[str, Any]] | None = None
         self._text = ''
-        # What is drawn, what stood there before the last drag, and the picture without that.
+        # What is drawn, and what stood there before the last drag.
         self._response: StepResponse | None = None
         self._before: StepResponse | None = None
-        self._plain = ''
         self._drawn_sec = 0.0
         self._picture, self._figures = widgets.HTML(), widgets.HTML()
         self._live = LiveParameters(node_name(node), self._show)
@@ -108,50 +106,18 @@ class StepResponseView(ParameterView):
         if now - self._drawn_sec > _PAUSE_SEC:
             self._before = self._response
         self._response, self._drawn_sec = response, now
-        head = _head(self.node, f'{joint}: {gains}')
-
-        def picture(before: StepResponse | None) -> str:
-            plot = plot_responses({joint: response}, before=before, band=_band(response.reference))
-            return f'{head}<div class="step-scene">{plot._repr_html_()}{wheel}</div>'
-        self._plain = picture(None)
-        self._picture.value = picture(self._before) if self._before else self._plain
+        plot = plot_responses({joint: response}, before=self._before, band=_band(response.reference))
+        self._picture.value = (f'{_head(self.node, f"{joint}: {gains}")}'
+                               f'<div class="step-scene">{plot._repr_html_()}{wheel}</div>')
         parts = ''.join(f'<span>{html.escape(words)}{_mark(met, goal)}</span>'
                         for words, met, goal in verdicts(response.figures))
         self._figures.value = f'<div class="step-figures" role="status">{parts}</div>'
 
     def _say(self, words: str) -> None:
         self._text = words
-        self._plain = self._picture.value = _head(self.node, '')
+        self._picture.value = _head(self.node, '')
         self._response = self._before = None
         self._figures.value = f'<div class="step-figures" role="status">{html.escape(words)}</div>'
-
-    # -- recording: see ``recordable`` -------------------------------------------------------------------
-
-    in_motion = False
-
-    def rest(self) -> None:
-        """Wait until the view shows what the node has now."""
-        self.settle()
-
-    def snapshot(self) -> dict[str, Any]:
-        """Return what a page without a kernel needs to draw it as it stands."""
-        return {'kind': 'steps', 'node': self.node, 'html': self._html()}
-
-    def look(self) -> str:
-        """Return the picture of what the node has now, without the style sheet."""
-        self.settle()
-        return self._html().replace(_STYLE, '')
-
-    def _html(self) -> str:
-        # What stood there before says nothing of the node.
-        return html_of(self).replace(self._picture.value, self._plain)
-
-    def moments(self, _step_sec: float) -> tuple[()]:
-        """Return nothing: a step response does not move."""
-        return ()
-
-    def film(self, *, start: Any = None) -> None:
-        """Return nothing: the picture stands still."""
 
 
 def _head(node: str, words: str) -> str:

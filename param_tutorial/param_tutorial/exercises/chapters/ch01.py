@@ -9,7 +9,6 @@ from rclpy.parameter import Parameter
 from param_tools.node.client import ParameterClient
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, WithSecondJudge, derive, expect_fixed_type, run_lines
-from param_tutorial.exercises.forms import Combination, Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.views.drawing import driving
@@ -27,15 +26,7 @@ GAP_M, GAP_TOLERANCE_M = 0.5, 0.01
 SPEED_LIMIT_MPS = 1.0
 TIME_SEC = 5.0
 
-SETTINGS = Combination({
-    'sensor_offset_meters': (-0.3, -0.2, -0.15, 0.0, 0.15, 0.3),
-    'max_speed_rpm': (50, 80, 95, 100, 150),
-    'max_acceleration_mps2': (0.25, 0.5, 0.75, 1.0, 2.0),
-    'min_operating_temperature_c': (-20, -10, -5),
-}, start={'sensor_offset_meters': 0.15, 'max_speed_rpm': 100, 'max_acceleration_mps2': 0.5,
-          'min_operating_temperature_c': -5})
-
-park = Exercise('1a', 'Park at the line', CHAPTER, DICTIONARY, form=SETTINGS, hints=(
+park = Exercise('1a', 'Park at the line', CHAPTER, DICTIONARY, hints=(
     'Try it on a robot of your own, a new one: `robot = ros.add(ClawbotNode)`, then '
     '`ParameterClient(robot).set_parameters(settings)`, then press Drive. For the cold, set its '
     '`simulation.ambient_temperature_c` to -10.',
@@ -209,7 +200,7 @@ def changed(trial: Trial) -> None:
            f'`liters` is `{judged.liters!r}`: that value was rejected in the end, and the parameter never held it')
 
 
-order = Exercise('1c', 'Put a drive in order', CHAPTER, TEXT, form=Order(), hints=(
+order = Exercise('1c', 'Put a drive in order', CHAPTER, TEXT, hints=(
     'A line can use a name only after another line has created it. Which line creates `client`?',
     'The robot drives off when `robot.drive()` is called, with the values that it has at that moment. So what should '
     'hold for the whole drive comes before that line.'))

@@ -17,7 +17,6 @@ from param_tools.errors import ParameterToolError
 from param_tools.ros import host
 from param_tools.ros.waiting import PATIENCE
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
-from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.notebook.shell import NO_SHELL, Shell
 
@@ -253,7 +252,7 @@ def overlaid(trial: Trial) -> None:
            f'it returns `{answer}`. `ros2 run` finds the package in `first`, and looks no further')
 
 
-order = Exercise('2c', 'Put a terminal in order', CHAPTER, TEXT, form=Order(), hints=(
+order = Exercise('2c', 'Put a terminal in order', CHAPTER, TEXT, hints=(
     'Ask of each line what it needs. `source`, for one, needs a file that only a build writes.',
     '`colcon build` writes into the folder in which you call it, so the line that goes to the workspace comes first. '
     'And `ros2 run` finds only what the terminal has sourced.'))

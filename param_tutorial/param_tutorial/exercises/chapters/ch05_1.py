@@ -1,7 +1,6 @@
 """Exercises of chapter 5.1: order the words of commands, spell values for the command line, and predict what
 becomes of them."""
 
-import itertools
 import re
 import shlex
 from collections.abc import Mapping
@@ -11,7 +10,6 @@ from rclpy.node import Node
 
 from param_tools import values
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
-from param_tutorial.exercises.forms import Blanks
 from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 
@@ -48,24 +46,7 @@ def type_in(trial: Trial, node: Node, words: str) -> str:
     return answer
 
 
-# What people write into each of the six blanks.
-SPELLINGS = {name: re.split(r'\s+\|\s+', texts) for name, texts in {
-    'speed_mps': r"""1.0 | 1. | 1 | "1.0" | '1.0' | "'1.0'" | 1.00 | 1,0 | 1e0 | 1.0e0 | 1.0e+0 | 01.0 | +1.0 | one |
-        1 m/s | 1.0 m/s | !!float 1 | "!!float 1" | double 1.0 | [1.0] | float(1)""",
-    'tolerance_m': r"""0.001 | .001 | 1e-3 | 1.0e-3 | 1.e-3 | 10e-4 | "0.001" | '0.001' | "'0.001'" | 0,001 | 1/1000 |
-        0.0010 | 1E-3 | 1.0E-3 | 0.01 | 0.0001 | 1 | 1mm | !!float 0.001 | 1e-03 | 1.0-3""",
-    'retries': r"""10 | "10" | '10' | "'10'" | 10.0 | 10. | ten | +10 | 0x0A | 0xA | 0o12 | 012 | 1e1 | 010 | 1_0 |
-        [10] | !!int 10 | "!!int 10" | int(10) | 10 times""",
-    'label': r"""'"42' | "'42" | 42 | "42" | '42' | "'42'" | '"42"' | \'42\' | \"42\" | !!str 42 | "!!str 42" |
-        '!!str 42' | ""42"" | ''42'' | str(42) | '\'42\'' | "\"42\"" | 42.0 | "42 " | [42] | forty-two""",
-    'mode': r"""off | "off" | 'off' | "'off'" | '"off"' | \'off\' | \"off\" | !!str off | "!!str off" | '!!str off' |
-        ""off"" | ''off'' | str(off) | Off | OFF | false | "off " | oFF | [off] | "\"off\"" | 0""",
-    'weights': r"""'[1, 2.5]' | [1.0, 2.5] | [1.0,2.5] | "[1.0, 2.5]" | '[1.0, 2.5]' | "[1.0,2.5]" | '[1.0,2.5]' |
-        [1, 2.5] | "[1, 2.5]" | [1,2.5] | 1.0, 2.5 | 1.0,2.5 | 1.0 2.5 | "1.0, 2.5" | "1.0 2.5" | (1.0, 2.5) |
-        "(1.0, 2.5)" | "[1., 2.5]" | [1.,2.5] | {1.0, 2.5} | "{1.0, 2.5}" | "'[1.0, 2.5]'" | [1.0 2.5] | "[1.0 2.5]" |
-        [1.0, 2.5""",
-}.items()}
-spell = Exercise('5.1a', 'Spell six values', CHAPTER, DICTIONARY, form=Blanks(SPELLINGS, is_text=True), hints=(
+spell = Exercise('5.1a', 'Spell six values', CHAPTER, DICTIONARY, hints=(
     'Begin with the type: a double needs a dot, an integer must not have one, and a string that looks like something '
     'else needs quotes.',
     'The shell takes one pair of quotes away, and YAML reads what is left. So a string may need two pairs, as in '
@@ -156,15 +137,7 @@ require_foresight('robot_name 007', {
     7: 'A string parameter never holds a number: the robot rejects it, and the old value stays'})
 
 
-JUMBLED = {
-    'Set `retries` to 5.': '/gripper set retries ros2 5 param',
-    'Print the value of `mode`.': 'param mode ros2 get /gripper',
-    'Describe `speed_mps`.': 'describe /gripper ros2 speed_mps param',
-}
-COMMANDS = Blanks({task: [' '.join(words) for words in itertools.permutations(line.split()) if words[0] == 'ros2']
-                   for task, line in JUMBLED.items()},
-                  is_text=True, shown=JUMBLED, make_work=lambda lines: '\n'.join(lines.values()))
-order = Exercise('5.1c', 'Put the words in order', CHAPTER, TEXT, form=COMMANDS, hints=(
+order = Exercise('5.1c', 'Put the words in order', CHAPTER, TEXT, hints=(
     'Each command begins with `ros2 param`, and then says what to do: `get`, `set` or `describe`.',
     'After the verb comes the node, then the parameter, and with `set` the value at the end.'))
 

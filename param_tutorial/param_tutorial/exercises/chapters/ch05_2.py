@@ -18,7 +18,6 @@ from param_tutorial.exercises.expectations import (
     expect_left_alone,
     expect_rejected,
 )
-from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
 
 CHAPTER = '05_2_with_a_callback'
@@ -177,7 +176,7 @@ def motor(trial: Trial) -> None:
 
 
 class Ladder(Node):
-    """Notes which rung a request reaches, and what is stored at that moment."""
+    """Notes which rung a request reaches, by its letter in the exercise, and what is stored at that moment."""
 
     def __init__(self) -> None:
         super().__init__('ladder')
@@ -207,14 +206,7 @@ LETTERS = Kind('five letters in a string, as in the cell above',
                lambda work: isinstance(work, (str, list, tuple)) and all(isinstance(each, str) for each in work),
                'my_order')
 
-EVENTS = {
-    'a': 'post-set callbacks are called',
-    'b': 'read-only, type and range are checked',
-    'c': 'the value is stored',
-    'd': 'pre-set callbacks are called',
-    'e': 'on-set callbacks are called',
-}
-put_in_order = Exercise('5.2c', 'Put a change in order', CHAPTER, LETTERS, form=Order(EVENTS), hints=(
+put_in_order = Exercise('5.2c', 'Put a change in order', CHAPTER, LETTERS, hints=(
     'Which callback may still rewrite the request, which may only reject it, and which comes too late for both?',
     'A value of the wrong type never gets to an on-set callback, but it does get to a pre-set callback.',
     'The table in the section “The callback ladder” shows the order.'))

@@ -17,7 +17,6 @@ from param_tools.node.client import ParameterValues
 from param_tools.ros import stage
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
 from param_tutorial.exercises.expectations import NotesQuestions, is_settled, run_lines, start_asking
-from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 
 CHAPTER = '05_3_from_another_node'
@@ -245,7 +244,7 @@ def none(trial: Trial) -> None:
     expect_reasons(trial, Rover, {'max_speed_rpm': 50})
 
 
-order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, form=Order(), hints=(
+order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, hints=(
     'A name has to exist before a line can use it. Start with the two lines that use none of the other lines’ names.',
     'The request needs the parameter, the call needs the client and the request, and the last line needs the future '
     'that the call returns.'))

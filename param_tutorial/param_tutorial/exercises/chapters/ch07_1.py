@@ -13,7 +13,6 @@ from rclpy.node import Node
 from param_tools import values
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_text
-from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 
 CHAPTER = '07_1_saving'
@@ -193,7 +192,7 @@ require_load('[]', {
     None: 'What the node rejects takes nothing away'}, NO_FILE)
 
 
-order = Exercise('7.1c', 'Put a file in order', CHAPTER, TEXT, form=Order(), hints=(
+order = Exercise('7.1c', 'Put a file in order', CHAPTER, TEXT, hints=(
     'The indentation is right: each line belongs to the nearest line above it that is indented less.',
     'The node is at the left margin, below it `ros__parameters`, and below that the parameters. A dot in a name adds a '
     'level: `color.red` is `red` below `color`.'))

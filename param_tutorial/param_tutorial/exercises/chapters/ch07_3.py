@@ -8,7 +8,6 @@ from rclpy.node import Node
 
 from param_tutorial.exercises.exercise import DICTIONARY, LIST, TEXT, Exercise
 from param_tutorial.exercises.expectations import expect_text
-from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '07_3_overrides'
@@ -162,7 +161,7 @@ def spare(trial: Trial) -> None:
         expect_holds(trial, place, 'gripper', 5.0, 10)
 
 
-order = Exercise('7.3c', 'Put three sources in order', CHAPTER, LIST, form=Order(), hints=(
+order = Exercise('7.3c', 'Put three sources in order', CHAPTER, LIST, hints=(
     'Both files write into the block `/robot`. Within a block the later value wins.',
     'A `-p` without a node name goes into the block `/**`. It wins if this block is opened after `/robot`.'))
 

@@ -204,8 +204,6 @@ def require_practice(complaint: str) -> Callable[[Reenact], Reenact]:
     still holds, it returns what happened.
     """
     def add(still: Reenact) -> Reenact:
-        find.add_blank(complaint, choices=range(1, 8))
-
         # A link to the practice would give the answer away.
         @find.require(f'“{complaint}”', see='What you can do now')
         def examine(trial: Trial) -> None:

@@ -16,7 +16,6 @@ from param_tools.errors import InvalidValueError, ParameterFileError
 from param_tools.files import parameter_files
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, expect_no_gap, run_lines
-from param_tutorial.exercises.forms import Combination, Order
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 
@@ -27,10 +26,7 @@ WHERE = 'Which controllers does a block reach?'
 TOGETHER = 'Change it: three gains, one change'
 
 TUNED = [f'gains.wheel_joint.{name}' for name in 'pid']
-GAINS_TRIED = Combination(dict(zip(TUNED, (
-    (0.1, 0.2, 0.3, 0.4, 0.5, 0.62, 0.8, 1.0, 1.5, 2.0), (0.0, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0),
-    (0.0, 0.01, 0.02, 0.03, 0.05, 0.1)))), start=dict(zip(TUNED, (0.1, 0.0, 0.0))))
-tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, form=GAINS_TRIED, hints=(
+tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
     'Begin with P alone, and raise it until the wheel is fast. It will ring; that is what D is for.',
     'With `d` at 0.03 you can raise `p` far beyond 0.4, and the wheel rings less than before.',
     'The integral has little left to do when `p` is large. A small one, below 0.5, removes the error and hardly '
@@ -234,7 +230,7 @@ def anywhere(trial: Trial) -> None:
                    'it gets others' if found else 'the file does not reach it')
 
 
-order = Exercise('10.3c', 'Put a change in order', CHAPTER, TEXT, form=Order(), hints=(
+order = Exercise('10.3c', 'Put a change in order', CHAPTER, TEXT, hints=(
     'A name has to exist before a line can use it. Which two lines use no name from another line?',
     'The dictionary needs `group`, and the last line needs the client and the dictionary.'))
 

@@ -14,7 +14,6 @@ from param_tools.systems.restoring import restore
 from param_tools.systems.sets import ParameterSet
 from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, run_lines
-from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 
 CHAPTER = '10_5_whole_sets'
@@ -24,7 +23,7 @@ BACK = 'Back to where it was'
 
 # -- 10.5a ----------------------------------------------------------------------------------------------------
 
-experiment = Exercise('10.5a', 'Put an experiment in order', CHAPTER, TEXT, form=Order(), hints=(
+experiment = Exercise('10.5a', 'Put an experiment in order', CHAPTER, TEXT, hints=(
     'A line can use a name only after the line that makes it. That decides where `client` and `then` are made.',
     'Two sets are compared: one from before the change, and what the robot holds after it. So the change comes between '
     'them.',

@@ -10,7 +10,7 @@ import math
 import os
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +38,6 @@ from param_tutorial.exercises.expectations import (
     expect_rejected,
     expect_result,
 )
-from param_tutorial.exercises.forms import Combination
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.notebook.terminal import Terminal
@@ -401,24 +400,7 @@ def with_the_file(trial: Trial) -> None:
 
 # -- 11f ----------------------------------------------------------------------------------------------------
 
-HOW = 'How are they sent?'
-TOGETHER, ONE_BY_ONE = 'in one request', 'one after the other'
-
-
-def tuner(chosen: Mapping[str, Any]) -> Callable[[ParameterClient], Any]:
-    """Return the function that does what a reader of the page has chosen."""
-    def tune(client: ParameterClient) -> None:
-        new = {name: value for name, value in chosen.items() if name != HOW}
-        (client.set_parameters_atomically if chosen[HOW] == TOGETHER else client.set_parameters)(new)
-    return tune
-
-
-CHOICES = Combination({
-    'max_speed_mps': (0.5, 1.0, 1.5, 1.6, 1.75, 1.8, 2.0),
-    'max_acceleration_mps2': (0.2, 0.5, 0.8, 0.9, 1.0, 1.1, 1.2, 1.5, 2.0),
-    HOW: (TOGETHER, ONE_BY_ONE),
-}, start={'max_speed_mps': 1.0, 'max_acceleration_mps2': 0.5, HOW: ONE_BY_ONE}, make_work=tuner)
-tune = Exercise('11f', 'Tune it', CHAPTER, FUNCTION, form=CHOICES, hints=(
+tune = Exercise('11f', 'Tune it', CHAPTER, FUNCTION, hints=(
     'Solve `12 / v + v / a = 8` for `a`. Which `v` makes it smallest?',
     '`a = v² / (8 v − 12)`. It falls as `v` rises, up to 3 m/s, and the range of the speed ends before that.',
     'Both together or not at all: with the old acceleration the cart would reject the new speed. '

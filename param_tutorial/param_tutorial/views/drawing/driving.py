@@ -41,6 +41,10 @@ _PAINTS = 8
 _NAME = 'robot-NAME'
 
 STYLE = style('param_tutorial/views/drawing/track.css')
+# Where ``views/driving.js`` shows a vehicle: its picture, its words and the button.
+VIEW = ('<div class="robot-picture"></div><div class="robot-foot">'
+        '<button type="button" class="robot-drive" title="Put it back to the start, and let it go" disabled>Drive'
+        '</button><div class="robot-says" role="status"></div></div>')
 
 
 @dataclass(frozen=True)
@@ -183,7 +187,7 @@ class Moment:
     @property
     def scene(self) -> 'Scene':
         """What a picture tells from this moment on."""
-        # More digits would only make a film longer.
+        # More digits would only make what is sent longer.
         return Scene(round(self.elapsed_sec, 4), self.state.word, self.text, self.sentence, round(self.lean_rad, 4))
 
 
@@ -198,17 +202,6 @@ class Scene(NamedTuple):
     lean_rad: float
 
 
-def view_markup(picture: str = '', sentence: str = '') -> str:
-    """Return the place where ``views/driving.js`` shows a vehicle: its picture, its words and the button.
-
-    :param picture: HTML of what is there before the script is.
-    :param sentence: What is said before.
-    """
-    return (f'<div class="robot-picture">{picture}</div><div class="robot-foot">'
-            '<button type="button" class="robot-drive" title="Put it back to the start, and let it go" disabled>Drive'
-            f'</button><div class="robot-says" role="status">{html.escape(sentence)}</div></div>')
-
-
 def still(moment: Moment) -> str:
     """Return the picture of a vehicle at one moment."""
     return _picture(moment, None)
@@ -217,11 +210,6 @@ def still(moment: Moment) -> str:
 def moving(vehicle: Vehicle) -> str:
     """Return the picture of a vehicle that goes through its motion by itself; its scenes have to be told."""
     return _picture(vehicle.at(0.0), _Animation(_NAME, vehicle, is_told=True) if vehicle.motion.phases else None)
-
-
-def scenes(vehicle: Vehicle) -> list[Scene]:
-    """Return what a moving picture tells when each phase begins, and at the end."""
-    return [vehicle.at(start_sec).scene for start_sec in _starts_sec(vehicle.motion)]
 
 
 def replay(vehicle: Vehicle) -> str:
