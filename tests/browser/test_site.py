@@ -207,7 +207,8 @@ robot = pytest.mark.parametrize('page', ['2_robot.html'], indirect=True)
 
 def wait_for_the_node(page):
     """Wait until the page's node has done all that it was asked."""
-    page.wait_for_function("document.documentElement.dataset.node === 'awake' && !document.querySelector('[aria-busy]')")
+    page.wait_for_function(
+        "document.documentElement.dataset.node === 'awake' && !document.querySelector('[aria-busy]')")
 
 
 @limits
@@ -675,7 +676,7 @@ def test_a_chapter_that_fails_stops_the_build_and_the_old_site_stays(made, tmp_p
     nbformat.write(nbformat.v4.new_notebook(cells=[
         nbformat.v4.new_markdown_cell('# 3 · Broken'),
         nbformat.v4.new_code_cell('undefined', execution_count=1)]), notebooks / '3_broken.ipynb')
-    with pytest.raises(ChapterError, match=r"3_broken\.ipynb, cell \d \(undefined\): its page's node says something else"):
+    with pytest.raises(ChapterError, match=r"3_broken\.ipynb, cell \d \(undefined\): its page's node says something"):
         Site(notebooks, made.target, made.work).build()
     assert files(made.target) == before
 

@@ -73,8 +73,8 @@ def test_there_is_one_whole_site_at_whatever_step_the_build_ends(tmp_path, monke
 def test_no_process_outlives_a_build(tmp_path, number):
     if not page_python.PYODIDE.exists():
         missing.skip('there is no Pyodide in node_modules: `make html` gets it')
-    nbformat.write(new_notebook(cells=[new_markdown_cell('# 1 · A'), new_code_cell('import asyncio\nawait asyncio.sleep(100)')]),
-                   tmp_path / '1_a.ipynb')
+    cells = [new_markdown_cell('# 1 · A'), new_code_cell('import asyncio\nawait asyncio.sleep(100)')]
+    nbformat.write(new_notebook(cells=cells), tmp_path / '1_a.ipynb')
     process = subprocess.Popen(
         [sys.executable, '-m', 'param_tutorial.site', '--notebooks', tmp_path, '--target', tmp_path / 'html',
          '--work', tmp_path / 'work', '--only', '1'], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,

@@ -274,6 +274,8 @@ export async function beginLive() {
 function letEdit(page, cell, code) {
   const input = one(/** @type {HTMLElement} */ (cell.element), '.cell_input');
   const lesson = one(input, 'div');
+  // As in a notebook: click the code, and press Shift + Enter.
+  one(lesson, 'pre').tabIndex = 0;
   /** @type {HTMLTextAreaElement | undefined} */
   let box;
   const button = (/** @type {string} */ words, /** @type {string} */ label, /** @type {() => void} */ onClick) => {
@@ -321,6 +323,15 @@ function letEdit(page, cell, code) {
     box?.focus();
   });
   const resetButton = button('Reset', 'Bring back the code of the lesson', reset);
+  lesson.addEventListener('keydown', event => {
+    if (event.key !== 'Enter' || !(event.shiftKey || event.ctrlKey)) return;
+    event.preventDefault();
+    run();
+  });
+  lesson.addEventListener('dblclick', () => {
+    edit();
+    box?.focus();
+  });
   const tools = make('div', {className: 'live-tools'}, button('Run', 'Run this cell', run), editButton, resetButton);
   input.append(tools);
   show();

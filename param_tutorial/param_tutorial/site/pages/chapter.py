@@ -7,9 +7,7 @@ from pathlib import Path
 
 import nbformat
 
-from param_tools.markup.tables import with_code
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
-from param_tutorial.exercises.achievements import HOW
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.live.running import WIDGET, LiveCell, LiveChapter
@@ -21,12 +19,6 @@ from param_tutorial.site.pages.terms import terms_script
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
-_BOTH_WORDINGS = re.compile(r'<!-- notebook -->.*?<!-- page:\s*(.*?)\s*-->', re.DOTALL)
-
-# What checks and ticks say, as HTML, and what a page says in its place: all hints stand below a check.
-_WORDINGS_OF_OUTPUTS = {
-    r' \(the next: <code>exercises\.hint\([^)]*\)</code>\)': '',
-    re.escape(str(with_code(HOW))): 'What you solve on this page is remembered in this browser, and ticked here.'}
 
 
 def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: Glossary | None = None,
@@ -50,11 +42,11 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: 
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
             if 'text/html' in output.get('data', {}):
-                output.data['text/html'] = links.in_output(output_for_page(output.data['text/html']))
+                output.data['text/html'] = links.in_output(output.data['text/html'])
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == 'markdown':
-            cell.source = links.in_markdown(for_page(cell.source))
+            cell.source = links.in_markdown(cell.source)
         cells.append(cell)
         if len(cells) == 1:
             note = _download_note(path, has_lab) if alone is None else _provenance_note(alone)
@@ -128,21 +120,6 @@ def _provenance_note(facts: dict[str, str]) -> str:
     return (f'<p class="lesson-download">This file is one lesson of the course <em>Mastering ROS 2 Parameters with '
             f'Python</em>{state}. It ran on Python {facts["Python"]} with rclpy {facts["rclpy"]} of ROS 2 Jazzy; what '
             f'each cell put out stands below it.</p>')
-
-
-def for_page(text: str) -> str:
-    """Return a chapter's text as a page has it, which can't do all that a notebook can.
-
-    Where the two differ, the chapter says both: ``<!-- notebook -->Run this cell.<!-- page: Here it is. -->``.
-    """
-    return _BOTH_WORDINGS.sub(lambda found: found[1], text)
-
-
-def output_for_page(text: str) -> str:
-    """Return what a cell has put out, as HTML, with the page's wording where it orders what only a notebook can do."""
-    for notebook, page in _WORDINGS_OF_OUTPUTS.items():
-        text = re.sub(notebook, page, text)
-    return text
 
 
 def _help_html(number: str, path: Path) -> str:

@@ -10,7 +10,7 @@ import nbformat
 from param_tutorial.site.live.running import LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
-from param_tutorial.site.pages.chapter import for_page, live_cells
+from param_tutorial.site.pages.chapter import live_cells
 from param_tutorial.site.pages.links import LAB, Links
 
 _ROW = re.compile(r'\| *([\d.]+) *\| *\[([^]]+)\]\((\w+)\.ipynb\) *\| *([^|]+?) *\| *(\d+(?: \+ \d+)?) *\|'
@@ -70,7 +70,7 @@ def front_page_source(index: Path, chapters: Mapping[Path, LiveChapter], facts: 
     :param has_lab: True if JupyterLab for the browser is a part of the site.
     """
     names = [path.stem for path in chapters]
-    text = for_page(index.read_text(encoding='utf-8'))
+    text = index.read_text(encoding='utf-8')
     links = Links(index, nbformat.v4.new_notebook(), {*names, 'claims'})
     return _TEXT.format(try_it=_robot_to_try(chapters), ways=_ways(links.in_markdown(text)),
                         chapters=_groups(text, names), provenance=_provenance_text(facts),
