@@ -216,19 +216,19 @@ def test_any_value_is_answered_by_the_node_in_the_page(page):
     # What is typed before there is a node waits for it; everything stands on the page meanwhile.
     type_into(page, 'power_w', '150')
     expect(page.locator('.live-notice')).to_contain_text('Waking the node')
-    expect(message(page, 'power_w')).to_have_text('Accepted.', timeout=60_000)
+    expect(page.get_by_role('log', name='Log of /heater')).to_contain_text('power_w is now 150', timeout=60_000)
     wait_for_the_node(page)
     expect(page.locator('.live-notice')).to_be_hidden()
     rows = page.get_by_role('log', name='Changes of all nodes').get_by_role('row')
     log = page.get_by_role('log', name='Log of /heater')
     expect(log).to_contain_text('[INFO] [heater]: power_w is now 150')
+    expect(box(page, 'power_w')).to_have_value('150')
     # A cell below has set another one already: the cells have run in their order.
     type_into(page, 'power_w', '900')
     expect(box(page, 'power_w')).to_have_value('300')
-    expect(message(page, 'power_w')).to_have_text('Accepted. The node has made it 300.')
+    expect(message(page, 'power_w')).to_have_text('You asked for 900, and the node has stored 300.')
     for text in ('Nobody thought of this', '__proto__', 'Robin 7'):
         type_into(page, 'name', text)
-        expect(message(page, 'name')).to_have_text('Accepted.')
         expect(log).to_contain_text(f'name is now {text}')
     count = rows.count()
     type_into(page, 'low_c', '25')
@@ -243,7 +243,7 @@ def test_any_value_is_answered_by_the_node_in_the_page(page):
     expect(rows).to_have_count(count)  # what was rejected is told to nobody
     # Any combination, in any order.
     type_into(page, 'high_c', '20')
-    expect(message(page, 'high_c')).to_have_text('Accepted.')
+    expect(log).to_contain_text('high_c is now 20')
     type_into(page, 'low_c', '21')
     expect(message(page, 'low_c')).to_have_text('Rejected: 21 is not below 20')
     page.get_by_role('button', name='Undo').click()
@@ -259,7 +259,7 @@ def test_any_value_is_answered_by_the_node_in_the_page(page):
     page.keyboard.press('Space')
     expect(box(page, 'on')).not_to_be_checked()
     type_into(page, 'levels', '[1, 2, 3]')
-    expect(message(page, 'levels')).to_have_text('Accepted.')
+    expect(log).to_contain_text('levels is now')
     expect(box(page, 'serial')).to_be_disabled()
     # No row has moved away from under the hand.
     expect(row(page, 'low_c').locator('.param-back')).to_be_visible()
@@ -270,8 +270,7 @@ def test_any_value_is_answered_by_the_node_in_the_page(page):
 def test_settings_stand_in_the_address_and_a_reload_brings_them_back(page):
     for name, text in (('high_c', '34'), ('low_c', '30'), ('name', 'Rex & Co')):  # in no other order
         type_into(page, name, text)
-        expect(message(page, name)).to_have_text('Accepted.', timeout=60_000)
-    page.wait_for_function("location.search.includes('Rex')")
+    page.wait_for_function("location.search.includes('Rex')", timeout=60_000)
     page.goto('about:blank')
     page.go_back()
     for name, text in (('name', 'Rex & Co'), ('high_c', '34'), ('low_c', '30')):
@@ -289,9 +288,15 @@ def test_an_address_that_asks_for_what_is_not_there_is_ignored_with_a_sentence(m
         expect(box(page, 'power_w')).to_have_value('100')
 
 
+def cell_with(page, code):
+    """Return the cell with some code, also when that is another one later."""
+    found = page.locator('div.cell', has=page.get_by_text(code)).first
+    return page.locator('.' + found.evaluate("each => [...each.classList].find(name => name.startsWith('tag_live-'))"))
+
+
 @limits
 def test_a_cell_is_edited_and_run_and_kept(page):
-    cell = page.locator('div.cell', has=page.get_by_text('panel.settle()')).first
+    cell = cell_with(page, 'panel.settle()')
     cell.hover()
     cell.get_by_role('button', name='Edit the code of this cell').click()
     editor = cell.get_by_role('textbox', name='The code of this cell')
@@ -314,7 +319,7 @@ def test_a_cell_is_edited_and_run_and_kept(page):
 
 @limits
 def test_the_readers_code_reaches_no_network(page):
-    cell = page.locator('div.cell', has=page.get_by_text('panel.settle()')).first
+    cell = cell_with(page, 'panel.settle()')
     cell.get_by_role('button', name='Edit the code of this cell').click()
     editor = cell.get_by_role('textbox', name='The code of this cell')
     editor.fill('from js import fetch\ntry:\n    await fetch("https://example.org/")\nexcept Exception as error:\n'
@@ -497,7 +502,7 @@ def test_the_robot_drives_as_its_node_does_and_stays_where_it_ended(page):
     expect(word).to_have_text('CRASHED')
     expect(page.get_by_role('img', name=re.compile('has run into the wall')).first).to_be_visible()
     box(page, 'enable_safety_mode').check()
-    expect(message(page, 'enable_safety_mode')).to_have_text('Accepted.')
+    expect(page.locator('.robot-head').first).to_contain_text('safety on')
     expect(word).to_have_text('CRASHED')
 
 
@@ -721,13 +726,9 @@ def show_in_firefox(page, path):
     page.wait_for("document.documentElement.dataset.lesson === 'ready'")
 
 
-MESSAGE = "document.querySelector('.param-row[data-name=%s] .param-message')?.textContent"
-
-
 def test_a_node_answers_in_firefox(made, firefox_page):
     show_in_firefox(firefox_page, made.target / '1_limits.html')
     firefox_page.click('.param-row[data-name=on] input')
-    firefox_page.wait_for(f"{MESSAGE % 'on'} === 'Accepted.'")
     firefox_page.wait_for("location.search.includes('on=false')")
     firefox_page.reload()
     firefox_page.wait_for("document.querySelector('.param-row[data-name=on] input').checked === false")

@@ -40,7 +40,7 @@ def open_page(browser, address, *, scheme='light', width=1280):
     context = browser.new_context(viewport={'width': width, 'height': 900}, color_scheme=scheme)
     page = context.new_page()
     complaints = []
-    here = address[:address.rindex('/')]
+    here = address.partition('?')[0].rpartition('/')[0]
     page.on('console', lambda said: said.type == 'error' and complaints.append(said.text))
     page.on('pageerror', lambda error: complaints.append(error.stack or str(error)))
     page.on('request', lambda request: request.url.startswith((here, 'data:', 'blob:'))

@@ -9,6 +9,20 @@ import {make, one} from '../../../param_tools/panel/dom.js';
 
 /** @type {Map<string, string>} */
 const settings = new Map();
+/** What a hand has changed, the latest last. @type {Set<string>} */
+const entered = new Set();
+
+/**
+ * Take notice of what a hand does with a panel.
+ * @param {Handle} panel
+ * @param {any} content
+ */
+export function noteEntered(panel, content) {
+  if (content?.do !== 'enter') return;
+  const key = `${panel.name}:${content.name}`;
+  entered.delete(key);
+  entered.add(key);
+}
 
 /**
  * Keep what differs from the values with which a panel began.
@@ -23,7 +37,9 @@ export function keepSettings(panel) {
     if (first === undefined) settings.delete(key);
     else settings.set(key, text);
   }
-  const query = new URLSearchParams([...settings]).toString().replaceAll('%2F', '/').replaceAll('%3A', ':');
+  const order = [...entered];
+  const sorted = [...settings].sort(([one], [other]) => order.indexOf(one) - order.indexOf(other));
+  const query = new URLSearchParams(sorted).toString().replaceAll('%2F', '/').replaceAll('%3A', ':');
   history.replaceState(null, '', `${location.pathname}${query && `?${query}`}${location.hash}`);
 }
 

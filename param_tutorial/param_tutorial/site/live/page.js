@@ -14,9 +14,9 @@ import {View} from './widgets.js';
 const WIDGET = 'application/vnd.jupyter.widget-view+json';
 
 /**
- * What the page knows of a cell: its code in the lesson, a digest of its outputs, and, of those that show widgets, the
- * widget's name and the states of all within it.
- * @typedef {{id: string, source: string, digest: string, root?: string, states?: Record<string, any>}} CellFacts
+ * What the page knows of a cell: its code in the lesson, a digest of its outputs, the names of the widgets that it shows,
+ * and the states of all within them.
+ * @typedef {{id: string, source: string, digest: string, roots: string[], states: Record<string, any>}} CellFacts
  */
 
 /** A code cell of the lesson. */
@@ -27,8 +27,8 @@ class Cell {
   isAsked = false;
   /** @type {any[]} */
   outputs = [];
-  /** @type {View | undefined} */
-  view;
+  /** By the names of the widgets. @type {Map<string, View>} */
+  views = new Map();
 
   /**
    * @param {CellFacts} facts
@@ -80,10 +80,11 @@ export class Page {
     document.body.append(this.notice);
     this.say('asleep');
     for (const cell of this.cells) {
-      const still = cell.element?.querySelector('.live-view');
-      if (still && cell.facts.root && cell.facts.states) {
-        cell.view = new View(this, cell.facts.id, cell.facts.root, cell.facts.states);
-        still.replaceWith(cell.view.element);
+      for (const still of cell.element ? all(cell.element, '.live-view') : []) {
+        const root = still.dataset.root ?? '';
+        const view = new View(this, cell.facts.id, root, cell.facts.states);
+        cell.views.set(root, view);
+        still.replaceWith(view.element);
       }
     }
   }
@@ -171,7 +172,7 @@ export class Page {
     else if (said.is === 'update') this.replace(said);
     else if (said.is === 'solved') this.keepSolved(said.numbers);
     else if (said.is === 'clear') cell?.outputs.splice(0);
-    else if (said.is === 'begin') cell?.outputs.splice(0);
+    else if (cell && said.is === 'begin') cell.outputs.splice(0);
     else if (cell && said.is === 'output') this.hearOutput(cell, said.output);
     else if (cell && said.is === 'ran') this.end(cell);
   }
@@ -193,12 +194,10 @@ export class Page {
   hearOutput(cell, output) {
     const root = output.data?.[WIDGET]?.model_id;
     if (root && !cell.isOwn) {
-      if (cell.view?.root !== root) {
-        if (cell.view) this.views.delete(cell.view);
-        cell.view = new View(this, cell.facts.id, root, {});
-      }
-      cell.view?.goLive();
-      cell.outputs.push({...output, view: cell.view});
+      const view = cell.views.get(root) ?? new View(this, cell.facts.id, root, {});
+      cell.views.set(root, view);
+      view.goLive();
+      cell.outputs.push({...output, view});
     } else add(cell.outputs, output);
     // Who runs a cell sees what it writes at once.
     if (cell.isAsked) cell.show();
@@ -229,6 +228,12 @@ export class Page {
     cell.element?.removeAttribute('aria-busy');
     if (cell.isAsked || digest(cell.outputs) !== cell.facts.digest) cell.show();
     cell.isAsked = false;
+    const shown = new Set(cell.outputs.map(output => output.view));
+    for (const [root, view] of cell.views) {
+      if (shown.has(view)) continue;
+      cell.views.delete(root);
+      this.views.delete(view);
+    }
     if (!this.running) this.say('awake');
     if (!this.running) performance.mark('live-idle');
   }
@@ -258,7 +263,7 @@ export async function beginLive() {
   for (const cell of page.cells) {
     if (cell.element?.querySelector('.cell_input')) letEdit(page, cell, codes[cell.facts.id]);
   }
-  followAddress(name => page.byId.get(name.split('/')[0])?.view?.handles.get(name));
+  followAddress(name => [...page.views].find(view => view.handles.has(name))?.handles.get(name));
   // A reader who reads is not kept from it, and who touches something need not wait as long.
   const soon = () => page.begin();
   for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, soon, {once: true});

@@ -67,10 +67,10 @@ class LiveCell(NamedTuple):
     source: str
     digest: str
     """Of its outputs in the page's kernel."""
-    root: str
-    """The name of the widget that it shows; empty if it shows none."""
+    roots: list[str]
+    """The names of the widgets that it shows, in order."""
     states: dict[str, Any]
-    """Of that widget and all within it, when the cell had run and what moves had come to rest."""
+    """Of these widgets and all within them, when the cell had run and what moves had come to rest."""
 
 
 class LiveChapter(NamedTuple):
@@ -91,7 +91,8 @@ def run_chapter(path: Path, pyodide: Path, packages: Path) -> LiveChapter:
     ran = run_notebook(path, pyodide, packages, to_rest=True)
     for cell, difference in compare(path, ran).different:
         if not cell.cell.source.startswith(tuple(EXPLAINED.get(path.stem, ()))):
-            raise ChapterError(path, cell.cell_num, cell.cell.source,
+            number = 1 + [each.id for each in nbformat.read(path, as_version=4).cells].index(cell.cell.id)
+            raise ChapterError(path, number, cell.cell.source,
                                f"its page's node says something else than is stored with it\n{difference}")
     return _chapter(path, ran)
 
@@ -158,10 +159,10 @@ def _chapter(path: Path, ran: list[dict[str, Any]]) -> LiveChapter:
         for said in result['said']:
             if said['is'] == 'widget' and said['does'] in ('open', 'update'):
                 states.setdefault(said['name'], {}).update(said['state'])
-        root = next((each['data'][WIDGET]['model_id'] for each in result['outputs']
-                     if WIDGET in each.get('data', {}) and MIME_TYPE not in each['data']), '')
-        within = {name: _lean(states[name], shared) for name in _within(root, states)} if root else {}
-        cells.append(LiveCell(result['cell'], sources[result['cell']], result['digest'], root, within))
+        roots = [each['data'][WIDGET]['model_id'] for each in result['outputs']
+                 if WIDGET in each.get('data', {}) and MIME_TYPE not in each['data']]
+        within = {name: _lean(states[name], shared) for root in roots for name in _within(root, states)}
+        cells.append(LiveCell(result['cell'], sources[result['cell']], result['digest'], roots, within))
     return LiveChapter(cells, shared)
 
 

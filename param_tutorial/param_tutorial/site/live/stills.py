@@ -7,10 +7,13 @@ from typing import Any
 from param_tutorial.site.live.running import LiveCell, children
 
 
-def still(cell: LiveCell) -> str:
-    """Return the view of a cell as the cell left it; the page's script puts the live one in its place."""
-    name = html.escape(cell.id)
-    return f'<div class="live-view" data-cell="{name}">{_draw(cell.root, cell.states, cell.id)}</div>'
+def still(cell: LiveCell, root: str) -> str:
+    """Return a view of a cell as the cell left it; the page's script puts the live one in its place.
+
+    :param root: The name of the widget that is shown.
+    """
+    return (f'<div class="live-view" data-root="{html.escape(root)}">'
+            f'{_draw(root, cell.states, root.replace("/", "-"))}</div>')
 
 
 def _draw(name: str, states: Mapping[str, Mapping[str, Any]], prefix: str) -> str:

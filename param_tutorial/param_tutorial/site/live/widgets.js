@@ -4,6 +4,7 @@
    as the kernel has run the cell, the same view is a view of the kernel's widgets, and what the hand did is done. */
 
 import {make} from '../../../param_tools/panel/dom.js';
+import {noteEntered} from './address.js';
 
 const PREFIX = 'IPY_MODEL_';
 const LEFT_OUT = new Set(['layout', 'style']);
@@ -59,6 +60,7 @@ export class Handle {
 
   /** @param {any} content */
   send(content) {
+    noteEntered(this, content);
     this.tell({method: 'custom', content});
   }
 

@@ -66,9 +66,10 @@ def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None:
         if cell.id not in ran:
             continue
         cell.metadata.tags = [*cell.metadata.get('tags', ()), f'live-{cell.id}']
-        for output in cell.outputs:
-            if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data:
-                output.data = nbformat.from_dict({'text/html': still(ran[cell.id])})
+        shown = [output for output in cell.outputs
+                 if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data]
+        for root, output in zip(ran[cell.id].roots, shown, strict=True):
+            output.data = nbformat.from_dict({'text/html': still(ran[cell.id], root)})
 
 
 def live_cells(cells: Sequence[LiveCell]) -> str:

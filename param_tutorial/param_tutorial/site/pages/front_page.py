@@ -53,7 +53,8 @@ terminal and the real ROS 2 with it. `make lab` starts it; you don't need to ins
 ```
 '''
 
-_IN_LAB = f'''**In JupyterLab, in this browser.** <a href="{LAB}/lab/index.html?path=index.md">Open the lab</a>: the same
+_IN_LAB = f'''**In JupyterLab, in this browser.**
+<a href="{LAB}/lab/index.html?path=index.md">Open the lab</a>: the same
 lessons as notebooks, about 50 MB, once; there is nothing to install. What you change stays in this browser.
 <a href="{LAB}/LICENSES.md">Its licenses</a>.
 
@@ -85,7 +86,7 @@ def _robot_to_try(chapters: Mapping[Path, LiveChapter]) -> str:
             if 'robot-picture' in shown and 'param-row' in shown:
                 # The page runs the cells down to this one, and shows none but this.
                 markup = (f'{live_cells(live.cells[:at + 1])}<div class="front-robot cell tag_live-{cell.id}">'
-                          f'<div class="cell_output">{still(cell)}</div></div>')
+                          f'<div class="cell_output">{still(cell, cell.roots[0])}</div></div>')
                 return (f'{_one_block(markup)}\n\n'
                         'Move a slider, and press **Drive**. What happens without the safety mode? '
                         f'That is where [the first lesson]({path.name}) begins.')

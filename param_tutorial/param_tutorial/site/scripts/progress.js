@@ -191,7 +191,7 @@ export function isDue(number, answer = lessons[here]?.answers[number]) {
 function show() {
   for (const link of all(document, '.bd-docs-nav a, .front-lessons a', HTMLAnchorElement)) {
     link.querySelector('.lesson-mark')?.remove();
-    const lesson = lessons[page(link.pathname)];
+    const lesson = link.hash.length > 1 ? undefined : lessons[page(link.pathname)];
     if (!lesson) continue;
     const {of, answers} = lesson;
     const count = Math.min(Object.keys(answers).length, of);
