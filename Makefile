@@ -74,13 +74,13 @@ test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
 
-html: setup-all $(JS_TOOLS)  ## make the HTML lessons, in build/html/, with JupyterLab for the browser
+html: setup-all $(JS_TOOLS)  ## make the website, in build/html/: lessons with a node in each page, and JupyterLab for the browser
 	@$(VENV) -m param_tutorial.site $(ARGS)
 
 lite: setup-all $(JS_TOOLS)  ## make the course for any browser, in build/lite/: JupyterLab without a server, with a kernel in the page
 	@$(VENV) -m param_tutorial.site.browser.lite $(ARGS)
 
-lesson: setup-all  ## make one lesson as one file: make lesson CHAPTER=08
+lesson: setup-all $(JS_TOOLS)  ## make one lesson as one file: make lesson CHAPTER=08
 	@test -n "$(CHAPTER)" || { echo "Which one? make lesson CHAPTER=08" >&2; exit 1; }
 	@$(VENV) -m param_tutorial.site --lesson "$(CHAPTER)" $(ARGS)
 

@@ -15,7 +15,7 @@ from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter, r
 # A page fetches nothing, not even from its own server, and neither does its kernel, which runs what the reader typed:
 # code comes in scripts of the site. Pyodide makes machine code, and a worker is a script in memory.
 POLICY = ("default-src 'self' data: blob: 'unsafe-inline'; connect-src data: blob:; worker-src blob:; "
-          "script-src 'self' blob: data: 'unsafe-inline' 'unsafe-eval'; form-action 'self'")
+          "script-src 'self' blob: 'unsafe-inline' 'unsafe-eval'; form-action 'self'")
 _HERE = Path(__file__).parent
 # What a chapter's run depends on, beside the packages.
 _RUNS = ('kernel.js', 'run.mjs', 'running.py')

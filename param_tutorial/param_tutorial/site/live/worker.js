@@ -42,6 +42,10 @@ async function begin(parts, progress) {
     load(part['pyodide.mjs']),
     load(part['pyodide.asm.mjs']),
   ]);
+  // Pyodide asks by this whether the worker is a classic one, which it refuses; all that it needs works in one, too.
+  worker.importScripts = () => {
+    throw new TypeError('this page loads no scripts');
+  };
   const fetchOfBrowser = worker.fetch;
   // Pyodide has no other way to be given its machine code.
   worker.fetch = async (/** @type {any} */ wanted) =>
