@@ -95,8 +95,8 @@ def test_a_test_of_claims_names_those_that_lead_to_it():
             assert re.findall(r'A\d{3}', block.splitlines()[0]) == leading, name[1]
 
 
-BOX = re.compile(r'> <details class="belief">\n> <summary><b>(?:Common belief|A wish of the article):</b> (.+)</summary>'
-                 r'\n>\n'
+BOX = re.compile(r'> <details class="belief">\n> '
+                 r'<summary><b>(?:Common belief|A wish of the article):</b> (.+)</summary>\n>\n'
                  r'> .+ \(\[the article, (?:A\d{3}(?:, )?)+\]\(claims\.md\)\)\n>\n> </details>(?=\n\n|\Z)')
 
 
