@@ -43,7 +43,14 @@ PREDICTIONS = (
               'rejected.'),
         wrong('after is higher: before has stopped', 'A rejection stops nothing. The motor of the node `before` runs '
               'at the speed that was rejected.'))),
-    Prediction('8-4', 'The dump holds `max speed`, `arm/left` and `gains..kp`. A new node starts with the file. What '
+    Prediction('8-4', '`Careful` judges its start values before it registers its callback, and the forks carry 800 '
+               'kg. What happens when it is started with 900?', (
+        wrong('It starts with 900 kg', 'That is what `Patient` did, which judged changes only.'),
+        wrong('It starts with 300 kg, its default', 'An override that is rejected is not replaced by the default. '
+              'The constructor raises an exception.'),
+        right('It does not start', 'Its constructor holds the start values against the rule, and raises an '
+              'exception.'))),
+    Prediction('8-5', 'The dump holds `max speed`, `arm/left` and `gains..kp`. A new node starts with the file. What '
                'happens?', (
         wrong('All three come back', 'Between the two dots is a part without a name, and rcl rejects the whole file '
               'for it.'),
@@ -53,7 +60,7 @@ PREDICTIONS = (
               'between the two dots that it rejects, and the whole file with it.'),
         right('The node does not start', 'Between the two dots is a part without a name, and rcl rejects the whole '
               'file for it.'))),
-    Prediction('8-5', 'The default is 300 kg, and 600 were meant. The command line says `-p lift.maxload_kg:=600.0`; '
+    Prediction('8-6', 'The default is 300 kg, and 600 were meant. The command line says `-p lift.maxload_kg:=600.0`; '
                'the parameter is `lift.max_load_kg`. How does the lift start?', (
         wrong('with 600 kg', 'The two names differ by an underscore. The node ignores an override whose name '
               'it does not declare.'),

@@ -57,4 +57,10 @@ PREDICTIONS = (
         wrong('1', 'One call, but three changes: the service sets one parameter after the other.'),
         wrong('2', 'There are three changes, and the node puts each of them to use.')),
         otherwise='It puts three to use: the service sets one parameter after the other.'),
+    Prediction('10.3-6', 'The same three gains come in one call of `set_parameters_atomically`. How many sets of gains '
+               'does the node put to use now?', (
+        right('1', 'The node stores the three together, and calls its callbacks once.'),
+        wrong('3', 'That was `set_parameters`. An atomic request is one change.'),
+        wrong('0', 'The three are valid, so the node accepts and uses them.')),
+        otherwise='One: the node stores the three together, and calls its callbacks once.'),
 )

@@ -69,4 +69,9 @@ PREDICTIONS = (
               'pre-set callback could not reject it.'),
         right('20 and 20', 'The callback makes each of the two a change of both names, and the later one stays.'),
         wrong('10 and 10', 'The callback makes each of the two a change of both names. The later one stays.'))),
+    Prediction('10.4-8', 'The file says `speed: 150`, and `Aliases` knows `speed` as an old name of `max_speed_rpm`, '
+               'whose default is 100. What does `max_speed_rpm` hold at the start?', (
+        right('150', '`Aliases` moves the override to the new name before the declaration reads it.'),
+        wrong('100', 'That is what happened with forwarding alone. `Aliases` moves the override to the new name.'),
+        wrong('no value: the node does not start', 'An old name in a file is no error. The node logs a warning.'))),
 )
