@@ -1,8 +1,8 @@
 """Tools for the parameters of ROS 2 nodes: a client, a panel, checked files, snapshots, and an embedded ``ros2``.
 
 ``start()`` runs a ROS executor in the background, ``ParameterClient`` talks to the parameters of any node, and
-``ParameterPanel`` shows them as controls in a notebook. The rooms, top to bottom; imports go downward only (README.md,
-"Architecture", says what each room is for, and a test holds both against the code):
+``ParameterPanel`` shows them as controls in a notebook. The rooms, top to bottom; imports go downward only (README.md
+one folder up says what each room is for, and a test holds both against the code):
 
     cli
     panel

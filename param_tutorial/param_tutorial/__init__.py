@@ -3,7 +3,7 @@
 ``start()`` runs a ROS executor in the background of a notebook, ``ParameterClient`` talks to the parameters of any
 node, ``ParameterPanel`` shows them as controls; these three are of the package ``param_tools``. What draws is in
 ``param_tutorial.views``, and what tries an answer in ``param_tutorial.exercises``. The rooms, top to bottom; imports go
-downward only (README.md, "Architecture", says what each room is for, and a test holds both against the code):
+downward only (README.md one folder up says what each room is for, and a test holds both against the code):
 
     site
     exercises

@@ -14,7 +14,10 @@ def main() -> int:
         from param_tutorial.learner.command import open_lab
 
         open_lab(sys.argv[2:])
-    return run_embedded()
+    status = run_embedded()
+    if sys.argv[1:2] in ([], ['-h'], ['--help']):
+        print('\n`python -m param_tutorial lab` starts JupyterLab on your own copies of the chapters.')
+    return status
 
 
 if __name__ == '__main__':

@@ -115,6 +115,12 @@ def test_help_goes_to_standard_output(words):
     assert (stderr, status) == ('', 0)
 
 
+@pytest.mark.parametrize(('in_notebook', 'called'), [(False, 'python -m param_tools'), (True, '%ros2')])
+def test_the_help_of_a_command_of_our_own_shows_what_can_be_typed(in_notebook, called):
+    stdout, _, _ = run('check', '-h', in_notebook=in_notebook)
+    assert stdout.startswith(f'usage: {called} check ')
+
+
 @pytest.mark.parametrize(('words', 'complaint'), [
     (['param', 'list', '--filter', '(', '/simple_param_node'], "'(' is not a regular expression"),
     (['param', 'set', '/simple_param_node', 'max_speed_rpm', '9' * 20], 'does not fit into the 64 bits'),

@@ -1,4 +1,4 @@
-"""The package is a house of rooms: imports go downward only, no file is in a circle, and README draws it as it is."""
+"""Imports go downward only, from room to room; no file is in a circle; param_tutorial/README.md draws it as it is."""
 
 import ast
 import re
@@ -9,9 +9,9 @@ import pytest
 
 import param_tools
 import param_tutorial
-from tests.support.paths import NOTEBOOKS, PACKAGE, ROOT, ROS_PACKAGE, TOOLS
+from tests.support.paths import NOTEBOOKS, PACKAGE, ROS_PACKAGE, TOOLS
 
-README = (ROOT / 'README.md').read_text()
+README = (ROS_PACKAGE / 'README.md').read_text()
 FILES = {'.'.join(path.relative_to(ROS_PACKAGE).with_suffix('').parts).removesuffix('.__init__'): path
          for package in (TOOLS, PACKAGE) for path in sorted(package.rglob('*.py'))}
 # The facades import what a name needs when the name is first used, and stand above every room of their package.

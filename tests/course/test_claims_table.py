@@ -95,12 +95,13 @@ def test_a_test_of_claims_names_those_that_lead_to_it():
             assert re.findall(r'A\d{3}', block.splitlines()[0]) == leading, name[1]
 
 
-BOX = re.compile(r'> <details class="belief">\n> <summary><b>Common belief:</b> (.+)</summary>\n>\n'
+BOX = re.compile(r'> <details class="belief">\n> '
+                 r'<summary><b>(?:Common belief|A wish of the article):</b> (.+)</summary>\n>\n'
                  r'> .+ \(\[the article, (?:A\d{3}(?:, )?)+\]\(claims\.md\)\)\n>\n> </details>(?=\n\n|\Z)')
 
 
 @pytest.mark.parametrize('chapter', sorted(CHAPTERS))
-def test_a_box_is_folded_and_headed_by_a_belief_in_few_words(chapter):
+def test_a_box_is_folded_and_headed_by_a_belief_or_a_wish_in_few_words(chapter):
     for cell in (cell for cells in CHAPTERS[chapter].values() for cell in cells if cell.cell_type == 'markdown'):
         assert '**Where the article' not in cell.source
         beliefs = BOX.findall(cell.source)

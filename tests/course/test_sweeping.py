@@ -1,6 +1,10 @@
-"""claims.md, second part: each sweeping sentence of a chapter has a line, with the cell or test that decides it."""
+"""Each sentence of a chapter with *always*, *never*, *every*, *only* or *any* has a line in `sweeping/`.
+
+The line names the cells or tests that decide the sentence; *no claim* says why nothing is to be decided.
+"""
 
 import re
+from pathlib import Path
 from typing import NamedTuple
 
 import nbformat
@@ -14,6 +18,7 @@ WORD = re.compile(r'\b(always|never|every|only|any)\b', re.IGNORECASE)
 END = re.compile(r'(?<=[.?!:])(?:["”*)_]*)\s+|\n\s*\n|\n\s*(?:- |\d+\. |\|)')
 NO_CLAIM = re.compile(r'no claim: \w.+')
 CELL = re.compile(r'`([\w-]+)`')
+SWEEPING = Path(__file__).parent / 'sweeping'
 
 
 class Row(NamedTuple):
@@ -22,20 +27,17 @@ class Row(NamedTuple):
     proofs: list[str]
 
 
-def table():
-    """Return {chapter: rows} of the tables under the chapters' names."""
-    found, chapter = {}, None
-    for line in (NOTEBOOKS / 'claims.md').read_text().splitlines():
-        if heading := re.fullmatch(r'### `(\d\w+)`', line):
-            chapter = heading[1]
-            found[chapter] = []
-        elif chapter and line.startswith('| `'):
+def table(chapter):
+    """Return the rows of a chapter."""
+    found = []
+    for line in (SWEEPING / f'{chapter}.md').read_text().splitlines():
+        if line.startswith('| `'):
             cell, words, proofs = (each.strip() for each in line[2:].removesuffix('|').split(' | '))
-            found[chapter].append(Row(cell.strip('`'), words, [each.strip() for each in proofs.split(';')]))
+            found.append(Row(cell.strip('`'), words, [each.strip() for each in proofs.split(';')]))
     return found
 
 
-TABLE = table()
+TABLE = {chapter: table(chapter) for chapter in CHAPTERS}
 
 
 def plain(text):

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 import websocket
 
+from param_tutorial.learner.copies import LESSONS
 from tests.support.lab import TIMEOUT_SEC, CourseLab
 from tests.support.paths import NOTEBOOKS, ROOT
 
@@ -125,6 +126,13 @@ def test_a_second_make_lab_says_where_the_first_one_is(lab):
     assert lab.start_again() == (
         f'JupyterLab is running already; open this address in your browser:\n'
         f'    {lab.url}lab/tree/index.md?token={lab.token}\n')
+
+
+def test_help_writes_nothing(tmp_path):
+    done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'lab', '--help'], cwd=tmp_path, capture_output=True,
+                          text=True, env={**os.environ, LESSONS: str(tmp_path / 'copies')})
+    assert done.stdout.startswith('usage: make lab') and done.returncode == 0
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_folder_that_cannot_be_made_is_one_sentence_and_no_server(tmp_path):

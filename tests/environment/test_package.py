@@ -108,8 +108,8 @@ def test_the_lock_of_the_javascript_tools_names_no_address_of_a_package():
 @pytest.mark.parametrize(('lock', 'name'), DIRECT)
 def test_each_direct_dependency_is_locked_and_has_its_reason(lock, name):
     assert re.search(rf'^{name}==', LOCKS[lock], re.MULTILINE)
-    readme = (ROOT / 'environment' / 'README.md').read_text()
-    assert re.search(rf'^\| `{name}` \| .{{10,}} \|$', readme, re.MULTILINE)
+    reasons = (ROOT / 'environment' / 'dependencies.md').read_text()
+    assert re.search(rf'^\| `{name}` \| .{{10,}} \|$', reasons, re.MULTILINE)
 
 
 def entries(lock: str) -> list[str]:

@@ -54,6 +54,6 @@ def test_a_request_is_judged_as_a_whole_and_a_rejected_one_leaves_no_trace(cart,
 
 
 def test_it_does_not_start_with_values_that_it_would_reject(ros):
-    with pytest.raises(InvalidParameterValueException, match=r'it would take 4.00 m to stop'):
+    with pytest.raises(InvalidParameterValueException, match=r'it needs 4.00 m to stop'):
         ros.add(CartNode, ros_args=['-p', 'max_speed_mps:=2.0'])
     assert ros.add(CartNode, ros_args=['-p', 'max_speed_mps:=2.0', '-p', 'max_acceleration_mps2:=1.0']).trip_sec == 8.0

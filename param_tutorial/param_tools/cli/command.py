@@ -26,14 +26,20 @@ _MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run']
             'topic': ['topic'], 'launch.verb': ['launch'], 'check': ['check', 'describe'],
             'system': ['snapshot', 'diff', 'restore'], 'changes': ['watch', 'history'], 'panel': ['panel']}
 
+# The commands that the genuine ros2 does not have.
+_OUR_OWN = ('check', 'describe', 'snapshot', 'diff', 'restore', 'watch', 'history', 'panel')
+
 # What is missing where a command needs ROS and there is none.
 _PACKAGES_OF_ROS = ('rclpy', 'rcl_interfaces', 'ament_index_python')
 
 
 @functools.cache
-def _parser(command: str) -> CommandParser:
-    """Return a parser for one command, or for all if it is none."""
-    parser = CommandParser(prog='ros2', description=MORE_ELSEWHERE)
+def _parser(command: str, prog: str) -> CommandParser:
+    """Return a parser for one command, or for all if it is none.
+
+    :param prog: What a usage line begins with.
+    """
+    parser = CommandParser(prog=prog, description=MORE_ELSEWHERE)
     commands = parser.add_subparsers(metavar='command', title='commands')
     wanted = [module for module, names in _MODULES.items() if command in names] or _MODULES
     for module in wanted:
@@ -58,7 +64,10 @@ def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream,
 def steps(argv: Sequence[str], session: Session) -> Steps:
     """Run one command, step by step if it goes on until somebody ends it."""
     try:
-        parser = _parser(argv[0] if argv else '')
+        command = argv[0] if argv else ''
+        # `ros2 check` cannot be typed: it is this program's own.
+        called = '%ros2' if session.in_notebook else 'python -m param_tools'
+        parser = _parser(command, called if command in _OUR_OWN else 'ros2')
         args = parser.parse_args(argv)
         if not hasattr(args, 'verb'):
             getattr(args, 'help_of', parser).print_help()

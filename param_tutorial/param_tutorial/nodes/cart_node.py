@@ -50,7 +50,7 @@ class CartNode(Node):
         stopping_m = speed ** 2 / (2 * acceleration)
         # Decimal fractions are rarely exact, and a millionth of a millimeter hurts nobody.
         if stopping_m > SIGHT_M + 1e-9:
-            return f'it would take {stopping_m:.2f} m to stop, and the scanner sees {SIGHT_M:g} m'
+            return f'it needs {stopping_m:.2f} m to stop, and the scanner sees {SIGHT_M:g} m'
         return ''
 
     def validate(self, parameters: list[Parameter]) -> SetParametersResult:

@@ -93,7 +93,7 @@ WRONG = {
         ([("'width_mm', 800", "'width_mm', 800.0")], 0, 'Wrong parameter type'),
         ([("'wagon'", "'waggon'")], 5, 'it is called `waggon`'),
     ],
-    '10.4d': [
+    '10.4c': [
         ([(f'        {_NAMES}\n', '')], 0, 'there are only `speed_mmps`, `limit_mmps`'),
         ([(_RULE, 'pass')], 1, 'it was accepted'),
         ([('speed <= limit', 'speed < limit')], 1, 'speed_mmps must not be above'),
@@ -176,7 +176,7 @@ RIGHT = {
         self.add_pre_set_parameters_callback(mirror)
         self.add_on_set_parameters_callback(judge)""")],
     ],
-    '10.4d': [
+    '10.4c': [
         [("['speed_mmps', 'limit_mmps']", "['speed', 'limit']")],
         [(_RULE, "Rules(self).check(('limit_mmps', 'speed_mmps'), lambda limit, speed: limit >= speed, 'too fast')")],
         [(_DECLARED, "        self.declare_parameters('', [('limit_mmps', 500), ('speed_mmps', 100)])\n")],

@@ -116,14 +116,14 @@ WRONG = {
          'positional argument'),
     ],
     '11d': [
-        ([(_SAVE, 'client.dump(path)')], 1, 'the nodes that its first line'),
+        ([(_SAVE, 'client.dump(path)')], 1, 'the nodes that its key'),
         ([("parameter_files.render('/**', values)", 'parameter_files.render(client.node, values)')], 1,
-         'the nodes that its first line'),
+         'the nodes that its key'),
         ([("parameter_files.render('/**', values)", "parameter_files.render('/second_cart', values)")], 1,
-         'the nodes that its first line'),
+         'the nodes that its key'),
         # For the root namespace alone.
         ([("parameter_files.render('/**', values)", "parameter_files.render('/*', values)")], 1,
-         'the nodes that its first line'),
+         'the nodes that its key'),
         # Rounded: the first line is right.
         ([(_SAVE, '''path.write_text('/**:\\n  ros__parameters:\\n' + ''.join(
         f'    {name}: {value:.1f}\\n' for name, value in values.items()))''')], 1, '`max_acceleration_mps2 = 0.9`'),

@@ -24,7 +24,7 @@ from param_tutorial.exercises.expectations import (
     expect_rejected,
     format_found,
 )
-from param_tutorial.exercises.trial import NotTried, NoUse, Trial, expect, take_for_granted
+from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '08_best_practices'
 DECLARE = 'Practice 1: declare everything, with a default that works'
@@ -40,7 +40,9 @@ repair = Exercise('8a', 'Repair a conveyor', CHAPTER, NODE_CLASS, node_name='con
     "In the callback, hold what would be stored against the rule: `new = {p.name: p.value for p in parameters}`, then "
     "`new.get('belt.gap_m', stored)`. It changes nothing.",
     "The line that moves the motor goes into a callback that is registered with `add_post_set_parameters_callback`, "
-    "and reads `get_parameter('belt.speed_mps')` there."))
+    "and reads `get_parameter('belt.speed_mps')` there.",
+    'For the start, call `self.validate([])` after the declarations, and raise an error if it is not successful: an '
+    'empty request judges what is stored.'))
 
 
 @repair.require('it starts without a file, and the belt stands still', see=DECLARE)
@@ -145,6 +147,24 @@ def acts_late(trial: Trial) -> None:
     motor = trial.start(ros_args=['-p', f'{SPEED}:=0.9']).motor_mps
     expect(motor == 0.9, f'`self.motor_mps` is `0.9` after a start with `-p {SPEED}:=0.9`',
            f'it is {format_found(motor)}')
+
+
+@repair.require('with start values that the rule forbids it does not start', see=JUDGE)
+def judges_the_start(trial: Trial) -> None:
+    take_for_granted(trial, are_doubles, takes_what_it_should)
+    trial.start(ros_args=start_with(1.5, 0.5))
+    for speed, gap in ((1.5, 0.1), (1.125, 0.29)):
+        words = start_with(speed, gap)
+        with contextlib.suppress(NoStart):
+            trial.start(ros_args=words)
+            raise NotYet(f'with `{" ".join(words)}` the conveyor ends in its constructor',
+                         'it has started. An on-set callback that is registered after the declarations never sees the '
+                         'start values')
+
+
+def start_with(speed: float, gap: float) -> list[str]:
+    """Return the words that start a conveyor with these values."""
+    return ['-p', f'{SPEED}:={speed}', '-p', f'{GAP}:={gap}']
 
 
 class Belt(Node):

@@ -87,7 +87,7 @@ FILE = """
 """
 ANOTHER_FILE = FILE.replace('K', 'F').replace('62.5', '144.5').replace('19.0', '66.0').replace('22.5', '70.5')
 
-mend = Exercise('9.1b', 'Mend a translation', CHAPTER, NODE_CLASS, node_name='heater', hints=(
+mend = Exercise('9.1b', 'Fix a translation', CHAPTER, NODE_CLASS, node_name='heater', hints=(
     'Four things are as in ROS 1: two types, the slashes in two names, a parameter that nobody declares, and values '
     'that are read once.',
     'A file reaches declared parameters only, and a group has dots. `get_parameters_by_prefix` returns `Parameter` '

@@ -1,4 +1,4 @@
-"""Exercises of chapter 9.2: bend a request as ROS 1 did, predict what ROS 2 makes of ROS 1's habits, and replace a
+"""Exercises of chapter 9.2: clamp a request as ROS 1 did, predict what ROS 2 makes of ROS 1's habits, and replace a
 server of dynamic_reconfigure."""
 
 import contextlib
@@ -31,16 +31,16 @@ DIES = 'When something dies'
 RULES = 'Rules, read-only values and descriptions'
 CHANGES = 'Who hears of a change?'
 
-bend = Exercise('9.2a', 'Fill four gaps', CHAPTER, NODE_CLASS, node_name='mixer', hints=(
+clamp = Exercise('9.2a', 'Fill four gaps', CHAPTER, NODE_CLASS, node_name='mixer', hints=(
     'One of the three kinds of callbacks may return other parameters than it was given. Its method begins with '
     '`self.add_` and ends without parentheses here.',
-    'A request may hold other parameters too, so the first gap in `bend` is a name. The last two are the ends of the '
+    'A request may hold other parameters too, so the first gap in `clamp` is a name. The last two are the ends of the '
     'range.'))
 LOWEST, HIGHEST = 20, 300
 
 
-@bend.require('a speed beyond the limits becomes the nearest limit', see=RULES)
-def bends(trial: Trial) -> None:
+@clamp.require('a speed beyond the limits becomes the nearest limit', see=RULES)
+def clamps(trial: Trial) -> None:
     expect_filled(trial)
     mixer = trial.start()
     for asked, wanted in ((900, HIGHEST), (-5, LOWEST), (301, HIGHEST), (19, LOWEST)):
@@ -49,9 +49,9 @@ def bends(trial: Trial) -> None:
     expect_range(trial.client(mixer), 'speed_rpm', LOWEST, HIGHEST)
 
 
-@bend.require('a speed within them, and `minutes`, stay as they were asked for', see=CHANGES)
+@clamp.require('a speed within them, and `minutes`, stay as they were asked for', see=CHANGES)
 def leaves_alone(trial: Trial) -> None:
-    take_for_granted(trial, bends)
+    take_for_granted(trial, clamps)
     mixer = trial.start()
     expect_held(trial, mixer, 'the start', speed_rpm=100, minutes=5)
     for speed_rpm, minutes in ((150, 900), (LOWEST, 0), (HIGHEST, -5), (21, 301)):
@@ -65,9 +65,9 @@ def leaves_alone(trial: Trial) -> None:
         expect_accepted(trial, mixer, {'minutes': 7}, '. Does a request that was rejected come back with the next one?')
 
 
-@bend.require('a word is rejected, and so is a double', see=CHANGES)
+@clamp.require('a word is rejected, and so is a double', see=CHANGES)
 def rejects(trial: Trial) -> None:
-    take_for_granted(trial, bends)
+    take_for_granted(trial, clamps)
     mixer = trial.start()
     expect_accepted(trial, mixer, {'speed_rpm': 200})
     for wrong in ('fast', 900.5):
@@ -94,7 +94,7 @@ class Drive(Node):
 
 foresee = Exercise('9.2b', 'What will it hold?', CHAPTER, DICTIONARY, hints=(
     'Three questions, in this order: is the name declared, is the type the declared one, is the value in the range?',
-    'A node that rejects keeps what it has and bends nothing. A name that nobody declared does not come to be.',
+    'A node that rejects keeps what it has and clamps nothing. A name that nobody declared does not come to be.',
     'Integers have 64 bits now. And values live in the node, so they end with it.'))
 
 
@@ -117,7 +117,7 @@ require_foresight('gains/kp = 2.0', {
     2.0: 'Only what was declared exists, and a slash is not a dot',
     0.5: 'A slash is not a dot: that is another name, and nobody declared it'}, STORE, name='gains/kp', value=2.0)
 require_foresight('max_speed_rpm = 900', {
-    300: '`dynamic_reconfigure` would have bent it. ROS 2 rejects, and the old value stays',
+    300: '`dynamic_reconfigure` would have clamped it. ROS 2 rejects, and the old value stays',
     900: 'There is a range, and the node enforces it'}, RULES, name='max_speed_rpm', value=900)
 require_foresight('ticks = 3000000000', {
     0: 'It is an integer, and there is no range. Only XML-RPC ends at 32 bits'}, RULES, name='ticks', value=3000000000)
@@ -185,4 +185,4 @@ def fan_follows(trial: Trial) -> None:
     expect_left_alone(trial, fan, 'motor_rpm', {'speed': 0.75, 'boost': True})
 
 
-EXERCISES = (bend, foresee, replace)
+EXERCISES = (clamp, foresee, replace)

@@ -22,7 +22,6 @@ from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
 CHAPTER = '10_3_ros2_control'
 GAINS = 'Change it: what each gain does'
 FILE = 'The file of ros2_control'
-WHERE = 'Which controllers does a block reach?'
 TOGETHER = 'Change it: three gains, one change'
 
 TUNED = [f'gains.wheel_joint.{name}' for name in 'pid']
@@ -91,16 +90,17 @@ JOINTS = {'left_controller': 'left_joint', 'right_controller': 'right_joint'}
 KIND = 'pid_controller/PidController'
 # The empty one, and two that no file names.
 NAMESPACES = ('', '/robot', '/lab/robot')
-# What pid_controller of Jazzy declares for the controller, and again for each joint: the names of its schema and their
-# defaults, and the names that every controller has. An array has no default, so that it has a type.
+# What pid_controller of ros2_controllers 4.42.1 declares for the controller, and again for each joint: the names of its
+# schema and their defaults, the names that every controller has, and `saturation` of control_toolbox 4.11.0. An array
+# has no default, so that it has a type.
 OF_THE_CONTROLLER: Mapping[str, Any] = {
     'type': '', 'update_rate': 100, 'is_async': False, 'thread_priority': 50,
     'dof_names': Parameter.Type.STRING_ARRAY, 'reference_and_state_dof_names': Parameter.Type.STRING_ARRAY,
     'command_interface': '', 'reference_and_state_interfaces': Parameter.Type.STRING_ARRAY,
-    'use_external_measured_states': False, 'enable_feedforward': False}
+    'set_current_state_as_first_setpoint': True, 'use_external_measured_states': False, 'enable_feedforward': False}
 OF_A_JOINT: Mapping[str, Any] = {
     'p': 0.0, 'i': 0.0, 'd': 0.0, 'u_clamp_max': float('inf'), 'u_clamp_min': float('-inf'),
-    'antiwindup': False, 'i_clamp_max': 0.0, 'i_clamp_min': 0.0, 'antiwindup_strategy': 'legacy',
+    'antiwindup': False, 'i_clamp_max': float('inf'), 'i_clamp_min': float('-inf'), 'antiwindup_strategy': 'legacy',
     'tracking_time_constant': 0.0, 'error_deadband': 1e-16, 'saturation': False, 'feedforward_gain': 0.0,
     'angle_wraparound': False, 'save_i_term': True, 'activate_state_publisher': False}
 # Blocks of names that the controllers of ros2_control read as they find them.
@@ -218,7 +218,7 @@ require_controller('left_controller', JOINTS['left_controller'], 0.2)
 require_controller('right_controller', JOINTS['right_controller'], 0.25)
 
 
-@write.require('each block reaches its node in any namespace', see=WHERE)
+@write.require('each block reaches its node in any namespace', see=FILE)
 def anywhere(trial: Trial) -> None:
     for name in (MANAGER, *JOINTS):
         known = held(trial, name)

@@ -183,9 +183,9 @@ def warns(trial: Trial) -> None:
                 expect(not warnings, f'no warning, {how}', shown)
 
 
-# -- 10.4d ----------------------------------------------------------------------------------------------------
+# -- 10.4c ----------------------------------------------------------------------------------------------------
 
-both = Exercise('10.4d', 'A new name under an old rule', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
+both = Exercise('10.4c', 'A new name under an old rule', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
     'Three statements in one order: the old names, the declarations, the rule. Which of them has to come first?',
     '`Aliases` comes before the first declaration, and `Rules` after the last. The rule needs the new names only: a '
     'change under an old name is a change of the new one, too.',

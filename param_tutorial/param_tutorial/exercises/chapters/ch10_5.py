@@ -24,7 +24,7 @@ BACK = 'Back to where it was'
 # -- 10.5a ----------------------------------------------------------------------------------------------------
 
 experiment = Exercise('10.5a', 'Put an experiment in order', CHAPTER, TEXT, hints=(
-    'A line can use a name only after the line that makes it. That decides where `client` and `then` are made.',
+    'A line can use a name only after the line that defines it. That decides where `client` and `then` are made.',
     'Two sets are compared: one from before the change, and what the robot holds after it. So the change comes between '
     'them.',
     '`restore` makes the difference go away, so the comparison has to come first.'))
@@ -81,7 +81,7 @@ def leaves_it_alone(trial: Trial) -> None:
 
 # -- 10.5b ----------------------------------------------------------------------------------------------------
 
-equal = Exercise('10.5b', 'Mend a comparison', CHAPTER, FUNCTION, hints=(
+equal = Exercise('10.5b', 'Fix a comparison', CHAPTER, FUNCTION, hints=(
     'Two lists are both of type `list`. Whether they are the same depends on their elements.',
     'The function already knows what makes two single values the same. It may call itself for two elements.',
     '`all(same_value(one, other) for one, other in zip(before, after))`, and before that the lengths: `zip` stops at '

@@ -237,8 +237,8 @@ def acts_late(trial: Trial) -> None:
 # -- 11d ----------------------------------------------------------------------------------------------------
 
 save = Exercise('11d', 'Save, for the whole fleet', CHAPTER, FUNCTION, hints=(
-    "Two things in a cart's dump are not for other carts: its first line, and its `cart_id`.",
-    'The first line may be `/**:`, which is for every node. The file needs the two numbers and nothing else.',
+    "Two things in a cart's dump are not for other carts: its key, and its `cart_id`.",
+    'The key may be `/**:`, which is for every node. The file needs the two numbers and nothing else.',
     '`client.get_parameters([...])` returns the two, and `parameter_files.render(node, values)` turns them into '
     'the text of a file, which has a method `save(path)`.'))
 # Once with numbers that lose their dot if nobody takes care of it.
@@ -267,7 +267,7 @@ def expect_from_file(trial: Trial, name: str, namespace: str) -> None:
             CartNode, {FILE: saved(trial, tuned)}, '-r', f'__node:={name}', '-p', 'cart_id:=CART-02',
             '--params-file', FILE, namespace=namespace))
         held = dict(second.get_parameters(tuned))
-        because = '. A file is for the nodes that its first line names' if held == settings(1.0, 0.5) else ''
+        because = '. A file is for the nodes that its key names' if held == settings(1.0, 0.5) else ''
         expect(held == tuned, f'in `{namespace}/{name}`: {_assignments(tuned)}', f'{_assignments(held)}{because}')
 
 

@@ -44,9 +44,9 @@ PREDICTIONS = (
         wrong('neither', '`get_param_cached` reads from a copy in the node, if it has been called before.'))),
     Prediction('9.2-4', 'In ROS 1, `dynamic_reconfigure` has the limit 300 for the speed. What becomes of a request '
                'for 900?', (
-        wrong('It is rejected, with a reason', 'ROS 2 does that. `dynamic_reconfigure` bends the value, and tells '
+        wrong('It is rejected, with a reason', 'ROS 2 does that. `dynamic_reconfigure` clamps the value, and tells '
               'nobody why.'),
-        right('It becomes 300', '`dynamic_reconfigure` bends a value until it fits. The caller has to compare to find '
+        right('It becomes 300', '`dynamic_reconfigure` clamps a value to its limits. The caller has to compare to find '
               'out.'),
         wrong('It is stored: limits are for the slider only', 'The server enforces the limits, in its own way: it '
               'moves the value to the limit.'))),

@@ -56,9 +56,10 @@ PREDICTIONS = (
               'up.'))),
     Prediction('10.2-6', 'A callback awaits the answer of a node that never answers. After half a second, a timer '
                'cancels the future. What becomes of the `await`?', (
-        wrong('It raises a CancelledError, as in asyncio', 'The futures of rclpy are not those of asyncio. A canceled '
-              'one counts as finished, and its result is `None`.'),
-        right('It returns None', 'A canceled future counts as finished, and its result is `None`.'),
+        wrong('It raises a CancelledError, as in asyncio', 'The futures of rclpy are not those of asyncio. The '
+              '`await` ends, since the future is no longer pending, and its result is `None`.'),
+        right('It returns None', 'The `await` ends, since the future is no longer pending. Its `done()` stays False, '
+              'its result `None`.'),
         wrong('It goes on waiting', 'Canceling wakes up the callback that awaits the future. Its result is `None`.'))),
     Prediction('10.2-7', 'An `AsyncParameterClient` has created six service clients in its node. How many of the six '
                'are left in the node after `del box`?', (

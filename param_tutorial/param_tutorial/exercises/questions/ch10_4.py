@@ -1,4 +1,4 @@
-"""Predictions of chapter 10.4: rules and old names."""
+"""Predictions of chapter 10.4: rules, a schema, and old names."""
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
@@ -47,19 +47,31 @@ PREDICTIONS = (
         wrong('Both are rejected', 'The second is a change of its own, and 0 is below the stored 60.'),
         right('The first is rejected, the second accepted', 'Each is a change of its own: 10 is not above the stored '
               '50, and 0 is below the stored 60.'))),
-    Prediction('10.4-5', 'Two pre-set callbacks now, one for each old name. A client sets `speed`, the old name that '
+    Prediction('10.4-5', 'What does this node do when it starts without a file?', (
+        wrong('It starts with the three defaults', 'It checks the defaults too, and the default of '
+              '`command_interface` fails.'),
+        wrong('It starts, and command_interface is unset', 'It has a default, the empty string, and that default fails '
+              'the check.'),
+        right('It does not start', 'The default of `command_interface` is empty, and `not_empty<>` applies to '
+              'defaults too.'))),
+    Prediction('10.4-6', 'Two pre-set callbacks now, one for each old name. A client sets `speed`, the old name that '
                'worked a moment ago. What happens?', (
-        wrong('It works: each callback forwards its own name', 'Each gets the original request, and rclpy strings '
-              'their answers together. The second one passes `speed` on.'),
+        wrong('It works: each callback forwards its own name', 'Each gets the original request, and rclpy '
+              'concatenates their answers. The second one passes `speed` on.'),
         right('It is rejected: undeclared', 'The second callback passes `speed` on as it was, and no such parameter '
               'is declared.'),
-        wrong('Only the callback registered last is called', 'Both are called, and rclpy strings their answers '
-              'together. That is the trouble.'))),
-    Prediction('10.4-6', 'One atomic request sets `max_speed_rpm` to 10 and `speed` to 20. Each name is a mirror of '
+        wrong('Only the callback registered last is called', 'Both are called, and rclpy concatenates their '
+              'answers. That is the trouble.'))),
+    Prediction('10.4-7', 'One atomic request sets `max_speed_rpm` to 10 and `speed` to 20. Each name is a mirror of '
                'the other. What does the node hold afterwards?', (
         wrong('10 and 20', 'The pre-set callback makes each of the two a change of both names.'),
         wrong('what it held before: the request contradicts itself', 'Nobody looks for the contradiction, and a '
               'pre-set callback could not reject it.'),
         right('20 and 20', 'The callback makes each of the two a change of both names, and the later one stays.'),
         wrong('10 and 10', 'The callback makes each of the two a change of both names. The later one stays.'))),
+    Prediction('10.4-8', 'The file says `speed: 150`, and `Aliases` knows `speed` as an old name of `max_speed_rpm`, '
+               'whose default is 100. What does `max_speed_rpm` hold at the start?', (
+        right('150', '`Aliases` moves the override to the new name before the declaration reads it.'),
+        wrong('100', 'That is what happened with forwarding alone. `Aliases` moves the override to the new name.'),
+        wrong('no value: the node does not start', 'An old name in a file is no error. The node logs a warning.'))),
 )

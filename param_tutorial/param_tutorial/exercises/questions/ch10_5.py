@@ -46,11 +46,7 @@ PREDICTIONS = (
               'impossible.'),
         right('nothing', 'An atomic request is all or nothing, and two of its parts are impossible.'),
         wrong('what comes before serial', 'The order does not matter: an atomic request is all or nothing.'))),
-    Prediction('10.5-5', 'The history kept 100, 120 and 140. Which speeds do undo, undo and redo bring?', (
-        right('120, 100, 120', 'Two steps back, and one forward.'),
-        wrong('140, 120, 140', '140 is where the robot is. The first undo leaves it.'),
-        wrong('120, 100, 140', '`redo` takes back only the last undo, not both.'))),
-    Prediction('10.5-6', 'Three values have changed since that evening, and `watch` saw one of the changes. How many '
+    Prediction('10.5-5', 'Three values have changed since that evening, and `watch` saw one of the changes. How many '
                'values does the log bring back?', (
         wrong('1', 'The log has one change in it, but it has more than changes: the value of every parameter, from '
               'when `watch` began.'),

@@ -2,7 +2,7 @@
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'The cart is yours: declared, judged, saved, launched and tuned. The arch holds.'
+SOLVED = 'The cart is yours: declared, judged, saved, launched and tuned. The wall stands.'
 
 RECALLS = (
     Recall('11-r1', 'A tuned gain was set on a running ROS 2 node, and saved nowhere. The node is started again. '
@@ -12,7 +12,7 @@ RECALLS = (
         right('its start value', 'The values live in the node and go with it.')),
            chapter='9.2', section='When something dies'),
     Recall('11-r2', '`get_parameters` is asked for three names, and one of them does not exist. What comes back?', (
-        wrong('two values', 'Values come without names, so nobody could see the gap. rclpy sends none at all.'),
+        wrong('two values', 'Values come without names, so the gap would not show. rclpy sends none at all.'),
         wrong('three values, one of them not set', 'That is what the comment in the interface promises, and not what '
               'rclpy does.'),
         right('no values at all', 'One unknown name empties the whole answer.')),
@@ -29,8 +29,8 @@ PREDICTIONS = (
               'acceleration. Half of the request comes true.'))),
     Prediction('11-2', 'The file was dumped from `/cart_node` and says 1.5 m/s. The default is 1.0. Another cart, '
                '`/second_cart`, starts with the file. How fast is it?', (
-        wrong('1.5', 'The first line of the file is `/cart_node`, and this cart is another node.'),
-        right('1.0', 'The first line of the file is `/cart_node`. For this cart the file holds nothing.'),
+        wrong('1.5', 'The key in the file is `/cart_node`, and this cart is another node.'),
+        right('1.0', 'The key in the file is `/cart_node`. For this cart the file holds nothing.'),
         wrong('No speed: it does not start', 'A file for another node is not an error. rcl passes over it '
               'in silence.'))),
     Prediction('11-3', 'The file is for every node now, and says CART-01. The second cart gets `-p cart_id:=CART-02` '

@@ -8,7 +8,7 @@ from param_tutorial.notebook.glossary import Glossary, GlossaryEntry
 
 # The text has them in their everyday sense, too.
 _EVERYDAY = frozenset((
-    'alias', 'bend', 'block', 'client', 'constant', 'convert', 'deadline', 'depth', 'difference', 'dump', 'fleet',
+    'alias', 'block', 'clamp', 'client', 'constant', 'convert', 'deadline', 'depth', 'difference', 'dump', 'fleet',
     'future', 'gain', 'graph', 'group', 'history', 'left', 'load', 'log', 'marker', 'master', 'mirror', 'node',
     'parameter', 'range', 'reference', 'reject', 'restore', 'rule', 'scene', 'source', 'stale', 'start value', 'step',
     'tolerance', 'tune', 'type', 'value'))
