@@ -18,6 +18,7 @@ from param_tools.descriptor import is_housekeeping
 from param_tools.errors import nearest
 from param_tools.files import rcl_parser
 from param_tools.files.descriptions import DescribedParameter, Descriptions
+from param_tools.files.node_names import flaw_of_block_name
 from param_tools.files.parameter_files import format_scalar, read_bytes
 from param_tools.files.parsing import (
     KEY,
@@ -30,7 +31,6 @@ from param_tools.files.parsing import (
     Scalar,
     effective,
     matches,
-    wrong_block_name,
 )
 from param_tools.files.yaml_words import read_1_1, read_1_2
 from param_tools.markup.tables import table
@@ -234,7 +234,7 @@ class _Check:
         unmatched = [node for node in nodes if not any(matches(name, node) for name in named)]
         nothing_matches = not any(matches(name, node) for name in self._parser.blocks for node in nodes)
         for start in self._parser.starts if nodes else ():
-            if any(matches(start.name, node) for node in nodes) or wrong_block_name(start.name):
+            if any(matches(start.name, node) for node in nodes) or flaw_of_block_name(start.name):
                 self._reported.add(start.name)
                 continue
             name = '/' + start.name.strip('/')

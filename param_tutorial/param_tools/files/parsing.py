@@ -17,6 +17,9 @@ from typing import Any
 
 import yaml
 
+from param_tools import values
+from param_tools.files.node_names import flaw_of_block_name
+
 KEY = 'ros__parameters'
 # libyaml is what rcl uses; PyYAML's own parser differs from it in corners, but is always there.
 LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
@@ -338,8 +341,9 @@ class Parser:
             return
         if not self.node_keys:
             raise Rejected(place, f'there is no node name before {KEY}; start with "/name_of_the_node:" or "/**:"')
-        if wrong := wrong_block_name(self.node_path):
-            self._object(place, wrong)
+        if flaw := flaw_of_block_name(self.node_path):
+            self._object(place, f'{values.format_value(self.node_path, 60)} is not a node name: {flaw}. A name has '
+                                f'letters, digits and underscores between slashes, or * and ** for any')
         self.block_name = self.node_path
         self.block = self.blocks.setdefault(self.node_path, [])
         self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
@@ -488,12 +492,3 @@ def _shortened(path: str, parts: int, separator: str) -> str:
     if parts <= 1:
         return ''
     return path.rpartition(separator)[0] if separator in path else path
-
-
-def wrong_block_name(name: str) -> str:
-    """Return what is wrong with the name of a block; nothing if it can be that of a node or a pattern for some."""
-    for part in name.removeprefix('/').split('/'):
-        if not re.fullmatch(r'\*\*?|[A-Za-z_][A-Za-z0-9_]*', part):
-            return (f'{name!r} is not a node name: it takes letters, digits and underscores between slashes, or * and '
-                    f'** for any')
-    return ''
