@@ -127,6 +127,19 @@ class BlockStart:
     """Where ``ros__parameters`` stands."""
 
 
+@dataclass(frozen=True)
+class RepeatedMap:
+    """A name with a map below it, in a map that has the same name already: rcl reads both, other programs the last."""
+
+    file: str
+    name: str
+    place: Place
+    first: Place
+    """Where the name stood before."""
+    block: str
+    """The block that it is in; empty if it leads to blocks."""
+
+
 @dataclass(eq=False)
 class Entry:
     """One parameter of a block, with all that the files say about it."""
@@ -190,6 +203,7 @@ class Parser:
         self.starts: list[BlockStart] = []
         self.assignments: list[Assignment] = []
         self.rejected: list[Rejected] = []
+        self.repeated: list[RepeatedMap] = []
         self._tolerant = tolerant
         self._begin('')
 
@@ -209,6 +223,10 @@ class Parser:
         self.in_sequence = False
         self.assignment: Assignment | None = None
         self.item_type: type | None = None
+        self.maps: list[dict[str, Place]] = []
+        """The names with maps below them, of each map that has begun and not ended."""
+        self.last_key: tuple[str, Place] | None = None
+        """The name whose value comes next."""
 
     def parse(self, content: bytes, file: str = '') -> dict[str, list[Entry]]:
         """Read a file, in addition to those that were read before; return the blocks of all.
@@ -248,6 +266,7 @@ class Parser:
         self.rejected.append(rejected)
 
     def _handle(self, event: yaml.Event, place: Place) -> None:
+        key, self.last_key = self.last_key, None
         if isinstance(event, yaml.AliasEvent):
             reason = f'ROS reads no aliases: write the value itself instead of *{event.anchor}'
             if self.expects_key:
@@ -258,6 +277,7 @@ class Parser:
             if self.expects_key:
                 self._key(event, place)
                 self.expects_key = False
+                self.last_key = event.value, place
             else:
                 self._value(event, place)
                 self.expects_key = not self.in_sequence
@@ -275,11 +295,21 @@ class Parser:
                 self.assignment.place = Place(start.line, start.column, start.start, end)
                 self.assignment = None
         elif isinstance(event, yaml.MappingStartEvent):
+            self._note_map(key)
             self.depth += 1
             self.expects_key = True
             self.is_new_map = not (self.in_parameters and self.depth - len(self.node_keys) == 3)
         elif isinstance(event, yaml.MappingEndEvent):
+            self.maps.pop()
             self._leave_mapping()
+
+    def _note_map(self, key: tuple[str, Place] | None) -> None:
+        if key is not None and self.maps:
+            first = self.maps[-1].setdefault(*key)
+            if first is not key[1]:
+                block = self.block_name if self.in_parameters else ''
+                self.repeated.append(RepeatedMap(self.file, key[0], key[1], first, block))
+        self.maps.append({})
 
     def _begin_sequence(self, place: Place) -> None:
         if self.expects_key:
@@ -330,6 +360,9 @@ class Parser:
             self._select(self.parameter_path, place)
             entry = self.block[self.entry]
             entry.name, entry.place = f'{self.parameter_path}.{name}', place
+            if self.in_sequence and self.assignment in entry.assignments:
+                # A map in a list: rcl gives the list the longer name.
+                self.assignment.name, self.assignment.name_place = entry.name, place
 
     def _node_key(self, name: str, place: Place) -> None:
         if not name.startswith(KEY):
