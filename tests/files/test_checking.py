@@ -164,7 +164,7 @@ SEEDED = [
     ('lift.yaml', 'steps: 40', 'steps: [40]', 'wrong type', 'steps: [', 12, 'type integer'),
     ('lift.yaml', 'steps: 40', 'steps: 1_000', 'wrong type', 'steps: 1_000', 12, 'rcl reads 1_000 as the string'),
     ('lift.yaml', 'steps: 40', 'steps: 99999999999999999999', 'wrong type', 'steps: 9', 12, 'is a double'),
-    ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [1, 2]', 'wrong type', 'gains:', 12, 'write 1.0'),
+    ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [1, 2]', 'wrong type', 'gains:', 12, 'write [1.0, 2.0]'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: 1.0', 'wrong type', 'gains:', 12, 'write [1.0]'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: []', 'wrong type', 'gains:', 12, 'an empty array has no type'),
     ('lift.yaml', 'name: lift', 'name: y', 'wrong type', 'name: y', 11, "write 'y'"),

@@ -45,6 +45,8 @@ KINDS = {
     'invalid': 'error', 'read only': 'error', 'duplicate': 'warning', 'overridden': 'warning',
     'read otherwise': 'warning', 'missing': 'error',
 }
+# An array of more characters is not written out in a remedy.
+_LONGEST_REMEDY = 100
 
 
 @dataclass(frozen=True, order=True)
@@ -493,17 +495,26 @@ def _hint(assignment: Assignment, described: DescribedParameter) -> str:
         value = scalar.value
         if wanted.item(value):
             continue
-        if wanted in (values.STRING, values.STRING_ARRAY):
-            return f"; rcl reads {scalar.text} without quotes as {_named(value)}: write '{scalar.text}'"
-        if comma := re.fullmatch(r'([+-]?[0-9]+),([0-9]+)', scalar.text.strip()):
-            return f'; write {comma[1]}.{comma[2]}, with a point'
         meant = _converted(scalar.text, wanted)
-        if meant is None:
+        whole = _all_converted(assignment, wanted) or (None if meant is None else format_scalar(meant))
+        if wanted in (values.STRING, values.STRING_ARRAY):
+            return f'; rcl reads {scalar.text} without quotes as {_named(value)}: write {whole}'
+        comma = re.fullmatch(r'([+-]?[0-9]+),([0-9]+)', scalar.text.strip())
+        if comma and wanted is values.DOUBLE:
+            return f'; write {comma[1]}.{comma[2]}, with a point'
+        if whole is None:
             return f'; rcl reads {scalar.text} as {_named(value)}' if scalar.is_plain else ''
         is_in_quotes = not scalar.is_plain and isinstance(value, str) and '\n' not in scalar.text
         return ('; leave the quotes out' if is_in_quotes and values.same(typed(scalar.text, False), meant) else
-                f'; write {format_scalar(meant)}')
+                f'; write {whole}')
     return ''
+
+
+def _all_converted(assignment: Assignment, wanted: ParameterType) -> str | None:
+    """Return a short array as its author can have meant it; None for a long or unclear one, and for a single value."""
+    items = [_converted(scalar.text, wanted) for scalar in assignment.scalars]
+    text = f'[{", ".join(map(format_scalar, items))}]' if assignment.is_array and None not in items else ''
+    return text if 0 < len(text) <= _LONGEST_REMEDY else None
 
 
 def _converted(text: str, wanted: ParameterType) -> Any:

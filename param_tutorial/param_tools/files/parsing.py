@@ -116,7 +116,7 @@ class Assignment:
         return type(self.scalars[0].value) if self.scalars else None
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class BlockStart:
     """The head of a block: a node's name, or a pattern for such names, and ``ros__parameters`` below it."""
 
@@ -125,6 +125,8 @@ class BlockStart:
     place: Place
     end: Place
     """Where ``ros__parameters`` stands."""
+    first: Place | None = None
+    """Where the first name below it stands; None if there is none."""
 
 
 @dataclass(frozen=True)
@@ -355,6 +357,7 @@ class Parser:
             self.is_new_map = False
         self.name_place = place
         if not self.parameter_parts:
+            self.starts[-1].first = self.starts[-1].first or place
             self._select(name, place)
         else:
             self._select(self.parameter_path, place)
