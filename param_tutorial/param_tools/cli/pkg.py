@@ -46,6 +46,7 @@ def add_to(commands: Commands) -> None:
     create.set_defaults(verb=create_package)
     executables = verbs.add_parser('executables', help='list the programs of a package, or of all packages')
     executables.add_argument('package_name', nargs='?', help='name of the package')
+    executables.add_argument('--full-path', action='store_true', help='print the path of each')
     executables.set_defaults(verb=list_executables)
     verbs.add_parser('list', help='list the packages that have been sourced').set_defaults(verb=list_packages)
     prefix = verbs.add_parser('prefix', help='print where a package is installed')
@@ -55,14 +56,14 @@ def add_to(commands: Commands) -> None:
 
 
 def list_executables(session: Session, args: argparse.Namespace) -> None:
-    """Print the paths of programs."""
+    """Print the names of programs, each after its package's, or their paths."""
     for package in index.sourced_packages() if args.package_name is None else [args.package_name]:
         try:
             paths = installed_programs(package)
         except index.PackageNotFound:
             raise CommandFailed(f"Package '{package}' not found{_note_on_own(package)}") from None
         for path in sorted(map(str, paths)):
-            session.print(path)
+            session.print(*([path] if args.full_path else [package, Path(path).name]))
 
 
 def list_packages(session: Session, _args: argparse.Namespace) -> None:
