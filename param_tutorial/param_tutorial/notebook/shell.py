@@ -76,6 +76,7 @@ class Shell:
             self._close: Callable[[], object] = weakref.finalize(self, _remove, folder)
             return
         has_genuine = genuine.path() is not None
+        genuine.stop_daemon_in_the_end()
         self._programs, colcon = _programs_without_space(self.home)
         with interruptible():
             # What is running when this process is killed would go on.
