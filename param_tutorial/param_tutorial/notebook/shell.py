@@ -107,10 +107,11 @@ class Shell:
         passed_on['PATH'] = os.pathsep.join(reversed(path) if has_genuine else path)
         if has_genuine and 'PYTHONPATH' in outer:
             passed_on['PYTHONPATH'] = outer['PYTHONPATH']
-        # As on a machine on which nothing has been built yet, `ros2 run` finds no package. A package that `ros2 pkg create`
-        # has written has the option tests_require, of which only setuptools newer than Jazzy's complain.
+        # As on a machine on which nothing has been built yet, `ros2 run` finds no package. A package that `ros2 pkg
+        # create` has written has the option tests_require, of which only setuptools newer than Jazzy's complain.
         return {**passed_on, 'PARAM_TOOLS_PROVIDED': '0', 'PYTHONWARNINGS': 'ignore:Unknown distribution option',
-                'HOME': str(self.home), 'USER': 'learner', 'LOGNAME': 'learner', 'LC_ALL': 'C.UTF-8', 'GIT_CONFIG_NOSYSTEM': '1', 'PYTHONUNBUFFERED': '1'}
+                'HOME': str(self.home), 'USER': 'learner', 'LOGNAME': 'learner', 'LC_ALL': 'C.UTF-8',
+                'GIT_CONFIG_NOSYSTEM': '1', 'PYTHONUNBUFFERED': '1'}
 
     def __repr__(self) -> str:
         if self._process is None:
