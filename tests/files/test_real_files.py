@@ -162,12 +162,31 @@ def test_what_a_finding_says_to_write_is_one_line_and_loads(tmp_path, wanted, te
      'pump is a node inside /**, and rcl rejects a node after'),
     ('x:\n  y:\n    ros__parameters:\n      a: 1\n    b:\n      ros__parameters:\n        c: 2\n', 5, 5,
      'write "/x/y/b:" at the left edge'),
+    ('/n:\n  ros__parameters:\n    x: {}\n    y: 1\n', 3, 5, 'x is an empty map'),
+    ('/n:\n  ros__parameters:\n    x: 1\n  ros__parameters:\n    y: 1\n', 4, 3, 'stands in line 2 already'),
+    ('/area:\n  pump: {ros__parameters: {a: 1}}\n  lamp:\n    b: {c: 1}\n', 3, 3, "between 'lamp' and the values"),
+    ('/area:\n  pump: {gains: {p: 1, i: 2}}\n', 1, 1, "between '/area' and the values"),
 ])
 def test_the_cause_is_named_where_the_header_is_not_above_the_parameters(tmp_path, text, line, column, words):
     finding, = check(tmp_path, text)
     assert (finding.kind, finding.line, finding.column) == ('no header', line, column)
     assert words in finding.message
     assert first_rejection([tmp_path / 'any.yaml']) is not None
+
+
+@pytest.mark.parametrize('text', ['/n:\n  ros__parameters:\n', '/n: {ros__parameters: }\n'])
+def test_a_header_without_parameters_is_named(tmp_path, text):
+    finding, = check(tmp_path, text)
+    assert 'ros__parameters has no parameters below it: write ros__parameters: {} for none' in finding.message
+    assert first_rejection([tmp_path / 'any.yaml']) is not None
+
+
+def test_an_empty_map_that_rcl_accepts_is_no_cause(tmp_path):
+    text = '/n:\n  ros__parameters:\n    a: 1\n    x: {}\n'
+    assert check(tmp_path, text) == ()
+    assert first_rejection([tmp_path / 'any.yaml']) is None
+    finding, = check(tmp_path, f'/m:\n  ros__parameters:\n    b:\n{text}')
+    assert (finding.line, finding.kind) == (3, 'unreadable')
 
 
 def test_a_node_before_the_header_is_fine(tmp_path):

@@ -149,12 +149,14 @@ class _Check:
         self._files.append(file)
         before = len(self._parser.rejected)
         self._parser.parse(content, file)
-        headless: set[str] = set()
+        headless: set[Place] = set()
         for_launch = self._places_for_launch(file, content.decode('utf-8-sig', 'replace'))
-        causes = misplaced(content) if self._parser.rejected[before:] else []
+        all_rejected = self._parser.rejected[before:]
+        causes = [cause for cause in (misplaced(content) if all_rejected else [])
+                  if cause.is_certain or any(cause.explains(rejected.place) for rejected in all_rejected)]
         for cause in causes:
             self._add(file, cause.place, 'no header', cause.message)
-        for rejected in self._parser.rejected[before:]:
+        for rejected in all_rejected:
             if any(cause.explains(rejected.place) for cause in causes):
                 continue
             left = [place for place, first, last in for_launch if first <= rejected.place.start <= last]
@@ -162,13 +164,32 @@ class _Check:
                 self._leave_to_launch(file, left[0])
             elif not rejected.keys:
                 self._add(file, rejected.place, 'unreadable', f'rcl rejects the file here: {rejected}')
-            elif rejected.keys[0][0] not in headless:
-                headless.add(rejected.keys[0][0])
-                self._add(file, *_headless(rejected))
+            else:
+                place, kind, message = self._headless(rejected)
+                if place not in headless:
+                    headless.add(place)
+                    self._add(file, place, kind, message)
         if not self._parser.rejected:
             self._accepted.append(file)
-        if not self._parser.rejected[before:] and not any(start.file == file for start in self._parser.starts):
+        if not all_rejected and not any(start.file == file for start in self._parser.starts):
             self._add(file, Place(), 'never matched', 'the file holds parameters for no node at all')
+
+    def _headless(self, rejected: Rejected) -> tuple[Place, str, str]:
+        """Return place, kind and message for a value that stands before ros__parameters."""
+        for name, place in rejected.keys:
+            if is_like_header(name):
+                return place, 'no header', f'{name!r} should be {KEY!r}: rcl rejects the file'
+        # Where the first keys lead to other nodes, too, the header is missing below a later one.
+        leading = 0
+        while leading < len(rejected.keys) - 2 and self._leads_to_a_node(rejected.keys[:leading + 1]):
+            leading += 1
+        name, place = rejected.keys[leading]
+        return place, 'no header', (f'there is no {KEY!r} between {name!r} and the values below it: rcl rejects the '
+                                    f'file. It has to be node name, {KEY}, then parameters')
+
+    def _leads_to_a_node(self, keys: Sequence[tuple[str, Place]]) -> bool:
+        path = '/'.join(name.strip('/') for name, _ in keys) + '/'
+        return any(start.name.lstrip('/').startswith(path) for start in self._parser.starts)
 
     def findings(self) -> Findings:
         """Check what was read, and return all findings."""
@@ -410,16 +431,6 @@ class _Check:
                         self._add(loser.file, loser.place, 'overridden',
                                   f'{node} gets {values.format_value(winner.value, 60)} for {name}, from {where}: '
                                   f'{_why(loser, winner)}', node, name)
-
-
-def _headless(rejected: Rejected) -> tuple[Place, str, str]:
-    """Return place, kind and message for a value that stands before ros__parameters."""
-    for name, place in rejected.keys:
-        if is_like_header(name):
-            return place, 'no header', f'{name!r} should be {KEY!r}: rcl rejects the file'
-    name, place = rejected.keys[0]
-    return place, 'no header', (f'there is no {KEY!r} between {name!r} and the values below it: rcl rejects the file. '
-                                f'It has to be node name, {KEY}, then parameters')
 
 
 def _is_for_launch(text: str) -> bool:

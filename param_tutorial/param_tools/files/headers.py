@@ -36,6 +36,8 @@ class Misplaced:
     message: str
     spans: tuple[tuple[int, int], ...]
     """From where to where, in characters, rcl's rejections have their cause here."""
+    is_certain: bool = True
+    """rcl rejects it anywhere, and not only with what stands there after it."""
 
     def explains(self, place: Place) -> bool:
         """True if rcl rejects what stands at a place because of this."""
@@ -66,6 +68,12 @@ def _in_map(tree: yaml.Node | None, node: str, seen: _Seen) -> Iterator[Misplace
     seen.maps.add(id(tree))
     headers = [pair for pair in tree.value if _name(pair[0]).startswith(KEY)]
     seen.empty += [_span((value, value)) for _, value in headers if isinstance(value, yaml.ScalarNode)]
+    for _, parameters in headers:
+        yield from _empty_maps(parameters, parameters.end_mark.index, seen)
+    if len(headers) > 1:
+        yield Misplaced(_place(headers[1]), f'{KEY!r} stands in line {_place(headers[0]).line} already: rcl rejects a '
+                                            f'second one. Put its parameters below the first',
+                        tuple(map(_span, headers[1:])))
     is_after = False
     for kind, group in groupby(tree.value, lambda pair: _kind(pair, has_header=bool(headers))):
         pairs: list[Pair] = list(group)
@@ -79,6 +87,20 @@ def _in_map(tree: yaml.Node | None, node: str, seen: _Seen) -> Iterator[Misplace
             is_after = is_after or not headers
         elif kind == 'parameter' and (headers or is_after):
             yield _beside(pairs, seen, is_beside=bool(headers), is_after=is_after)
+
+
+def _empty_maps(parameters: yaml.Node, end: int, seen: _Seen) -> Iterator[Misplaced]:
+    """Yield the parameters that are an empty map: rcl takes its end for that of the map around it."""
+    if not isinstance(parameters, yaml.MappingNode) or id(parameters) in seen.maps:
+        return
+    seen.maps.add(id(parameters))
+    for key, value in parameters.value:
+        if isinstance(value, yaml.MappingNode) and not value.value:
+            message = (f'{_name(key)} is an empty map, and rcl takes its end for that of the parameters around it: rcl '
+                       f'rejects the file. Remove this line')
+            yield Misplaced(_place((key, value)), message, ((key.start_mark.index, end),), is_certain=False)
+        else:
+            yield from _empty_maps(value, end, seen)
 
 
 def _kind(pair: Pair, *, has_header: bool) -> str:

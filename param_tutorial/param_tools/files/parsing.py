@@ -395,8 +395,11 @@ class Parser:
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:
             glued = re.match(r'[\w.]+:\S+', event.value)
-            reason = (f'a space must follow the colon in {glued[0]}' if glued else
-                      f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters')
+            if self.in_parameters and not self.in_sequence and not event.value:
+                reason = f'{KEY} has no parameters below it: write {KEY}: {{}} for none'
+            else:
+                reason = (f'a space must follow the colon in {glued[0]}' if glued else
+                          f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters')
             self._object(place, reason, self.node_keys)
             if not self.in_sequence:
                 self._leave_node_key()
