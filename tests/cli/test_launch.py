@@ -160,6 +160,7 @@ def test_what_only_a_full_installation_has_is_rejected_by_name(launch_file, text
     ('x_launch.py', 'x = 1', "required function 'generate_launch_description"),
     ('x_launch.py', 'x =', 'SyntaxError'),
     ('x_launch.py', 'import no_such_module', "No module named 'no_such_module'"),
+    ('x_launch.py', 'import launch_testing.actions', "'launch_testing'.*part of ROS .*environment/README.md"),
     ('x_launch.py', 'def generate_launch_description():\n    return 5', 'must return a LaunchDescription'),
     ('x_launch.py', 'def generate_launch_description():\n    return 1 / 0', 'ZeroDivisionError'),
     ('x_launch.py', 'from launch import LaunchDescription\nLaunchDescription([1])', 'takes actions such as Node'),
@@ -215,8 +216,13 @@ def test_a_parameter_file_that_is_missing_is_a_warning_only(context):
     ({'executable': 'nope'}, 'No executable found'),
     ({'parameters': [5]}, 'where a string or a substitution belongs'),
     ({'parameters': [{'x': None}]}, 'x: None cannot be the value of a parameter'),
-    ({'remappings': [('a', 'b', 'c')]}, 'ValueError: too many values to unpack'),
-    ({'arguments': 5}, "TypeError: 'int' object is not iterable"),
+    ({'remappings': [('a', 'b', 'c')]}, r"list of pairs such as \('old', 'new'\), but got \[\('a', 'b', 'c'\)\]"),
+    ({'remappings': {'a': 'b'}}, "'Node' expected 'remappings' to be a list of pairs .*, but got {'a': 'b'}"),
+    ({'remappings': [['a', 'b']]}, 'list of pairs'), ({'remappings': 5}, 'but got 5'),
+    ({'remappings': [(1, 'b')]}, 'has 1 where a string or a substitution belongs'),
+    ({'arguments': 5}, "'Node' expected 'arguments' to be a list of strings and substitutions, but got 5"),
+    ({'ros_arguments': 5}, "'Node' expected 'ros_arguments' to be a list"), ({'arguments': [5]}, 'has 5 where'),
+    ({'output': {'both': 5}}, r"output={'both': 5} is not valid"), ({'output': 5}, 'has 5 where'),
     ({'output': 'everywhere'}, "output='everywhere' is not valid: use 'screen', 'log', "),
     ({'output': {'stdin': 'log'}}, r"output={'stdin': 'log'} is not valid: .* a dictionary such as"),
     ({'parameters': ({'x': 1},)}, "expected 'parameters' to be a list, but got a value of type 'tuple'"),
@@ -395,6 +401,14 @@ def test_arguments_are_shown_and_checked(launch_file):
         out, err, status = launch(path, *words, in_notebook=False)
         assert status == 1
         assert why in (err if 'malformed' in why else out)  # before the launch begins, or in it
+    assert launch(path, 'mode:=wild', in_notebook=False)[0].splitlines()[1:] == [
+        '[ERROR] [launch.actions.declare_launch_argument]: Argument "mode" provided value "wild" is not valid. Valid '
+        "options are: ['slow', 'fast']",
+        '[ERROR] [launch]: Caught exception in launch (see debug for traceback): Argument "mode" provided value "wild" '
+        "is not valid. Valid options are: ['slow', 'fast']"]
+    assert launch(path, in_notebook=False)[0].splitlines()[1] == (
+        '[ERROR] [launch.actions.declare_launch_argument]: Required launch argument "robot" (description: "no '
+        'description given") was not provided')
 
 
 def test_of_two_declarations_the_first_is_shown_and_defaults_are_described(launch_file):

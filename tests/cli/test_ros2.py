@@ -168,6 +168,16 @@ class Odd(Node):
         self.declare_parameter('unset', None, ParameterDescriptor(dynamic_typing=True))
 
 
+@pytest.mark.parametrize('words', [
+    ['/odd', '--hide-type', 'anything'], ['/odd', '--timeout', '3', '--hide-type', 'anything'],
+    ['--hide-type', '/odd', 'anything'], ['/odd', 'anything', '--hide-type'],
+    ['/odd', '--no-daemon', '--hide-type', '--', 'anything'],
+    ['--include-hidden-nodes', '/odd', '--hide-type', 'anything']])
+def test_options_may_stand_between_the_words(ros, words):
+    ros.add(Odd, 'odd').set_parameters([Parameter('anything', value='here')])
+    assert run('param', 'get', *words) == ('here\n', '', 0)
+
+
 def test_hidden_nodes_are_shown_on_request(ros):
     ros.add(SimpleParamNode)
     ros.add(Odd)
@@ -214,9 +224,10 @@ def test_a_node_without_parameter_services_is_named_as_the_genuine_command_does(
     stdout, stderr, status = run('param', 'list')
     assert stdout.startswith(f'{listed}/odd:\n  anything\n')
     assert (stderr, status) == ('', 0)
-    for words in (['get', '/mute', 'x'], ['set', '/mute', 'x', '1'], ['delete', '/mute', 'x'], ['dump', '/mute'],
+    for words in (['get', '/mute', 'x'], ['set', '/mute', 'x', '1'], ['delete', '/mute', 'x'],
                   ['describe', '/mute', 'x']):
         assert run('param', *words) == ('', f'{sentence} /mute\n', 1)
+    assert run('param', 'dump', '/mute') == ('', f'{sentence} /mute\n', 0)
 
 
 @pytest.mark.parametrize('option', [['--filter', 'any.*'], ['--param-prefixes', 'limits']])
@@ -452,7 +463,8 @@ def test_run_finds_a_program_in_a_sub_folder_and_there_must_be_one(workspace):
 def test_pkg_tells_what_has_been_built_and_sourced(workspace, tmp_path, monkeypatch):
     first, second = workspace('tools/z'), workspace('y')
     for words in ([], ['mine']):
-        assert run('pkg', 'executables', *words) == (f'{first}\n{second}\n', '', 0)
+        assert run('pkg', 'executables', *words) == ('mine z\nmine y\n', '', 0)
+        assert run('pkg', 'executables', '--full-path', *words) == (f'{first}\n{second}\n', '', 0)
     assert run('pkg', 'list') == ('mine\n', '', 0)
     assert run('pkg', 'prefix', 'mine') == (f'{tmp_path}\n', '', 0)
     assert run('pkg', 'prefix', '--share', 'mine') == (f'{tmp_path}/share/mine\n', '', 0)

@@ -164,7 +164,7 @@ SEEDED = [
     ('lift.yaml', 'steps: 40', 'steps: [40]', 'wrong type', 'steps: [', 12, 'type integer'),
     ('lift.yaml', 'steps: 40', 'steps: 1_000', 'wrong type', 'steps: 1_000', 12, 'rcl reads 1_000 as the string'),
     ('lift.yaml', 'steps: 40', 'steps: 99999999999999999999', 'wrong type', 'steps: 9', 12, 'is a double'),
-    ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [1, 2]', 'wrong type', 'gains:', 12, 'write 1.0'),
+    ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [1, 2]', 'wrong type', 'gains:', 12, 'write [1.0, 2.0]'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: 1.0', 'wrong type', 'gains:', 12, 'write [1.0]'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: []', 'wrong type', 'gains:', 12, 'an empty array has no type'),
     ('lift.yaml', 'name: lift', 'name: y', 'wrong type', 'name: y', 11, "write 'y'"),
@@ -208,6 +208,9 @@ SEEDED = [
     ('lift.yaml', '"2024-01-01"', '2024-01-01', 'read otherwise', 'since:', 12, 'as a date'),
     ('lift.yaml', 'steps: 40', 'steps: 050', 'read otherwise', 'steps: 050', 12, 'the integer 40'),
     ('lift.yaml', ', length: 1.2}', '}\n    tool.length: 12:30', 'read otherwise', '12:30', 18, 'the integer 750'),
+    # a value without which the node does not start
+    ('controllers.yaml', '    command_interfaces: [position]\n', '', 'missing', 'arm_controller:\n  ros__', 1,
+     'a value of command_interfaces: it has no default'),
     # what rcl rejects
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: [[1.0], [0.5]]', 'unreadable', 'gains', 18, 'list of lists'),
 ]

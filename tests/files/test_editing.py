@@ -1,6 +1,7 @@
 """Editing a file by its places: the value changes, and not one character beside it."""
 
 import difflib
+import re
 
 import hypothesis.strategies as st
 import pytest
@@ -156,3 +157,81 @@ def test_read_only_values_are_loaded_and_dumped_as_the_user_chooses(ros, tmp_pat
     dump = client.dump(skip_read_only=skip)
     assert ('serial' in dump.left_out) is skip
     assert ('# left out: "serial": it is read-only' in dump.text) is skip
+
+
+# What stands below the header of /n, what is changed, and what stands there then.
+COMMENTED = [
+    # texts in blocks
+    ('a: | # why\n  x\nb: 1\n', {'a': 'w'}, 'a: w # why\nb: 1\n'),
+    ('a: >- # why\n  x\n  y\n\nb: 1\n', {'a': 2}, 'a: 2 # why\nb: 1\n'),
+    ('a: |2+   # why # not\n    x\nb: 1\n', {'a': 'w'}, 'a: w # why # not\nb: 1\n'),
+    ('a: !!str | # why\n  x\nb: 1\n', {'a': 'y\nz'}, 'a: "y\\nz" # why\nb: 1\n'),
+    ("a: '| # no'\n", {'a': 'y'}, "a: 'y'\n"),
+    ('a:\n  - | # why\n    x\n  - z # end\n', {'a': ['w', 'z']}, 'a:\n  - w # why\n  - z # end\n'),
+    # lists in brackets that get shorter, longer, or become something else
+    ('a: [1, # dim\n    2] # bright\n', {'a': [1]}, 'a: [1 # dim\n    ] # bright\n'),
+    ('a: [1, # dim\n    2] # bright\n', {'a': [5]}, 'a: [5 # dim\n    ] # bright\n'),
+    ('a: [1, 2, # two\n    3, 4,\n    5, # five\n   ]\n', {'a': [1]}, 'a: [1  # two\n    , # five\n   ]\n'),
+    ('a: [1, # one\n    2, # two\n    3 # three\n   ]\n', {'a': [1]}, 'a: [1 # one\n     # two\n     # three\n   ]\n'),
+    ('a: [1, 2, 3] # all\n', {'a': [1]}, 'a: [1] # all\n'),
+    ('a: [1, # dim\n    2] # bright\n', {'a': [1, 2, 3]}, 'a: [1, # dim\n    2, 3] # bright\n'),
+    ('a: [1, # dim\n    2, # bright\n   ]\n', {'a': [1, 2, 3]}, 'a: [1, # dim\n    2, # bright\n    3\n   ]\n'),
+    ('a: [1, # dim\n    2] # bright\n', {'a': 7}, 'a: 7 # dim # bright\n'),
+    # lists in lines
+    ('a:\n  - 1 # one\n  # between\n  - 2 # two\n  - 3 # three\nb: 1\n', {'a': [1]},
+     'a:\n  - 1 # one\n  # between\n  # two\n  # three\nb: 1\n'),
+    ('a:\n- 1\n- 2 # two\nb: 1\n', {'a': [4]}, 'a:\n- 4\n# two\nb: 1\n'),
+    ('a:\n  - 1 # one\n  - 2\nb: 1\n', {'a': 'x'}, 'a:\n  x # one\nb: 1\n'),
+    # parameters that are added where the first one is nested
+    ('topics:\n  stick: {timeout: 0.5} # s\nperiod: 3.0\n', {'verbose': True},
+     'topics:\n  stick: {timeout: 0.5} # s\nperiod: 3.0\nverbose: true\n'),
+    ('topics:\n  stick:\n    timeout: 0.5 # s\n', {'topics.stick.name': 'x', 'b': 1},
+     'topics:\n  stick:\n    timeout: 0.5 # s\ntopics.stick.name: x\nb: 1\n'),
+    ('a: # list\n  - b: [1]\n', {'c': 1}, 'a: # list\n  - b: [1]\nc: 1\n'),
+]
+
+
+@pytest.mark.parametrize('ends', ['\n', '\r\n'], ids=['LF', 'CRLF'])
+@pytest.mark.parametrize(('lines', 'new', 'edited'), COMMENTED, ids=[each[0].strip() for each in COMMENTED])
+def test_every_comment_stays_where_it_belongs(lines, new, edited, ends):
+    def block(text):
+        indented = ''.join(f'    {line}\n' for line in text.splitlines())
+        return f'/n:\n  ros__parameters:\n{indented}'.replace('\n', ends)
+    after, _ = edit(block(lines), '/n', new)
+    assert after == block(edited)
+
+
+@pytest.mark.parametrize(('text', 'edited'), [
+    ('/n:\n  ros__parameters: {}\n', '/n:\n  ros__parameters:\n    a: 1\n'),
+    ('/n:\n  ros__parameters: { } # none\n', '/n:\n  ros__parameters: # none\n    a: 1\n'),
+    ('/n: {ros__parameters: {}}\n', '/n: {ros__parameters: {a: 1}}\n'),
+    ('/n: {ros__parameters: {b: {c: 1}}}\n', '/n: {ros__parameters: {a: 1, b: {c: 1}}}\n'),
+    ('/n:\n  ros__parameters: {b: {c: 1}}\n', '/n:\n  ros__parameters: {a: 1, b: {c: 1}}\n'),
+])
+def test_a_parameter_is_added_to_a_block_in_braces(text, edited):
+    assert edit(text, '/n', {'a': 1})[0] == edited
+
+
+ITEMS = st.lists(st.integers(0, 9), min_size=1, max_size=4)
+
+
+@pytest.mark.slow
+@settings(max_examples=300)
+@given(ITEMS, ITEMS, st.sampled_from(['brackets', 'lines', 'lines at the name']), st.booleans(), st.data())
+def test_a_list_of_any_length_keeps_every_comment(before, after, style, is_first, data):
+    comments = [f' # c{number}' * data.draw(st.booleans()) for number in range(len(before))]
+    if style == 'brackets':
+        rows = [f'{item}{"," * (number < len(before) - 1)}{comment}\n         '
+                for number, (item, comment) in enumerate(zip(before, comments))]
+        text = f'    a: [{"".join(rows)}] # end\n'
+    else:
+        indent = 6 if style == 'lines' else 4
+        rows = [f'{" " * indent}- {item}{comment}\n' for item, comment in zip(before, comments)]
+        text = f'    a: # end\n{"".join(rows)}'
+    text = '/n:\n  ros__parameters:\n' + '    z: {y: 1}\n' * is_first + text + '    b: 2 # two\n'
+    edited, _ = edit(text, '/n', {'a': after})
+    assert we_read(edited, '/n')['a'] == after
+    kept = min(len(before), len(after))
+    for number, (item, comment) in enumerate(zip(after, comments)):
+        assert not comment or number >= kept or re.search(rf'\b{item},?{comment}\b', edited), edited
+    assert sorted(re.findall('#.*', edited)) == sorted(re.findall('#.*', text))

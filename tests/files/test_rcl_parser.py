@@ -74,7 +74,6 @@ def is_of_newer_yaml(content):
 @settings(deadline=None, max_examples=3000 if os.environ.get('CI') else 600)
 @given(st.one_of(mutations().map(lambda content: (content,)),
                  st.tuples(DOCUMENTS.map(str.encode), DOCUMENTS.map(str.encode))))
-@example((b'left//arm: {ros__parameters: {speed: 1.0}}',))
 @example((b'/b: {ros__parameters: {x: 1}}\n/a: {ros__parameters: {x: 1, y: 2}}\n/b: {ros__parameters: []}',))
 @example((b'/b: {ros__parameters: {x: 1}}', b'/b: {ros__parameters: [2]}'))
 def test_both_parsers_accept_and_reject_the_same_files(contents):
@@ -84,11 +83,28 @@ def test_both_parsers_accept_and_reject_the_same_files(contents):
         assert ours == bool(theirs), theirs
 
 
+PARTS = st.one_of(st.sampled_from(['', '*', '**', '***', 'a', 'arm_1', '1a', '_', '~', 'a b', 'ä']),
+                  st.sampled_from([243, 244, 245, 246, 254, 255, 256]).map('x'.__mul__))
+
+
+@pytest.mark.slow
+@given(st.lists(PARTS, min_size=1, max_size=4), st.sampled_from(['', '/', '//']))
+@example(['left', '', 'arm'], '')
+@example(['x' * 255], '')
+@example(['x' * 256], '/')
+@example(['x' * 244, 'x' * 244, 'a'], '')
+@example(['x' * 245, 'a'], '')
+def test_a_block_may_have_just_the_names_that_rcl_takes(parts, begins):
+    name = begins + '/'.join(parts)
+    ours, theirs = rejections(f'"{name}":\n  ros__parameters:\n    a: 1\n'.encode())
+    assert ours == bool(theirs), theirs
+
+
 def test_what_only_rcl_rejects_is_a_finding(tmp_path, monkeypatch):
     first, second = tmp_path / 'first.yaml', tmp_path / 'second.yaml'
     first.write_text('/n:\n  ros__parameters:\n    a: 1\n')
     second.write_text('/my node:\n  ros__parameters:\n    a: 1\n')
-    monkeypatch.setattr(parsing, 'wrong_block_name', lambda name: '')
+    monkeypatch.setattr(parsing, 'flaw_of_block_name', lambda name: '')
     finding, = check_files([first, second])
     assert (finding.file, finding.line, finding.kind) == (str(second), 1, 'unreadable')
     assert finding.message.startswith('rcl rejects the file: node name must not contain characters other than')

@@ -39,3 +39,35 @@ def test_so_is_a_value_whose_type_may_be_any(value):
     text = form.format(value)
     assert '\n' not in text
     assert values.same(form.parse(text), value)
+
+
+def described(parameter_type, *, dynamic=False):
+    return Descriptor('x', parameter_type, '', '', False, dynamic, None)
+
+
+@pytest.mark.parametrize('text', ['1e400', '-1e309', '9' * 400, '1_0e400'])
+def test_a_number_beyond_the_largest_double_is_asked_about(text):
+    with pytest.raises(ValueError, match=r'beyond the largest double.*do you mean inf\? Then type that'):
+        typed.parse_value(described(values.DOUBLE), text)
+    with pytest.raises(ValueError, match='do you mean inf'):
+        typed.parse_value(described(values.DOUBLE_ARRAY), f'[inf, 1.0, {text}]')
+    with pytest.raises(ValueError, match='do you mean inf'):
+        typed.parse_items(described(values.DOUBLE_ARRAY), ['inf', text])
+
+
+def test_a_value_of_any_type_that_yaml_makes_infinity_of_is_asked_about():
+    for text in ('1.0e+400', '[1.0, -1.0e+400]'):
+        with pytest.raises(ValueError, match='do you mean inf'):
+            typed.parse_value(described(values.DOUBLE, dynamic=True), text)
+
+
+@pytest.mark.parametrize(('text', 'value'), [
+    ('inf', float('inf')), ('-Infinity', -float('inf')), ('1.7976931348623157e308', 1.7976931348623157e308)])
+def test_infinity_that_is_meant_and_the_largest_double_are_read(text, value):
+    assert typed.parse_value(described(values.DOUBLE), text) == value
+    assert typed.parse_items(described(values.DOUBLE_ARRAY), [text, '-inf']) == [value, -float('inf')]
+    assert typed.parse_value(described(values.DOUBLE_ARRAY), f'{text}, inf') == [value, float('inf')]
+
+
+def test_a_dynamic_infinity_is_read():
+    assert typed.parse_value(described(values.DOUBLE, dynamic=True), '[.inf, -.INF]') == [float('inf'), -float('inf')]

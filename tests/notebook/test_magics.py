@@ -274,16 +274,24 @@ def test_a_terminal_starts_them_too(ros, cell_with_genuine):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(('chosen', 'said'), [('', 'genuine daemon stop\n'), ('7', '')], ids=['claimed', 'chosen'])
-def test_the_daemon_of_a_claimed_domain_ends_with_the_kernel(fake_ros2, tmp_path, chosen, said):
-    fake_ros2.write_text(f'#!/bin/sh\necho genuine "$@" >> {tmp_path}/log\n')
-    source = ('from param_tools.cli import genuine; from param_tools.ros import domain; domain.choose(); '
-              'genuine.command(["param", "list"])')
+@pytest.mark.parametrize('end', ['', '; import os; os.kill(os.getpid(), 9)'], ids=['ended', 'killed'])
+@pytest.mark.parametrize('used', ['genuine.command(["param", "list"])', 'Shell().run("ros2 param list")'],
+                         ids=['command', 'shell'])
+@pytest.mark.parametrize('chosen', ['', '7'], ids=['claimed', 'chosen'])
+def test_the_daemon_of_a_claimed_domain_ends_with_the_kernel(fake_ros2, tmp_path, chosen, used, end):
+    log = tmp_path / 'log'
+    fake_ros2.write_text(f'#!/bin/sh\necho $ROS_DOMAIN_ID "$@" >> {log}\n')
+    source = ('from param_tools.cli import genuine; from param_tools.ros import domain; '
+              f'from param_tutorial import Shell; domain.choose(); {used}; '
+              f'guard = genuine.stop_daemon_in_the_end(); assert not guard or guard.poll() is None{end}')
     environment = {**domain.environment_without_domain(), **({'ROS_DOMAIN_ID': chosen} if chosen else {})}
     environment.pop('PARAM_TOOLS_ROS2', None)
-    subprocess.run([sys.executable, '-c', source], env=environment, check=True)
-    log = tmp_path / 'log'
-    assert (log.read_text() if log.exists() else '') == said
+    done = subprocess.run([sys.executable, '-c', source], env=environment, capture_output=True, text=True)
+    assert done.returncode == (-9 if end else 0)
+    stopped = re.compile(r'[0-9]+ daemon stop\n')
+    if not chosen:
+        wait_until(lambda: log.exists() and stopped.search(log.read_text()), 'the daemon to be stopped')
+    assert len(stopped.findall(log.read_text() if log.exists() else '')) == (0 if chosen else 1)
 
 
 def test_the_advice_beside_a_rejected_run_leaves_the_other_nodes_alone(cell, ros, node):

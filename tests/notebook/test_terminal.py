@@ -3,6 +3,7 @@
 import os
 import signal
 import sys
+from pathlib import Path
 
 import psutil
 import pytest
@@ -13,6 +14,8 @@ from param_tutorial import ParameterClient, Terminal, wait_until
 from tests.support.kernels import Kernel
 
 pytestmark = pytest.mark.slow
+
+OPEN_FILES = Path('/proc/self/fd')
 
 
 def test_a_node_runs_is_reached_and_ends_in_good_order(ros):
@@ -55,6 +58,17 @@ def test_what_differs_in_each_launch_is_left_out(tmp_path):
 [INFO] [a-1]: process has finished cleanly
 [ERROR] [b-2]: process has died [exit code 1, cmd 'b'].
 """
+
+
+def test_a_command_reads_from_a_terminal_where_nobody_types():
+    python = f'{sys.executable} -c'
+    terminal = Terminal(f"""{python} 'import sys; print("typed:", sys.stdin.isatty(), flush=True); input()'""")
+    assert terminal.read(until='typed') == 'typed: True'
+    assert terminal.is_running
+    before = len(list(OPEN_FILES.iterdir()))
+    terminal.interrupt()
+    assert 'EOFError' not in terminal.text
+    wait_until(lambda: len(list(OPEN_FILES.iterdir())) < before, 'the terminal to be closed')
 
 
 def test_output_that_does_not_come_is_an_error_that_shows_what_came():

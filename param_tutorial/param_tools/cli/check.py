@@ -27,7 +27,8 @@ def add_check_arguments(parser: argparse.ArgumentParser) -> None:
                         help='parameter files, in the order in which the nodes get them')
     parser.add_argument('--against', action='append', default=[], metavar='[NODE=]SOURCE',
                         help=f'what the files are for: {system_arguments.HELP}: a description saved by `describe`, '
-                             f'or a schema of generate_parameter_library. May be given several times')
+                             f'or a schema of generate_parameter_library. May be given several times, also '
+                             f'for one node')
     parser.add_argument('--complete', action='store_true',
                         help='these are all nodes: a block for another one is a mistake')
     parser.add_argument('--separately', action='store_true',
@@ -46,8 +47,7 @@ def check(session: Session, args: argparse.Namespace) -> int:
             found = system_arguments.describe(session, word, args)
             if not found:
                 raise CommandFailed(f'nothing can be checked against {word}: no node of it was described')
-            against.update(found)
-            against.complete = against.complete or found.complete
+            against.add(found)
         sets = [[file] for file in args.files] if args.separately else [args.files]
         results = [check_files(files, against, loading=args.load) for files in sets]
     except (ParameterToolError, CommandFailed) as error:
@@ -77,10 +77,7 @@ def describe(session: Session, args: argparse.Namespace) -> int:
     """Write down what nodes declare."""
     found = Descriptions()
     for word in args.sources:
-        each = system_arguments.describe(session, word, args)
-        found.update(each)
-        found.unanswered.update(each.unanswered)
-        found.complete = found.complete or each.complete
+        found.add(system_arguments.describe(session, word, args))
     dump = found.dump() if args.format == 'yaml' else Dump(found.reference().text, {})
     system_arguments.write(session, dump, args.save, nodes=len(found),
                            parameters=sum(len(each.parameters) for each in found.values()))

@@ -1,6 +1,5 @@
 """The genuine ``ros2``, where ROS is installed, and what stands for it elsewhere."""
 
-import atexit
 import contextlib
 import functools
 import os
@@ -21,7 +20,6 @@ _OURS = ('PYTHONPATH', 'PYTHONHOME', 'LD_LIBRARY_PATH', '_ROS_WHEELS_BOOTSTRAP_C
 # build in front: the folder of this package is named, and for this one process only.
 _EMBEDDED = ('import sys; sys.path.insert(0, sys.argv.pop(1)); '
              'from param_tools.__main__ import main; sys.exit(main())')
-_STOP_DAEMON_SEC = 10.0
 
 OWN_COMMANDS = ('check', 'describe', 'snapshot', 'diff', 'restore', 'watch', 'history')
 """The commands that the genuine one has not."""
@@ -67,7 +65,7 @@ def command(words: Sequence[str]) -> tuple[list[str], dict[str, str]]:
 
 def command_of(genuine: str, words: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     """Return the same where it is known that the genuine command, at this path, runs the words."""
-    _stop_daemon_in_the_end()
+    stop_daemon_in_the_end()
     return [genuine, *words], environment()
 
 
@@ -97,17 +95,16 @@ def _python_packages(prefix: Path) -> list[Path]:
 
 
 @functools.cache
-def _stop_daemon_in_the_end() -> None:
+def stop_daemon_in_the_end() -> subprocess.Popen[bytes] | None:
     """Let the daemon that the genuine command starts in this process's own ROS domain end with this process.
 
     It would stay for two hours, holding the domain and 68 MB. In a domain that the user chose, it is the user's.
+
+    :return: A shell that waits until its input is closed, which is when this process ends, also if it is killed. It is
+        cached, so that the input stays open until then.
     """
-    if domain.is_claimed():
-        atexit.register(_stop_daemon)
-
-
-def _stop_daemon() -> None:
-    if genuine := path():
-        with contextlib.suppress(OSError, subprocess.TimeoutExpired):
-            subprocess.run([genuine, 'daemon', 'stop'], env=environment(), stdin=subprocess.DEVNULL,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=_STOP_DAEMON_SEC)
+    if not (genuine := path()) or not domain.is_claimed():
+        return None
+    return subprocess.Popen(['sh', '-c', 'read -r _; exec timeout 10 "$0" daemon stop', genuine], env=environment(),
+                            stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                            start_new_session=True)

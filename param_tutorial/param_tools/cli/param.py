@@ -43,19 +43,19 @@ def add_to(commands: Commands) -> None:
     listing.add_argument('node_name', nargs='?', help='name of the node')
     listing.set_defaults(verb=list_parameters)
 
-    def add_verb(name: str, function: Callable[[Session, argparse.Namespace], None], explanation: str) -> CommandParser:
+    def add_verb(name: str, function: Callable[[Session, argparse.Namespace], int | None],
+                 explanation: str) -> CommandParser:
         verb = verbs.add_parser(name, help=explanation)
         add_node_options(verb)
         verb.set_defaults(verb=function)
         return verb
 
-    get = verbs.add_parser('get', help='print the value of a parameter')
-    add_node_options(get, one='?')
+    get = add_verb('get', get_parameter, 'print the value of a parameter')
     get.add_argument('--hide-type', action='store_true', help='print the value only')
     get.add_argument('--all-nodes', action='store_true',
                      help='print it for each node that has it; then no node is named (not in the genuine command)')
     get.add_argument('parameter_name', help='name of the parameter')
-    get.set_defaults(verb=get_parameter, complain=get.error)
+    get.stands_for_first = '--all-nodes'
 
     set_ = add_verb('set', set_parameter, 'set a parameter')
     set_.add_argument('parameter_name', help='name of the parameter')
@@ -122,11 +122,7 @@ def _has_services(session: Session, node: NodeName) -> bool:
 def get_parameter(session: Session, args: argparse.Namespace) -> int:
     """Print one value, of one node or of all."""
     if args.all_nodes:
-        if args.node_name:
-            args.complain('argument --all-nodes: not allowed with a node')
         return _get_from_all(session, args)
-    if not args.node_name:
-        args.complain('the following arguments are required: parameter_name')
     node = session.find(args)
     answer = session.call(node, 'get_parameters', GetParameters.Request(names=[args.parameter_name])).values
     if not answer:
@@ -222,6 +218,10 @@ def dump_parameters(session: Session, args: argparse.Namespace) -> None:
     and one parameter without a value empties the whole dump. ``ParameterClient.dump`` has no such traps.
     """
     node = session.find(args)
+    if not session.has_service(node, 'list_parameters'):
+        # With exit status 0, as the genuine command.
+        session.complain(without_services(node))
+        return
     names = sorted(session.call(node, 'list_parameters', ListParameters.Request()).result.names)
     answer = session.call(node, 'get_parameters', GetParameters.Request(names=names)).values
     parameters: dict[str, Any] = {}

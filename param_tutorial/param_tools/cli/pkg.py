@@ -1,7 +1,7 @@
 """ros2 pkg create, executables, list and prefix.
 
-``create`` writes a new Python package (ament_python) into a workspace. The files do what those of ros2pkg's templates
-do; their text is our own. The other verbs print what has been built and sourced.
+``create`` writes a new Python package (ament_python) into a workspace, with the files of ros2pkg 0.32.2 (Copyright Open
+Source Robotics Foundation, Inc., Apache License 2.0). The other verbs print what has been built and sourced.
 """
 
 import argparse
@@ -46,6 +46,7 @@ def add_to(commands: Commands) -> None:
     create.set_defaults(verb=create_package)
     executables = verbs.add_parser('executables', help='list the programs of a package, or of all packages')
     executables.add_argument('package_name', nargs='?', help='name of the package')
+    executables.add_argument('--full-path', action='store_true', help='print the path of each')
     executables.set_defaults(verb=list_executables)
     verbs.add_parser('list', help='list the packages that have been sourced').set_defaults(verb=list_packages)
     prefix = verbs.add_parser('prefix', help='print where a package is installed')
@@ -55,14 +56,14 @@ def add_to(commands: Commands) -> None:
 
 
 def list_executables(session: Session, args: argparse.Namespace) -> None:
-    """Print the paths of programs."""
+    """Print the names of programs, each after its package's, or their paths."""
     for package in index.sourced_packages() if args.package_name is None else [args.package_name]:
         try:
             paths = installed_programs(package)
         except index.PackageNotFound:
             raise CommandFailed(f"Package '{package}' not found{_note_on_own(package)}") from None
         for path in sorted(map(str, paths)):
-            session.print(path)
+            session.print(*([path] if args.full_path else [package, Path(path).name]))
 
 
 def list_packages(session: Session, _args: argparse.Namespace) -> None:
@@ -203,7 +204,7 @@ def _package_xml(args: argparse.Namespace) -> str:
 
 
 def _setup_py(args: argparse.Namespace) -> str:
-    entry = f"            '{args.node_name} = {args.package_name}.{args.node_name}:main',\n" if args.node_name else ''
+    entry = f"            '{args.node_name} = {args.package_name}.{args.node_name}:main'\n" if args.node_name else ''
     return f'''from setuptools import find_packages, setup
 
 package_name = {args.package_name!r}
@@ -213,7 +214,8 @@ setup(
     version='0.0.0',
     packages=find_packages(exclude=['test']),
     data_files=[
-        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
+        ('share/ament_index/resource_index/packages',
+            ['resource/' + package_name]),
         ('share/' + package_name, ['package.xml']),
     ],
     install_requires=['setuptools'],
@@ -222,7 +224,7 @@ setup(
     maintainer_email={args.maintainer_email!r},
     description={args.description!r},
     license={args.license!r},
-    extras_require={{'test': ['pytest']}},
+    tests_require=['pytest'],
     entry_points={{
         'console_scripts': [
 {entry}        ],
@@ -231,16 +233,63 @@ setup(
 '''
 
 
-def _linter_test(linter: str) -> str:
-    return f'''from ament_{linter}.main import main
+# The year in the license of each linter's test, and the test.
+_LINTER_TESTS = {'copyright': (2015, '''\
+from ament_copyright.main import main
 import pytest
 
 
-@pytest.mark.{linter}
+# Remove the `skip` decorator once the source file(s) have a copyright header
+@pytest.mark.skip(reason='No copyright header has been placed in the generated source file.')
+@pytest.mark.copyright
 @pytest.mark.linter
-def test_{linter}():
-    assert main(argv=[]) == 0, 'ament_{linter} has found something'
+def test_copyright():
+    rc = main(argv=['.', 'test'])
+    assert rc == 0, 'Found errors'
+'''), 'flake8': (2017, '''\
+from ament_flake8.main import main_with_errors
+import pytest
+
+
+@pytest.mark.flake8
+@pytest.mark.linter
+def test_flake8():
+    rc, errors = main_with_errors(argv=[])
+    assert rc == 0, \\
+        'Found %d code style errors / warnings:\\n' % len(errors) + \\
+        '\\n'.join(errors)
+'''), 'pep257': (2015, '''\
+from ament_pep257.main import main
+import pytest
+
+
+@pytest.mark.linter
+@pytest.mark.pep257
+def test_pep257():
+    rc = main(argv=['.', 'test'])
+    assert rc == 0, 'Found code style errors / warnings'
+''')}
+_LICENSE_OF_LINTER_TESTS = '''\
+# Copyright {year} Open Source Robotics Foundation, Inc.
+#
+# Licensed under the Apache License, Version 2.0 (the "License");
+# you may not use this file except in compliance with the License.
+# You may obtain a copy of the License at
+#
+#     http://www.apache.org/licenses/LICENSE-2.0
+#
+# Unless required by applicable law or agreed to in writing, software
+# distributed under the License is distributed on an "AS IS" BASIS,
+# WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+# See the License for the specific language governing permissions and
+# limitations under the License.
+
 '''
+
+
+def _linter_test(linter: str) -> str:
+    year, text = _LINTER_TESTS[linter]
+    return _LICENSE_OF_LINTER_TESTS.format(year=year) + text
 
 
 def _node(package: str) -> str:

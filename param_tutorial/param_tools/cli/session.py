@@ -215,6 +215,18 @@ class Printed(Exception):
 class CommandParser(argparse.ArgumentParser):
     """Raise what argparse would print: the streams of a command are not always those of the process."""
 
+    stands_for_first = ''
+    """An option with which the first argument is not given; that is then an empty text."""
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        # An optional argument before a required one would be passed over where an option stands between the two.
+        if not self.stands_for_first or self.stands_for_first not in args:
+            return super().parse_known_args(args, namespace)
+        found, unknown = super().parse_known_args(['', *args], namespace)
+        if unknown and not unknown[0].startswith('-'):
+            self.error(f'argument {self.stands_for_first}: not allowed with a node')
+        return found, unknown
+
     def error(self, message: str) -> NoReturn:
         text = self.format_usage()
         # Somebody may know it from the genuine ros2.
@@ -266,12 +278,9 @@ def add_graph_options(parser: argparse.ArgumentParser) -> None:
                         help=f'wait up to N seconds for each answer of a node (default: {SERVICE_TIMEOUT_SEC:g})')
 
 
-def add_node_options(parser: argparse.ArgumentParser, one: str | None = None) -> None:
-    """Add the options and the argument that all verbs about one node have.
-
-    :param one: '?' if the node need not be named.
-    """
+def add_node_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options and the argument that all verbs about one node have."""
     add_parameter_options(parser)
     # The genuine one takes whole seconds, too.
     parser.add_argument('--timeout', type=int, metavar='N', help='wait up to N seconds for the node to appear')
-    parser.add_argument('node_name', nargs=one, help='name of the node')
+    parser.add_argument('node_name', help='name of the node')

@@ -8,7 +8,7 @@ them with descriptions of the nodes, and returns each mistake with its line and 
 import difflib
 import json
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -16,8 +16,10 @@ from typing import Any
 from param_tools import values
 from param_tools.descriptor import is_housekeeping
 from param_tools.errors import nearest
-from param_tools.files import rcl_parser
-from param_tools.files.descriptions import DescribedParameter, Descriptions
+from param_tools.files import common_parameters, rcl_parser
+from param_tools.files.descriptions import DescribedParameter, Descriptions, NodeDescription
+from param_tools.files.headers import is_like_header, misplaced
+from param_tools.files.node_names import flaw_of_block_name
 from param_tools.files.parameter_files import format_scalar, read_bytes
 from param_tools.files.parsing import (
     KEY,
@@ -30,18 +32,21 @@ from param_tools.files.parsing import (
     Scalar,
     effective,
     matches,
-    wrong_block_name,
+    typed,
 )
 from param_tools.files.yaml_words import read_1_1, read_1_2
 from param_tools.markup.tables import table
+from param_tools.values import ParameterType
 
 # What a finding is about, and whether the file surely does something else than it says.
 KINDS = {
     'unreadable': 'error', 'no header': 'error', 'unknown node': 'error', 'never matched': 'error',
     'unknown parameter': 'error', 'wrong type': 'error', 'out of range': 'error', 'off the step': 'error',
     'invalid': 'error', 'read only': 'error', 'duplicate': 'warning', 'overridden': 'warning',
-    'read otherwise': 'warning',
+    'read otherwise': 'warning', 'missing': 'error',
 }
+# An array of more characters is not written out in a remedy.
+_LONGEST_REMEDY = 100
 
 
 @dataclass(frozen=True, order=True)
@@ -144,21 +149,47 @@ class _Check:
         self._files.append(file)
         before = len(self._parser.rejected)
         self._parser.parse(content, file)
-        headless: set[str] = set()
+        headless: set[Place] = set()
         for_launch = self._places_for_launch(file, content.decode('utf-8-sig', 'replace'))
-        for rejected in self._parser.rejected[before:]:
+        all_rejected = self._parser.rejected[before:]
+        causes = [cause for cause in (misplaced(content) if all_rejected else [])
+                  if cause.is_certain or any(cause.explains(rejected.place) for rejected in all_rejected)]
+        for cause in causes:
+            self._add(file, cause.place, 'no header', cause.message)
+        for rejected in all_rejected:
+            if any(cause.explains(rejected.place) for cause in causes):
+                continue
             left = [place for place, first, last in for_launch if first <= rejected.place.start <= last]
             if left and rejected.place.start:
                 self._leave_to_launch(file, left[0])
             elif not rejected.keys:
                 self._add(file, rejected.place, 'unreadable', f'rcl rejects the file here: {rejected}')
-            elif rejected.keys[0][0] not in headless:
-                headless.add(rejected.keys[0][0])
-                self._add(file, *_headless(rejected))
+            else:
+                place, kind, message = self._headless(rejected)
+                if place not in headless:
+                    headless.add(place)
+                    self._add(file, place, kind, message)
         if not self._parser.rejected:
             self._accepted.append(file)
-        if not self._parser.rejected[before:] and not any(start.file == file for start in self._parser.starts):
+        if not all_rejected and not any(start.file == file for start in self._parser.starts):
             self._add(file, Place(), 'never matched', 'the file holds parameters for no node at all')
+
+    def _headless(self, rejected: Rejected) -> tuple[Place, str, str]:
+        """Return place, kind and message for a value that stands before ros__parameters."""
+        for name, place in rejected.keys:
+            if is_like_header(name):
+                return place, 'no header', f'{name!r} should be {KEY!r}: rcl rejects the file'
+        # Where the first keys lead to other nodes, too, the header is missing below a later one.
+        leading = 0
+        while leading < len(rejected.keys) - 2 and self._leads_to_a_node(rejected.keys[:leading + 1]):
+            leading += 1
+        name, place = rejected.keys[leading]
+        return place, 'no header', (f'there is no {KEY!r} between {name!r} and the values below it: rcl rejects the '
+                                    f'file. It has to be node name, {KEY}, then parameters')
+
+    def _leads_to_a_node(self, keys: Sequence[tuple[str, Place]]) -> bool:
+        path = '/'.join(name.strip('/') for name, _ in keys) + '/'
+        return any(start.name.lstrip('/').startswith(path) for start in self._parser.starts)
 
     def findings(self) -> Findings:
         """Check what was read, and return all findings."""
@@ -171,7 +202,7 @@ class _Check:
             # What is for nodes that are not known here is passed over, unless none at all is known.
             is_ours = not self._against or any(matches(assignment.block, node) for node in self._against)
             if is_ours and assignment not in judged:
-                self._check_words(assignment, None, '')
+                self._check_undescribed(assignment)
         order = {file: number for number, file in enumerate(self._files)}
         found = Findings(sorted(self._found.values(), key=lambda each: (order[each.file], each.line, each.column)))
         found.left_to_launch = tuple(f'{file}:{line}' for file, line in sorted(
@@ -193,7 +224,8 @@ class _Check:
 
     def _add(self, file: str, place: Place, kind: str, message: str, node: str = '', parameter: str = '') -> None:
         key = (file, place.line, place.column, kind, parameter)
-        self._found.setdefault(key, FileFinding(file, place.line, place.column, kind, message, node, parameter))
+        in_one_line = ''.join(char if char.isprintable() else ascii(char)[1:-1] for char in message)
+        self._found.setdefault(key, FileFinding(file, place.line, place.column, kind, in_one_line, node, parameter))
 
     def _places_for_launch(self, file: str, text: str) -> list[tuple[Place, int, int]]:
         """Return what launch fills in and rcl rejects as it stands, and from where to where rcl may say so."""
@@ -218,6 +250,10 @@ class _Check:
                           f'there is a block for {first.name} in line {first.place.line} already: rcl reads '
                           f'both,{also}',
                           start.name)
+        for repeated in self._parser.repeated:
+            self._add(repeated.file, repeated.place, 'duplicate',
+                      f'{repeated.name} stands in line {repeated.first.line} already: rcl reads what is below both, '
+                      f'and `ros2 param load` only the last', repeated.block)
         assignments: dict[tuple[str, str, str], Assignment] = {}
         for each in self._parser.assignments:
             key = each.file, each.block.strip('/'), each.name
@@ -234,7 +270,7 @@ class _Check:
         unmatched = [node for node in nodes if not any(matches(name, node) for name in named)]
         nothing_matches = not any(matches(name, node) for name in self._parser.blocks for node in nodes)
         for start in self._parser.starts if nodes else ():
-            if any(matches(start.name, node) for node in nodes) or wrong_block_name(start.name):
+            if any(matches(start.name, node) for node in nodes) or flaw_of_block_name(start.name):
                 self._reported.add(start.name)
                 continue
             name = '/' + start.name.strip('/')
@@ -264,20 +300,24 @@ class _Check:
         """Check all that a described node would get; return what was compared with a description."""
         judged: set[Assignment] = set()
         owners: dict[Assignment, list[str]] = {}
+        types = {each.name: each.value for each in self._parser.assignments if each.name.endswith('.type')}
         for node, description in self._against.items():
             entries = effective(self._parser, node)
             known = {name: entry.value() for name, entry in entries.items()}
             for assignment in self._parser.assignments:
-                if not matches(assignment.block, node) or is_housekeeping(assignment.name):
+                if not matches(assignment.block, node):
                     continue
                 owners.setdefault(assignment, [])
-                described = description.find(assignment.name, known)
-                if described is None and not description.allows_undeclared:
+                described = (description.find(assignment.name, known)
+                             or common_parameters.find(assignment.name, description, known, types))
+                if described is None and not (description.allows_undeclared or is_housekeeping(assignment.name)):
                     continue
                 owners[assignment].append(node)
                 if described is not None and _winner(entries.get(assignment.name)) is assignment:
                     judged.add(assignment)
                     self._check_value(assignment, described, node)
+            if not self._loading and not self._parser.rejected:
+                self._check_missing(node, description, known)
         self._report_unknown(assignment for assignment, nodes in owners.items() if not nodes)
         return judged
 
@@ -293,6 +333,21 @@ class _Check:
             self._add(assignment.file, assignment.name_place, 'unknown parameter',
                       f'{who} {"has no" if len(nodes) == 1 else "has a"} parameter {assignment.name!r}{near}',
                       nodes[0], assignment.name)
+
+    def _check_undescribed(self, assignment: Assignment) -> None:
+        if described := common_parameters.OF_EVERY_NODE.get(assignment.name):
+            self._check_value(assignment, described, assignment.block)
+        else:
+            self._check_words(assignment, None, '')
+
+    def _check_missing(self, node: str, description: NodeDescription, given: Mapping[str, Any]) -> None:
+        """Check that a node has a value of each parameter without which it does not start."""
+        starts = [start for start in self._parser.starts if matches(start.name, node)]
+        # In the block for this node alone, if there is one.
+        for start in sorted(starts, key=lambda each: _generality(each.name))[:1]:
+            for name, reason in description.missing(given):
+                self._add(start.file, start.place, 'missing',
+                          f'{node} does not start without a value of {name}: {reason}', node, name)
 
     def _check_value(self, assignment: Assignment, described: DescribedParameter, node: str) -> None:
         value, name = assignment.value, assignment.name
@@ -378,16 +433,6 @@ class _Check:
                                   f'{_why(loser, winner)}', node, name)
 
 
-def _headless(rejected: Rejected) -> tuple[Place, str, str]:
-    """Return place, kind and message for a value that stands before ros__parameters."""
-    for name, place in rejected.keys:
-        if name != KEY and difflib.SequenceMatcher(None, name.lower(), KEY).ratio() > 0.75:
-            return place, 'no header', f'{name!r} should be {KEY!r}: rcl rejects the file'
-    name, place = rejected.keys[0]
-    return place, 'no header', (f'there is no {KEY!r} between {name!r} and the values below it: rcl rejects the file. '
-                                f'It has to be node name, {KEY}, then parameters')
-
-
 def _is_for_launch(text: str) -> bool:
     """True if launch replaces a part of it: $(var robot), in a file that is given with ``allow_substs=True``."""
     return re.search(r'\$\([a-z]', text) is not None
@@ -453,23 +498,67 @@ def _unambiguous(scalar: Scalar) -> str:
 def _hint(assignment: Assignment, described: DescribedParameter) -> str:
     """Return what to write instead of a value of the wrong type."""
     wanted = described.descriptor.type
+    if wanted is values.BYTE_ARRAY:
+        return '; a parameter file has no byte arrays: leave the line out, and let the program set it'
     if assignment.is_array != wanted.is_array:
-        if wanted.is_array and assignment.scalars:
-            return f'; write [{assignment.scalars[0].text}]'
-        return ''
+        return _hint_of_list(assignment, described)
     for scalar in assignment.scalars:
         value = scalar.value
         if wanted.item(value):
             continue
-        if wanted in (values.DOUBLE, values.DOUBLE_ARRAY) and type(value) is int:
-            return f'; write {value}.0'
-        if wanted in (values.INTEGER, values.INTEGER_ARRAY) and type(value) is float and value.is_integer():
-            return f'; write {int(value)}'
+        meant = _converted(scalar.text, wanted)
+        whole = _all_converted(assignment, wanted) or (None if meant is None else format_scalar(meant))
         if wanted in (values.STRING, values.STRING_ARRAY):
-            return f"; rcl reads {scalar.text} without quotes as {_named(value)}: write '{scalar.text}'"
-        if comma := re.fullmatch(r'([+-]?[0-9]+),([0-9]+)', scalar.text):
+            return f'; rcl reads {scalar.text} without quotes as {_named(value)}: write {whole}'
+        comma = re.fullmatch(r'([+-]?[0-9]+),([0-9]+)', scalar.text.strip())
+        if comma and wanted is values.DOUBLE:
             return f'; write {comma[1]}.{comma[2]}, with a point'
-        if isinstance(value, str) and not scalar.is_plain and _could_hold(described, read_1_1(scalar.text).value):
-            return '; leave the quotes out'
-        return f'; rcl reads {scalar.text} as {_named(value)}' if scalar.is_plain else ''
+        if whole is None:
+            return f'; rcl reads {scalar.text} as {_named(value)}' if scalar.is_plain else ''
+        is_in_quotes = not scalar.is_plain and isinstance(value, str) and '\n' not in scalar.text
+        return ('; leave the quotes out' if is_in_quotes and values.same(typed(scalar.text, False), meant) else
+                f'; write {whole}')
     return ''
+
+
+def _all_converted(assignment: Assignment, wanted: ParameterType) -> str | None:
+    """Return a short array as its author can have meant it; None for a long or unclear one, and for a single value."""
+    items = [_converted(scalar.text, wanted) for scalar in assignment.scalars]
+    text = f'[{", ".join(map(format_scalar, items))}]' if assignment.is_array and None not in items else ''
+    return text if 0 < len(text) <= _LONGEST_REMEDY else None
+
+
+def _converted(text: str, wanted: ParameterType) -> Any:
+    """Return what the author of a text can have meant for a parameter, or for one of its elements; None if that is
+    not clear."""
+    if wanted in (values.STRING, values.STRING_ARRAY):
+        return text
+    value = typed(text.strip(), False)
+    if type(value) is int and wanted in (values.DOUBLE, values.DOUBLE_ARRAY):
+        return float(value)
+    if type(value) is float and value.is_integer() and wanted in (values.INTEGER, values.INTEGER_ARRAY):
+        return int(value)
+    return value if wanted.item(value) else None
+
+
+def _hint_of_list(assignment: Assignment, described: DescribedParameter) -> str:
+    """Return what to write instead of a list, or of a single value where a list should be."""
+    wanted = described.descriptor.type
+    if not wanted.is_array:
+        meant = _converted(assignment.scalars[0].text, wanted) if len(assignment.scalars) == 1 else None
+        return '' if meant is None else f'; write {format_scalar(meant)}'
+    scalar = assignment.scalars[0]
+    items = [] if scalar.is_plain and read_1_1(scalar.text).words == 'null' else [
+        _converted(word, wanted) for word in _words_of_list(scalar.text, wanted)]
+    if not items or None in items or len({type(item) for item in items}) > 1:
+        return '; write a list in brackets, or leave the line out'
+    return f'; write [{", ".join(map(format_scalar, items))}]'
+
+
+def _words_of_list(text: str, wanted: ParameterType) -> list[str]:
+    """Return the elements of a list that somebody wrote as a text: in brackets, in lines, with commas, or with spaces
+    where it is one of numbers."""
+    inner = text.strip().removeprefix('[').removesuffix(']')
+    separator = r'[,\n]' if wanted is values.STRING_ARRAY else r'[,\s]'
+    words = (re.sub(r'^- +', '', word.strip()).strip('\'"') for word in re.split(separator, inner))
+    return [word for word in words if word not in ('', '-')]

@@ -9,6 +9,7 @@ those of such a schema where it has one for the same thing:
     nodes:
       /arm:
         defaults: as declared      # or: as found in a running node
+        schema: arm_controller     # its name: without a valid value of each parameter, the node does not start
         allows_undeclared: true    # written by hand, for a node that takes whatever a file holds
         parameters:
           speed:
@@ -29,7 +30,7 @@ import dataclasses
 import itertools
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -56,6 +57,8 @@ _TYPES = {
     'int_array': values.INTEGER_ARRAY, 'double_array': values.DOUBLE_ARRAY, 'string_array': values.STRING_ARRAY}
 _NAMES = {parameter_type: name for name, parameter_type in _TYPES.items()}
 _FIXED = re.compile(r'(string|bool_array|int_array|double_array|string_array)_fixed_([0-9]{1,9})')
+# What a schema can say of a parameter. Each may also be the name of a parameter or group, and is a map then.
+_SAID_OF_A_PARAMETER = ('type', 'default_value', 'description', 'read_only', 'additional_constraints')
 # rclpy.node.Node.PARAM_REL_TOL
 _REL_TOL = 1e-6
 
@@ -195,6 +198,33 @@ class NodeDescription:
     """Where the default values come from, in words."""
     allows_undeclared: bool = False
     """The node also takes parameters that are not described; only a person who knows it can say so."""
+    schema: str = ''
+    """The name of the schema that it comes from, several with spaces between them: such a node does not start if one of
+    its parameters has no value or an invalid one. Empty if it does not come from schemas alone."""
+
+    def joined(self, other: 'NodeDescription') -> 'NodeDescription':
+        """Return what both say of the node, as of one with several schemas: what this one says of a parameter stays,
+        with the validators that only the other one knows."""
+        parameters = dict(self.parameters)
+        for name, described in other.parameters.items():
+            mine = parameters.setdefault(name, described)
+            parameters[name] = dataclasses.replace(mine, validation={**described.validation, **mine.validation},
+                                                   unit=mine.unit or described.unit)
+        return dataclasses.replace(
+            self, parameters=parameters, allows_undeclared=self.allows_undeclared or other.allows_undeclared,
+            defaults_from=self.defaults_from if self.defaults_from == other.defaults_from else AS_FOUND,
+            schema=f'{self.schema} {other.schema}' if self.schema and other.schema else '')
+
+    def missing(self, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+        """Yield the parameters without which the node does not start, and why, if it gets only these values."""
+        for name in self.names(given) if self.schema else ():
+            described = self.find(name, given)
+            if name in given or described is None or described.descriptor.type is values.NOT_SET:
+                continue
+            if described.default is None:
+                yield name, 'it has no default'
+            elif objection := described.objection(described.default):
+                yield name, f'its default is {values.format_value(described.default, 60)}, and {objection.reason}'
 
     def names(self, known: Mapping[str, Any] | None = None) -> list[str]:
         """Return the names of the parameters, with those that a schema makes of others' values.
@@ -215,25 +245,31 @@ class NodeDescription:
                 return described
         return None
 
-    def _keys(self, part: str, known: Mapping[str, Any]) -> list[str] | None:
-        """Return the names that take the place of a part of a name; None if they are not known."""
-        key = part.removeprefix(_MAP)
-        described = self.parameters.get(key)
-        found = known.get(key, described.default if described else None)
-        return [str(each) for each in found] if isinstance(found, list) else None
+    def _keys(self, parts: Sequence[str], known: Mapping[str, Any]) -> list[str] | None:
+        """Return the names that take the place of the last part of a name; None if they are not known.
+
+        The parameter that holds them is in the same group, or in one around it.
+        """
+        groups = list(itertools.takewhile(lambda part: not part.startswith(_MAP), parts[:-1]))
+        for depth in range(len(groups), -1, -1):
+            key = '.'.join((*groups[:depth], parts[-1].removeprefix(_MAP)))
+            if key in known or key in self.parameters:
+                found = known[key] if key in known else self.parameters[key].default
+                return [str(each) for each in found] if isinstance(found, list) else None
+        return None
+
+    def _choices(self, template: str, known: Mapping[str, Any]) -> Iterator[list[str] | None]:
+        """Yield for each part of a name what may stand there; None if that is not known."""
+        parts = template.split('.')
+        for number, part in enumerate(parts):
+            yield self._keys(parts[:number + 1], known) if part.startswith(_MAP) else [part]
 
     def _pattern(self, template: str, known: Mapping[str, Any]) -> str:
-        parts = []
-        for part in template.split('.'):
-            keys = self._keys(part, known) if part.startswith(_MAP) else [part]
-            parts.append('[^.]+' if keys is None else f'(?:{"|".join(map(re.escape, keys))})')
-        return r'\.'.join(parts)
+        return r'\.'.join('[^.]+' if keys is None else f'(?:{"|".join(map(re.escape, keys))})'
+                          for keys in self._choices(template, known))
 
     def _expanded(self, template: str, known: Mapping[str, Any]) -> Iterator[str]:
-        if _MAP not in template:
-            yield template
-            return
-        choices = [(self._keys(part, known) or []) if part.startswith(_MAP) else [part] for part in template.split('.')]
+        choices = [keys or [] for keys in self._choices(template, known)]
         yield from itertools.islice(map('.'.join, itertools.product(*choices)), 1000)
 
     def reference(self) -> Reference:
@@ -268,9 +304,17 @@ class Descriptions(dict[str, NodeDescription]):
         self.complete = complete
         self.unanswered = dict(unanswered or {})
 
+    def add(self, others: 'Descriptions') -> None:
+        """Add descriptions; several of one node are one description."""
+        for node, each in others.items():
+            self[node] = self[node].joined(each) if node in self else each
+        self.complete = self.complete or others.complete
+        self.unanswered.update(others.unanswered)
+
     def dump(self) -> Dump:
         """Return the text of a file that ``read`` reads back."""
         nodes = {each.node: {'defaults': each.defaults_from,
+                             **({'schema': each.schema} if each.schema else {}),
                              **({'allows_undeclared': True} if each.allows_undeclared else {}),
                              'parameters': {name: _written(described) for name, described in each.parameters.items()}}
                  for each in self.values()}
@@ -383,26 +427,41 @@ def _is_schema(content: Any) -> bool:
         return False
     (tree,) = content.values()
     try:
-        return isinstance(tree, dict) and 'ros__parameters' not in tree and any(_leaves(tree))
-    except (_Unfit, RecursionError):
+        return isinstance(tree, dict) and _is_group(tree)
+    except RecursionError:
         return False
+
+
+def _is_group(tree: Mapping[Any, Any]) -> bool:
+    """True if a map holds groups and parameters of a schema, and at least one parameter."""
+    if 'ros__parameters' in tree or not all(isinstance(branch, dict) for branch in tree.values()):
+        return False
+    return any(_is_parameter(branch) or _is_group(branch) for branch in tree.values())
+
+
+def _is_parameter(branch: Mapping[Any, Any]) -> bool:
+    """True if a map of a schema is a parameter: it holds what a group has no place for."""
+    return any(key in branch and not isinstance(branch[key], dict) for key in _SAID_OF_A_PARAMETER)
 
 
 def _read_schema(content: Mapping[Any, Any]) -> Iterator[NodeDescription]:
     for name, tree in content.items():
         parameters = {'.'.join(path): _described('.'.join(path), leaf) for path, leaf in _leaves(tree)}
-        yield NodeDescription(f'/{name}', parameters, AS_DECLARED)
+        yield NodeDescription(f'/{name}', parameters, AS_DECLARED, schema=str(name))
 
 
 def _leaves(tree: Mapping[Any, Any], path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Mapping[Any, Any]]]:
-    """Yield the parameters of a schema: the maps that have a type."""
+    """Yield the parameters of a schema."""
     for key, branch in tree.items():
+        name = '.'.join((*path, str(key)))
         if not isinstance(branch, dict):
-            raise _Unfit(f'{".".join((*path, str(key)))} is no parameter: it has no type')
-        if isinstance(branch.get('type'), str):
+            raise _Unfit(f'{name} is neither a parameter nor a group: it should be a map')
+        if not _is_parameter(branch):
+            yield from _leaves(branch, (*path, str(key)))
+        elif 'type' in branch:
             yield (*path, str(key)), branch
         else:
-            yield from _leaves(branch, (*path, str(key)))
+            raise _Unfit(f'{name} has no type; the types are {", ".join(_TYPES)}')
 
 
 def _read_saved(content: Mapping[Any, Any]) -> Descriptions:
@@ -416,7 +475,7 @@ def _read_saved(content: Mapping[Any, Any]) -> Descriptions:
         result.append(NodeDescription(
             node, {str(name): _described(str(name), _map(leaf, f'{node}: {name}'))
                    for name, leaf in parameters.items()}, str(each.get('defaults', AS_FOUND)),
-            each.get('allows_undeclared') is True))
+            each.get('allows_undeclared') is True, str(each.get('schema') or '')))
     return Descriptions(result, complete=content.get('complete') is True)
 
 

@@ -4,6 +4,7 @@ Only the characters of a value are replaced, where rcl's parser has found them; 
 stay. What comes out is read again: if a node would then get anything but what was asked for, nothing is written.
 """
 
+import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -89,8 +90,9 @@ def _with(text: str, node: str, name: str, value: Any) -> str:
                 len(rest) == len(others)
                 and all(one[:2] == two[:2] and values.same(one[2], two[2]) for one, two in zip(rest, others))):
             return candidate
-    raise ParameterFileError(f'{name} of {node} cannot be changed to {values.format_value(value, 60)} without changing '
-                             f'the file otherwise: change it by hand')
+    what = 'changed to' if name in held else 'added with the value'
+    raise ParameterFileError(f'{name} of {node} cannot be {what} {values.format_value(value, 60)} without changing the '
+                             f'file otherwise: change it by hand')
 
 
 def _candidates(text: str, node: str, name: str, value: Any) -> Iterator[str]:
@@ -104,16 +106,25 @@ def _candidates(text: str, node: str, name: str, value: Any) -> Iterator[str]:
     starts = [start for start in parser.starts if matches(start.name, node)]
     for start in sorted(starts, key=lambda each: '*' in each.name):
         own = [each for each in parser.assignments if each.block == start.name and each.place.start > start.end.start]
-        if not own:
+        if start.first is None or not own:
+            yield from _in_empty_braces(text, start.end, line)
             continue
-        first = own[0].name_place
+        indented = ' ' * (start.first.column - 1) + line
         # After the block's last value, after its header, or inside its braces.
-        yield _with_line(text, max(each.place.end for each in own), ' ' * (first.column - 1) + line)
-        yield _with_line(text, start.end.end, ' ' * (first.column - 1) + line)
-        yield f'{text[:first.start]}{line}, {text[first.start:]}'
+        yield _with_line(text, max(each.place.end for each in own), indented)
+        yield _with_line(text, start.end.end, indented)
+        yield f'{text[:start.first.start]}{line}, {text[start.first.start:]}'
     if not starts:
         end = '' if not text or text.endswith('\n') else '\n'
         yield f'{text}{end}{format_scalar(node)}:\n  {KEY}:\n    {line}\n'
+
+
+def _in_empty_braces(text: str, header: Place, line: str) -> Iterator[str]:
+    """Yield the text with a line below a header, or inside its braces, where these hold nothing."""
+    if braces := re.compile(r'\s*:(\s*\{)(\s*\})').match(text, header.end):
+        emptied = text[:braces.start(1)] + text[braces.end():]
+        yield _with_line(emptied, header.end, ' ' * (header.column + 1) + line)
+        yield text[:braces.end(1)] + line + text[braces.start(2):]
 
 
 def _with_line(text: str, position: int, line: str) -> str:
@@ -140,9 +151,15 @@ def _replaced(text: str, assignment: Assignment, value: Any) -> Iterator[str]:
         yield result
     if not assignment.is_array and not isinstance(value, list):
         yield _spliced(text, assignment.place, _like(text, old[0], value))
-    yield _spliced(text, assignment.place, _inline(value))
+    new = _inline(value)
+    if comments := _comments(text, assignment.place.start, assignment.place.end, old) if assignment.is_array else []:
+        new = ' '.join((new, *comments))
+        line, _, _ = text[assignment.place.end:].partition('\n')
+        if line.strip() and not line.lstrip().startswith('#'):
+            new += '\n' + ' ' * assignment.place.column
+    yield _spliced(text, assignment.place, new)
     # Items of an array may begin in the column of its name, where no other value may.
-    yield _spliced(text, assignment.place, '  ' + _inline(value))
+    yield _spliced(text, assignment.place, '  ' + new)
 
 
 def _is_in_brackets(text: str, place: Place) -> bool:
@@ -151,6 +168,10 @@ def _is_in_brackets(text: str, place: Place) -> bool:
 
 def _longer(text: str, last: Place, items: list[str]) -> str:
     if _is_in_brackets(text, last):
+        # Below the last item's comment, where it has one in its line.
+        if rest := re.compile(r'(?:[ \t]*,)?([ \t]*#.*)').match(text, last.end):
+            return _with_line(f'{text[:last.end]},{text[rest.start(1):]}', last.end,
+                              ' ' * (last.column - 1) + ', '.join(items))
         return text[:last.end] + ''.join(f', {item}' for item in items) + text[last.end:]
     before = text[text.rfind('\n', 0, last.start) + 1:last.start]
     for item in reversed(items):
@@ -159,17 +180,47 @@ def _longer(text: str, last: Place, items: list[str]) -> str:
 
 
 def _shorter(text: str, old: list[Scalar], kept: int) -> str:
+    """Return a text in which an array has only its first items; all comments stay."""
     if _is_in_brackets(text, old[0].place):
-        return text[:old[kept - 1].place.end] + text[old[-1].place.end:]
+        gaps = [text[one.place.end:two.place.start] for one, two in zip(old[kept - 1:], old[kept:])]
+        comments = '' if '#' not in ''.join(gaps) else re.sub(
+            r'[ \t]*\n\s*\n', '\n', ''.join(re.sub(r'(#.*)|,', lambda match: match[1] or '', gap) for gap in gaps))
+        return text[:old[kept - 1].place.end] + comments + text[old[-1].place.end:]
     begin = text.rfind('\n', 0, old[kept].place.start) + 1
-    end = text.find('\n', old[-1].place.end)
-    return text[:begin] + ('' if end < 0 else text[end + 1:])
+    end = text.find('\n', max(old[-1].place.end - 1, 0))
+    end = len(text) if end < 0 else end + 1
+    indent = text[begin:old[kept].place.start].partition('-')[0]
+    newline = '\r\n' if '\r\n' in text else '\n'
+    return text[:begin] + ''.join(f'{indent}{comment}{newline}' for comment in _comments(text, begin, end, old[kept:])
+                                  ) + text[end:]
+
+
+def _comments(text: str, begin: int, end: int, scalars: list[Scalar]) -> list[str]:
+    """Return the comments in a part of a text, in which these scalars stand."""
+    result = []
+    for scalar in scalars:
+        result += _COMMENT.findall(text, begin, scalar.place.start)
+        result += filter(None, [_comment_of_block(text, scalar.place)])
+        begin = scalar.place.end
+    return [comment.rstrip() for comment in (*result, *_COMMENT.findall(text, begin, end))]
+
+
+_COMMENT = re.compile(r'#.*')
+_BLOCK_HEADER = re.compile(r'(?:[!&]\S*[ \t]+)*[|>][-+0-9]*(?:[ \t]+(#.*))?\r?\n')
+
+
+def _comment_of_block(text: str, place: Place) -> str:
+    """Return the comment in the first line of a text in a block; nothing if there is none."""
+    header = _BLOCK_HEADER.match(text, place.start, place.end)
+    return ((header and header[1]) or '').rstrip()
 
 
 def _spliced(text: str, place: Place, new: str) -> str:
+    comment = _comment_of_block(text, place)
     # A text in a block ends with its last line break.
-    end = '\n' if text[place.start:place.end].endswith('\n') else ''
-    return text[:place.start] + new + end + text[place.end:]
+    old = text[place.start:place.end]
+    end = old[len(old.rstrip('\r\n')):] and ('\r\n' if old.endswith('\r\n') else '\n')
+    return text[:place.start] + new + (f' {comment}' if comment else '') + end + text[place.end:]
 
 
 def _like(text: str, old: Scalar, value: Any) -> str:

@@ -17,6 +17,9 @@ from typing import Any
 
 import yaml
 
+from param_tools import values
+from param_tools.files.node_names import flaw_of_block_name
+
 KEY = 'ros__parameters'
 # libyaml is what rcl uses; PyYAML's own parser differs from it in corners, but is always there.
 LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
@@ -113,7 +116,7 @@ class Assignment:
         return type(self.scalars[0].value) if self.scalars else None
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class BlockStart:
     """The head of a block: a node's name, or a pattern for such names, and ``ros__parameters`` below it."""
 
@@ -122,6 +125,21 @@ class BlockStart:
     place: Place
     end: Place
     """Where ``ros__parameters`` stands."""
+    first: Place | None = None
+    """Where the first name below it stands; None if there is none."""
+
+
+@dataclass(frozen=True)
+class RepeatedMap:
+    """A name with a map below it, in a map that has the same name already: rcl reads both, other programs the last."""
+
+    file: str
+    name: str
+    place: Place
+    first: Place
+    """Where the name stood before."""
+    block: str
+    """The block that it is in; empty if it leads to blocks."""
 
 
 @dataclass(eq=False)
@@ -187,6 +205,7 @@ class Parser:
         self.starts: list[BlockStart] = []
         self.assignments: list[Assignment] = []
         self.rejected: list[Rejected] = []
+        self.repeated: list[RepeatedMap] = []
         self._tolerant = tolerant
         self._begin('')
 
@@ -206,6 +225,10 @@ class Parser:
         self.in_sequence = False
         self.assignment: Assignment | None = None
         self.item_type: type | None = None
+        self.maps: list[dict[str, Place]] = []
+        """The names with maps below them, of each map that has begun and not ended."""
+        self.last_key: tuple[str, Place] | None = None
+        """The name whose value comes next."""
 
     def parse(self, content: bytes, file: str = '') -> dict[str, list[Entry]]:
         """Read a file, in addition to those that were read before; return the blocks of all.
@@ -245,6 +268,7 @@ class Parser:
         self.rejected.append(rejected)
 
     def _handle(self, event: yaml.Event, place: Place) -> None:
+        key, self.last_key = self.last_key, None
         if isinstance(event, yaml.AliasEvent):
             reason = f'ROS reads no aliases: write the value itself instead of *{event.anchor}'
             if self.expects_key:
@@ -255,6 +279,7 @@ class Parser:
             if self.expects_key:
                 self._key(event, place)
                 self.expects_key = False
+                self.last_key = event.value, place
             else:
                 self._value(event, place)
                 self.expects_key = not self.in_sequence
@@ -272,11 +297,21 @@ class Parser:
                 self.assignment.place = Place(start.line, start.column, start.start, end)
                 self.assignment = None
         elif isinstance(event, yaml.MappingStartEvent):
+            self._note_map(key)
             self.depth += 1
             self.expects_key = True
             self.is_new_map = not (self.in_parameters and self.depth - len(self.node_keys) == 3)
         elif isinstance(event, yaml.MappingEndEvent):
+            self.maps.pop()
             self._leave_mapping()
+
+    def _note_map(self, key: tuple[str, Place] | None) -> None:
+        if key is not None and self.maps:
+            first = self.maps[-1].setdefault(*key)
+            if first is not key[1]:
+                block = self.block_name if self.in_parameters else ''
+                self.repeated.append(RepeatedMap(self.file, key[0], key[1], first, block))
+        self.maps.append({})
 
     def _begin_sequence(self, place: Place) -> None:
         if self.expects_key:
@@ -322,11 +357,15 @@ class Parser:
             self.is_new_map = False
         self.name_place = place
         if not self.parameter_parts:
+            self.starts[-1].first = self.starts[-1].first or place
             self._select(name, place)
         else:
             self._select(self.parameter_path, place)
             entry = self.block[self.entry]
             entry.name, entry.place = f'{self.parameter_path}.{name}', place
+            if self.in_sequence and self.assignment in entry.assignments:
+                # A map in a list: rcl gives the list the longer name.
+                self.assignment.name, self.assignment.name_place = entry.name, place
 
     def _node_key(self, name: str, place: Place) -> None:
         if not name.startswith(KEY):
@@ -338,8 +377,9 @@ class Parser:
             return
         if not self.node_keys:
             raise Rejected(place, f'there is no node name before {KEY}; start with "/name_of_the_node:" or "/**:"')
-        if wrong := wrong_block_name(self.node_path):
-            self._object(place, wrong)
+        if flaw := flaw_of_block_name(self.node_path):
+            self._object(place, f'{values.format_value(self.node_path, 60)} is not a node name: {flaw}. A name has '
+                                f'letters, digits and underscores between slashes, or * and ** for any')
         self.block_name = self.node_path
         self.block = self.blocks.setdefault(self.node_path, [])
         self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
@@ -355,8 +395,11 @@ class Parser:
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:
             glued = re.match(r'[\w.]+:\S+', event.value)
-            reason = (f'a space must follow the colon in {glued[0]}' if glued else
-                      f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters')
+            if self.in_parameters and not self.in_sequence and not event.value:
+                reason = f'{KEY} has no parameters below it: write {KEY}: {{}} for none'
+            else:
+                reason = (f'a space must follow the colon in {glued[0]}' if glued else
+                          f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters')
             self._object(place, reason, self.node_keys)
             if not self.in_sequence:
                 self._leave_node_key()
@@ -488,12 +531,3 @@ def _shortened(path: str, parts: int, separator: str) -> str:
     if parts <= 1:
         return ''
     return path.rpartition(separator)[0] if separator in path else path
-
-
-def wrong_block_name(name: str) -> str:
-    """Return what is wrong with the name of a block; nothing if it can be that of a node or a pattern for some."""
-    for part in name.removeprefix('/').split('/'):
-        if not re.fullmatch(r'\*\*?|[A-Za-z_][A-Za-z0-9_]*', part):
-            return (f'{name!r} is not a node name: it takes letters, digits and underscores between slashes, or * and '
-                    f'** for any')
-    return ''

@@ -150,9 +150,23 @@ def parse_value(descriptor: Descriptor, text: str) -> Any:
     """
     form = form_of(descriptor)
     try:
-        return form.parse(text)
+        value = form.parse(text)
     except (ValueError, KeyError, yaml.YAMLError):
         raise ValueError(f'{text!r} cannot be read: {descriptor.name} takes {form.example}') from None
+    return _no_hidden_infinity(text, value)
+
+
+def _no_hidden_infinity(text: str, value: Any) -> Any:
+    """Return a value that a person typed.
+
+    :raises ValueError: a number in it is so large that it has become infinity.
+    """
+    items = value if isinstance(value, list) else [value]
+    infinite = sum(isinstance(item, float) and math.isinf(item) for item in items)
+    if infinite > len(re.findall('inf', text, re.IGNORECASE)):
+        raise ValueError(f'{text!r} holds a number beyond the largest double, about 1.8e308, and would be infinity: do '
+                         f'you mean inf? Then type that')
+    return value
 
 
 def format_items(descriptor: Descriptor, value: Any) -> list[str] | None:
@@ -176,10 +190,11 @@ def parse_items(descriptor: Descriptor, texts: Sequence[str]) -> list[Any]:
     element, items = _element_of(descriptor), []
     for number, text in enumerate(texts, 1):
         try:
-            items.append(element.parse(text))
+            item = element.parse(text)
         except (ValueError, KeyError):
             raise ValueError(f'element {number}, {text!r}, cannot be read: {descriptor.name} takes '
                              f'{element.example}') from None
+        items.append(_no_hidden_infinity(text, item))
     return items
 
 

@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from types import FrameType
 from typing import Any
 
+from param_tools.files.node_names import flaw_of_namespace
 from param_tools.rcl_in_python import logs
 from param_tools.rcl_in_python.arguments import Arguments, InvalidArgumentsError, parse
 from param_tools.rcl_in_python.enums import SignalHandlerOptions
 from param_tools.rcl_in_python.exceptions import RCLError
 from param_tools.rcl_in_python.graph import Domain, domains
-from param_tools.rcl_in_python.names import flaw_of_namespace
 from param_tools.rcl_in_python.waiting import Destroyable, GuardCondition, changed
 
 DEFAULT_DOMAIN_ID = 2**64 - 1

@@ -3,6 +3,7 @@
 import types
 from typing import Any
 
+from param_tools.files import node_names
 from param_tools.rcl_in_python import (
     arguments,
     clocks,
@@ -53,8 +54,8 @@ def make(name: str) -> types.ModuleType:
         'rclpy_get_rmw_implementation_identifier': lambda: RMW_IDENTIFIER,
         'rclpy_get_validation_error_for_topic_name': names.flaw_of_topic_name,
         'rclpy_get_validation_error_for_full_topic_name': names.flaw_of_full_topic_name,
-        'rclpy_get_validation_error_for_namespace': names.flaw_of_namespace,
-        'rclpy_get_validation_error_for_node_name': names.flaw_of_node_name,
+        'rclpy_get_validation_error_for_namespace': node_names.flaw_of_namespace,
+        'rclpy_get_validation_error_for_node_name': node_names.flaw_of_node_name,
         'rmw_matched_status_t': events.Matched,
         'rmw_requested_qos_incompatible_event_status_t': events.IncompatibleQos,
         'rmw_incompatible_type_status_t': events.IncompatibleType,

@@ -1,83 +1,33 @@
-"""Names of nodes, namespaces, topics and services: what is wrong with one, and what a short one stands for.
+"""Names of topics and services: what is wrong with one, and what a short one stands for.
 
-Texts and positions are those of rmw's and rcl's validators, and a test compares both on thousands of names.
+Texts and positions are those of rmw's and rcl's validators, as in ``files.node_names``, and a test compares both on
+thousands of names.
 """
 
 import re
 
+from param_tools.files.node_names import Flaw, as_in_c, flaw_of_namespace, flaw_of_node_name, flaw_of_path
 from param_tools.rcl_in_python.exceptions import RCLError
 
-# What is wrong with a name, and where; None if nothing is.
-Flaw = tuple[str, int] | None
-
-_MAX_NODE_NAME, _MAX_NAMESPACE, _MAX_TOPIC = 255, 245, 247
+_MAX_TOPIC = 247
 _NUMBER_AFTER_SLASH = re.compile('/[0-9]')
-
-
-def _as_in_c(name: str) -> str:
-    """Return a name with one character for each of its bytes, which is how C counts."""
-    if not isinstance(name, str):
-        raise TypeError(f'a name must be a str, not {type(name).__name__}')
-    return name.encode().decode('latin-1')
-
-
-def flaw_of_node_name(name: str) -> Flaw:
-    """Return what is wrong with the name of a node, without its namespace."""
-    name = _as_in_c(name)
-    if not name:
-        return 'node name must not be empty', 0
-    if found := re.search('[^A-Za-z0-9_]', name):
-        return "node name must not contain characters other than alphanumerics or '_'", found.start()
-    if name[0].isdigit():
-        return 'node name must not start with a number', 0
-    if len(name) > _MAX_NODE_NAME:
-        return "node name length should not exceed '255'", _MAX_NODE_NAME - 1
-    return None
-
-
-def flaw_of_namespace(name: str) -> Flaw:
-    """Return what is wrong with a namespace, which begins with a slash."""
-    name = _as_in_c(name)
-    if not name:
-        return 'namespace must not be empty', 0
-    if name == '/':
-        return None
-    if flaw := _flaw_of_path(name, 'namespace', ", unless only a '/'"):
-        return flaw
-    if len(name) > _MAX_NAMESPACE:
-        return "namespace should not exceed 'RMW_NAMESPACE_MAX_NAME_LENGTH'", _MAX_NAMESPACE - 1
-    return None
 
 
 def flaw_of_full_topic_name(name: str) -> Flaw:
     """Return what is wrong with a name of a topic or service that has been written out."""
-    name = _as_in_c(name)
+    name = as_in_c(name)
     if not name:
         return 'topic name must not be empty', 0
-    if flaw := _flaw_of_path(name, 'topic name', ''):
+    if flaw := flaw_of_path(name, 'topic name', ''):
         return flaw
     if len(name) > _MAX_TOPIC:
         return "topic length should not exceed '255U - 8U'", _MAX_TOPIC - 1
     return None
 
 
-def _flaw_of_path(name: str, what: str, exception: str) -> Flaw:
-    if name[0] != '/':
-        return f"{what} must be absolute, it must lead with a '/'", 0
-    if name[-1] == '/':
-        return f"{what} must not end with a '/'{exception}", len(name) - 1
-    if found := re.search('[^A-Za-z0-9_/]', name):
-        return f"{what} must not contain characters other than alphanumerics, '_', or '/'", found.start()
-    if found := re.search('//|/[0-9]', name):
-        if found[0] == '//':
-            return f"{what} must not contain repeated '/'", found.start() + 1
-        return f'{what} must not have a token that starts with a number', found.start() + 1
-    return None
-
-
 def flaw_of_topic_name(name: str) -> Flaw:
     """Return what is wrong with a name of a topic or service as somebody writes it: ``chatter``, ``~/{node}``."""
-    name = _as_in_c(name)
+    name = as_in_c(name)
     if not name:
         return 'topic name must not be empty string', 0
     if name[0].isdigit():

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from param_tools.files import node_names
 from param_tools.rcl_in_python import logs, names, qos
 from param_tools.rcl_in_python.arguments import parse_for_node, remapped
 from param_tools.rcl_in_python.contexts import Context
@@ -23,10 +24,10 @@ class Node(Destroyable):
         self.context = context
         self._sources = [own, context.arguments] if use_global_arguments else [own]
         check_context(context, 'error creating node')
-        if flaw := names.flaw_of_node_name(name):
+        if flaw := node_names.flaw_of_node_name(name):
             raise ValueError(f'invalid node name: {flaw[0]}')
         namespace = namespace if namespace.startswith('/') else f'/{namespace}'
-        if flaw := names.flaw_of_namespace(namespace):
+        if flaw := node_names.flaw_of_namespace(namespace):
             raise ValueError(f'invalid node namespace: {flaw[0]}')
         name = remapped(self._sources, 'name', name, name, namespace)
         namespace = remapped(self._sources, 'namespace', namespace, name, namespace)

@@ -74,7 +74,7 @@ class Host(Protocol):
         """Call a function that waits with each item, all at the same time if that is possible; return the results."""
 
     def start(self, command: Sequence[str], output: Output | None = None, *,
-              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_guarded: bool = False,
+              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_interactive: bool = False,
               instead: Callable[[], Steps] | None = None) -> Command:
         """Start a command; ``processes.Child`` says what the arguments mean.
 
@@ -134,9 +134,9 @@ class Threads:
             return list(threads.map(question, items))
 
     def start(self, command: Sequence[str], output: Output | None = None, *,
-              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_guarded: bool = False,
+              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_interactive: bool = False,
               instead: Callable[[], Steps] | None = None) -> Command:
-        return Child(command, output, environment=environment, folder=folder, is_guarded=is_guarded)
+        return Child(command, output, environment=environment, folder=folder, is_interactive=is_interactive)
 
 
 host: Host = Threads()

@@ -70,26 +70,34 @@ class Child:
     """A command in a process of its own."""
 
     def __init__(self, command: Sequence[str], output: Output | None = None, *,
-                 environment: Mapping[str, str] | None = None, folder: Path | None = None, is_guarded: bool = False):
+                 environment: Mapping[str, str] | None = None, folder: Path | None = None,
+                 is_interactive: bool = False):
         """Start it.
 
         :param output: Takes what it prints. Then it is in a session of its own, with nothing to read, and Ctrl+C
             reaches it through ``send`` only. Without it, it shares the terminal of this process.
-        :param is_guarded: End it if this process ends before. Who ends it in any case need not have it guarded.
+        :param is_interactive: It is one that a person would type into a terminal. So its standard input is a terminal,
+            although nobody types there: ``ros2 launch``, for one, ends programs otherwise without one. And it ends if
+            this process ends before.
         :raises OSError: it cannot be started.
         """
+        self._terminal, typed = os.openpty() if is_interactive else (-1, subprocess.DEVNULL)
         pipe = None if output is None else subprocess.PIPE
         # Nobody could end the command if this process were killed, and its nodes would answer for as long as it ran.
-        self._guard = Guard() if is_guarded else None
+        self._guard = Guard() if is_interactive else None
         try:
             self.process = subprocess.Popen(
-                command, stdin=None if output is None else subprocess.DEVNULL, stdout=pipe,
+                command, stdin=None if output is None else typed, stdout=pipe,
                 stderr=subprocess.STDOUT if output is not None and output.show_err is None else pipe, text=True,
                 errors='replace', start_new_session=output is not None, cwd=folder, env=environment)
         except OSError:
             if self._guard is not None:
                 self._guard.dismiss()
+            self._close_terminal()
             raise
+        finally:
+            if is_interactive:
+                os.close(typed)
         if self._guard is not None:
             self._guard.watch(self.process.pid)
         self._has_session = output is not None
@@ -111,7 +119,14 @@ class Child:
             if self._guard is not None:
                 self._guard.dismiss()
         finally:
-            output.ended(self.process.wait())
+            status = self.process.wait()
+            self._close_terminal()
+            output.ended(status)
+
+    def _close_terminal(self) -> None:
+        if self._terminal >= 0:
+            os.close(self._terminal)
+            self._terminal = -1
 
     def poll(self) -> int | None:
         """Return its exit status, negative if a signal ended it; None if it runs."""

@@ -125,7 +125,7 @@ class Turns:
             self.program = program
 
     def start(self, command: Sequence[str], output: Output | None = None, *,
-              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_guarded: bool = False,
+              environment: Mapping[str, str] | None = None, folder: Path | None = None, is_interactive: bool = False,
               instead: Callable[[], Steps] | None = None) -> host.Command:
         from param_tools.ros import programs
 

@@ -76,6 +76,7 @@ class Shell:
             self._close: Callable[[], object] = weakref.finalize(self, _remove, folder)
             return
         has_genuine = genuine.path() is not None
+        genuine.stop_daemon_in_the_end()
         self._programs, colcon = _programs_without_space(self.home)
         with interruptible():
             # What is running when this process is killed would go on.
@@ -106,9 +107,11 @@ class Shell:
         passed_on['PATH'] = os.pathsep.join(reversed(path) if has_genuine else path)
         if has_genuine and 'PYTHONPATH' in outer:
             passed_on['PYTHONPATH'] = outer['PYTHONPATH']
-        # As on a machine on which nothing has been built yet, `ros2 run` finds no package.
-        return {**passed_on, 'PARAM_TOOLS_PROVIDED': '0', 'HOME': str(self.home), 'USER': 'learner',
-                'LOGNAME': 'learner', 'LC_ALL': 'C.UTF-8', 'GIT_CONFIG_NOSYSTEM': '1', 'PYTHONUNBUFFERED': '1'}
+        # As on a machine on which nothing has been built yet, `ros2 run` finds no package. A package that `ros2 pkg
+        # create` has written has the option tests_require, of which only setuptools newer than Jazzy's complain.
+        return {**passed_on, 'PARAM_TOOLS_PROVIDED': '0', 'PYTHONWARNINGS': 'ignore:Unknown distribution option',
+                'HOME': str(self.home), 'USER': 'learner', 'LOGNAME': 'learner', 'LC_ALL': 'C.UTF-8',
+                'GIT_CONFIG_NOSYSTEM': '1', 'PYTHONUNBUFFERED': '1'}
 
     def __repr__(self) -> str:
         if self._process is None:

@@ -84,7 +84,7 @@ class Terminal:
             arguments, outer = genuine.command(arguments[1:])
         with interruptible():
             self._process = host.host.start(
-                arguments, Output(self._take, ended=self._end), folder=folder, is_guarded=True, instead=instead,
+                arguments, Output(self._take, ended=self._end), folder=folder, is_interactive=True, instead=instead,
                 environment={**{name: value for name, value in outer.items() if not name.startswith('RCUTILS_')},
                              **(variables or {}), 'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
                              'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them

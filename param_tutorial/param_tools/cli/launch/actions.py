@@ -4,7 +4,7 @@ An action is carried out by ``execute``, which returns the programs to start. No
 mistake anywhere in a launch file leaves nothing running.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -58,12 +58,15 @@ class DeclareLaunchArgument(Action):
     def execute(self, context: Context) -> list[Program]:
         if self.name not in context.arguments:
             if self.default_value is None:
+                context.log_error(f'Required launch argument "{self.name}" (description: "{self.description}") was not '
+                                  f'provided')
                 raise LaunchFailed(f'Required launch argument "{self.name}" was not provided.')
             context.arguments[self.name] = perform(self.default_value, context)
         given = context.arguments[self.name]
         if self.choices is not None and given not in self.choices:
-            raise LaunchFailed(f'Argument "{self.name}" provided value "{given}" is not valid. Valid options are: '
-                               f'{self.choices}')
+            error = f'Argument "{self.name}" provided value "{given}" is not valid. Valid options are: {self.choices}'
+            context.log_error(error)
+            raise LaunchFailed(error)
         return []
 
     def declared_arguments(self) -> list['DeclareLaunchArgument']:
@@ -104,6 +107,14 @@ class Node(Action):
         if self.parameters is not None and not isinstance(self.parameters, list):
             raise LaunchFailed(f"'Node' expected 'parameters' to be a list, but got a value of type "
                                f"'{type(self.parameters).__name__}'")
+        for option, value in (('arguments', self.arguments), ('ros_arguments', self.ros_arguments)):
+            if not isinstance(value, Iterable | None):
+                raise LaunchFailed(f"'Node' expected '{option}' to be a list of strings and substitutions, but got "
+                                   f'{value!r}')
+        rules = [] if self.remappings is None else self.remappings
+        if not isinstance(rules, Iterable) or not all(isinstance(rule, tuple) and len(rule) == 2 for rule in rules):
+            raise LaunchFailed(f"'Node' expected 'remappings' to be a list of pairs such as ('old', 'new'), but got "
+                               f'{self.remappings!r}')
 
     def execute(self, context: Context) -> list[Program]:
         executable = perform(self.executable, context)
@@ -143,7 +154,8 @@ class Node(Action):
     def streams_on_screen(self, context: Context) -> tuple[bool, bool]:
         """True for each of standard output and standard error that is shown."""
         output = self.output if isinstance(self.output, Mapping) else _OUTPUTS.get(perform(self.output, context))
-        if output is None or not output.keys() <= {'stdout', 'stderr', 'both'}:
+        if output is None or not output.keys() <= {'stdout', 'stderr', 'both'} or not all(
+                isinstance(value, str | Collection) for value in output.values()):
             raise LaunchFailed(f'output={self.output!r} is not valid: use {", ".join(map(repr, _OUTPUTS))}, or a '
                                f"dictionary such as {{'stdout': 'screen', 'stderr': 'log'}}")
         stdout, stderr = ('screen' in output.get('both', ()) or 'screen' in output.get(stream, ())
@@ -184,7 +196,7 @@ class LaunchDescription(Action):
             return [program for entity in self.entities for program in entity.execute(context)]
         except CommandFailed as error:  # no such package, no such program
             raise LaunchFailed(error) from error
-        except (TypeError, ValueError) as error:  # remappings= without pairs, for example
+        except (TypeError, ValueError) as error:  # a null character in a path, for example
             raise LaunchFailed(f'{type(error).__name__}: {error}') from error
 
     def declared_arguments(self) -> list[DeclareLaunchArgument]:

@@ -27,6 +27,8 @@ class Context:
     """Prints a warning."""
     parameters: list[tuple[str, Any]] = field(default_factory=list)
     """Names and values that ``SetParameter`` gives to every later node."""
+    log_error: Callable[[str], object] = lambda _: None
+    """Prints an error of the declaration of an argument, which ends the launch."""
 
     def write(self, text: str) -> Path:
         """Write a parameter file, and return its path."""

@@ -60,8 +60,11 @@ def _explanation(error: Exception) -> str:
     if isinstance(error, ModuleNotFoundError) and str(error.name).partition('.')[0] in _PACKAGES:
         return (f'the embedded ros2 launch has no module {error.name}; it has {", ".join(MODULES)}. '
                 f'{FULL_INSTALLATION}')
-    # Node(respawn=True), for example.
-    hint = f'. {FULL_INSTALLATION}' if 'unexpected keyword argument' in str(error) else ''
+    hint = ''
+    if isinstance(error, ModuleNotFoundError):
+        hint = f'. Where it is part of ROS or of another package: {FULL_INSTALLATION[0].lower()}{FULL_INSTALLATION[1:]}'
+    elif 'unexpected keyword argument' in str(error):  # Node(respawn=True), for example
+        hint = f'. {FULL_INSTALLATION}'
     return f'Caught exception when trying to load file of format [py]: {type(error).__name__}: {error}{hint}'
 
 

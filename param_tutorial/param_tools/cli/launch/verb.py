@@ -43,7 +43,8 @@ def launch_file(session: Session, args: argparse.Namespace) -> Steps:
     launcher.log('INFO', 'launch', 'Default logging verbosity is set to INFO')
     with tempfile.TemporaryDirectory(prefix='param_tools_') as folder:
         context = Context(
-            arguments, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text))
+            arguments, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text),
+            log_error=lambda text: launcher.log('ERROR', 'launch.actions.declare_launch_argument', text))
         try:
             yield from launcher.run(load_description(path).execute(context))
         except LaunchFailed as error:
