@@ -223,7 +223,6 @@ def test_any_value_is_answered_by_the_node_in_the_page(page):
     log = page.get_by_role('log', name='Log of /heater')
     expect(log).to_contain_text('[INFO] [heater]: power_w is now 150')
     expect(box(page, 'power_w')).to_have_value('150')
-    # A cell below has set another one already: the cells have run in their order.
     type_into(page, 'power_w', '900')
     expect(box(page, 'power_w')).to_have_value('300')
     expect(message(page, 'power_w')).to_have_text('You asked for 900, and the node has stored 300.')

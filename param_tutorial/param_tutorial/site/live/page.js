@@ -118,12 +118,14 @@ export class Page {
   }
 
   /**
-   * Have all cells down to one run, that one included; those that were told to already are not told again.
+   * Have all cells down to one run, that one included, and the views right below it, which may show what it does: a log,
+   * or a curve. Those that were told to already are not told again.
    * @param {string} id
    */
   wake(id) {
     this.begin();
-    const last = this.cells.findIndex(each => each.facts.id === id);
+    let last = this.cells.findIndex(each => each.facts.id === id);
+    while (this.cells[last + 1]?.facts.roots.length) last += 1;
     while (this.next <= last) this.tellToRun(this.cells[this.next++]);
   }
 
