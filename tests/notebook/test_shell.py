@@ -117,6 +117,40 @@ def test_a_package_is_what_the_genuine_command_writes(here):
     assert "[WARNING]: Unknown license 'TODO: License declaration'.  This has been set in the package.xml" in out
 
 
+def test_its_setup_is_that_of_ros2pkg_with_another_name_for_what_tests_need(here):
+    create('lift', '--build-type', 'ament_python', '--node-name', 'lift_node', '--maintainer-name', 'learner',
+           '--maintainer-email', 'learner@todo.todo')
+    # ros2pkg/resource/ament_python/setup.py.em of ros2cli 0.32.2; there the line of extras_require is
+    # tests_require=['pytest'], of which setuptools 79 warns.
+    assert (here / 'lift' / 'setup.py').read_text() == '''from setuptools import find_packages, setup
+
+package_name = 'lift'
+
+setup(
+    name=package_name,
+    version='0.0.0',
+    packages=find_packages(exclude=['test']),
+    data_files=[
+        ('share/ament_index/resource_index/packages',
+            ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=True,
+    maintainer='learner',
+    maintainer_email='learner@todo.todo',
+    description='TODO: Package description',
+    license='TODO: License declaration',
+    extras_require={'test': ['pytest']},
+    entry_points={
+        'console_scripts': [
+            'lift_node = lift.lift_node:main'
+        ],
+    },
+)
+'''
+
+
 def test_a_question_mark_lists_the_licenses_and_writes_nothing(here):
     out, err, status = create('arm', '--license', '?')
     assert out.startswith('Supported licenses:\nApache-2.0\nBSL-1.0\n')
