@@ -58,6 +58,27 @@ def client(robot):
 # -- declaring ---------------------------------------------------------------------------------------------
 
 
+# A009, A014, A015
+def test_importing_classes_does_not_give_the_name_of_their_module(ros):
+    listing = textwrap.dedent("""
+        from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+        from rclpy.node import Node
+
+        class Listing1(Node):
+            def __init__(self):
+                super().__init__('listing_1')
+                self.get_logger().info('started')
+                self.declare_parameter('temperature', -5, ParameterDescriptor(
+                    integer_range=[rcl_interfaces.msg.IntegerRange(from_value=-20, to_value=50, step=1)]))
+                self.get_logger().info('declared')
+        """)
+    names = {}
+    exec(listing, names)
+    with pytest.raises(NameError, match="name 'rcl_interfaces' is not defined"):
+        ros.add(names['Listing1'])
+    assert 'declared' not in ros.node_log.read(until='started')
+
+
 # A012
 def test_a_name_alone_is_deprecated_and_the_parameter_takes_any_type(ros, robot, client):
     with pytest.warns(UserWarning, match='only providing its name is deprecated'):
