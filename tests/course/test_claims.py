@@ -24,6 +24,7 @@ from rclpy.exceptions import InvalidParameterException
 from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
+from rclpy.parameter_event_handler import ParameterEventHandler
 
 from param_tools.errors import NoAnswerError, NodeGoneError
 from param_tutorial import ParameterClient, Terminal, wait_until
@@ -162,6 +163,22 @@ def test_many_parameters_need_no_more_services(ros):
 
 
 # -- callbacks ---------------------------------------------------------------------------------------------
+
+
+# A041
+def test_an_event_handler_hears_of_its_own_node_and_of_others(ros, robot, client):
+    heard = []
+    handler = ParameterEventHandler(robot)
+    other = ros.add(SimpleParamNode)
+    for node in (robot, other):
+        name = {robot: 'speed', other: 'max_speed_rpm'}[node]
+        handler.add_parameter_callback(name, node.get_fully_qualified_name(),
+                                       lambda message: heard.append((message.name, message.value.integer_value)))
+    client.set_parameter('speed', 7).raise_for_reason()
+    wait_until(lambda: heard, 'the event of its own node')
+    ParameterClient(other).set_parameter('max_speed_rpm', 8).raise_for_reason()
+    wait_until(lambda: len(heard) == 2, 'the event of the other node')
+    assert heard == [('speed', 7), ('max_speed_rpm', 8)]
 
 
 # A045
