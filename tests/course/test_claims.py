@@ -24,6 +24,7 @@ from rclpy.exceptions import InvalidParameterException
 from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
+from rclpy.parameter_event_handler import ParameterEventHandler
 
 from param_tools.errors import NoAnswerError, NodeGoneError
 from param_tutorial import ParameterClient, Terminal, wait_until
@@ -56,6 +57,27 @@ def client(robot):
 
 
 # -- declaring ---------------------------------------------------------------------------------------------
+
+
+# A009, A014, A015
+def test_importing_classes_does_not_give_the_name_of_their_module(ros):
+    listing = textwrap.dedent("""
+        from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+        from rclpy.node import Node
+
+        class Listing1(Node):
+            def __init__(self):
+                super().__init__('listing_1')
+                self.get_logger().info('started')
+                self.declare_parameter('temperature', -5, ParameterDescriptor(
+                    integer_range=[rcl_interfaces.msg.IntegerRange(from_value=-20, to_value=50, step=1)]))
+                self.get_logger().info('declared')
+        """)
+    names = {}
+    exec(listing, names)
+    with pytest.raises(NameError, match="name 'rcl_interfaces' is not defined"):
+        ros.add(names['Listing1'])
+    assert 'declared' not in ros.node_log.read(until='started')
 
 
 # A012
@@ -141,6 +163,22 @@ def test_many_parameters_need_no_more_services(ros):
 
 
 # -- callbacks ---------------------------------------------------------------------------------------------
+
+
+# A041
+def test_an_event_handler_hears_of_its_own_node_and_of_others(ros, robot, client):
+    heard = []
+    handler = ParameterEventHandler(robot)
+    other = ros.add(SimpleParamNode)
+    for node in (robot, other):
+        name = {robot: 'speed', other: 'max_speed_rpm'}[node]
+        handler.add_parameter_callback(name, node.get_fully_qualified_name(),
+                                       lambda message: heard.append((message.name, message.value.integer_value)))
+    client.set_parameter('speed', 7).raise_for_reason()
+    wait_until(lambda: heard, 'the event of its own node')
+    ParameterClient(other).set_parameter('max_speed_rpm', 8).raise_for_reason()
+    wait_until(lambda: len(heard) == 2, 'the event of the other node')
+    assert heard == [('speed', 7), ('max_speed_rpm', 8)]
 
 
 # A045

@@ -40,6 +40,15 @@ def test_two_nodes_talk_and_both_end_in_good_order(ros):
     assert 'Traceback' not in robot.text + setter.text
 
 
+def test_a_program_is_run_by_the_python_that_has_rclpy(tmp_path, monkeypatch):
+    other = tmp_path / 'python3'
+    other.write_text('#!/bin/sh\necho another Python\n')
+    other.chmod(0o755)
+    monkeypatch.setenv('PATH', str(tmp_path), prepend=os.pathsep)
+    (tmp_path / 'program.py').write_text('import rclpy\nprint("it has", rclpy.__name__)\n')
+    assert Terminal(f'python3 {tmp_path}/program.py').read(until='has rclpy') == 'it has rclpy'
+
+
 def test_what_differs_in_each_launch_is_left_out(tmp_path):
     said = """[INFO] [launch]: All log files can be found below /home/robot/.ros/log/2024-05-13-robot-12
 [INFO] [launch]: Default logging verbosity is set to INFO

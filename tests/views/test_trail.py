@@ -1,9 +1,10 @@
 """The trail of values: what stands at rest, what travels, and which stories are rejected."""
 
 import pytest
+from rclpy.node import Node
 
-from param_tutorial import ParameterClient
-from param_tutorial.views import DeclarationsView
+from param_tutorial import ParameterClient, wait_until
+from param_tutorial.views import CopiesView, DeclarationsView
 from param_tutorial.views.drawing.trail import Trail
 from tests.support.drawings import kinds, words
 from tests.views.conftest import Weather
@@ -76,3 +77,37 @@ def test_requests_from_outside_get_in_or_bounce(ros):
     view.set_parameter('hihg_c', 20)
     assert 'set high_c: 35 arrives at the node has' in view.text
     assert 'set hihg_c: 20 bounces off the node has (rejected); from outside 20; undeclared.' in view.text
+
+
+# -- the trail of a value through a node that copies, and one that reads -------------------------------------
+
+class Copies(Node):
+    def __init__(self):
+        super().__init__('copies')
+        self.speed = self.declare_parameter('speed', 1).value
+        self.used = 0
+        self.create_timer(0.01, self.drive)
+
+    def drive(self):
+        self.used = self.speed
+
+
+class Reads(Node):
+    def __init__(self):
+        super().__init__('reads')
+        self.declare_parameter('speed', 1)
+        self.used = 0
+        self.create_timer(0.01, self.drive)
+
+    def drive(self):
+        self.used = self.get_parameter('speed').value
+
+
+def test_a_new_value_stops_at_the_parameter_of_the_node_that_copies(ros):
+    copies, reads = ros.add(Copies), ros.add(Reads)
+    wait_until(lambda: copies.used == reads.used == 1, 'both to use the first value')
+    view = CopiesView(copies, reads, 'speed', used='used')
+    view.set_parameter(2)
+    assert view.text.endswith(
+        '/copies parameter 2, /copies variable 1, /copies used 1, /reads parameter 2, /reads used 2; '
+        'the copy is stale.')

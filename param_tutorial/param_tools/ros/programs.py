@@ -183,11 +183,12 @@ def start(turns: Turns, command: Sequence[str], output: Output | None, *, enviro
     :raises NoProcessError: it is none that can run here.
     """
     make, arguments, ends_quietly = instead, list(command), False
+    is_python = command[0] == sys.executable or Path(command[0]).stem.startswith('python')
     if make is None and command[0] == sys.executable and command[1:2] == ['-m']:
         package, name, *rest = command[2:]
         if package in provided_packages().values():
             make, arguments, ends_quietly = lambda: _module(package, name), [package, *rest], True
-    elif make is None and Path(command[0]).stem.startswith('python') and command[1].endswith('.py'):
+    elif make is None and is_python and command[1].endswith('.py'):
         make, arguments = lambda: _script(Path(command[1])), list(command[1:])
     if make is None:
         raise NoProcessError(f'There are no processes in a web page, and {Path(command[0]).name!r} needs one: only '

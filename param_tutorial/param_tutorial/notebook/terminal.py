@@ -55,7 +55,8 @@ class Terminal:
         and nobody could interrupt it later.
 
         :param command: As typed into a shell, without pipes and variables. A leading ``ros2`` is the genuine
-            one if that is on the PATH, otherwise the embedded one.
+            one if that is on the PATH, otherwise the embedded one. Without a shell, a leading ``python3`` is the Python
+            of this process, since another one may know nothing of rclpy.
         :param shell: Start it in the folder and with the environment that this shell has now.
         :param variables: What its environment has besides.
         :raises FileNotFoundError: there is no such command.
@@ -82,6 +83,8 @@ class Terminal:
         elif arguments[0] == 'ros2':
             instead = functools.partial(_embedded, arguments[1:])
             arguments, outer = genuine.command(arguments[1:])
+        elif arguments[0] == 'python3':
+            arguments[0] = sys.executable or 'python3'
         with interruptible():
             self._process = host.host.start(
                 arguments, Output(self._take, ended=self._end), folder=folder, is_interactive=True, instead=instead,

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from param_tutorial.views.calls import CallsView as CallsView
     from param_tutorial.views.cart import CartView as CartView
     from param_tutorial.views.checks import ChecksView as ChecksView
+    from param_tutorial.views.copies import CopiesView as CopiesView
     from param_tutorial.views.declarations import DeclarationsView as DeclarationsView
     from param_tutorial.views.drawing.plots import LinePlot as LinePlot
     from param_tutorial.views.drawing.step_response import plot_responses as plot_responses
@@ -35,6 +36,7 @@ _HOMES = {
     'CallsView': 'param_tutorial.views.calls',
     'CartView': 'param_tutorial.views.cart',
     'ChecksView': 'param_tutorial.views.checks',
+    'CopiesView': 'param_tutorial.views.copies',
     'DeclarationsView': 'param_tutorial.views.declarations',
     'EventView': 'param_tutorial.views.events',
     'LadderView': 'param_tutorial.views.ladder',

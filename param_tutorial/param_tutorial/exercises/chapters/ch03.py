@@ -123,7 +123,7 @@ mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hint
     'You can give the type in place of the default: `Parameter.Type.DOUBLE`. The parameter then has no value yet.'))
 
 
-@mend.require('`brightness_percent` is a double that starts at 50.0, and it takes halves', see=WHO_DECIDES)
+@mend.require('`brightness_percent` is a double that starts at 50.0, and it accepts halves', see=WHO_DECIDES)
 def halves(trial: Trial) -> None:
     expect_start(trial, 'brightness_percent', DOUBLE, 50.0)
     _, client = start_with(trial, 'brightness_percent', DOUBLE)

@@ -85,7 +85,7 @@ def with_an_override(trial: Trial) -> None:
 
 predict = Exercise('4b', 'Predict what is read', CHAPTER, DICTIONARY, hints=(
     'Write the number, `True` or `False` that Python would show. A wrong guess costs nothing.',
-    'A parameter object is a photograph, and a fallback is stored nowhere.',
+    'The object of a number is a photograph, and a fallback is stored nowhere.',
     'An override takes the place of the default when the parameter is declared.'))
 
 

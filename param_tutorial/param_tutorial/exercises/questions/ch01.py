@@ -37,8 +37,8 @@ PREDICTIONS = (
         wrong('30', 'The node does not stop. It drives the second minute with the speed that it copied when it '
               'started: 30 plus 30.')),
         otherwise='It is 60. The node accepts the change, and drives on with the copy that it made when it started.'),
-    Prediction('1-5', 'Only the first robot was set to 200 rpm. Both are of one class, and both have a parameter '
-               '`max_speed_rpm`. What is its value in the second?', (
+    Prediction('1-5', 'Only the first robot was set to 200 rpm. Both come from the same class, and both have a '
+               'parameter `max_speed_rpm`. What is its value in the second?', (
         wrong('200: it is the same parameter', 'A parameter does not belong to a class, nor to the whole system. Each '
               'node has its own.'),
         right('100', 'A parameter belongs to one node. The second robot still has its default.'),

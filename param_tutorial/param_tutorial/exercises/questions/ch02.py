@@ -43,8 +43,9 @@ PREDICTIONS = (
               'runs it goes on as if all were well.'),
         right('It builds nothing, and reports success', 'No package has this name. colcon warns, finishes 0 packages, '
               'and exits with 0.'))),
-    Prediction('2-6', 'The workspace was built with `--symlink-install`. Since then the node has got its words from a '
-               'new file, *third version*, and nothing was built. Which version starts?', (
+    Prediction('2-6', 'The workspace was built with `--symlink-install`. Since then, the node has been changed to read '
+               'its text from a new file, which says *third version*. Nothing has been rebuilt. Which version '
+               'starts?', (
         wrong('the second', 'That version would be in a copy. With `--symlink-install`, Python follows links to the '
               'source.'),
         right('the third', 'There is no copy. The link leads to the folder in `src`, with all that is in it.'),

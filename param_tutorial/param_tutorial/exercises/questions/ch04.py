@@ -25,30 +25,37 @@ RECALLS = (
 PREDICTIONS = (
     Prediction('4-1', 'You took the object `parameter` when the speed was 100. Then a client set the speed to 150. '
                'What is `parameter.value` now?', (
-        right('100', 'The object keeps the value that it had when you took it.'),
+        right('100', 'The object of a number keeps the value that it had when you took it.'),
         wrong('150', 'The object is not connected with the node. To see 150, ask the node again with '
               '`get_parameter`.'),
         wrong('None: the object is out of date', 'The object does not learn that it is out of date. It keeps the '
               'value that it had when you took it.'))),
-    Prediction('4-2', '`get_parameter_or` has returned the fallback for `battery_volts`. What does '
+    Prediction('4-2', 'The courier has driven its route once, and nobody has set `stops`. What does a client get for '
+               '`stops` now?', (
+        wrong("['dock', 'shelf', 'door']: nobody has set it", 'Nobody has sent a request. But the method took the '
+              "stops off a list, and for an array `.value` is the node's own list."),
+        right('[], the empty list', '`.value` is the list that the node holds, so `pop` changed the parameter itself.'),
+        wrong("['door']: the last stop stays", 'The loop takes stops off until the list is empty, and that list is the '
+              "node's own."))),
+    Prediction('4-3', '`get_parameter_or` has returned the fallback for `battery_volts`. What does '
                "`has_parameter('battery_volts')` return now?", (
         wrong('True: the fallback was stored', '`get_parameter_or` stores nothing. To create the parameter, the node '
               'would have to declare it.'),
         right('False', 'The fallback was used once and stored nowhere. The parameter still does not exist.'))),
-    Prediction('4-3', 'The node declares `calibration` as a double, without a value. What does `get_parameter` do?', (
+    Prediction('4-4', 'The node declares `calibration` as a double, without a value. What does `get_parameter` do?', (
         wrong('It returns 0.0', 'A type brings no default with it, not even zero. This parameter has no value.'),
         wrong('It returns a parameter whose value is None', 'A node could easily overlook a None. rclpy raises an '
               'exception instead.'),
         right('It raises an exception', 'It is a `ParameterUninitializedException`: the parameter exists, but it has '
               'no value.'))),
-    Prediction('4-4', 'Both robots have accepted 150. The first copied the parameter when it started, the second reads '
+    Prediction('4-5', 'Both robots have accepted 150. The first copied the parameter when it started, the second reads '
                'it each time. At which speeds do they drive?', (
         wrong('both at 150: both accepted', 'Accepting a value and acting on it are two things. The first still uses '
               'its copy.'),
         right('100 and 150', 'The first still uses its copy, although its parameter says 150.'),
         wrong('both at 100 until they are started again', 'The second reads its parameter ten times a second. It '
               'needs no restart.'))),
-    Prediction('4-5', 'The override is `-p max_speed_rpm:=fast`, and the default is the integer 100. What does the '
+    Prediction('4-6', 'The override is `-p max_speed_rpm:=fast`, and the default is the integer 100. What does the '
                'node do?', (
         wrong('It starts with 100, and warns', 'rclpy does not ignore a wrong override. The declaration raises an '
               'exception, which ends the constructor.'),

@@ -51,7 +51,7 @@ PREDICTIONS = (
         wrong('12 rpm', 'YAML 1.1 does not stop at the colon. It reads 12 times 60 plus 30.'),
         right('750 rpm', '12 times 60 plus 30: YAML 1.1 reads numbers in base 60.'))),
     Prediction('5.1-5', 'The node rejects 5.0. With which exit status does `ros2 param set` end?', (
-        right('0', 'The command did its work: it sent the request and printed the answer.'),
+        right('0', 'The command sends the request and prints the answer. It ends with 0 whatever the answer is.'),
         wrong('1', 'A rejection is an answer, and the command printed it. Its exit status is 0.'),
         wrong('another number that stands for the reason', 'Only the text has the reason. The exit status is 0.')),
     ),
@@ -71,4 +71,11 @@ PREDICTIONS = (
         wrong('The value, after 20 seconds', 'The 20 seconds are the longest wait. The command goes on as soon as the '
               'node is there.'),
         right('The value, as soon as the node is there', '`--timeout` is the longest wait, not the shortest.'))),
+    Prediction('5.1-9', 'Two nodes are called `/simple_param_node`, one on the stage and one in a terminal. One '
+               '`ros2 param set` sets the speed to 70. Which of them obeys?', (
+        wrong('The one that started last', 'The second node does not take over the name. Both have it, and both offer '
+              'the service.'),
+        wrong('The one that answers first', 'That decides which answer the command prints. The request has reached '
+              'both.'),
+        right('Both', 'A request goes to a name, and both nodes serve it. The command prints one answer.'))),
 )
