@@ -1,7 +1,7 @@
 """The ladder that a value climbs down on its way into a node, and up again when the node rejects it.
 
-Time runs from top to bottom, as in a table. Drawn from what was recorded (``set_recorder``), slower than it happened: the
-node itself is done in less than a thousandth of a second.
+Time runs from top to bottom, as in a table. Drawn from what was recorded (``set_recorder``), slower than it happened:
+the node itself is done in less than a thousandth of a second.
 """
 
 from collections.abc import Iterator, Sequence
@@ -108,7 +108,7 @@ class Climb(svg.AnimatedPicture):
             yield svg.box(_STORED_X - width + 7, y - 13, width, 26, 'line')
 
     def _value(self, arrivals: Sequence[float], animation: svg.Animation) -> str:
-        """Return the value: it climbs down, changes where a callback changes it, and returns from where it is rejected."""
+        """Return the value: it climbs down, may change on its way, and goes back from where it is rejected."""
         asked, lowest, request = self._rungs[_REQUEST].value, len(self._reached) - 1, _y(_REQUEST)
         stops = [(0.0, request)]
         for index in range(1, lowest + 1):
