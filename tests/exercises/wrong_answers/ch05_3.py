@@ -2,8 +2,17 @@
 
 # In the solutions: the line that sends the request, and the one that reads the answer.
 ASK = 'self.client.call_async(request).add_done_callback(self.on_answer)'
+AWAIT = ('result = (await self.client.call_async(request)).result\n'
+         '        self.rejection = result.reason')
+CLIENT = "self.client = self.create_client(SetParametersAtomically, '/rover/set_parameters_atomically')"
 READ = ('    return {parameter.name: result.reason\n            for parameter, result in zip(parameters, results)\n'
         '            if not result.successful}')
+
+
+def in_group(group: str) -> str:
+    """Return the line that creates the client, in a callback group."""
+    return CLIENT.replace("atomically')", f"atomically', callback_group={group})")
+
 
 WRONG = {
     '5.3c': [
@@ -58,6 +67,10 @@ WRONG = {
          'there is no service `/supervisor/set_parameters_atomically` of that type'),
         ([("self.client = self.create_client(SetParametersAtomically, '/rover/set_parameters_atomically')", 'pass')], 0,
          'it creates none'),
+        # Hangs under rclpy.spin: the timer and the client are in one group.
+        ([('def slow_down', 'async def slow_down'), (ASK, AWAIT)], 0, 'Does the client have a group of its own?'),
+        ([('def slow_down', 'async def slow_down'), (ASK, AWAIT), (CLIENT, in_group('self.default_callback_group'))], 0,
+         'starts nothing else in the callback group of the timer'),
         # Blocked: for good, for a while, and in loops.
         ([(ASK, 'self.client.call(request)')], 0, 'Use call_async()'),
         ([(ASK, 'self.client.call(request, timeout_sec=1.0)')], 0, 'Use call_async()'),
@@ -144,10 +157,13 @@ RIGHT = {
         [('results))\n"""', 'results))\n""".replace("\\n", "\\n    ")')],
     ],
     '5.3a': [
-        # With await.
-        [('def slow_down', 'async def slow_down'),
-         (ASK, 'result = (await self.client.call_async(request)).result\n'
-               '        self.rejection = result.reason')],
+        # With await, and a client that is free to bring the answer.
+        [('def slow_down', 'async def slow_down'), (ASK, AWAIT),
+         (CLIENT, 'from rclpy.callback_groups import MutuallyExclusiveCallbackGroup as Group\n'
+                  f'        {in_group("Group()")}')],
+        [('def slow_down', 'async def slow_down'), (ASK, AWAIT),
+         (CLIENT, 'from rclpy.callback_groups import ReentrantCallbackGroup as Group\n'
+                  f'        {in_group("Group()")}')],
         # rclpy's own client.
         [("self.client = self.create_client(SetParametersAtomically, '/rover/set_parameters_atomically')",
           'from rclpy.parameter_client import AsyncParameterClient\n'

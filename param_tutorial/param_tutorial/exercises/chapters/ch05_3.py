@@ -75,7 +75,8 @@ supervise = Exercise('5.3a', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name
     'The service is `/rover/set_parameters_atomically`, of the type `SetParametersAtomically`. Make its request as '
     'the section “Change it: all or nothing” does, and send it with `call_async`.',
     '`call_async` returns a future. `future.add_done_callback(self.on_answer)` has rclpy call your method with it. '
-    '`future.result().result` is the one result, and it has a `reason`.'))
+    '`future.result().result` is the one result, and it has a `reason`. If you would rather await the future, the '
+    'client needs a callback group of its own.'))
 
 
 @contextlib.contextmanager
@@ -108,11 +109,11 @@ def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
     if not callable(button):
         raise NoUse('a method `slow_down`', 'the class has none')
     with awake():
-        trial.press('`slow_down()`', button)
+        trial.press('`slow_down()`', supervisor, button)
     return rover, supervisor
 
 
-@supervise.require('`slow_down()` sends both values, and does not block', see=HOW)
+@supervise.require('`slow_down()` sends both values, and neither blocks nor hangs', see=HOW)
 def both(trial: Trial) -> None:
     rover, supervisor = slow_down(trial, Rover)
     client = trial.client(rover)
