@@ -59,9 +59,9 @@ WRONG = {
         ([('    gains:\n      kp: 1.5', '    kp: 1.5')],
          6, 'the default: the file has no `gains.kp`'),
         ([('/lab/recorder', '/recorder')],
-         0, 'Whom does its first line name?'),
+         0, 'Whom does its key name?'),
         ([('/lab/recorder', 'recorder')],
-         0, 'Whom does its first line name?'),
+         0, 'Whom does its key name?'),
         ([('ros__parameters', 'ros_parameters')],
          0, 'Cannot have a value before ros__parameters'),
         ([('version:', 'version')],
@@ -113,6 +113,8 @@ RIGHT = {
         [('/lab/recorder:', 'lab/recorder:'), ("['1', '2']", '\n    - "1"\n    - "2"')],
         [('    gains:\n      kp: 1.5', '    gains.kp: 15.0e-1'), ('20.0', '2e1'), ("'1.10'", '!!str 1.10')],
         [('/lab/recorder:', '/**:\n  ros__parameters:\n    rate_hz: 5.0\n/lab/recorder:')],
+        # The namespace as a level of its own, as in the files of nav2.
+        [('/lab/recorder:\n', 'lab:\n recorder:\n')],
     ],
     '7.1b': [
         [("['dock']", "('dock',)"), ('2000.0', '2e3'), (': False', ': not True')],

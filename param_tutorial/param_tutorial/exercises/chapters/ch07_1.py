@@ -43,7 +43,7 @@ def expect_block(trial: Trial, full_name: str) -> None:
         return
     # Two that every node has.
     if not set(trial.client(finder).list_parameters()) - {'use_sim_time', 'start_type_description_service'}:
-        raise NoUse(f'a block for `{full_name}`', 'the file has nothing for this node. Whom does its first line name?')
+        raise NoUse(f'a block for `{full_name}`', 'the file has nothing for this node. Whom does its key name?')
 
 
 # Of the recorder that the learner writes a file for: each default, and the value that it should start with.
@@ -80,7 +80,7 @@ def recorder(name: str) -> type[Node]:
 write = Exercise('7.1a', 'Write a file by hand', CHAPTER, TEXT, hints=(
     'Let a node write it: `ParameterClient(...).dump()` of a node with values like these shows you the form and the '
     'quotes.',
-    'The first line is the fully qualified name of the node and a colon. The second line is `ros__parameters:`, '
+    'The key is the fully qualified name of the node, with a colon. The second line is `ros__parameters:`, '
     'indented by two spaces, and the parameters are indented by four. A dot in a name adds a level.',
     'To rcl, `1.10` and `0042` are numbers and `on` is true, so these strings need quotes. The double needs its dot.'))
 
