@@ -186,7 +186,8 @@ def crop(trial: Trial) -> None:
     expect_declared(trial, 'crop_px', INTEGER_ARRAY, None)
     client = client_for(trial, 'crop_px')
     expect_answers(client, 'crop_px', 'accepted', [0, 0, 640, 480], [5], [])
-    expect_answers(client, 'crop_px', 'wrong type', [0.5], ['left'], 7, because='With dynamic typing everything goes in')
+    expect_answers(client, 'crop_px', 'wrong type', [0.5], ['left'], 7,
+                   because='With dynamic typing everything goes in')
     expect_override(trial, 'crop_px', '[1, 2]', [1, 2])
 
 
