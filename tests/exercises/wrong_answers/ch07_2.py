@@ -59,9 +59,9 @@ WRONG = {
            "                    'max_speed_rpm': LaunchConfiguration('max_speed_rpm'),\n"
            "                    'robot_serial_number': ParameterValue(LaunchConfiguration('serial'), value_type=str),\n"
            '                },\n')],
-         1, 'Of two sources the later one wins'),
+         1, 'Of these two sources, the later one wins'),
         ([("                    'enable_safety_mode': True,\n", '')],
-         3, 'Of two sources the later one wins'),
+         3, 'Of these two sources, the later one wins'),
         ([("                    'enable_safety_mode': True,\n",
            ''),
           ("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml']),",

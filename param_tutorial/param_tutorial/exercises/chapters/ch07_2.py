@@ -173,7 +173,7 @@ def file_arrives(trial: Trial) -> None:
 def override_arrives(trial: Trial) -> None:
     found = starts(trial, Reckless).get_parameter('enable_safety_mode').value
     expect(found, '`enable_safety_mode` is `True`, and does not depend on the default',
-           f'it is `{found!r}`. Of two sources the later one wins')
+           f'it is `{found!r}`. Of these two sources, the later one wins')
     for argument in launch(trial, trial.work).arguments:
         with contextlib.suppress(NotYet):  # what else the word does to the robot is not asked here
             found = starts(trial, Reckless, **{argument: 'false'}).get_parameter('enable_safety_mode').value
