@@ -102,9 +102,9 @@ ROBOT = (
     "ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode', 'robot_name'])",
     'A picture:',
     "LinePlot({'a line': [(0, 0), (1, 2)]}, x='time in s', y='speed in m/s')",
-    '## 7.3c · Put three sources in order',
+    '## 7.3a · Put three sources in order',
     "sources = [\n    '-p speed:=400',\n    '--params-file slow.yaml',\n    '--params-file fast.yaml',\n]",
-    "from param_tutorial import exercises\n\nexercises.check('7.3c', sources)",
+    "from param_tutorial import exercises\n\nexercises.check('7.3a', sources)",
 )
 SOLVED = "sources = ['--params-file fast.yaml', '--params-file slow.yaml', '-p speed:=400']"
 INDEX = '''# Start
@@ -122,7 +122,7 @@ def write_chapter(path, cells):
     notebook = nbformat.read(path, as_version=4)
     for at, cell in enumerate(notebook.cells):
         if 'exercises.check(' in cell.source:
-            notebook.cells[at - 1].id, cell.id = 'exercise-7-3c', 'check-7-3c'
+            notebook.cells[at - 1].id, cell.id = 'exercise-7-3a', 'check-7-3a'
     if '1 / 0' in notebook.cells[-1].source:
         notebook.cells[-1].metadata.tags = ['raises-exception']
     NotebookClient(notebook, kernel_manager_class=run.OwnKernel, store_widget_state=False, coalesce_streams=True,
@@ -146,7 +146,7 @@ def made(tmp_path_factory):
     (notebooks / 'solutions').mkdir()
     path = lesson.write(notebooks / 'solutions' / '2_robot.ipynb', ('# Solutions', SOLVED))
     solved = nbformat.read(path, as_version=4)
-    solved.cells[1].id = 'solution-7-3c'
+    solved.cells[1].id = 'solution-7-3a'
     nbformat.write(solved, path)
     (notebooks / 'claims.md').write_text('# The claims\n\n| A001 | true |\n| --- | --- |\n| A002 | false |\n')
     site = Site(notebooks, folder / 'html', folder / 'work', processes=2, address='https://lessons.example/ros')
@@ -353,15 +353,15 @@ def test_predictions_are_kept_in_the_browser_and_marked_beside_the_lessons(made,
 
 @robot
 def test_an_exercise_is_answered_in_a_form_in_place_of_its_cells_and_kept(page):
-    form = page.get_by_role('form', name='Exercise 7.3c: Put three sources in order')
+    form = page.get_by_role('form', name='Exercise 7.3a: Put three sources in order')
     check, score = form.get_by_role('button', name='Check', exact=True), form.get_by_role('status')
-    for source in ('sources = [', "exercises.check('7.3c'"):
+    for source in ('sources = [', "exercises.check('7.3a'"):
         expect(page.get_by_text(source)).to_have_count(0)
     check.click()
-    expect(score).to_have_text('Exercise 7.3c: not yet, 0 of 2 done')
+    expect(score).to_have_text('Exercise 7.3a: not yet, 0 of 2 done')
     expect(form.get_by_role('listitem').filter(has_text='not yet').first).to_contain_text('Which block is opened last?')
     page.reload()
-    expect(score).to_have_text('Exercise 7.3c: not yet, 0 of 2 done')  # what was tried is kept, and not counted
+    expect(score).to_have_text('Exercise 7.3a: not yet, 0 of 2 done')  # what was tried is kept, and not counted
     expect(page.locator('.lesson-mark')).to_have_count(0)
     down = form.get_by_role('button', name='Down: -p speed:=400')
     down.press('Enter')
@@ -370,10 +370,10 @@ def test_an_exercise_is_answered_in_a_form_in_place_of_its_cells_and_kept(page):
     down.press('Enter')
     form.get_by_role('button', name='Up: --params-file fast.yaml').click()
     check.click()
-    expect(score).to_have_text('Exercise 7.3c: done, 2 of 2 done')
+    expect(score).to_have_text('Exercise 7.3a: done, 2 of 2 done')
     expect(page.locator('.lesson-mark')).to_have_attribute('title', '1 of 1 questions answered')
     page.reload()
-    expect(score).to_have_text('Exercise 7.3c: done, 2 of 2 done')
+    expect(score).to_have_text('Exercise 7.3a: done, 2 of 2 done')
     assert check_page(page) == []
 
 

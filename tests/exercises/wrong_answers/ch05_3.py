@@ -15,7 +15,7 @@ def in_group(group: str) -> str:
 
 
 WRONG = {
-    '5.3c': [
+    '5.3a': [
         ([("parameter = Parameter('max_speed_rpm', value=50)\n", ''),
           ('request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])\n',
            'request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])\n'
@@ -49,7 +49,7 @@ WRONG = {
         ([('future = client.call_async(request)\n',
            'future = client.call_async(request)\nfuture = client.call_async(request)\n')], 0, 'it is asked 2 times'),
     ],
-    '5.3a': [
+    '5.3b': [
         # Not atomic: the other service, whose answer has a list of results.
         ([('SetParametersAtomically', 'SetParameters'), ('set_parameters_atomically', 'set_parameters'),
           ('class Supervisor', 'from rcl_interfaces.srv import SetParameters\n\n\nclass Supervisor'),
@@ -104,7 +104,7 @@ WRONG = {
         ([("/rover/set_parameters_atomically')\n",
            "/rover/set_parameters_atomically')\n        self.slow_down()\n")], 0, 'the constructor has sent one'),
     ],
-    '5.3b': [
+    '5.3c': [
         ([('parameter.name: result.reason', 'result.name: result.reason')], 0, 'A result has no name'),
         ([('            if not result.successful', '            if True')], 0, "'use_sim_time': ''"),
         ([('if not result.successful', 'if result.successful')], 0,
@@ -140,7 +140,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '5.3c': [
+    '5.3a': [
         [("client = node.create_client(SetParameters, '/rover/set_parameters')\n", ''),
          ('future = client.call_async(request)\n',
           "client = node.create_client(SetParameters, '/rover/set_parameters')\n"
@@ -156,7 +156,7 @@ RIGHT = {
         # Indented, like a block of a function.
         [('results))\n"""', 'results))\n""".replace("\\n", "\\n    ")')],
     ],
-    '5.3a': [
+    '5.3b': [
         # With await, and a client that is free to bring the answer.
         [('def slow_down', 'async def slow_down'), (ASK, AWAIT),
          (CLIENT, 'from rclpy.callback_groups import MutuallyExclusiveCallbackGroup as Group\n'
@@ -192,7 +192,7 @@ RIGHT = {
         [("'max_speed_rpm', value", "'max_speed_rpm', Parameter.Type.INTEGER, value")],
         [("'/rover/set", "'rover/set")],
     ],
-    '5.3b': [
+    '5.3c': [
         [(READ, '    reasons = {}\n    for index, result in enumerate(results):\n        if not result.successful:\n'
                 '            reasons[parameters[index].name] = result.reason\n    return reasons')],
         [(READ, '    pairs = filter(lambda pair: not pair[1].successful, zip(parameters, results))\n'

@@ -69,7 +69,7 @@ class KeepsSpeed(Rover):
 OLD = ParameterValues(max_speed_rpm=100, max_acceleration_mps2=1.0)
 NEW = ParameterValues(max_speed_rpm=40, max_acceleration_mps2=0.2)
 
-supervise = Exercise('5.3a', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
+supervise = Exercise('5.3b', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
     'Create the client once, in the constructor: `self.create_client(TYPE, NAME)`. Which of the six services takes a '
     'list as one?',
     'The service is `/rover/set_parameters_atomically`, of the type `SetParametersAtomically`. Make its request as '
@@ -169,7 +169,7 @@ def expect_kept(trial: Trial, rover_class: type[Rover], name: str) -> None:
     trial.ros.remove(rover)
 
 
-read = Exercise('5.3b', 'Read an answer', CHAPTER, FUNCTION, hints=(
+read = Exercise('5.3c', 'Read an answer', CHAPTER, FUNCTION, hints=(
     'A result has `successful` and `reason`, but no name.',
     'The results come in the order of the request, so `zip(parameters, results)` makes the pairs.',
     'Add to a dictionary with `reasons[parameter.name] = result.reason`, and return it after the loop, not inside it.'))
@@ -246,7 +246,7 @@ def none(trial: Trial) -> None:
     expect_reasons(trial, Rover, {'max_speed_rpm': 50})
 
 
-order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, form=Order(), hints=(
+order = Exercise('5.3a', 'Put a request in order', CHAPTER, TEXT, form=Order(), hints=(
     'A name has to exist before a line can use it. Start with the two lines that use none of the other lines’ names.',
     'The request needs the parameter, the call needs the client and the request, and the last line needs the future '
     'that the call returns.'))

@@ -77,7 +77,7 @@ def recorder(name: str) -> type[Node]:
     return Recorder
 
 
-write = Exercise('7.1a', 'Write a file by hand', CHAPTER, TEXT, hints=(
+write = Exercise('7.1b', 'Write a file by hand', CHAPTER, TEXT, hints=(
     'Let a node write it: `ParameterClient(...).dump()` of a node with values like these shows you the form and the '
     'quotes.',
     'The key is the fully qualified name of the node, with a colon. The second line is `ros__parameters:`, '
@@ -139,7 +139,7 @@ def dumped(trial: Trial, text: str) -> str:
     return trial.ros2('param', 'dump', f'{CORNER}/trip')
 
 
-foresee = Exercise('7.1b', 'Predict what comes back', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('7.1c', 'Predict what comes back', CHAPTER, DICTIONARY, hints=(
     'Does the command put quotes around the string? It does if YAML 1.1 would take it for something else. Then ask '
     'what the reader makes of what is written there.',
     'To rcl, `n` is a boolean and `2e3` is a number, and a string in quotes stays a string. `load` reads by the rules '
@@ -193,7 +193,7 @@ require_load('[]', {
     None: 'What the node rejects takes nothing away'}, NO_FILE)
 
 
-order = Exercise('7.1c', 'Put a file in order', CHAPTER, TEXT, form=Order(), hints=(
+order = Exercise('7.1a', 'Put a file in order', CHAPTER, TEXT, form=Order(), hints=(
     'The indentation is right: each line belongs to the nearest line above it that is indented less.',
     'The node is at the left margin, below it `ros__parameters`, and below that the parameters. A dot in a name adds a '
     'level: `color.red` is `red` below `color`.'))
