@@ -102,9 +102,9 @@ ROBOT = (
     "ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode', 'robot_name'])",
     'A picture:',
     "LinePlot({'a line': [(0, 0), (1, 2)]}, x='time in s', y='speed in m/s')",
-    '## 7.3c · Put three sources in order',
+    '## 7.3a · Put three sources in order',
     "sources = [\n    '-p speed:=400',\n    '--params-file slow.yaml',\n    '--params-file fast.yaml',\n]",
-    "from param_tutorial import exercises\n\nexercises.check('7.3c', sources)",
+    "from param_tutorial import exercises\n\nexercises.check('7.3a', sources)",
 )
 SOLVED = "sources = ['--params-file fast.yaml', '--params-file slow.yaml', '-p speed:=400']"
 INDEX = '''# Start
@@ -122,7 +122,7 @@ def write_chapter(path, cells):
     notebook = nbformat.read(path, as_version=4)
     for at, cell in enumerate(notebook.cells):
         if 'exercises.check(' in cell.source:
-            notebook.cells[at - 1].id, cell.id = 'exercise-7-3c', 'check-7-3c'
+            notebook.cells[at - 1].id, cell.id = 'exercise-7-3a', 'check-7-3a'
     if '1 / 0' in notebook.cells[-1].source:
         notebook.cells[-1].metadata.tags = ['raises-exception']
     NotebookClient(notebook, kernel_name='python3', store_widget_state=False, coalesce_streams=True,
@@ -148,7 +148,7 @@ def made(tmp_path_factory):
     (notebooks / 'solutions').mkdir()
     path = lesson.write(notebooks / 'solutions' / '2_robot.ipynb', ('# Solutions', SOLVED))
     solved = nbformat.read(path, as_version=4)
-    solved.cells[1].id = 'solution-7-3c'
+    solved.cells[1].id = 'solution-7-3a'
     nbformat.write(solved, path)
     (notebooks / 'claims.md').write_text('# The claims\n\n| A001 | true |\n| --- | --- |\n| A002 | false |\n')
     site = Site(notebooks, folder / 'html', folder / 'work', processes=2, address='https://lessons.example/ros')
@@ -394,15 +394,15 @@ def test_predictions_are_kept_in_the_browser_and_marked_beside_the_lessons(made,
 
 @robot
 def test_an_exercise_is_solved_in_its_cell_and_remembered(page):
-    exercise, check = (page.locator(f'.tag_live-{name}-7-3c') for name in ('exercise', 'check'))
+    exercise, check = (page.locator(f'.tag_live-{name}-7-3a') for name in ('exercise', 'check'))
     check.get_by_role('button', name='Run this cell').click()
-    expect(check.locator('.param-check')).to_contain_text('Exercise 7.3c: not yet, 0 of 2 done', timeout=60_000)
+    expect(check.locator('.param-check')).to_contain_text('Exercise 7.3a: not yet, 0 of 2 done', timeout=60_000)
     expect(page.locator('.lesson-mark')).to_have_count(0)
     exercise.get_by_role('button', name='Edit the code of this cell').click()
     exercise.get_by_role('textbox', name='The code of this cell').fill(SOLVED)
     exercise.get_by_role('button', name='Run this cell').click()
     check.get_by_role('button', name='Run this cell').click()
-    expect(check.locator('.param-check')).to_contain_text('Exercise 7.3c: done, 2 of 2 done')
+    expect(check.locator('.param-check')).to_contain_text('Exercise 7.3a: done, 2 of 2 done')
     expect(page.locator('.lesson-mark')).to_have_attribute('title', '1 of 1 questions answered')
     expect(page.locator('.lesson-here')).to_have_text('1 of 1 answered')
     page.reload()

@@ -292,6 +292,13 @@ def test_an_old_name_can_be_forwarded_to_a_new_one(ros):
 # -- from another node ---------------------------------------------------------------------------------------
 
 
+# A009, A066
+def test_the_result_of_a_set_is_a_message_and_no_service():
+    assert SetParametersResult.__module__.startswith('rcl_interfaces.msg.')
+    with pytest.raises(ImportError, match='SetParametersResult'):
+        exec('from rcl_interfaces.srv import SetParameters, SetParametersResult')
+
+
 # A067
 def test_the_message_of_the_same_name_takes_no_positional_arguments():
     with pytest.raises((TypeError, AttributeError)):

@@ -1,6 +1,6 @@
 """Which callback may wait for an answer, and in which executor: what chapter 5.3 says of `await` and callback groups.
 
-Each in a context of its own, since the executor of the stage doesn't look at callback groups.
+Each in a context of its own, as a program of its own would run it.
 """
 
 import contextlib
@@ -27,13 +27,15 @@ LIMIT_SEC = {True: 60.0, False: 1.5}
 class Asking(Node):
     """Sets a parameter through a service, in a timer's callback that waits for the answer."""
 
-    def __init__(self, context, tick, group, is_expected):
+    def __init__(self, context, tick, asks, own_group, is_expected):
         super().__init__('asking', context=context)
         self.declare_parameter('speed', 1)
         self.limit_sec = LIMIT_SEC[is_expected]
         self.is_asked, self.is_answered = threading.Event(), threading.Event()
-        self.client = self.create_client(SetParameters, '/asking/set_parameters')
-        self.timer = self.create_timer(0.01, getattr(self, tick), callback_group=group)
+        groups = {own_group: MutuallyExclusiveCallbackGroup()}
+        self.client = self.create_client(
+            SetParameters, f'/{asks}/set_parameters', callback_group=groups.get('client'))
+        self.timer = self.create_timer(0.01, getattr(self, tick), callback_group=groups.get('timer'))
 
     def ask(self):
         self.timer.cancel()
@@ -47,6 +49,14 @@ class Asking(Node):
     async def await_(self):
         if self.client.service_is_ready() and await self.client.call_async(self.ask()):
             self.is_answered.set()
+
+
+class Other(Node):
+    """The node that is asked."""
+
+    def __init__(self, context):
+        super().__init__('other', context=context)
+        self.declare_parameter('speed', 1)
 
 
 @contextlib.contextmanager
@@ -75,16 +85,22 @@ SINGLE, MULTI = (SingleThreadedExecutor, {}), (MultiThreadedExecutor, {'num_thre
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(('tick', 'has_own_group', 'executor', 'expected'), [
-    ('call', False, SINGLE, False), ('call', False, MULTI, False),
-    ('call', True, SINGLE, False), ('call', True, MULTI, True),
-    ('await_', False, SINGLE, False), ('await_', False, MULTI, False),
-    ('await_', True, SINGLE, True), ('await_', True, MULTI, True),
+@pytest.mark.parametrize(('tick', 'asks', 'own_group', 'executor', 'expected'), [
+    ('call', 'other', None, SINGLE, False), ('call', 'other', None, MULTI, False),
+    ('call', 'other', 'timer', SINGLE, False), ('call', 'other', 'timer', MULTI, True),
+    ('call', 'other', 'client', SINGLE, False), ('call', 'other', 'client', MULTI, True),
+    ('await_', 'other', None, SINGLE, False), ('await_', 'other', None, MULTI, False),
+    ('await_', 'other', 'timer', SINGLE, True), ('await_', 'other', 'timer', MULTI, True),
+    ('await_', 'other', 'client', SINGLE, True), ('await_', 'other', 'client', MULTI, True),
+    # The services of a node that asks itself are in the default group, too.
+    ('await_', 'asking', 'timer', SINGLE, True), ('await_', 'asking', 'client', SINGLE, False),
 ])
-def test_a_callback_that_waits_needs_a_group_of_its_own_and_a_free_thread(tick, has_own_group, executor, expected):
-    group = MutuallyExclusiveCallbackGroup() if has_own_group else None
+def test_a_callback_that_waits_needs_a_second_group_and_a_free_thread(tick, asks, own_group, executor, expected):
+    def make(context):
+        return Asking(context, tick, asks, own_group, expected)
+
     executor_class, options = executor
-    with spinning(executor_class, lambda context: Asking(context, tick, group, expected), **options) as asking:
+    with spinning(SingleThreadedExecutor, Other), spinning(executor_class, make, **options) as asking:
         assert asking.is_asked.wait(60)
         assert asking.is_answered.wait(asking.limit_sec) is expected
 

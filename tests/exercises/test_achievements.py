@@ -69,7 +69,7 @@ def test_the_whole_course_has_a_row_for_each_chapter(file):
     rows = repr(exercises.progress()).splitlines()
     assert len(rows) == len(CHAPTERS)
     assert '✓ 3     exercises 3/3   predictions 0/7' in rows
-    assert '· 5.2   exercises 1/3   predictions 0/10' in rows
+    assert '· 5.2   exercises 1/3   predictions 0/9' in rows
 
 
 def test_the_whole_course_without_a_file(no_file):

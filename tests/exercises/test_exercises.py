@@ -117,7 +117,7 @@ def test_a_node_in_place_of_its_class_is_named_and_stays_on_the_stage(ros):
     assert ros.nodes == (node,)
 
 
-@pytest.mark.parametrize('number', ['1b', '5.3a', '10.1a', '11a'])
+@pytest.mark.parametrize('number', ['1b', '5.3b', '10.1a', '11a'])
 def test_a_class_that_forgets_the_constructor_of_node_is_asked_about_it(ros, number):
     source = re.sub(r"super\(\).__init__\('\w+'\)", 'pass', cell(number, 'solution').source)
     happened, = filter(None, not_yet(exercises.check(number, answer(number, source, 'solution'))).values())
@@ -167,7 +167,7 @@ class NeverReturns(Heater):
 def test_an_exception_in_a_callback_is_named(ros):
     result = exercises.check('5.2a', RaisesInCallback)
     assert "a callback raised AttributeError: 'Parameter' object has no attribute 'valeu'" in repr(result)
-    assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 4]
+    assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 5]
     assert not ros.nodes
 
 
@@ -176,7 +176,7 @@ def test_a_callback_that_never_returns_is_interrupted(ros, monkeypatch):
     monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
     result = exercises.check('5.2a', NeverReturns)
     assert 'did not answer' in result.findings[0].happened
-    assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 4]
+    assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 5]
     assert not ros.nodes
     monkeypatch.undo()
     assert exercises.check('5.2a', solution('5.2a')).done  # the executor is as good as before
@@ -190,7 +190,7 @@ def test_a_callback_that_blocks_the_executor_for_good_is_reported(ros, monkeypat
     monkeypatch.setattr(BackgroundExecutor, 'remove', remove)
     result = exercises.check('5.2a', solution('5.2a'))
     assert result.findings[0].happened == 'restart the kernel'
-    assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 4]
+    assert [finding.word for finding in result.findings] == ['not yet', *['not tried'] * 5]
 
 
 class WaitsInConstructor(Node):
@@ -216,7 +216,7 @@ def test_code_that_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
     result = exercises.check('3a', WaitsInConstructor)
     assert 'it was still running after 0.5 s' in repr(result)
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried', 'not tried']
-    assert 'it was still running after 0.5 s' in repr(exercises.check('5.3b', waits))
+    assert 'it was still running after 0.5 s' in repr(exercises.check('5.3c', waits))
     assert not ros.nodes
 
 
@@ -250,15 +250,15 @@ class Loops(Node):
 
 @pytest.mark.slow
 def test_a_button_callback_that_never_returns_is_reported(ros):
-    result = exercises.check('5.3a', Loops)
+    result = exercises.check('5.3b', Loops)
     assert 'kept the executor busy' in repr(result)
-    assert exercises.check('5.3a', solution('5.3a')).done
+    assert exercises.check('5.3b', solution('5.3b')).done
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(('number', 'replacements', 'word'), [
-    ('5.3a', [('self.on_answer)', 'lambda future: None)')], "it is `''`"),
-    ('5.3c', [('future.add_done_callback(', '(')], '`results` is empty'),
+    ('5.3b', [('self.on_answer)', 'lambda future: None)')], "it is `''`"),
+    ('5.3a', [('future.add_done_callback(', '(')], '`results` is empty'),
     ('10.2a', [('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 'it is `{'),
     ('10.2a', [('values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values',
                 'future = self.get_client.call_async(GetParameters.Request(names=[name]))'),
@@ -282,19 +282,19 @@ class Spins(Loops):
 
 
 def test_a_button_callback_that_waits_for_its_own_executor_is_reported_at_once(ros):
-    result = exercises.check('5.3a', Spins)
+    result = exercises.check('5.3b', Spins)
     assert 'runs inside the executor that it waits for' in result.findings[0].happened
     assert stage.current() is ros
-    assert exercises.check('5.3a', solution('5.3a')).done
+    assert exercises.check('5.3b', solution('5.3b')).done
 
 
 @pytest.mark.slow
 def test_a_button_callback_that_cannot_be_interrupted_is_reported_and_start_begins_anew(ros):
-    result = exercises.check('5.3a', Sleeps)
+    result = exercises.check('5.3b', Sleeps)
     assert 'does not return and cannot be interrupted. Call start() again' in result.findings[0].happened
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried']
     stage.start()
-    assert exercises.check('5.3a', solution('5.3a')).done
+    assert exercises.check('5.3b', solution('5.3b')).done
 
 
 @pytest.mark.slow
@@ -317,7 +317,7 @@ def test_a_check_leaves_the_stage_as_it_was(ros):
     own = ros.add(solution('3a'))
     client = ParameterClient(own)
     client.set_parameter('max_speed_mps', 1.5)
-    for number in ('3a', '5.1a', '5.2c', '5.3b'):  # one for each kind of work
+    for number in ('3a', '5.1a', '5.2c', '5.3c'):  # one for each kind of work
         exercises.check(number, solution(number))
         exercises.check(number, blank(number))
     assert ros.nodes == (own,)
@@ -374,7 +374,7 @@ def test_a_finding_quotes_the_line_that_raised(ros, tmp_path):
     space = {'__name__': '__main__'}
     exec(compile(path.read_text(), str(path), 'exec'), space)
     assert 'in the line `return results[9]`' in ' '.join(repr(exercises.check(
-        '5.3b', space['rejected'])).split())
+        '5.3c', space['rejected'])).split())
 
 
 def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
@@ -421,7 +421,7 @@ def test_an_exercise_leads_to_sections_that_exist(number):
     assert len(EXERCISES[number].hints) >= 2
 
 
-@pytest.mark.parametrize('number', ['4b', '5.1b', '6.2a', '7.1b', '7.2b', '7.3a'])
+@pytest.mark.parametrize('number', ['4b', '5.1b', '6.2a', '7.1c', '7.2c', '7.3b'])
 def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
     assert [f'`{question}`' for question in blank(number)] == [
         requirement.sentence for requirement in EXERCISES[number].requirements]
@@ -490,7 +490,7 @@ def without_annotations(source):
 
 
 def test_the_files_in_the_chapter_are_those_that_the_check_starts_with():
-    written, = (each.source for each in notebook('7.3a') if each.source.startswith('FILES = '))
+    written, = (each.source for each in notebook('7.3b') if each.source.startswith('FILES = '))
     assert ast.literal_eval(ast.parse(written).body[0].value) == ch07_3.FILES
 
 
@@ -526,5 +526,5 @@ def test_in_the_corner_a_parameter_file_names_its_nodes_however_it_is_written():
 def test_a_prediction_of_another_type_names_its_type(ros):
     for given, word in (("'180'", 'In quotes it is a string'), ('180.0', 'Written like this, it is a double'),
                         ('True', 'Written like this, it is a boolean')):
-        result = exercises.check('7.2b', solution('7.2b', ("config]': 180", f"config]': {given}")))
+        result = exercises.check('7.2c', solution('7.2c', ("config]': 180", f"config]': {given}")))
         assert not_yet(result)['`parameters=[config]`'].endswith(word)

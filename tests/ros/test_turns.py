@@ -114,7 +114,7 @@ def test_an_endless_loop_that_wants_an_answer_again_and_again_is_ended():
                'trial.TIME_LIMIT_SEC = 0.5\n'
                'def work(parameters, results):\n'
                "    while True: client.set_parameter('max_speed_rpm', 150)\n"
-               "print('it was still running after 0.5 s' in repr(exercises.check('5.3b', work)))") == 'True\n'
+               "print('it was still running after 0.5 s' in repr(exercises.check('5.3c', work)))") == 'True\n'
 
 
 def test_a_callback_is_not_ended_when_the_limit_of_the_cell_is_up():

@@ -157,11 +157,11 @@ PLACES = {
 def act(parameters, results):
     self = Node('by_hand')
 {_method(source, 4)}
-exercises.check('5.3b', act)''',
+exercises.check('5.3c', act)''',
     'check, button': lambda source: _node(
         source, name='supervisor', in_constructor="self.rejection = ''; self.slow_down = self.act; "
         "self.client = self.create_client(SetParameters, '/rover/set_parameters')",
-        begins="exercises.check('5.3a', Victim)"),
+        begins="exercises.check('5.3b', Victim)"),
 }
 
 # In code that a cell itself runs, input() asks as usual, and the learner may print anything.

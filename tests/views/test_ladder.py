@@ -1,12 +1,15 @@
 """The ladder: how far a value gets, with whose words, and what lies where at the end."""
 
+import re
+
 import pytest
 
 from param_tools.errors import NodeNotFoundError
 from param_tutorial.views import LadderView
 from param_tutorial.views.drawing.ladder import Climb
+from param_tutorial.views.drawing.svg import Animation
 from param_tutorial.views.drawing.timeline import Step
-from tests.support.drawings import kinds, words
+from tests.support.drawings import kinds, rests, words
 from tests.support.widgets import texts
 
 ASKED = Step('asked', '', '100', proposed='900')
@@ -26,12 +29,18 @@ def climb(steps, objection=''):
     return Climb('/robot', 'speed', steps, objection)
 
 
-def falls(picture):
-    """True if the value lies on the ground, rejected, at the end."""
+def is_bad(picture):
+    """True if the value is drawn as rejected at the end."""
     return kinds(picture).count('token-bad') == 1
 
 
-def test_an_accepted_value_climbs_all_rungs_and_may_change_on_the_way():
+def height(picture):
+    """Return how far down the value stands at the end."""
+    place = rests(picture.html(Animation('one', is_still=True)))[0]
+    return float(re.search(r',([\d.]+)px\)', place)[1])
+
+
+def test_an_accepted_value_climbs_down_all_rungs_and_may_change_on_the_way():
     assert climb(ACCEPTED).text == (
         'The ladder of /robot. speed = 900 is accepted, and 300 is stored. '
         '1, request: set speed to 900; stored is 100. 2, pre-set callbacks: trim gives 300; stored is 100. '
@@ -39,27 +48,33 @@ def test_an_accepted_value_climbs_all_rungs_and_may_change_on_the_way():
         '4, on-set callbacks: judge accepts; stored is 100. 5, stored: 300 is written; stored is 300. '
         '6, /parameter_events: a message tells everybody; stored is 300. '
         '7, post-set callbacks: act acts on 300; stored is 300. 8, answer: successful; stored is 300.')
-    assert not falls(climb(ACCEPTED)) and 'cross' not in kinds(climb(ACCEPTED))
+    assert not is_bad(climb(ACCEPTED)) and 'cross' not in kinds(climb(ACCEPTED))
 
 
 @pytest.mark.parametrize(('steps', 'rung', 'reason'), [
     (REJECTED, 'on-set callbacks', 'judge rejects: too fast'),
     (OUT_OF_RANGE, "rclpy's own checks", 'out of range'),
 ])
-def test_a_rejected_value_falls_from_the_rung_that_rejects_it(steps, rung, reason):
+def test_a_rejected_value_returns_from_the_rung_that_rejects_it(steps, rung, reason):
     picture = climb(steps, steps[-1].objection)
     assert picture.sentence == f'speed = 900 is rejected at {rung}.'
     assert picture.text.endswith(f'{rung}: {reason}; stored is 100.')
-    assert reason in words(picture) and falls(picture) and 'cross' in kinds(picture)
+    assert reason in words(picture) and is_bad(picture) and 'cross' in kinds(picture)
+
+
+def test_time_runs_from_top_to_bottom_and_a_rejected_value_goes_back_to_the_top():
+    accepted, rejected, raised = climb(ACCEPTED), climb(REJECTED, 'too fast'), climb(RAISED, 'TypeError: no')
+    # Nothing comes back to the caller from an exception.
+    assert height(rejected) < height(raised) < height(accepted)
 
 
 def test_the_picture_says_when_no_node_answers():
     early, late = climb(RAISED, 'TypeError: no'), climb(RAISED_LATE, 'ValueError: no')
     assert early.sentence == 'speed = 900: an exception at pre-set callbacks, and the caller gets no answer.'
-    assert falls(early)
-    # It is stored by then, so it does not fall.
+    assert is_bad(early)
+    # It is stored by then.
     assert 'post-set callbacks: act raises ValueError; stored is 300' in late.text
-    assert not falls(late)
+    assert not is_bad(late)
 
 
 def test_a_rung_without_callbacks_is_passed_by():
@@ -78,7 +93,7 @@ def test_a_climb_of_nothing_is_rejected():
 
 # -- the view ------------------------------------------------------------------------------------------------
 
-def test_a_value_climbs_the_ladder_or_falls_from_it(robot):
+def test_a_value_climbs_down_the_ladder_or_returns_from_it(robot):
     accepted, rejected = LadderView(robot, 'speed', 900), LadderView('/robot', 'speed', -5)
     assert [repr(view) for view in (accepted, rejected)] == [
         '<LadderView: speed = 900 is accepted, and 300 is stored.>',

@@ -361,7 +361,7 @@ def expect_no_override(trial: Trial, name: str, word: str) -> None:
     except NoStart:
         return
     raise NotYet(f'no start with `-p {name}:="{word}"`, which has another type',
-                 'the node started with it: the type is free')
+                 'the node started with it: the type may change')
 
 
 def expect_no_gap(shown: str = '', names: Sequence[str] = ()) -> None:

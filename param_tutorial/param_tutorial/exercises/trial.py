@@ -1,7 +1,6 @@
 """A corner of the stage where a learner's work is tried out: nothing of it is left behind."""
 
 import contextlib
-import inspect
 import io
 import linecache
 import re
@@ -14,6 +13,8 @@ from pathlib import Path
 from typing import Any, TypeVar, overload
 
 import yaml
+from rclpy.callback_groups import CallbackGroup
+from rclpy.executors import await_or_execute
 from rclpy.node import Node
 from rclpy.serialization import serialize_message
 
@@ -23,6 +24,7 @@ from param_tools.errors import (
     ExecutorError,
     NoAnswerError,
     ParameterToolError,
+    StuckError,
     WaitTimeoutError,
 )
 from param_tools.files.parsing import LOADER
@@ -31,7 +33,7 @@ from param_tools.node.declarations import describe_wrong_field
 from param_tools.ros import interrupts, stage
 from param_tools.ros.executor import BackgroundExecutor, Failure
 from param_tools.ros.service_types import SERVICE_TYPES
-from param_tools.ros.waiting import wait_until
+from param_tools.ros.waiting import wait, wait_until
 
 NodeT = TypeVar('NodeT', bound=Node)
 
@@ -229,25 +231,38 @@ class Trial:
         except (Exception, SystemExit) as error:
             raise NotYet(f'{what} finishes', describe_error(error)) from None
 
-    def press(self, what: str, function: Callable[[], Any]) -> None:
-        """Call a function of the learner's in the executor's thread, as a timer would: it may be an ``async def``.
+    def press(self, what: str, node: Node, function: Callable[[], Any], group: CallbackGroup | None = None) -> None:
+        """Have a timer of the learner's node call a function of theirs, once; it may be an ``async def``.
 
-        :raises NoUse: the function raised an exception, or did not return.
+        :param group: The timer's callback group; by default the node's, so that what hangs there on a robot hangs here.
+        :raises NoUse: the function raised an exception, or did not get to its end.
         """
-        def begin() -> None:
-            executor = self.ros.tool_node.executor
-            if inspect.iscoroutinefunction(function) and executor is not None:
-                executor.create_task(function)
-            else:
-                function()
+        ends: list[BaseException | None] = []
 
-        try:
-            self.ros.run(begin, what)
-        except (Exception, SystemExit) as error:
+        def begin() -> None:
+            async def press_once() -> None:
+                timer.cancel()
+                try:
+                    await await_or_execute(function)
+                    ends.append(None)
+                except BaseException as error:  # also what the executor interrupts it with
+                    ends.append(error)
+
+            timer = node.create_timer(0.001, press_once, callback_group=group)
+
+        self.ros.run(begin, what)
+        limit_sec = self._limit_sec()
+        if not wait(lambda: ends, limit_sec):
+            with contextlib.suppress(StuckError):
+                self.ros.run(lambda: None, what)  # interrupts a function that keeps the thread
+        if not ends:
+            raise NoUse(f'{what} finishes', f'it was still waiting at an `await` after {limit_sec:g} s. Until it has '
+                        'finished, the executor starts nothing else in the callback group of the timer that called '
+                        'it. Does the client have a group of its own?')
+        error, = ends
+        if isinstance(error, (Exception, SystemExit, KeyboardInterrupt)):
             raise NoUse(f'{what} finishes', describe_error(error)) from None
-        except KeyboardInterrupt:
-            raise
-        except BaseException:  # the executor has interrupted it
+        if error is not None:
             raise NoUse(f'{what} does not wait', 'it was still running after some seconds, and kept the executor '
                         'busy that would have to bring what it waits for') from None
 

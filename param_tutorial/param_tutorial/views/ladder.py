@@ -1,4 +1,4 @@
-"""LadderView: a set of a parameter as a value that climbs the ladder of callbacks."""
+"""LadderView: a set of a parameter as a value that climbs down the ladder of callbacks."""
 
 from typing import Any
 
@@ -11,7 +11,7 @@ from param_tutorial.views.set_recorder import record_set
 
 
 class LadderView(PictureView):
-    """A value that climbs the ladder of callbacks, or falls from it. Show it as the last line of a cell."""
+    """A value that climbs down the ladder of callbacks, or back from it. Show it as the last line of a cell."""
 
     def __init__(self, node: str | Node | ParameterClient, name: str, value: Any) -> None:
         """Ask a node for a value, and show what comes of it.

@@ -4,6 +4,8 @@
 _REGISTER_JUDGE = '        self.add_on_set_parameters_callback(self.validate)\n'
 _REGISTER_REACT = '        self.add_post_set_parameters_callback(self.react)\n'
 _AT_THE_START = '        self.react([])  # for the values that the heater starts with\n'
+_START = ("        start = self.validate(self.get_parameters(['low_c', 'high_c']))\n        if not start.successful:\n"
+          '            raise ValueError(start.reason)\n')
 _ACCEPTED = '        return SetParametersResult(successful=True)'
 _REJECTED = "return SetParametersResult(successful=False, reason=f'{low_c} is not below {high_c}')"
 _LOW = "low_c = proposed.get('low_c', self.get_parameter('low_c').value)"
@@ -11,91 +13,102 @@ _HIGH = "high_c = proposed.get('high_c', self.get_parameter('high_c').value)"
 _PROPOSED = 'proposed = {parameter.name: parameter.value for parameter in parameters}'
 _REACT = "self.target_c = (self.get_parameter('low_c').value + self.get_parameter('high_c').value) / 2"
 _EACH = 'for parameter in parameters:\n'
+_KNOWN = "if parameter.name in ('open_percent', 'force_percent') and not 0"
+_SKIP = "            if parameter.name not in ('open_percent', 'force_percent'):\n                continue\n"
 _MOTOR = "        self.motor_percent = self.get_parameter('open_percent').value"
 _MOTOR_REACT = f'def react(self, parameters):\n{_MOTOR}'
 
 WRONG = {
     '5.2a': [
-        ([(_REGISTER_JUDGE, '')], 3, 'it was accepted'),
-        ([("reason=f'{low_c} is not below {high_c}'", "reason=''")], 3, 'the reason is empty'),
+        ([(_REGISTER_JUDGE, '')], 4, 'it was accepted'),
+        ([("reason=f'{low_c} is not below {high_c}'", "reason=''")], 4, 'the reason is empty'),
         ([('low_c >= high_c', 'low_c > high_c')], 3, 'it was accepted'),
-        ([(_LOW, "low_c = self.get_parameter('low_c').value")], 2, 'it was accepted'),
-        ([(_HIGH, "high_c = self.get_parameter('high_c').value")], 3, 'it was accepted'),
-        ([(_PROPOSED, 'proposed = {parameters[0].name: parameters[0].value}')], 3, 'it was accepted'),  # one of two
+        ([(_LOW, "low_c = self.get_parameter('low_c').value")], 3, 'it was accepted'),
+        ([(_HIGH, "high_c = self.get_parameter('high_c').value")], 4, 'it was accepted'),
+        ([(_PROPOSED, 'proposed = {parameters[0].name: parameters[0].value}')], 4, 'it was accepted'),  # one of two
         ([("self.get_parameter('low_c').value)\n", '18)\n'), ("self.get_parameter('high_c').value)\n", '22)\n')],
-         4, 'the limit that is stored at that moment'),  # held against the defaults
+         5, 'the limit that is stored at that moment'),  # held against the defaults
         # Acts in the judge: with the proposed values, which may still be rejected, and with the stored, which are old.
-        ([(_ACCEPTED, f'        self.target_c = (low_c + high_c) / 2\n{_ACCEPTED}')], 4,
+        ([(_ACCEPTED, f'        self.target_c = (low_c + high_c) / 2\n{_ACCEPTED}')], 5,
          'a side effect of an on-set callback'),
         ([('add_post_set_parameters_callback(self.react)', 'add_on_set_parameters_callback(self.judge_late)'),
           (_AT_THE_START, '        self.judge_late([])\n'),
           ('def react(self, parameters):', 'def judge_late(self, parameters):'),
-          ('.value) / 2', '.value) / 2\n        return SetParametersResult(successful=True)')], 3, 'it is `20.0`'),
+          ('.value) / 2', '.value) / 2\n        return SetParametersResult(successful=True)')], 4, 'it is `20.0`'),
         # Acts in time, with what it noted in the judge.
         ([(_ACCEPTED, f'        self.noted = (low_c + high_c) / 2\n{_ACCEPTED}'),
           (_AT_THE_START, '        self.noted = 20\n        self.react([])\n'), (_REACT, 'self.target_c = self.noted')],
-         4, 'That is the middle of the defaults'),
+         5, 'That is the middle of the defaults'),
         ([(_ACCEPTED, f'        self.noted.update(proposed)\n{_ACCEPTED}'),
-          (_AT_THE_START, "        self.noted = {n: self.get_parameter(n).value for n in ('low_c', 'high_c')}\n"
-                          f'{_AT_THE_START}'),
-          (_REACT, "self.target_c = (self.noted['low_c'] + self.noted['high_c']) / 2")], 4,
+          (_START, "        self.noted = {n: self.get_parameter(n).value for n in ('low_c', 'high_c')}\n"
+                   f'{_START}'),
+          (_REACT, "self.target_c = (self.noted['low_c'] + self.noted['high_c']) / 2")], 5,
          'a value that was rejected has come through'),
-        ([(_AT_THE_START, '        self.target_c = 20\n')], 4, 'That is the middle of the defaults'),
-        ([(_REGISTER_REACT, '')], 3, 'it is `20.0`'),
-        ([(_REACT, _REACT.replace(' / 2', ' // 2'))], 3, 'it is `27`'),
+        ([(_AT_THE_START, '        self.target_c = 20\n')], 5, 'That is the middle of the defaults'),
+        ([(_REGISTER_REACT, '')], 4, 'it is `20.0`'),
+        ([(_REACT, _REACT.replace(' / 2', ' // 2'))], 4, 'it is `27`'),
         ([(_REACT, 'low_c, high_c = [p.value for p in parameters] or (18, 22)\n'
                    '        self.target_c = (low_c + high_c) / 2')],
          0, 'ValueError: not enough values to unpack'),
-        ([('self.target_c = (', 'self.target = (')], 2, 'it is `None`'),
+        ([('self.target_c = (', 'self.target = (')], 3, 'it is `None`'),
         # Acts too late.
-        ([(_REGISTER_REACT, '        self.create_timer(30.0, lambda: self.react([]))\n')], 3, 'it is `20.0`'),
-        ([(_ACCEPTED, '        return True')], 0, 'has to return a `SetParametersResult`'),
-        ([(_REJECTED, 'return False')], 3, 'the reason is rclpy’s own'),
-        ([(_ACCEPTED, '')], 0, 'has to return a `SetParametersResult`'),
+        ([(_REGISTER_REACT, '        self.create_timer(30.0, lambda: self.react([]))\n')], 4, 'it is `20.0`'),
+        ([(_START, ''), (_ACCEPTED, '        return True')], 0, 'has to return a `SetParametersResult`'),
+        ([(_ACCEPTED, '        return True')], 0, "'bool' object has no attribute 'successful'"),
+        ([(_REJECTED, 'return False')], 4, 'the reason is rclpy’s own'),
+        ([(_START, ''), (_ACCEPTED, '')], 0, 'has to return a `SetParametersResult`'),
         ([(_REJECTED, "raise ValueError('not below')")], 0, 'a callback raised ValueError: not below'),
         ([(_REJECTED, 'input()')], 0, 'a callback cannot ask with input()'),
-        ([('low_c >= high_c', "parameters[0].name == 'use_sim_time' or low_c >= high_c")], 4, '-3 is not below 12'),
+        ([("proposed.keys() & {'low_c', 'high_c'} and", "parameters[0].name == 'use_sim_time' or")], 5,
+         '-3 is not below 12'),
         ([("reason=f'{low_c} is not below {high_c}'", 'reason=low_c')], 0, 'TypeError'),
-        ([('low_c >= high_c', 'low_c >= high_c or high_c > 40')], 4, 'it was rejected'),  # a rule too many
+        ([('low_c >= high_c', 'low_c >= high_c or high_c > 40')], 2, 'it was rejected'),  # a rule too many
+        # Nobody judges the start.
+        ([(_START, '')], 5, 'it started, with `low_c = 30` and `high_c = 22`'),
+        ([('raise ValueError(start.reason)', 'self.get_logger().error(start.reason)')], 5, 'it started, with'),
         # Starts right, and then adds a new limit to the default of the other one.
         ([(_AT_THE_START, f"{_AT_THE_START}        self.limits = {{'low_c': 18, 'high_c': 22}}\n"),
           (_REACT, 'if parameters:\n            self.limits.update({p.name: p.value for p in parameters})\n'
                    "            self.target_c = (self.limits['low_c'] + self.limits['high_c']) / 2\n"
-                   f'        else:\n            {_REACT}')], 4, 'not its default'),
+                   f'        else:\n            {_REACT}')], 5, 'not its default'),
     ],
     '5.2b': [
-        ([(_EACH, _EACH.replace('parameters:', 'parameters[:1]:'))], 2, 'it was accepted'),
-        ([("reason=f'{parameter.value} is not a percentage'", "reason=''")], 1, 'the reason is empty'),
-        ([('0 <= parameter.value <= 100', '0 < parameter.value <= 100')], 1, 'it was rejected: 0 is not a percentage'),
-        ([('0 <= parameter.value <= 100', '0 <= parameter.value < 100')], 2, '100 is not a percentage'),
-        ([('if not 0', "if parameter.name == 'open_percent' and not 0")], 1, 'it was accepted'),
-        ([(_ACCEPTED, f'    {_ACCEPTED}')], 2, 'it was accepted'),  # returns in the loop
+        ([(_EACH, _EACH.replace('parameters:', 'parameters[:1]:'))], 3, 'it was accepted'),
+        ([("reason=f'{parameter.value} is not a percentage'", "reason=''")], 2, 'the reason is empty'),
+        ([('0 <= parameter.value <= 100', '0 < parameter.value <= 100')], 2, 'it was rejected: 0 is not a percentage'),
+        ([('0 <= parameter.value <= 100', '0 <= parameter.value < 100')], 3, '100 is not a percentage'),
+        ([(_KNOWN, "if parameter.name == 'open_percent' and not 0")], 2, 'it was accepted'),
+        # Judges everybody's parameters: by a range, by a type, and by a name.
+        ([(_KNOWN, 'if not 0')], 3, 'The callback is called for them, too'),
+        ([(_KNOWN, 'if type(parameter.value) is int and not 0')], 3, 'The callback is called for them, too'),
+        ([(_KNOWN, "if parameter.name not in ('open_percent', 'force_percent') or not 0")], 3, 'called for them, too'),
+        ([(_ACCEPTED, f'    {_ACCEPTED}')], 3, 'it was accepted'),  # returns in the loop
         ([(_ACCEPTED, "        self.motor_percent = {p.name: p.value for p in parameters}.get('open_percent', 50)\n"
-                      f'{_ACCEPTED}')], 2, 'a side effect of an on-set callback'),
+                      f'{_ACCEPTED}')], 3, 'a side effect of an on-set callback'),
         ([(_MOTOR, '        self.motor_percent = parameters[0].value if parameters else 0')], 0,
          "NameError: name 'parameters'"),
         ([(_MOTOR_REACT,
-           'def react(self, parameters):\n        self.motor_percent = parameters[0].value\n')], 2, 'it is `20`'),
+           'def react(self, parameters):\n        self.motor_percent = parameters[0].value\n')], 3, 'it is `20`'),
         ([(_MOTOR_REACT,
            'def react(self, parameters):\n        for parameter in parameters:\n'
-           '            self.motor_percent = parameter.value\n')], 2, 'it is `20`'),
-        ([(f'{_MOTOR}\n{_REGISTER_JUDGE}', f'        self.motor_percent = 0\n{_REGISTER_JUDGE}')], 2,
+           '            self.motor_percent = parameter.value\n')], 3, 'it is `20`'),
+        ([(f'{_MOTOR}\n{_REGISTER_JUDGE}', f'        self.motor_percent = 0\n{_REGISTER_JUDGE}')], 3,
          'it is `0`'),
-        ([(_REGISTER_REACT, '')], 2, 'it is `0`'),
-        ([('self.motor_percent = self', 'self.motor = self')], 2, 'it is `None`'),
-        ([('            if not', '            from rcl_interfaces.msg import ParameterType\n'
+        ([(_REGISTER_REACT, '')], 3, 'it is `0`'),
+        ([('self.motor_percent = self', 'self.motor = self')], 3, 'it is `None`'),
+        ([('            if parameter.name', '            from rcl_interfaces.msg import ParameterType\n'
            '            if parameter.type_ != ParameterType.PARAMETER_INTEGER:\n'
            "                return SetParametersResult(successful=False, reason='not an integer')\n"
-           '            if not')], 0, 'look at what the comparison compares'),
-        ([(_REGISTER_JUDGE, '')], 1, 'it was accepted'),
+           '            if parameter.name')], 0, 'look at what the comparison compares'),
+        ([(_REGISTER_JUDGE, '')], 2, 'it was accepted'),
         ([(_MOTOR_REACT,
            f'def react(self, parameters):\n        import rclpy\n        rclpy.spin_once(self)\n{_MOTOR}')],
          0, 'this callback already runs inside the executor that it waits for'),
-        ([('if not 0', 'if parameter.value == self.get_parameter(parameter.name).value or not 0')], 2,
+        ([(_KNOWN, 'if parameter.value == self.get_parameter(parameter.name).value or not 0')], 2,
          '50 is not a percentage'),  # rejects what is stored already
         ([("'force_percent', 50", "'force_percent', 50, __import__('rcl_interfaces.msg').msg.ParameterDescriptor("
            'dynamic_typing=True)')], 0, 'a callback raised TypeError'),
-        ([("'force_percent', 50", "'force_percent', 100")], 2, 'type integer, value `100`'),
+        ([("'force_percent', 50", "'force_percent', 100")], 3, 'type integer, value `100`'),
     ],
     '5.2c': [
         ([('dbeca', 'bdeca')], 3, 'called its pre-set callback, and then rejected'),
@@ -124,6 +137,8 @@ RIGHT = {
           '    @property\n    def target_c(self):\n        return')],
         # It judges before anything is checked; an empty list is a rejection.
         [('add_on_set_parameters_callback(self.validate)', 'add_pre_set_parameters_callback(self.validate)'),
+         (_START, "        if not self.validate(self.get_parameters(['low_c', 'high_c'])):\n"
+                  "            raise ValueError('not below')\n"),
          (_REJECTED, 'return []'), (_ACCEPTED, '        return parameters')],
         [(_PROPOSED, 'proposed = {}\n        for parameter in parameters:\n'
                      '            proposed[parameter.name] = parameter.get_parameter_value().integer_value'),
@@ -135,14 +150,14 @@ RIGHT = {
     ],
     '5.2b': [
         # The right comparison of the types.
-        [('            if not', '            from rclpy.parameter import Parameter\n'
+        [('            if parameter.name', f'{_SKIP}            from rclpy.parameter import Parameter\n'
           '            if parameter.type_ != Parameter.Type.INTEGER:\n'
           "                return SetParametersResult(successful=False, reason='not an integer')\n"
-          '            if not')],
-        [('            if not', '            from rcl_interfaces.msg import ParameterType\n'
+          '            if parameter.name')],
+        [('            if parameter.name', f'{_SKIP}            from rcl_interfaces.msg import ParameterType\n'
           '            if parameter.type_.value != ParameterType.PARAMETER_INTEGER:\n'
           "                return SetParametersResult(successful=False, reason='not an integer')\n"
-          '            if not')],
+          '            if parameter.name')],
         # A range in place of the callback.
         [("'open_percent', 0)", "'open_percent', 0, PERCENT)"),
          ("'force_percent', 50)", "'force_percent', 50, PERCENT)"),

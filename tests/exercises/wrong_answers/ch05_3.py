@@ -2,11 +2,20 @@
 
 # In the solutions: the line that sends the request, and the one that reads the answer.
 ASK = 'self.client.call_async(request).add_done_callback(self.on_answer)'
+AWAIT = ('result = (await self.client.call_async(request)).result\n'
+         '        self.rejection = result.reason')
+CLIENT = "self.client = self.create_client(SetParametersAtomically, '/rover/set_parameters_atomically')"
 READ = ('    return {parameter.name: result.reason\n            for parameter, result in zip(parameters, results)\n'
         '            if not result.successful}')
 
+
+def in_group(group: str) -> str:
+    """Return the line that creates the client, in a callback group."""
+    return CLIENT.replace("atomically')", f"atomically', callback_group={group})")
+
+
 WRONG = {
-    '5.3c': [
+    '5.3a': [
         ([("parameter = Parameter('max_speed_rpm', value=50)\n", ''),
           ('request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])\n',
            'request = SetParameters.Request(parameters=[parameter.to_parameter_msg()])\n'
@@ -40,7 +49,7 @@ WRONG = {
         ([('future = client.call_async(request)\n',
            'future = client.call_async(request)\nfuture = client.call_async(request)\n')], 0, 'it is asked 2 times'),
     ],
-    '5.3a': [
+    '5.3b': [
         # Not atomic: the other service, whose answer has a list of results.
         ([('SetParametersAtomically', 'SetParameters'), ('set_parameters_atomically', 'set_parameters'),
           ('class Supervisor', 'from rcl_interfaces.srv import SetParameters\n\n\nclass Supervisor'),
@@ -58,6 +67,10 @@ WRONG = {
          'there is no service `/supervisor/set_parameters_atomically` of that type'),
         ([("self.client = self.create_client(SetParametersAtomically, '/rover/set_parameters_atomically')", 'pass')], 0,
          'it creates none'),
+        # Hangs under rclpy.spin: the timer and the client are in one group.
+        ([('def slow_down', 'async def slow_down'), (ASK, AWAIT)], 0, 'Does the client have a group of its own?'),
+        ([('def slow_down', 'async def slow_down'), (ASK, AWAIT), (CLIENT, in_group('self.default_callback_group'))], 0,
+         'starts nothing else in the callback group of the timer'),
         # Blocked: for good, for a while, and in loops.
         ([(ASK, 'self.client.call(request)')], 0, 'Use call_async()'),
         ([(ASK, 'self.client.call(request, timeout_sec=1.0)')], 0, 'Use call_async()'),
@@ -91,7 +104,7 @@ WRONG = {
         ([("/rover/set_parameters_atomically')\n",
            "/rover/set_parameters_atomically')\n        self.slow_down()\n")], 0, 'the constructor has sent one'),
     ],
-    '5.3b': [
+    '5.3c': [
         ([('parameter.name: result.reason', 'result.name: result.reason')], 0, 'A result has no name'),
         ([('            if not result.successful', '            if True')], 0, "'use_sim_time': ''"),
         ([('if not result.successful', 'if result.successful')], 0,
@@ -127,7 +140,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '5.3c': [
+    '5.3a': [
         [("client = node.create_client(SetParameters, '/rover/set_parameters')\n", ''),
          ('future = client.call_async(request)\n',
           "client = node.create_client(SetParameters, '/rover/set_parameters')\n"
@@ -143,11 +156,14 @@ RIGHT = {
         # Indented, like a block of a function.
         [('results))\n"""', 'results))\n""".replace("\\n", "\\n    ")')],
     ],
-    '5.3a': [
-        # With await.
-        [('def slow_down', 'async def slow_down'),
-         (ASK, 'result = (await self.client.call_async(request)).result\n'
-               '        self.rejection = result.reason')],
+    '5.3b': [
+        # With await, and a client that is free to bring the answer.
+        [('def slow_down', 'async def slow_down'), (ASK, AWAIT),
+         (CLIENT, 'from rclpy.callback_groups import MutuallyExclusiveCallbackGroup as Group\n'
+                  f'        {in_group("Group()")}')],
+        [('def slow_down', 'async def slow_down'), (ASK, AWAIT),
+         (CLIENT, 'from rclpy.callback_groups import ReentrantCallbackGroup as Group\n'
+                  f'        {in_group("Group()")}')],
         # rclpy's own client.
         [("self.client = self.create_client(SetParametersAtomically, '/rover/set_parameters_atomically')",
           'from rclpy.parameter_client import AsyncParameterClient\n'
@@ -176,7 +192,7 @@ RIGHT = {
         [("'max_speed_rpm', value", "'max_speed_rpm', Parameter.Type.INTEGER, value")],
         [("'/rover/set", "'rover/set")],
     ],
-    '5.3b': [
+    '5.3c': [
         [(READ, '    reasons = {}\n    for index, result in enumerate(results):\n        if not result.successful:\n'
                 '            reasons[parameters[index].name] = result.reason\n    return reasons')],
         [(READ, '    pairs = filter(lambda pair: not pair[1].successful, zip(parameters, results))\n'

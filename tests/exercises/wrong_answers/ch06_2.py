@@ -31,7 +31,8 @@ WRONG = {
           "SetParametersResult(successful=all(each.name != 'serial' for each in parameters)))\n        stops = ")],
          2, 'rejected by the node'),
         ([("'H-01'", "'H-1'")], 2, "value `'H-1'`"),
-        ([("'label', 'north'", "'label', 'north', ParameterDescriptor(dynamic_typing=True)")], 2, 'Its type is free'),
+        ([("'label', 'north'", "'label', 'north', ParameterDescriptor(dynamic_typing=True)")], 2,
+         'Its type may change'),
         ([("'label', 'north'", "'label', 'north', ParameterDescriptor(read_only=True)")], 2, '(read only)'),
         ([("'label', 'north'", "'label', 'south'")], 2, "value `'south'`"),
         ([("'label', 'north'", "'label', Parameter.Type.STRING")], 2, 'no value'),
@@ -48,7 +49,7 @@ WRONG = {
         # Takes an override that equals its own default for no override.
         ([(_SET_IF_UNSET, "        if self.declare_parameter('stops_m', [-1.0]).value == [-1.0]:\n    " + _SET)], 2,
          'it is `[]`'),
-        ([('(read_only=True)', '(read_only=True, dynamic_typing=True)')], 2, 'the type is free'),
+        ([('(read_only=True)', '(read_only=True, dynamic_typing=True)')], 2, 'the type may change'),
     ],
     '6.2c': [
         ([('read_only=True', "description='Never changes.'")], 2, '`read_only`'),
@@ -63,7 +64,7 @@ WRONG = {
         ([('Parameter.Type.INTEGER_ARRAY', 'Parameter.Type.DOUBLE_ARRAY')], 2, 'type double array'),
         ([('Parameter.Type.INTEGER_ARRAY', 'Parameter.Type.INTEGER')], 2, 'type integer, no value'),
         ([('Parameter.Type.INTEGER_ARRAY', 'None, ParameterDescriptor(dynamic_typing=True)')], 2, 'type not set'),
-        ([('(read_only=True)', '(read_only=True, dynamic_typing=True)')], 2, 'the type is free'),
+        ([('(read_only=True)', '(read_only=True, dynamic_typing=True)')], 2, 'the type may change'),
     ],
 }
 

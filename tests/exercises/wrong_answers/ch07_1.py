@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 7.1."""
 
 WRONG = {
-    '7.1c': [
+    '7.1a': [
         ([('      red: 0.5\n', ''), ('    color:\n', '      red: 0.5\n    color:\n')],
          0, 'Error parsing a event near line 4'),
         ([('  ros__parameters:\n', ''), ('/lamp:\n', '  ros__parameters:\n/lamp:\n')],
@@ -31,7 +31,7 @@ WRONG = {
         ([('ros__', 'ros_')],
          0, 'Cannot have a value before ros__parameters'),
     ],
-    '7.1a': [
+    '7.1b': [
         ([("'1.10'", '1.10')],
          6, "to '1.1' of type 'DOUBLE', expecting type 'STRING': version. A string that looks like a number"),
         ([("'1.10'", "'1.1'")],
@@ -59,15 +59,15 @@ WRONG = {
         ([('    gains:\n      kp: 1.5', '    kp: 1.5')],
          6, 'the default: the file has no `gains.kp`'),
         ([('/lab/recorder', '/recorder')],
-         0, 'Whom does its first line name?'),
+         0, 'Whom does its key name?'),
         ([('/lab/recorder', 'recorder')],
-         0, 'Whom does its first line name?'),
+         0, 'Whom does its key name?'),
         ([('ros__parameters', 'ros_parameters')],
          0, 'Cannot have a value before ros__parameters'),
         ([('version:', 'version')],
          0, 'Cannot have a value before ros__parameters'),
     ],
-    '7.1b': [
+    '7.1c': [
         ([('False,', "'n',")],
          7, 'more words for false'),
         ([(": 'n'", ': False')],
@@ -96,7 +96,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '7.1c': [
+    '7.1a': [
         [('    brightness_percent: 60\n    color:\n      red: 0.5\n',
           '    color:\n      red: 0.5\n    brightness_percent: 60\n')],
         [('    color:\n      red', '    color.red')],
@@ -106,15 +106,17 @@ RIGHT = {
         [('/lamp:\n  ros__parameters:\n    brightness_percent: 60\n    color:\n      red: 0.5\n',
           '  /lamp: {ros__parameters: {color: {red: .5}, brightness_percent: 0x3c}}\n')],
     ],
-    '7.1a': [
+    '7.1b': [
         [('/lab/recorder', '/**/recorder')],
         [('/lab/recorder', '/*/recorder')],
         [('/lab/recorder', '/lab/*')],
         [('/lab/recorder:', 'lab/recorder:'), ("['1', '2']", '\n    - "1"\n    - "2"')],
         [('    gains:\n      kp: 1.5', '    gains.kp: 15.0e-1'), ('20.0', '2e1'), ("'1.10'", '!!str 1.10')],
         [('/lab/recorder:', '/**:\n  ros__parameters:\n    rate_hz: 5.0\n/lab/recorder:')],
+        # The namespace as a level of its own, as in the files of nav2.
+        [('/lab/recorder:\n', 'lab:\n recorder:\n')],
     ],
-    '7.1b': [
+    '7.1c': [
         [("['dock']", "('dock',)"), ('2000.0', '2e3'), (': False', ': not True')],
         [('came_back = {', 'came_back = dict(reversed({'), ("['dock'],\n}", "['dock'],\n}.items()))")],
         [('came_back = {', 'came_back = {}\nfor question, value in {'),

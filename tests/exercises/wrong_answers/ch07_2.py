@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 7.2."""
 
 WRONG = {
-    '7.2c': [
+    '7.2a': [
         ([("'param_tutorial'", "'param_tutorials'")],
          0, "Package 'param_tutorials' not found"),
         ([("executable='simple_param_node'", "executable='simple_node'")],
@@ -35,7 +35,7 @@ WRONG = {
         ([('    ])\n', '    )\n')],
          0, 'SyntaxError'),
     ],
-    '7.2a': [
+    '7.2b': [
         ([("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml']),",
            '')],
          3, 'is its path right?'),
@@ -59,9 +59,9 @@ WRONG = {
            "                    'max_speed_rpm': LaunchConfiguration('max_speed_rpm'),\n"
            "                    'robot_serial_number': ParameterValue(LaunchConfiguration('serial'), value_type=str),\n"
            '                },\n')],
-         1, 'Of two sources the later one wins'),
+         1, 'Of these two sources, the later one wins'),
         ([("                    'enable_safety_mode': True,\n", '')],
-         3, 'Of two sources the later one wins'),
+         3, 'Of these two sources, the later one wins'),
         ([("                    'enable_safety_mode': True,\n",
            ''),
           ("PathJoinSubstitution([FindPackageShare('param_tutorial'), 'config', 'clawbot_config.yaml']),",
@@ -117,7 +117,7 @@ WRONG = {
         ([("                    'max_speed_rpm': LaunchConfiguration('max_speed_rpm'),\n", '')],
          3, 'it is still `180`. Is there a value for it'),
     ],
-    '7.2b': [
+    '7.2c': [
         ([("config]': 180", "config]': 100")],
          6, 'The file is for `/simple_param_node`'),
         ([("config]': 180", "config]': '180'")],
@@ -142,11 +142,11 @@ WRONG = {
 }
 
 RIGHT = {
-    '7.2b': [
+    '7.2c': [
         [("'dead'", "'Dead.'")],
         [("'dead'", "' dead '")],
     ],
-    '7.2c': [
+    '7.2a': [
         [("[{'max_speed_rpm': 150, 'robot_name': 'Berta'}]",
           "[{'max_speed_rpm': 150}, {'robot_name': 'Berta'}]")],
         [("            name='simple_param_node',\n", '')],
@@ -157,7 +157,7 @@ RIGHT = {
         [('        Node(', "        SetParameter('max_speed_rpm', 150),\n        Node("),
          ("'max_speed_rpm': 150, ", ''), ('import Node', 'import Node, SetParameter')],
     ],
-    '7.2a': [
+    '7.2b': [
         [("ParameterValue(LaunchConfiguration('serial'), value_type=str)",
           '["\'", LaunchConfiguration(\'serial\'), "\'"]')],
         [("        DeclareLaunchArgument('max_speed_rpm', default_value='90'),\n",

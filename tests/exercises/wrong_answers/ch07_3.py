@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 7.3."""
 
 WRONG = {
-    '7.3c': [
+    '7.3a': [
         ([("    '--params-file fast.yaml',\n    '--params-file slow.yaml',\n",
            "    '--params-file slow.yaml',\n    '--params-file fast.yaml',\n")],
          1, "it is `'fast'`. Both files write into the same block"),
@@ -33,7 +33,7 @@ WRONG = {
         ([('sources = [', 'sources = {'), ("400',\n]", "400',\n}")],
          0, 'the check was given a `set`'),
     ],
-    '7.3a': [
+    '7.3b': [
         ([("{\n    'mixed.yaml': 300", "{\n    'mixed.yaml': 200")],
          7, 'The later block wins'),
         ([("{\n    'mixed.yaml': 300", "{\n    'mixed.yaml': '300'")],
@@ -55,7 +55,7 @@ WRONG = {
         ([("'lab.yaml': 100", "'lab.yaml': 100.0")],
          7, 'Written like this, it is a double'),
     ],
-    '7.3b': [
+    '7.3c': [
         ([('/lab/*/gripper', '/**/gripper')],
          4, '`force_n` is `12.0`'),
         ([('/lab/*/gripper', '/lab/**')],
@@ -89,7 +89,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '7.3c': [
+    '7.3a': [
         [("    '-p speed:=400',\n",
           ''),
          ("    '--params-file slow.yaml',\n",
@@ -98,7 +98,7 @@ RIGHT = {
         [("'--params-file fast.yaml'", "'--params-file ' + 'fast.yaml'")],
         [('sources = [', 'sources = ('), ("400',\n]", "400',\n)")],
     ],
-    '7.3b': [
+    '7.3c': [
         [('/lab/*/gripper', '/lab/**/gripper')],
         [('/lab/*/gripper', 'lab/*/gripper'), ('/lab/right/gripper', '"/**/right/gripper"')],
         [('/lab/*/gripper:\n'

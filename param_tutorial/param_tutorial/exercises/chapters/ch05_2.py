@@ -18,7 +18,7 @@ from param_tutorial.exercises.expectations import (
     expect_left_alone,
     expect_rejected,
 )
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, describe_error, expect
+from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, describe_error, expect
 
 CHAPTER = '05_2_with_a_callback'
 JUDGE = 'Build it: a callback that judges'
@@ -26,6 +26,7 @@ TOO_EARLY = 'Break it: acting too early'
 ACT = 'Build it: a callback that acts'
 LADDER = 'The callback ladder'
 LIST = 'One by one, or all at once'
+START = 'Who judges an override?'
 
 
 judge = Exercise('5.2a', 'Judge and act', CHAPTER, NODE_CLASS, node_name='heater', hints=(
@@ -34,7 +35,9 @@ judge = Exercise('5.2a', 'Judge and act', CHAPTER, NODE_CLASS, node_name='heater
     'A request may hold one of the two limits, or both. Begin with the stored ones, and let the proposed ones '
     "replace them: `new = {p.name: p.value for p in parameters}`, then `new.get('low_c', stored)`.",
     'In post-set everything is stored: read both with `get_parameter`, and set `self.target_c` to their middle. Do '
-    'the same once at the end of the constructor.'))
+    'the same once at the end of the constructor.',
+    'The values of the start come before any callback. Ask your own judge about them, after the declarations: '
+    "`self.validate(self.get_parameters(['low_c', 'high_c']))`. If its result is not successful, raise an exception."))
 
 
 def expect_working(trial: Trial, node: Node, new: Mapping[str, object], because: str = '') -> None:
@@ -118,6 +121,17 @@ def starts_right(trial: Trial) -> None:
                + ('. That is the middle of the defaults' if found == 20 else ''))
 
 
+@judge.require('it does not start with limits that break the rule', see=START)
+def starts_only_right(trial: Trial) -> None:
+    for override in ('low_c:=30', 'high_c:=18', 'high_c:=-5'):
+        try:
+            heater = trial.start(ros_args=['-p', override])
+        except NoStart:
+            continue
+        raise NotYet(f'it does not start with `-p {override}`', f'it started, with `low_c = '
+                     f'{heater.get_parameter("low_c").value}` and `high_c = {heater.get_parameter("high_c").value}`')
+
+
 @judge.require('a rejected value changes nothing', see=TOO_EARLY)
 def acts_late(trial: Trial) -> None:
     heater: Any = expect_follows(trial, 'target_c', [({'low_c': 10}, 16)])
@@ -128,12 +142,13 @@ def acts_late(trial: Trial) -> None:
            f'it is `{heater.target_c!r}`: a value that was rejected has come through')
 
 
-hunt = Exercise('5.2b', 'Hunt three faults', CHAPTER, NODE_CLASS, node_name='door', hints=(
+hunt = Exercise('5.2b', 'Hunt four faults', CHAPTER, NODE_CLASS, node_name='door', hints=(
     "Put the door on the stage and ask it: `ParameterClient(ros.add(Door)).set_parameter('open_percent', 50)`. "
     'Then read its reason again.',
-    'One fault is a comparison that is never equal, one is a `return` that comes too soon, and one acts on a proposal.',
-    'The declaration fixes the type, so that check can go. The last `return` belongs after the loop. What moves the '
-    'motor belongs in a post-set callback.'))
+    'One fault is a comparison that is never equal, one judges what is none of its business, one is a `return` that '
+    'comes too soon, and one acts on a proposal.',
+    'The declaration fixes the type, so that check can go. The rule is about two names, so ask for them first. The '
+    'last `return` belongs after the loop. What moves the motor belongs in a post-set callback.'))
 
 
 @hunt.require('a percentage is accepted, and everything else rejected with a reason', see=JUDGE)
@@ -158,6 +173,24 @@ def judges_each(trial: Trial) -> None:
     for bad in ({'open_percent': 50, 'force_percent': 150}, {'force_percent': 50, 'open_percent': 150},
                 {'force_percent': -1, 'open_percent': 50}, {'open_percent': -1, 'force_percent': 50}):
         expect_rejected(trial, door, bad)
+
+
+@hunt.require('other parameters are left alone', see=JUDGE)
+def leaves_others(trial: Trial) -> None:
+    class Labeled(trial.work):  # type: ignore[name-defined,misc]  # a subclass, as another person may write it
+        def __init__(self) -> None:
+            super().__init__()
+            self.declare_parameter('label', 'north')
+            self.declare_parameter('height_mm', 2100)
+
+    Labeled.__name__ = trial.work.__name__
+    expected = 'a subclass may have parameters of its own, `label` and `height_mm`'
+    try:
+        door = trial.start(Labeled)
+    except NoStart as error:
+        raise NotYet(expected, f'{error.happened}. The callback is called for them, too') from None
+    for name, value in (('label', 'south'), ('height_mm', 2300), ('use_sim_time', False)):
+        expect_accepted(trial, door, {name: value}, '. The rule is about two other parameters')
 
 
 @hunt.require('the motor follows what is stored, and only that, from the start', see=ACT)

@@ -68,13 +68,14 @@ class KeepsSpeed(Rover):
 OLD = ParameterValues(max_speed_rpm=100, max_acceleration_mps2=1.0)
 NEW = ParameterValues(max_speed_rpm=40, max_acceleration_mps2=0.2)
 
-supervise = Exercise('5.3a', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
+supervise = Exercise('5.3b', 'Slow a rover down', CHAPTER, NODE_CLASS, node_name='supervisor', hints=(
     'Create the client once, in the constructor: `self.create_client(TYPE, NAME)`. Which of the six services takes a '
     'list as one?',
     'The service is `/rover/set_parameters_atomically`, of the type `SetParametersAtomically`. Make its request as '
     'the section “Change it: all or nothing” does, and send it with `call_async`.',
     '`call_async` returns a future. `future.add_done_callback(self.on_answer)` has rclpy call your method with it. '
-    '`future.result().result` is the one result, and it has a `reason`.'))
+    '`future.result().result` is the one result, and it has a `reason`. If you would rather await the future, the '
+    'client needs a callback group of its own.'))
 
 
 @contextlib.contextmanager
@@ -107,11 +108,11 @@ def slow_down(trial: Trial, rover_class: type[Rover]) -> tuple[Rover, Any]:
     if not callable(button):
         raise NoUse('a method `slow_down`', 'the class has none')
     with awake():
-        trial.press('`slow_down()`', button)
+        trial.press('`slow_down()`', supervisor, button)
     return rover, supervisor
 
 
-@supervise.require('`slow_down()` sends both values, and does not block', see=HOW)
+@supervise.require('`slow_down()` sends both values, and neither blocks nor hangs', see=HOW)
 def both(trial: Trial) -> None:
     rover, supervisor = slow_down(trial, Rover)
     client = trial.client(rover)
@@ -167,7 +168,7 @@ def expect_kept(trial: Trial, rover_class: type[Rover], name: str) -> None:
     trial.ros.remove(rover)
 
 
-read = Exercise('5.3b', 'Read an answer', CHAPTER, FUNCTION, hints=(
+read = Exercise('5.3c', 'Read an answer', CHAPTER, FUNCTION, hints=(
     'A result has `successful` and `reason`, but no name.',
     'The results come in the order of the request, so `zip(parameters, results)` makes the pairs.',
     'Add to a dictionary with `reasons[parameter.name] = result.reason`, and return it after the loop, not inside it.'))
@@ -244,7 +245,7 @@ def none(trial: Trial) -> None:
     expect_reasons(trial, Rover, {'max_speed_rpm': 50})
 
 
-order = Exercise('5.3c', 'Put a request in order', CHAPTER, TEXT, hints=(
+order = Exercise('5.3a', 'Put a request in order', CHAPTER, TEXT, hints=(
     'A name has to exist before a line can use it. Start with the two lines that use none of the other lines’ names.',
     'The request needs the parameter, the call needs the client and the request, and the last line needs the future '
     'that the call returns.'))

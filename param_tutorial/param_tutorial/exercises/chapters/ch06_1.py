@@ -61,7 +61,7 @@ def pressure(trial: Trial) -> None:
     expect_range(client, 'pressure_bar', 0.0, 6.0, 0)
 
 
-mend = Exercise('6.1b', 'Mend two silent faults', CHAPTER, NODE_CLASS, node_name='winch', hints=(
+mend = Exercise('6.1b', 'Fix two silent faults', CHAPTER, NODE_CLASS, node_name='winch', hints=(
     'Ask the winch as it is: `ParameterClient(ros.add(Winch)).describe_parameters()`. Compare what it says with what '
     'is declared.',
     'A range only counts for a default of its own kind. A descriptor serves one declaration.',

@@ -1,4 +1,4 @@
-"""Exercises of chapter 6.2: predict who rejects, mend declarations that say something else, and lock and free your
+"""Exercises of chapter 6.2: predict who rejects, fix declarations that say something else, and lock and free your
 own."""
 
 import ast
@@ -23,7 +23,7 @@ from param_tutorial.exercises.trial import Trial, expect
 
 CHAPTER = '06_2_locks_types_and_order'
 LOCK = 'Change it: the lock'
-FREE = 'Change it: a free type'
+FREE = 'Change it: a type that may change'
 ARRAYS = 'Arrays'
 EMPTY = 'Build it: an array that starts empty'
 ORDER = 'Who rejects, and in which order?'
@@ -93,7 +93,7 @@ require_foresight('gain = 50', {
     'wrong type': 'Which type does the default have?'})
 
 
-mend = Exercise('6.2b', 'Mend three declarations', CHAPTER, NODE_CLASS, node_name='hoist', hints=(
+mend = Exercise('6.2b', 'Fix three declarations', CHAPTER, NODE_CLASS, node_name='hoist', hints=(
     'Ask the hoist as it is: `ParameterClient(ros.add(Hoist)).describe_parameters()`. Compare what it says with the '
     'three sentences above.',
     'A description enforces nothing; the lock is a field of the descriptor, `read_only`. A parameter keeps its type '
@@ -139,7 +139,7 @@ def label(trial: Trial) -> None:
     expect_answers(client, 'label', 'accepted', 'south', '7', '')
     for other in (7, 0.5, True, ['south']):
         result = client.set_parameter('label', other)
-        expect(not result.successful, f'`label = {other!r}` is rejected', f'{result}. Its type is free')
+        expect(not result.successful, f'`label = {other!r}` is rejected', f'{result}. Its type may change')
     result = client.delete_parameter('label')
     expect(not result.successful, '`label` cannot be deleted', 'it was deleted')
 
@@ -149,12 +149,12 @@ def stops(trial: Trial) -> None:
     expect_declared(trial, 'stops_m', DOUBLE_ARRAY, [])
     client = client_for(trial, 'stops_m')
     expect_answers(client, 'stops_m', 'accepted', [2.5, 10.0], [0.0], [])
-    expect_answers(client, 'stops_m', 'wrong type', ['dock'], [1, 2], because='With a free type everything goes in')
+    expect_answers(client, 'stops_m', 'wrong type', ['dock'], [1, 2], because='With dynamic typing everything goes in')
     for override in ([1.5, 2.5], *defaults(trial, 'stops_m')):
         expect_override(trial, 'stops_m', str(override), override)
 
 
-describe = Exercise('6.2c', 'Lock, free and leave open', CHAPTER, NODE_CLASS, node_name='camera', hints=(
+describe = Exercise('6.2c', 'Lock it, let it vary, leave it open', CHAPTER, NODE_CLASS, node_name='camera', hints=(
     'Two of the three need a `ParameterDescriptor`, each with one field. Ask the node what it makes of them: '
     '`ParameterClient(ros.add(Camera)).describe_parameters()`.',
     'The two fields are `read_only` and `dynamic_typing`.',
@@ -186,7 +186,8 @@ def crop(trial: Trial) -> None:
     expect_declared(trial, 'crop_px', INTEGER_ARRAY, None)
     client = client_for(trial, 'crop_px')
     expect_answers(client, 'crop_px', 'accepted', [0, 0, 640, 480], [5], [])
-    expect_answers(client, 'crop_px', 'wrong type', [0.5], ['left'], 7, because='With a free type everything goes in')
+    expect_answers(client, 'crop_px', 'wrong type', [0.5], ['left'], 7,
+                   because='With dynamic typing everything goes in')
     expect_override(trial, 'crop_px', '[1, 2]', [1, 2])
 
 

@@ -42,7 +42,7 @@ def expect_block(trial: Trial, full_name: str) -> None:
         return
     # Two that every node has.
     if not set(trial.client(finder).list_parameters()) - {'use_sim_time', 'start_type_description_service'}:
-        raise NoUse(f'a block for `{full_name}`', 'the file has nothing for this node. Whom does its first line name?')
+        raise NoUse(f'a block for `{full_name}`', 'the file has nothing for this node. Whom does its key name?')
 
 
 # Of the recorder that the learner writes a file for: each default, and the value that it should start with.
@@ -76,10 +76,10 @@ def recorder(name: str) -> type[Node]:
     return Recorder
 
 
-write = Exercise('7.1a', 'Write a file by hand', CHAPTER, TEXT, hints=(
+write = Exercise('7.1b', 'Write a file by hand', CHAPTER, TEXT, hints=(
     'Let a node write it: `ParameterClient(...).dump()` of a node with values like these shows you the form and the '
     'quotes.',
-    'The first line is the fully qualified name of the node and a colon. The second line is `ros__parameters:`, '
+    'The key is the fully qualified name of the node, with a colon. The second line is `ros__parameters:`, '
     'indented by two spaces, and the parameters are indented by four. A dot in a name adds a level.',
     'To rcl, `1.10` and `0042` are numbers and `on` is true, so these strings need quotes. The double needs its dot.'))
 
@@ -138,7 +138,7 @@ def dumped(trial: Trial, text: str) -> str:
     return trial.ros2('param', 'dump', f'{CORNER}/trip')
 
 
-foresee = Exercise('7.1b', 'Predict what comes back', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('7.1c', 'Predict what comes back', CHAPTER, DICTIONARY, hints=(
     'Does the command put quotes around the string? It does if YAML 1.1 would take it for something else. Then ask '
     'what the reader makes of what is written there.',
     'To rcl, `n` is a boolean and `2e3` is a number, and a string in quotes stays a string. `load` reads by the rules '
@@ -192,7 +192,7 @@ require_load('[]', {
     None: 'What the node rejects takes nothing away'}, NO_FILE)
 
 
-order = Exercise('7.1c', 'Put a file in order', CHAPTER, TEXT, hints=(
+order = Exercise('7.1a', 'Put a file in order', CHAPTER, TEXT, hints=(
     'The indentation is right: each line belongs to the nearest line above it that is indented less.',
     'The node is at the left margin, below it `ros__parameters`, and below that the parameters. A dot in a name adds a '
     'level: `color.red` is `red` below `color`.'))

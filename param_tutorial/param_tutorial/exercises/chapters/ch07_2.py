@@ -110,7 +110,7 @@ def _gaps(text: str) -> list[str]:
     return [f'`{name}`' for name, value in pairs if isinstance(value, ast.Constant) and value.value is ...]
 
 
-complete = Exercise('7.2a', 'Complete a launch file', CHAPTER, TEXT, hints=(
+complete = Exercise('7.2b', 'Complete a launch file', CHAPTER, TEXT, hints=(
     '`parameters` is a list: first the file, then what covers it. The chapter’s three launch files contain all that '
     'you need. `print((launch_files / "argument_param_launch.py").read_text())` shows one of them.',
     'The file: `PathJoinSubstitution([FindPackageShare("param_tutorial"), "config", "clawbot_config.yaml"])`. The '
@@ -173,7 +173,7 @@ def file_arrives(trial: Trial) -> None:
 def override_arrives(trial: Trial) -> None:
     found = starts(trial, Reckless).get_parameter('enable_safety_mode').value
     expect(found, '`enable_safety_mode` is `True`, and does not depend on the default',
-           f'it is `{found!r}`. Of two sources the later one wins')
+           f'it is `{found!r}`. Of these two sources, the later one wins')
     for argument in launch(trial, trial.work).arguments:
         with contextlib.suppress(NotYet):  # what else the word does to the robot is not asked here
             found = starts(trial, Reckless, **{argument: 'false'}).get_parameter('enable_safety_mode').value
@@ -230,7 +230,7 @@ def generate_launch_description():
     return LaunchDescription([Node(package='param_tutorial', executable='simple_param_node', {words})])
 """
 
-foresee = Exercise('7.2b', 'Predict the start', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('7.2c', 'Predict the start', CHAPTER, DICTIONARY, hints=(
     'Ask three questions about each line. Is the file there? Is it for a node of this name? Does a later source win?',
     'A missing file is only a warning, and a file for another node is ignored without one. In both cases the default '
     'stays.',
@@ -263,7 +263,7 @@ require_foresight("parameters=[config, {'max_speed': 200}]", {
     200: 'Is there a parameter of that name?', 'dead': 'A value for an undeclared parameter is ignored'}, VALUES)
 
 
-fill = Exercise('7.2c', 'Fill four gaps', CHAPTER, TEXT, hints=(
+fill = Exercise('7.2a', 'Fill four gaps', CHAPTER, TEXT, hints=(
     'The first two gaps are what you type after `ros2 run`: a package, and an executable in it. The robot is '
     '`simple_param_node` in `param_tutorial`.',
     '`parameters` is a list. A dictionary in it holds Python values, so the name needs quotes and the speed does not.'))

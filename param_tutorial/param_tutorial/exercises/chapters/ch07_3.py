@@ -15,7 +15,7 @@ TWO = 'Two sources'
 THREE = 'Break it: three sources'
 REACHES = 'Which nodes does a file reach?'
 
-# The files of 7.3a, which the chapter writes into its scratch folder.
+# The files of 7.3b, which the chapter writes into its scratch folder.
 FILES = {
     'mixed.yaml': """
 /robot:
@@ -37,7 +37,7 @@ class Robot(Node):
         self.declare_parameter('speed', 100)
 
 
-predict = Exercise('7.3a', 'Predict the winner', CHAPTER, DICTIONARY, hints=(
+predict = Exercise('7.3b', 'Predict the winner', CHAPTER, DICTIONARY, hints=(
     'Take a sheet of paper. Write down the blocks in the order in which their names first appear, with the value of '
     'each. Then find the last one that matches.',
     '`mixed.yaml` opens two blocks. A `-p` without a node name goes into the block `/**`, wherever that is.',
@@ -85,7 +85,7 @@ class Gripper(Node):
         self.declare_parameters('', [('force_n', 5.0), ('speed_mmps', 10)])
 
 
-reach = Exercise('7.3b', 'Two of five', CHAPTER, TEXT, hints=(
+reach = Exercise('7.3c', 'Two of five', CHAPTER, TEXT, hints=(
     'Begin with one block, for `/lab/left/gripper` alone. Then put a wildcard where the two names differ.',
     '`*` stands for one name, `**` for any number of names. A double needs its dot, in a file too.',
     'Two blocks: `/lab/*/gripper` with both values, and below it `/lab/right/gripper` with its own force. In each, the '
@@ -161,7 +161,7 @@ def spare(trial: Trial) -> None:
         expect_holds(trial, place, 'gripper', 5.0, 10)
 
 
-order = Exercise('7.3c', 'Put three sources in order', CHAPTER, LIST, hints=(
+order = Exercise('7.3a', 'Put three sources in order', CHAPTER, LIST, hints=(
     'Both files write into the block `/robot`. Within a block the later value wins.',
     'A `-p` without a node name goes into the block `/**`. It wins if this block is opened after `/robot`.'))
 

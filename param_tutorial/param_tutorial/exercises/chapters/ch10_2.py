@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from textwrap import shorten
 
 from rcl_interfaces.srv import GetParameters
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -90,7 +91,8 @@ def found_in(trial: Trial, rover_class: type[Node]) -> None:
                  if not (value is None and name in held)}
         return found.keys() == wanted.keys() and all(values.same(found[name], wanted[name]) for name in wanted)
 
-    trial.press('`inspect()`', button)
+    # In a group of its own, as the timer of the chapter's `Reader`.
+    trial.press('`inspect()`', inspector, button, MutuallyExclusiveCallbackGroup())
     trial.wait(lambda: not inspector.count_unanswered() and asks_no_more(trial, inspector) and has_found_all(),
                f'`self.found` is `{shorten(repr(wanted), 400)}`',
                lambda: f'it is `{shorten(repr(inspector.found), 400)}`{_lost(inspector)}',

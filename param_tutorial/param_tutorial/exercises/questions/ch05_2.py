@@ -2,14 +2,15 @@
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 
-SOLVED = 'You judge first and act later, and your motor never runs backwards by accident.'
+SOLVED = 'You judge first and act later, and your motor never runs backward by accident.'
 
 RECALLS = (
     Recall('5.2-r1', 'A script runs `ros2 param set`, and the node rejects the value. What is the exit status '
            'of the command?', (
-        wrong('1: the value was not set', 'The command did its work: it sent the request and printed the answer. A '
-              'script has to read that answer.'),
-        right('0', 'The command did its work: it sent the request and printed the answer.')),
+        wrong('1: the value was not set', 'The command prints the rejection and ends with 0 all the same. A script '
+              'has to read what it prints.'),
+        right('0', 'The command prints the rejection and ends with 0 all the same. A script has to read what it '
+              'prints.')),
            chapter='5.1', section='Break it: rejections and mistakes'),
     Recall('5.2-r2', "A node keeps `speed = self.get_parameter('max_speed_rpm')`. Later someone changes the "
            'parameter. What is `speed.value`?', (
@@ -21,12 +22,12 @@ RECALLS = (
 PREDICTIONS = (
     Prediction('5.2-1', 'All four values are reasonable, and of the types that the robot declared. How many of the '
                'four commands succeed?', (
-        wrong('all four', 'The comparison with `ParameterType` is never true, so the robot rejects each speed and each '
-              'acceleration.'),
+        wrong('all four', 'A `Parameter.Type` equals no number, so the two always differ, and the robot rejects '
+              'every speed and every acceleration.'),
         wrong('three: 0.75 is too high an acceleration', 'The range ends at 2.0. It is the comparison of the types '
               'that rejects 0.75, and 150 as well.'),
-        right('two', 'The callback rejects the speed and the acceleration: its comparisons are never true. The other '
-              'two pass, because it does not look at them.'),
+        right('two', 'The callback rejects the speed and the acceleration: a `Parameter.Type` equals no number, so '
+              'the two always differ. The other two pass, because it does not look at them.'),
         wrong('none', 'The callback looks at the speed and the acceleration only. The other two commands succeed.'))),
     Prediction('5.2-2', 'The speed is 100, and someone sets 150. What does `get_parameter` return within the on-set '
                'callback?', (
@@ -35,14 +36,13 @@ PREDICTIONS = (
         right('100', 'While the on-set callback runs, the old value is still the value.'),
         wrong('an exception: the parameter is locked meanwhile', 'Nothing is locked. The callback reads the old '
               'value.'))),
-    Prediction('5.2-3', 'The newer callback set the motor to -20, and the older one then rejected -20. What do motor '
-               'and parameter say?', (
-        wrong('motor 100, parameter 100: the rejection undoes both', 'rclpy does not undo what a callback has done. '
-              'It leaves the parameter as it was, but the motor turns.'),
-        right('motor -20, parameter 100', 'The parameter never changed, and nobody takes back what the callback '
-              'did to the motor.'),
-        wrong('motor -20, parameter -20: the first answer counts', 'One rejection is enough. The parameter stays at '
-              '100.'))),
+    Prediction('5.2-3', 'The motor follows in a post-set callback now. Someone sets 120, and then -20. What do motor '
+               'and parameter say in the end?', (
+        right('motor 120, parameter 120', '120 was stored, so the post-set callback was called. -20 was rejected, so '
+              'it was not.'),
+        wrong('motor -20, parameter 120', 'rclpy calls a post-set callback only when a value is stored, and -20 never '
+              'was.'),
+        wrong('motor 100, parameter 120', 'The post-set callback was called for 120, once it was stored.'))),
     Prediction('5.2-4', 'The robot starts with `-p max_speed_rpm:=250`. Its constructor sets `motor_rpm` to 100, and '
                'registers the post-set callback after the declaration. What do motor and parameter say?', (
         wrong('motor 250, parameter 250', 'The callback was registered after the declaration, so nobody told the '
@@ -50,44 +50,34 @@ PREDICTIONS = (
         right('motor 100, parameter 250', 'The override took the place of the default when the parameter was declared. '
               'But the constructor set the motor to 100.'),
         wrong('motor 100, parameter 100', 'The override takes the place of the default, so the parameter says 250.'))),
-    Prediction('5.2-5', 'The pre-set callback cuts the speed to 300 at most. A client asks for 900. What does the '
-               'on-set callback see?', (
-        wrong('900, as the client asked', 'The pre-set callback comes first, and what it returns takes the place of '
-              'the request.'),
-        right('300, while 100 is stored', 'What the pre-set callback returns takes the place of the request, and '
-              'nothing is stored before on-set has agreed.'),
-        wrong('300, and 300 is stored already', 'Nothing is stored before on-set has agreed. At that moment the '
-              'parameter still says 100.'),
-        wrong('nothing: the request is rejected', 'A pre-set callback rejects by returning an empty list. This '
-              'one returns another value.'))),
-    Prediction('5.2-6', "A client asks for 'fast', a string, where an integer is declared. The pre-set callback calls "
+    Prediction('5.2-5', "A client asks for 'fast', a string, where an integer is declared. The pre-set callback calls "
                '`min(value, 300)`. What happens?', (
         wrong('The node rejects it: wrong type', 'It would, one rung later. rclpy checks the type after the pre-set '
               'callbacks, and this one fails first.'),
         wrong('It is cut to 300', "`min` can't compare a string with a number. It raises a `TypeError`."),
         right('The callback raises an exception', "rclpy has not checked the type yet, and `min` can't compare a "
               'string with a number.'))),
-    Prediction('5.2-7', 'This node registered its three callbacks, and then declared two parameters. Which callbacks '
+    Prediction('5.2-6', 'This node registered its three callbacks, and then declared two parameters. Which callbacks '
                'were called?', (
         wrong('none: nobody has set anything', 'A declaration stores a value too. rclpy calls on-set before that, and '
               'post-set after it.'),
         wrong('all three', 'A declaration does not call pre-set callbacks: there is no request to rewrite.'),
         right('on-set and post-set', 'A declaration calls both, for each parameter. It does not call pre-set.'),
         wrong('on-set only', 'rclpy calls post-set too, after it has stored the value.'))),
-    Prediction('5.2-8', 'One `set_parameters` request holds two parameters. How often is the on-set callback '
+    Prediction('5.2-7', 'One `set_parameters` request holds two parameters. How often is the on-set callback '
                'called?', (
         wrong('once, with both', 'That would be an atomic request. `set_parameters` sets one parameter after the '
               'other.'),
-        right('twice, with one each', '`set_parameters` sets one parameter after the other, and each climbs the '
-              'whole ladder.'))),
-    Prediction('5.2-9', 'The judge rejects negative speeds in its on-set callback, which it registered after the '
+        right('twice, with one each', '`set_parameters` sets one parameter after the other, and each goes down '
+              'the whole ladder.'))),
+    Prediction('5.2-8', 'The judge rejects negative speeds in its on-set callback, which it registered after the '
                'declaration. We start it with `-p max_speed_rpm:=-20`. What is its speed?', (
         wrong('100: the callback rejects the override', 'When the parameter is declared, the callback is not '
               'registered yet, so rclpy does not call it.'),
         wrong('There is none: the node does not start', 'It would not start if a range rejected the override. But the '
               'callback is not registered yet when the parameter is declared.'),
         right('-20', 'The override counts when the parameter is declared. The callback is registered after that.'))),
-    Prediction('5.2-10', 'The on-set callback returns `True` instead of a `SetParametersResult`. What becomes of the '
+    Prediction('5.2-9', 'The on-set callback returns `True` instead of a `SetParametersResult`. What becomes of the '
                'request?', (
         wrong('It is accepted: True means yes', 'rclpy accepts only a `SetParametersResult`. It takes anything else as '
               'a rejection.'),

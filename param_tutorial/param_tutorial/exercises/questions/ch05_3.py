@@ -38,18 +38,18 @@ PREDICTIONS = (
               'whole list.'))),
     Prediction('5.3-3', "In a timer's callback the node calls its own service `set_parameters`, and waits for one "
                'second. Which answer does it log?', (
-        wrong('successful: it asks itself, what could fail', 'The only thread of the executor is busy with the '
-              'callback that waits, so nothing serves the request.'),
+        wrong("successful: it's asking itself, so what could go wrong?", 'The only thread of the executor is busy '
+              'with the callback that waits, so nothing serves the request.'),
         right('None', 'The only thread of the executor is busy with the callback that waits. Nothing serves the '
               'request, and the second passes.'),
         wrong('an exception: a node must not call its own service', 'Nothing forbids it, and nothing warns. The '
               'callback waits until its time limit passes.'))),
-    Prediction('5.3-4', 'With a group of its own, the timer got its answer. Here it has none, and logs its question. '
-               'What does it log then?', (
+    Prediction('5.3-4', 'The timer of `Courteous` had a group of its own, and its question got an answer. Here the '
+               'timer has none, and logs its question. What does it log then?', (
         wrong('the answer, as before', '`await` gives the thread back, but not the group: the executor starts no other '
               'callback of the group until `tick` has finished.'),
         right('nothing more', '`tick` is paused but not finished, and until it has finished, '
-              '`rclpy.spin` starts no other callback of its group: neither the service nor the client.'),
+              '`rclpy.spin` starts no other callback of its group. So the client cannot receive the answer.'),
         wrong('a warning, and then the answer', 'There is no warning. `rclpy.spin` starts no other callback of the '
               'group until `tick` has finished, so `tick` waits forever.'))),
     Prediction('5.3-5', 'A message says *double*, and its field for doubles was filled with the integer 2. What does '

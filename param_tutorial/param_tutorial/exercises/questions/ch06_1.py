@@ -63,15 +63,7 @@ PREDICTIONS = (
         wrong('speeds', 'rclpy ignores a range on an array; it does not compare the elements.'),
         right('none of them', 'rclpy ignores a range of the wrong kind, and any range on an array. Nothing warns '
               'you.'))),
-    Prediction('6.1-6', 'The range is `FloatingPointRange(from_value=0, to_value=16)`, with integers for its ends. '
-               'What does the node do with it?', (
-        wrong('It does not start', 'A message does not check its fields, unless you ask it to.'),
-        wrong('It ignores the range', 'The range is of the right kind, and 16.5 is out of range.'),
-        wrong('It enforces 0 to 16, and describes 0.0 to 16.0', 'It enforces 0 to 16. But what it describes ends at '
-              'almost nothing: nothing has converted the integers to doubles.'),
-        right('It enforces 0 to 16, and describes something else', 'Python compares the integers well enough, but '
-              'the message is sent as if they were doubles.'))),
-    Prediction('6.1-7', 'Both parameters share one descriptor, without a range or a lock. How does the node answer if '
+    Prediction('6.1-6', 'Both parameters share one descriptor, without a range or a lock. How does the node answer if '
                'you set `wheel_count`, 4, to 6?', (
         wrong('It accepts it', 'The second declaration has written *string* into the shared descriptor, so 6 has '
               'the wrong type now.'),
@@ -79,4 +71,12 @@ PREDICTIONS = (
               'descriptor. One descriptor, one declaration.'),
         wrong('It accepts it, and wheel_maker becomes 6, too', "The two parameters don't share a value. They share "
               'the descriptor, and with it the type.'))),
+    Prediction('6.1-7', 'The range is `FloatingPointRange(from_value=0, to_value=16)`, with integers for its ends. '
+               'What does the node do with it?', (
+        wrong('It does not start', 'A message does not check its fields, unless you ask it to.'),
+        wrong('It ignores the range', 'The range is of the right kind, and 16.5 is out of range.'),
+        wrong('It enforces 0 to 16, and describes 0.0 to 16.0', 'It enforces 0 to 16. But what it describes ends at '
+              'almost nothing: nothing has converted the integers to doubles.'),
+        right('It enforces 0 to 16, and describes something else', 'Python compares the integers well enough, but '
+              'the message is sent as if they were doubles.'))),
 )

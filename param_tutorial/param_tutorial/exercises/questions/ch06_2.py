@@ -1,4 +1,4 @@
-"""Predictions of chapter 6.2: locks, free types, arrays, and the order of the checks."""
+"""Predictions of chapter 6.2: locks, types that may change, arrays, and the order of the checks."""
 
 from param_tutorial.exercises.prediction import Prediction, Recall, right, wrong
 

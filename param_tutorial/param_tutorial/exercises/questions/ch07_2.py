@@ -30,20 +30,20 @@ PREDICTIONS = (
               'later one wins.'))),
     Prediction('7.2-2', 'You give the launch `robot_name:=42`, and the launch file says '
                '`ParameterValue(…, value_type=str)`. What is the name of the robot?', (
-        wrong('The integer 42, so the node does not start', 'That would happen without `ParameterValue`. With '
-              '`value_type=str` it stays a string.'),
-        right('The string 42', 'With `value_type=str`, what you typed stays a string.'),
+        wrong('The integer 42, so the node does not start', 'That would happen without `ParameterValue`. '
+              '`value_type=str` keeps 42 a string.'),
+        right('The string 42', '`value_type=str` keeps 42 a string.'),
         wrong('Clawbot: a number is no name, so the default stays', 'A launch passes on what you gave it, here as a '
               'string. It does not fall back to the default.'))),
     Prediction('7.2-3', '`SetParameter` gives 50 rpm. Anna comes before it, Berta after it, and the third robot, after '
                'both, also has the file with 180 rpm. How many of the three start with 50?', (
-        right('1', 'Only Berta. Anna comes too early, and the file covers the value for the third robot.'),
-        wrong('2', 'The file covers the value for the third robot: `SetParameter` comes before everything in '
+        right('1', 'Only Berta. Anna comes too early, and the file hides the value for the third robot.'),
+        wrong('2', 'The file hides the value for the third robot: `SetParameter` comes before everything in '
               '`parameters`.'),
-        wrong('3', '`SetParameter` reaches only what comes after it, so not Anna. And the file covers the value for '
+        wrong('3', '`SetParameter` reaches only what comes after it, so not Anna. And the file hides the value for '
               'the third robot.'),
-        wrong('0', 'Berta does: she comes after `SetParameter`, and nothing covers the value for her.')),
-        otherwise='One: Berta. Anna comes too early, and the file covers the value for the third robot.'),
+        wrong('0', 'Berta does: she comes after `SetParameter`, and nothing hides the value for her.')),
+        otherwise='One: Berta. Anna comes too early, and the file hides the value for the third robot.'),
     Prediction('7.2-4', 'The folder `launch/` is in the package in `src`, the `setup.py` does not mention it, and the '
                'build has succeeded. What does `ros2 launch` do?', (
         wrong('It starts the robot', '`ros2 launch` looks only in the install space, and nothing has installed the '

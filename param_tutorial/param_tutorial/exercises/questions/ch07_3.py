@@ -9,8 +9,8 @@ RECALLS = (
            '`berta`. What happens?', (
         right('berta starts with its defaults, and nothing tells you', 'The file is for another node, and a node '
               'ignores values for another node.'),
-        wrong('berta starts with the values of the file', 'The first line of the file names the node that it is for, '
-              'and that is not `berta`.'),
+        wrong('berta starts with the values of the file', 'The key at the top of the file names the node that it is '
+              'for, and that is not `berta`.'),
         wrong('The launch ends with an error', 'rcl can read the file, so there is no error. The file is for another '
               'node, and berta ignores it.')),
            chapter='7.2', section='Break it: a robot of another name'),
@@ -43,9 +43,9 @@ PREDICTIONS = (
               "file's block comes after it."),
         right('180', "Both dictionaries are one block, `/**`, which the first one opened. The file's block comes after "
               'it.'),
-        wrong('100', 'The file does reach the robot: its name and the first line of the file are the same.')),
+        wrong('100', 'The file does reach the robot: its name and the key in the file are the same.')),
         otherwise='180. Both dictionaries are one block, which the first one opened, so the block of the file wins.'),
-    Prediction('7.3-4', 'The first line of `robot.yaml` is `/robot`, and it gives the speed 200. The robot starts in '
+    Prediction('7.3-4', 'The key in `robot.yaml` is `/robot`, and it gives the speed 200. The robot starts in '
                'the namespace `/lab`. What is its speed?', (
         wrong('200: its name is still robot', 'A file names a node by its fully qualified name, and that is '
               '`/lab/robot` now.'),

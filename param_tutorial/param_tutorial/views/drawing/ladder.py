@@ -1,7 +1,7 @@
-"""The ladder that a value climbs on its way into a node, and from which it falls when the node rejects it.
+"""The ladder that a value climbs down on its way into a node, and up again when the node rejects it.
 
-Drawn from what was recorded (``set_recorder``), slower than it happened: the node itself is done in less than a
-thousandth of a second.
+Time runs from top to bottom, as in a table. Drawn from what was recorded (``set_recorder``), slower than it happened:
+the node itself is done in less than a thousandth of a second.
 """
 
 from collections.abc import Iterator, Sequence
@@ -13,13 +13,13 @@ from param_tutorial.views.drawing.timeline import Step
 _ROW, _TOP, _BOTTOM = 44, 46, 16
 _NAME_X, _LADDER_X, _RAIL, _MARK_X, _WORDS_X, _STORED_X = 14, 206, 44, 272, 294, 700
 _LETTERS, _VALUE_LETTERS, _STORED_LETTERS = 44, 9, 14
-_CLIMB_SEC, _STAY_SEC, _FALL_SEC = 0.45, 0.55, 0.7
+_CLIMB_SEC, _STAY_SEC, _RETURN_SEC = 0.45, 0.55, 0.7
 
-# From the ground up: the word of the recorded step, and what stands beside the rung.
+# From the top down: the word of the recorded step, and what stands beside the rung.
 _RUNGS = (('asked', 'request'), ('pre-set', 'pre-set callbacks'), ('checks', "rclpy's own checks"),
           ('on-set', 'on-set callbacks'), ('stored', 'stored'), ('event', '/parameter_events'),
           ('post-set', 'post-set callbacks'), ('answer', 'answer'))
-_GROUND = 0
+_REQUEST = 0
 _CHECKS = 2
 _STORED = 4
 
@@ -38,7 +38,7 @@ class _Rung:
 
 
 class Climb(svg.AnimatedPicture):
-    """One set of a parameter as a value on the ladder; at rest the value is where it has got to."""
+    """One set of a parameter as a value on the ladder; at rest the value is where it has got to, or back at the top."""
 
     def __init__(self, node: str, name: str, steps: Sequence[Step], objection: str = '') -> None:
         """
@@ -52,12 +52,12 @@ class Climb(svg.AnimatedPicture):
         self._rungs = tuple(_rungs(name, steps, objection))
         self._reached = [rung for rung in self._rungs if rung.mark != 'unreached']
         self._is_answered = steps[-1].what != 'no answer'
-        self._falls = bool(objection) and not any(step.what == 'stored' for step in steps)
+        self._is_rejected = bool(objection) and not any(step.what == 'stored' for step in steps)
 
     @property
     def sentence(self) -> str:
         """What came of it."""
-        asked, last = self._rungs[_GROUND].value, self._reached[-1]
+        asked, last = self._rungs[_REQUEST].value, self._reached[-1]
         told = f'{self._name} = {svg.cut(asked, 40)}'
         if not self._is_answered:
             return f'{told}: an exception at {last.title}, and the caller gets no answer.'
@@ -73,16 +73,16 @@ class Climb(svg.AnimatedPicture):
 
     @property
     def _height(self) -> float:
-        return _y(_GROUND) + _ROW / 2 + _BOTTOM
+        return _y(len(_RUNGS) - 1) + _ROW / 2 + _BOTTOM
 
     def _parts(self, animation: svg.Animation) -> Iterator[str]:
-        left, right, foot = _LADDER_X - _RAIL, _LADDER_X + _RAIL, _y(_GROUND) + _ROW / 2 + 4
+        left, right, foot = _LADDER_X - _RAIL, _LADDER_X + _RAIL, _y(len(_RUNGS) - 1) + _ROW / 2 + 4
         yield svg.path(f'M{left} {foot}V{_TOP - 16}M{right} {foot}V{_TOP - 16}', 'thick')
         yield svg.path(''.join(f'M{left} {_y(index) + 17}H{right}' for index in range(len(_RUNGS))))
-        # Above this line nobody can say no.
-        border = _y(_STORED) + _ROW / 2
+        # Below this line nobody can say no.
+        border = _y(_STORED) - _ROW / 2
         yield svg.path(f'M{right + 8} {border}H{_STORED_X}', 'dashed')
-        yield svg.words(640, border - 7, 'too late to reject', 'faint', anchor='end')
+        yield svg.words(640, border + 15, 'too late to reject', 'faint', anchor='end')
         yield svg.words(_STORED_X, 22, f'stored {svg.cut(self._name, 22)}', 'bold', anchor='end')
         yield svg.words(_WORDS_X, 22, 'what happens', 'bold', anchor='start')
         yield svg.words(_NAME_X, 22, 'rung', 'bold', anchor='start')
@@ -108,21 +108,20 @@ class Climb(svg.AnimatedPicture):
             yield svg.box(_STORED_X - width + 7, y - 13, width, 26, 'line')
 
     def _value(self, arrivals: Sequence[float], animation: svg.Animation) -> str:
-        """Return the value: it climbs, changes where a callback changes it, and falls where it is rejected."""
-        asked, top, ground = self._rungs[_GROUND].value, len(self._reached) - 1, _y(_GROUND)
-        stops = [(0.0, ground)]
-        for index in range(1, top + 1):
+        """Return the value: it climbs down, may change on its way, and goes back from where it is rejected."""
+        asked, lowest, request = self._rungs[_REQUEST].value, len(self._reached) - 1, _y(_REQUEST)
+        stops = [(0.0, request)]
+        for index in range(1, lowest + 1):
             stops += [(arrivals[index] - _CLIMB_SEC, _y(index - 1)), (arrivals[index], _y(index))]
         # The values that it has on its way, each with the moment from which it has it.
         faces = [(0.0, asked, 'token')]
         faces += [(arrivals[index] + .5 * _STAY_SEC, rung.value, 'token') for index, rung in enumerate(self._reached)
                   if rung.value != self._rungs[max(0, index - 1)].value]
-        if self._falls:
-            falls_sec = arrivals[top] + _STAY_SEC
-            # It bounces once on the ground.
-            stops += [(falls_sec, _y(top)), (falls_sec + .75 * _FALL_SEC, ground),
-                      (falls_sec + .88 * _FALL_SEC, ground - 12), (falls_sec + _FALL_SEC, ground)]
-            faces.append((falls_sec - .2, asked, 'token-bad'))
+        if self._is_rejected:
+            leaves_sec = arrivals[lowest] + _STAY_SEC
+            faces.append((leaves_sec - .2, asked, 'token-bad'))
+            if self._is_answered:  # otherwise nothing comes back to the caller
+                stops += [(leaves_sec, _y(lowest)), (leaves_sec + _RETURN_SEC, request)]
         ends_sec = [*(from_sec for from_sec, _, _ in faces[1:]), None]
         return svg.group(
             (svg.group(svg.token(svg.cut(value, _VALUE_LETTERS), kind), animation.shown(from_sec, to_sec))
@@ -174,5 +173,5 @@ def _calls(steps: Sequence[Step]) -> str:
 
 
 def _y(index: int) -> float:
-    """Return where the middle of a rung is; the first is at the bottom."""
-    return _TOP + _ROW * (len(_RUNGS) - 1 - index) + 10.0
+    """Return where the middle of a rung is; the first is at the top."""
+    return _TOP + _ROW * index + 10.0
