@@ -20,7 +20,7 @@ from param_tools.node.client import ParameterClient
 from param_tools.node.declarations import describe_wrong_field
 from param_tools.ros import stage
 from param_tools.values import ParameterType
-from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotTried, NotYet, NoUse, Trial, expect
 
 
 def expect_filled(trial: Trial) -> None:
@@ -54,6 +54,13 @@ def expect_start_value(client: ParameterClient, name: str, wanted: ParameterType
     found, start = client.describe_parameter(name).type, client.get_parameter(name)
     # A descriptor that two declarations share may name another type than the value has.
     expect(found is wanted and values.same(start, value), _facts(wanted, value), _facts(found, start))
+
+
+def take_type_for_granted(client: ParameterClient, wanted: ParameterType, *names: str) -> None:
+    """Raise NotTried unless the node has parameters of a type, as an earlier requirement says."""
+    if any(name not in client.list_parameters() or client.describe_parameter(name).type is not wanted
+           for name in names):
+        raise NotTried
 
 
 def expect_fixed_type(client: ParameterClient, name: str) -> None:

@@ -16,6 +16,7 @@ from param_tutorial.exercises.expectations import (
     expect_range_fields,
     expect_result,
     expect_start_value,
+    take_type_for_granted,
 )
 from param_tutorial.exercises.programs import PROGRAM, require_ends, require_program, running
 from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect
@@ -218,6 +219,7 @@ def model(trial: Trial) -> None:
 def logs_target(trial: Trial) -> None:
     for words, value in (('', '80.0'), ('-p target_c:=95.5', '95.5')):
         with running(trial, program, words) as kettle:
+            take_type_for_granted(trial.client(kettle.node), DOUBLE, 'target_c')
             kettle.expect_line(value, f'after a start with `{words}`' if words else 'after its start')
 
 

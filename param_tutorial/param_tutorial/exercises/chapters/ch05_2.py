@@ -18,6 +18,7 @@ from param_tutorial.exercises.expectations import (
     expect_left_alone,
     expect_rejected,
     expect_start_value,
+    take_type_for_granted,
 )
 from param_tutorial.exercises.forms import Order
 from param_tutorial.exercises.programs import PROGRAM, expect_no_start, require_ends, require_program, running
@@ -283,6 +284,7 @@ def floors(trial: Trial) -> None:
 @program.require('both in one request are judged together', see=LIST)
 def floors_together(trial: Trial) -> None:
     with running(trial, program) as elevator:
+        take_type_for_granted(trial.client(elevator.node), INTEGER, 'floor', 'top_floor')
         for bad in ({'floor': 5, 'top_floor': 4}, {'top_floor': 4, 'floor': 5}):
             expect_rejected(trial, elevator.node, bad)
         for good in ({'floor': 12, 'top_floor': 12}, {'top_floor': 3, 'floor': 2}):
@@ -291,6 +293,8 @@ def floors_together(trial: Trial) -> None:
 
 @program.require('it does not start with such values', see=ELEVATOR)
 def floors_at_start(trial: Trial) -> None:
+    with running(trial, program) as elevator:
+        take_type_for_granted(trial.client(elevator.node), INTEGER, 'floor', 'top_floor')
     with running(trial, program, '-p floor:=7 -p top_floor:=8') as elevator:
         expect_start_value(trial.client(elevator.node), 'floor', INTEGER, 7)
     expect_no_start(trial, program, '-p floor:=6')
@@ -299,6 +303,7 @@ def floors_at_start(trial: Trial) -> None:
 @program.require('it logs each floor that is stored, and none that is rejected', see=ACT)
 def logs_floor(trial: Trial) -> None:
     with running(trial, program) as elevator:
+        take_type_for_granted(trial.client(elevator.node), INTEGER, 'floor', 'top_floor')
         expect_rejected(trial, elevator.node, {'floor': 77})
         expect_accepted(trial, elevator.node, {'floor': 3})
         elevator.expect_line('going to floor 3', 'once `floor = 3` is stored')

@@ -25,6 +25,7 @@ from param_tutorial.exercises.expectations import (
     expect_result,
     expect_start_value,
     format_found,
+    take_type_for_granted,
 )
 from param_tutorial.exercises.programs import PROGRAM, expect_no_start, require_ends, require_program, running
 from param_tutorial.exercises.trial import NotTried, NoUse, Trial, expect, take_for_granted
@@ -349,6 +350,7 @@ def mixer_described(trial: Trial) -> None:
 def mixer_judges(trial: Trial) -> None:
     together = '. Both are proposed together, so judge them together'
     with running(trial, program) as mixer:
+        take_type_for_granted(trial.client(mixer.node), DOUBLE, TURNS, TILT)
         expect_accepted(trial, mixer.node, {TURNS: 30.0})
         expect_accepted(trial, mixer.node, {TILT: 30.0}, '. A tilt of 30° is still allowed')
         expect_rejected(trial, mixer.node, {TILT: 30.5})
@@ -360,6 +362,8 @@ def mixer_judges(trial: Trial) -> None:
 
 @program.require('it does not start with what it would reject later', see=MIXER)
 def mixer_starts(trial: Trial) -> None:
+    with running(trial, program) as mixer:
+        take_type_for_granted(trial.client(mixer.node), DOUBLE, TURNS, TILT)
     with running(trial, program, f'-p {TURNS}:=12.0 -p {TILT}:=45.0') as mixer:
         expect_start_value(trial.client(mixer.node), TURNS, DOUBLE, 12.0)
     expect_no_start(trial, program, f'-p {TURNS}:=25.0 -p {TILT}:=45.0')
@@ -368,6 +372,7 @@ def mixer_starts(trial: Trial) -> None:
 @program.require('it logs a speed once it is stored, and none that is rejected', see=JUDGE)
 def mixer_acts_late(trial: Trial) -> None:
     with running(trial, program) as mixer:
+        take_type_for_granted(trial.client(mixer.node), DOUBLE, TURNS, TILT)
         expect_accepted(trial, mixer.node, {TILT: 40.0})
         expect_rejected(trial, mixer.node, {TURNS: 27.5})
         expect_accepted(trial, mixer.node, {TURNS: 12.5})

@@ -40,6 +40,7 @@ from param_tutorial.exercises.expectations import (
     expect_rejected,
     expect_result,
     expect_start_value,
+    take_type_for_granted,
 )
 from param_tutorial.exercises.forms import Combination
 from param_tutorial.exercises.programs import require_ends, running
@@ -557,6 +558,8 @@ def open_sec(trial: Trial) -> None:
 
 @package.require('it logs how long it stays open when it starts', see=START)
 def logs_open_sec(trial: Trial) -> None:
+    with running(trial, package, start=run_door) as door:
+        take_type_for_granted(trial.client(door.node), DOUBLE, 'open_sec')
     with running(trial, package, '-p open_sec:=7.5', start=run_door) as door:
         door.expect_line('7.5', 'after a start with `-p open_sec:=7.5`')
 
