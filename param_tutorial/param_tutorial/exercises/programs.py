@@ -131,7 +131,8 @@ def _wait_for_node(trial: Trial, exercise: Exercise, terminal: Terminal, prefix:
 
     with contextlib.suppress(WaitTimeoutError):
         wait_until(lambda: new() or not terminal.is_running, 'a node', START_SEC)
-        wait_until(lambda: wanted in new() or not terminal.is_running, 'the node', LATER_SEC)
+        if not trial.names - {exercise.node_name}:  # it had another name the last time
+            wait_until(lambda: wanted in new() or not terminal.is_running, 'the node', LATER_SEC)
     if not terminal.is_running:
         raise NoUse('a program that goes on until a signal ends it',
                     _describe_end(terminal, _source_file(trial, exercise)))
@@ -206,9 +207,9 @@ def _parsed(file: Path) -> ast.Module:
 
 def _describe_end(terminal: Terminal, file: Path) -> str:
     """Return how a program has ended without a signal."""
-    status = terminal.interrupt()
-    return _raised(terminal.text, file) or f'it ended with exit status {status}' + (
-        '' if status else _why_it_ends(_parsed(file)))
+    status, lines = terminal.interrupt(), terminal.text.strip().splitlines()
+    why = _why_it_ends(_parsed(file)) if not status else f'. Its last line is `{lines[-1]}`' if lines else ''
+    return _raised(terminal.text, file) or f'it ended with exit status {status}{why}'
 
 
 def _raised(text: str, file: Path) -> str:

@@ -138,10 +138,10 @@ WRONG = {
         ([("self.get_logger().info(f'the rover says: {result.reason}')", 'pass')], 7, 'it prints nothing'),
         ([('if not result.successful', 'if result.successful')], 7, 'it prints nothing'),
         ([("Parameter('max_speed_rpm'", "Parameter('max_speed'")], 5, 'it holds 100'),
-        ([("'/rover/get_parameters'", "'/rover/get_parameter'")], 5, 'it holds 100'),
-        ([('create_timer(0.5', 'create_timer(500.0')], 5, 'it holds 100'),
+        ([("'/rover/get_parameters'", "'/rover/get_parameter'")], 4, 'it holds 100'),
+        ([('create_timer(0.5', 'create_timer(500.0')], 4, 'it holds 100'),
         ([('future.add_done_callback(self.on_speed)', 'rclpy.spin_until_future_complete(self, future)\n            '
-           'self.on_speed(future)')], 2, 'already'),
+           'self.on_speed(future)')], 2, 'Does a callback wait, or loop forever?'),
         ([('parameter.to_parameter_msg()', 'parameter')], 2, 'it ended with `'),
         ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 7, 'That is what SIGTERM raises'),
     ],

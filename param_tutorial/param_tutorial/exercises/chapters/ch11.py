@@ -9,6 +9,7 @@ import contextlib
 import functools
 import math
 import os
+import re
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
@@ -517,10 +518,10 @@ def build(files: frozenset[tuple[str, bytes]]) -> Shell:
     failed = shell.status
     shell.run('source install/setup.bash')
     if failed or 'Finished <<< warehouse' not in printed:
-        lines = [line for line in printed.splitlines() if 'rror' in line]
-        raise NoUse('`colcon build` finishes the package `warehouse`',
-                    lines[-1].strip() if lines else 'it finds no package of this name, and says: '
-                    + printed.strip().splitlines()[-1])
+        # The first one is about the package, and what follows about colcon.
+        error = re.search(r'^ *(\w*[Ee]rror: .*)', printed, re.MULTILINE)
+        raise NoUse('`colcon build` finishes the package `warehouse`', error[1] if error else
+                    f'it finds no package of this name, and says: {printed.strip().splitlines()[-1]}')
     return shell
 
 
