@@ -3,12 +3,17 @@
 import ast
 import functools
 import re
+import tempfile
 from pathlib import Path
 
 import nbformat
 
 from param_tutorial.exercises import EXERCISES
 from tests.support.paths import NOTEBOOKS
+
+# Where the programs are written, and what the cells have made: their own folders go with the last reference to them.
+_PROGRAMS = tempfile.TemporaryDirectory()
+_spaces = []
 
 
 @functools.cache
@@ -26,7 +31,13 @@ def cell(number, kind):
 
 def answer(number, source, kind):
     """Run the source of a cell as its notebook would, and return what its check is given."""
+    if source.startswith('%%writefile '):
+        first, _, text = source.partition('\n')
+        path = Path(_PROGRAMS.name, first.split()[1])
+        path.write_text(f'{text}\n')
+        return str(path)
     space = {'__name__': '__main__'}
+    _spaces.append(space)
     for each in notebook(number, 'solutions' if kind == 'solution' else ''):
         if each.cell_type == 'code' and not each.source.startswith('%%'):
             lines = [line for line in each.source.splitlines() if not line.lstrip().startswith('%')]

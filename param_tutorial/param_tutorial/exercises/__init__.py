@@ -13,6 +13,7 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
     chapters        the exercises
     exercise        what an exercise is, and how its check runs
     trial           a corner of the stage for the learner's nodes, cleared afterwards
+    programs        a whole program as an answer: a process that is asked, and ended by signals
     results         the answer, as text and as HTML
     questions       the predictions and recalls, as data
     prediction      what a prediction is
@@ -46,7 +47,7 @@ def _chapters() -> Iterator[Chapter]:
     """Yield the chapters in order. Each is a module in ``chapters`` and one of the same name in ``questions``."""
     for name in sorted(module.name for module in pkgutil.iter_modules(chapters.__path__)):
         work, asked = (import_module(f'{__name__}.{folder}.{name}') for folder in ('chapters', 'questions'))
-        yield Chapter(work.EXERCISES[0].number.rstrip('abcdef'), work.CHAPTER, work.EXERCISES, asked.RECALLS,
+        yield Chapter(work.EXERCISES[0].number.rstrip('abcdefg'), work.CHAPTER, work.EXERCISES, asked.RECALLS,
                       asked.PREDICTIONS, asked.SOLVED)
 
 

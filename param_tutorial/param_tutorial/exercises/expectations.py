@@ -20,7 +20,7 @@ from param_tools.node.client import ParameterClient
 from param_tools.node.declarations import describe_wrong_field
 from param_tools.ros import stage
 from param_tools.values import ParameterType
-from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.trial import CORNER, NodeT, NoStart, NotTried, NotYet, NoUse, Trial, expect
 
 
 def expect_filled(trial: Trial) -> None:
@@ -44,11 +44,23 @@ def client_for(trial: Trial, name: str) -> ParameterClient:
 
 
 def expect_declared(trial: Trial, name: str, wanted: ParameterType, value: object) -> None:
-    """Expect a parameter of a type, with a value to start with."""
-    client = client_for(trial, name)
+    """Expect the learner's node to have a parameter of a type, with a value to start with."""
+    expect_start_value(trial.client(trial.start()), name, wanted, value)
+
+
+def expect_start_value(client: ParameterClient, name: str, wanted: ParameterType, value: object) -> None:
+    """Expect a node that has just started to have a parameter of a type, with a value; as above."""
+    expect(name in client.list_parameters(), f'a parameter `{name}`', 'the node has none of that name')
     found, start = client.describe_parameter(name).type, client.get_parameter(name)
     # A descriptor that two declarations share may name another type than the value has.
     expect(found is wanted and values.same(start, value), _facts(wanted, value), _facts(found, start))
+
+
+def take_type_for_granted(client: ParameterClient, wanted: ParameterType, *names: str) -> None:
+    """Raise NotTried unless the node has parameters of a type, as an earlier requirement says."""
+    if any(name not in client.list_parameters() or client.describe_parameter(name).type is not wanted
+           for name in names):
+        raise NotTried
 
 
 def expect_fixed_type(client: ParameterClient, name: str) -> None:
@@ -256,7 +268,7 @@ def _expect_service(trial: Trial, client: Client) -> None:
         raise NoUse(error.expected, error.happened) from None
 
 
-def expect_rejected(trial: Trial, node: Node, new: Mapping[str, object]) -> None:
+def expect_rejected(trial: Trial, node: Node | str, new: Mapping[str, object]) -> None:
     """Expect a request, as a whole, to be rejected with a reason."""
     result = trial.client(node).set_parameters_atomically(new)[0]
     asked = ', '.join(f'`{name} = {value!r}`' for name, value in new.items())
@@ -267,7 +279,7 @@ def expect_rejected(trial: Trial, node: Node, new: Mapping[str, object]) -> None
            '`SetParametersResult`')
 
 
-def expect_accepted(trial: Trial, node: Node, new: Mapping[str, object], because: str = '') -> None:
+def expect_accepted(trial: Trial, node: Node | str, new: Mapping[str, object], because: str = '') -> None:
     """Expect a request, as a whole, to be accepted.
 
     :raises NoUse: an on-set callback returns something else than a result, as it would in the other requirements.

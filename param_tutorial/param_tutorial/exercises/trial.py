@@ -195,11 +195,14 @@ class Trial:
                     raise NoUse('a file that rcl can read', f'it cannot: {match[1].strip()}') from None
                 raise
 
-    def client(self, node: Node) -> ParameterClient:
+    def client(self, node: Node | str) -> ParameterClient:
         """Return a client for a node's parameters, with the time limit.
 
+        :param node: The node, or the full name of one that a program has made.
         :raises NoUse: the node has no services for them; each request would wait until its time is over.
         """
+        if isinstance(node, str):
+            return ParameterClient(node, timeout_sec=TIME_LIMIT_SEC, executor=self.ros)
         if not any(service.srv_name.endswith('/set_parameters') for service in node.services):
             raise NoUse('a node that answers requests for its parameters',
                         'it has no services for them: was it created with `start_parameter_services=False`?')

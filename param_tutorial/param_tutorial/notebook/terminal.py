@@ -128,14 +128,15 @@ class Terminal:
                                            f'what came:\n{self._text[self._read:] or "(nothing)"}')
                 self._changed.wait(0.2)
 
-    def interrupt(self, timeout_sec: float = 20.0) -> int:
+    def interrupt(self, timeout_sec: float = 20.0, number: int = signal.SIGINT) -> int:
         """Press Ctrl+C and wait for the end; a command that does not end is killed.
 
         :param timeout_sec: How long it may take. ``ros2 launch`` needs up to 10 s for nodes that ignore Ctrl+C, and
             killed before, it would leave them running.
+        :param number: The signal to send, if not that of Ctrl+C.
         :return: Its exit status; negative if a signal ended it.
         """
-        self._process.send(signal.SIGINT)
+        self._process.send(number)
         if not self._process.wait(timeout_sec * PATIENCE):
             self._process.send(signal.SIGKILL)
             self._process.wait(math.inf)

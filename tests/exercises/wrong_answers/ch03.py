@@ -73,6 +73,31 @@ WRONG = {
         ([('Parameter.Type.DOUBLE', 'Parameter.Type.INTEGER')], 3, 'type integer, no value'),
         ([('Parameter.Type.DOUBLE', 'Parameter.Type.DOUBLE, ParameterDescriptor(read_only=True)')], 3, 'read only'),
     ],
+    '3d': [
+        ([('        rclpy.spin(Kettle())\n', '        kettle = Kettle()\n')], 0, 'Nothing spins the node'),
+        ([('ExternalShutdownException):', 'ZeroDivisionError):')], 5, 'That is what SIGTERM raises'),
+        ([('\n    main()', '\n    pass')], 0, 'Nothing calls `main()`'),
+        ([("== '__main__'", "== 'main'")], 0, 'two underscores'),
+        ([('        rclpy.init()\n', '')], 0, 'Call `rclpy.init()` before'),
+        ([('rclpy.init()', 'rclpy.init(args=[])')], 0, 'Does `rclpy.init()` get arguments'),
+        ([('rclpy.spin(Kettle())', 'kettle = Kettle()\n        while True:\n            pass')], 0,
+         'Nothing spins it'),
+        ([("'kettle'", "'kettel'")], 6, 'it is called `kettel`'),
+        ([('get_logger()', 'get_loger()')], 0,
+         "in line 14, `self.get_loger().info(f'heating to {target_c} degrees')`"),
+        ([('def main():', 'def main()')], 0, "expected ':', in line 17, `def main()`"),
+        ([('import Node', 'import Nod')], 0, "cannot import name 'Nod'"),
+        ([('(KeyboardInterrupt, ExternalShutdownException)', 'ZeroDivisionError')], 4, 'That is what Ctrl+C raises'),
+        ([('        pass', '        pass\n    finally:\n        rclpy.shutdown()')], 4, 'leave `rclpy.shutdown()` out'),
+        ([('        pass', '        raise SystemExit(1)')], 4, 'its exit status is 1'),
+        ([("self.get_logger().info(f'heating to {target_c} degrees')", 'pass')], 5, 'it prints nothing'),
+        ([('{target_c}', '80.0')], 5, 'heating to 80.0 degrees'),
+        ([("'target_c', 80.0", "'target_c', 80")], 4, 'type integer, value `80`'),
+        ([('to_value=100.0', 'to_value=110.0')], 5, 'accepted target_c = 100.1'),
+        ([('ParameterDescriptor(read_only=True)', "ParameterDescriptor(description='fixed')")], 5, '`read_only`'),
+        ([("super().__init__('kettle')", "while True:\n            __import__('time').sleep(0.1)")], 0,
+         'none has come after 15 s'),
+    ],
 }
 
 RIGHT = {
@@ -102,5 +127,19 @@ RIGHT = {
         [("        self.declare_parameter('warm_white', True)\n        self.declare_parameter('calibration', "
           'Parameter.Type.DOUBLE)', "        self.declare_parameters('', [('warm_white', True), ('calibration', "
           'Parameter.Type.DOUBLE)])')],
+    ],
+    '3d': [
+        [('        pass', '        pass\n    finally:\n        rclpy.try_shutdown()')],
+        [('self.get_logger().info(', 'print('), ('import rclpy\n', 'import rclpy\nimport rclpy.executors\n'),
+         ('rclpy.spin(Kettle())', 'executor = rclpy.executors.SingleThreadedExecutor()\n        '
+          'executor.add_node(Kettle())\n        executor.spin()')],
+        [('rclpy.spin(Kettle())', 'kettle = Kettle()\n        while rclpy.ok():\n            '
+          'rclpy.spin_once(kettle, timeout_sec=0.1)')],
+        # No function, and no class.
+        [('def main():\n    try:', 'if True:\n    try:'), ("if __name__ == '__main__':\n    main()", ''),
+         ('class Kettle(Node):\n    def __init__(self):\n        super().__init__',
+          'def Kettle():\n        self = Node'),
+         (" degrees')", " degrees')\n        return self")],
+        [('def main():', 'def main(args=None):'), ('rclpy.init()', 'rclpy.init(args=args)')],
     ],
 }

@@ -120,6 +120,26 @@ WRONG = {
         ([('dbeca', 'dbecaa')], 0, "your order is `'dbecaa'`"),
         ([("'dbeca'", '12345')], 0, 'the check was given `12345`'),
     ],
+    '5.2d': [
+        ([('            raise ValueError(reason)', '            self.get_logger().error(reason)')], 6,
+         'never sees the start values'),
+        ([('        return SetParametersResult(successful', '        self.react(parameters)\n        return '
+           'SetParametersResult(successful')], 6, 'an on-set callback has only a proposal'),
+        ([('0 <= floor', '1 <= floor')], 0, 'there is no floor 0: the top floor is 5'),
+        ([('floor <= top_floor', 'floor < top_floor')], 5, 'there is no floor 5: the top floor is 5'),
+        ([('0 <= floor <= top_floor', 'floor <= top_floor')], 6, 'it was accepted'),
+        ([("proposed.get('top_floor', self.get_parameter('top_floor').value)",
+           "self.get_parameter('top_floor').value")], 5, 'it was accepted'),
+        ([('        self.add_on_set_parameters_callback(self.validate)\n', '')], 4, 'it was accepted'),
+        ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 6, 'it prints nothing'),
+        ([('return SetParametersResult(successful=not reason, reason=reason)', 'return not reason')], 1,
+         'An on-set callback has to return a `SetParametersResult`'),
+        ([('reason=reason)', "reason='')")], 4, 'the reason is empty'),
+        ([('{p.name: p.value for', '{p.name: p.valeu for')], 1, 'in line 25, `reason = '),
+        ([('raise ValueError(reason)', 'raise SystemExit')], 6, 'it ended with exit status 0'),
+        ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 6, 'That is what SIGTERM raises'),
+        ([("'elevator'", "'lift'")], 7, 'it is called `lift`'),
+    ],
 }
 
 RIGHT = {
@@ -173,5 +193,22 @@ RIGHT = {
         [('dbeca', 'd > b > e > c > a')],
         [("'dbeca'", "'''d\nb\ne\nc\na'''")],
         [("'dbeca'", "('d', 'b', 'e', 'c', 'a')")],
+    ],
+    '5.2d': [
+        [('raise ValueError(reason)', 'raise SystemExit(reason)')],
+        [("self.get_logger().info(f'going to floor {parameter.value}')",
+          "print('going to floor', parameter.value)")],
+        # A callback that is there before the declarations judges the start as well.
+        [('        reason = self.objection({})\n        if reason:\n            raise ValueError(reason)\n'
+          '        self.add_on_set_parameters_callback(self.validate)\n', ''),
+         ("        self.declare_parameter('floor', 0)\n        self.declare_parameter('top_floor', 5)\n",
+          "        self.add_on_set_parameters_callback(self.validate)\n        self.declare_parameter('top_floor', 5)\n"
+          "        self.declare_parameter('floor', 0)\n"),
+         ("proposed.get('floor', self.get_parameter('floor').value)",
+          "proposed.get('floor', self.get_parameter_or('floor', Parameter('floor', value=0)).value)"),
+         ("proposed.get('top_floor', self.get_parameter('top_floor').value)",
+          "proposed.get('top_floor', self.get_parameter_or('top_floor', Parameter('top_floor', value=5)).value)"),
+         ('import Node\n', 'import Node\nfrom rclpy.parameter import Parameter\n')],
+        [('        pass', '        print()')],
     ],
 }

@@ -137,6 +137,27 @@ WRONG = {
         ([(READ, READ.replace('return {', 'yield {'))], 0, 'the function returned `<generator'),
         ([('zip(parameters, results)', 'list(zip(parameters, results))[:4]')], 2, 'the function returned'),
     ],
+    '5.3d': [
+        ([('limit_rpm = self.get_parameter(', 'limit_rpm = 60 or self.get_parameter(')], 7, 'it holds 60, after'),
+        ([('        if self.getter.service_is_ready() and self.setter.service_is_ready():\n            future = '
+           "self.getter.call_async(GetParameters.Request(names=['max_speed_rpm']))\n            "
+           'future.add_done_callback(self.on_speed)', '        self.getter.wait_for_service()\n        future = '
+           "self.getter.call_async(GetParameters.Request(names=['max_speed_rpm']))\n        "
+           'future.add_done_callback(self.on_speed)')], 1, 'Does a callback wait, or loop forever?'),
+        ([('        self.create_timer(0.5, self.ask)', '        self.getter.wait_for_service()\n        '
+           'self.create_timer(0.5, self.ask)')], 0, 'Does a callback wait, or loop forever?'),
+        ([('integer_value > limit_rpm', 'integer_value != limit_rpm')], 7, 'the guard has set `max_speed_rpm` to 60'),
+        ([('integer_value > limit_rpm', 'integer_value < limit_rpm')], 4, 'it holds 100'),
+        ([("self.get_logger().info(f'the rover says: {result.reason}')", 'pass')], 7, 'it prints nothing'),
+        ([('if not result.successful', 'if result.successful')], 7, 'it prints nothing'),
+        ([("Parameter('max_speed_rpm'", "Parameter('max_speed'")], 5, 'it holds 100'),
+        ([("'/rover/get_parameters'", "'/rover/get_parameter'")], 4, 'it holds 100'),
+        ([('create_timer(0.5', 'create_timer(500.0')], 4, 'it holds 100'),
+        ([('future.add_done_callback(self.on_speed)', 'rclpy.spin_until_future_complete(self, future)\n            '
+           'self.on_speed(future)')], 2, 'Does a callback wait, or loop forever?'),
+        ([('parameter.to_parameter_msg()', 'parameter')], 2, 'it ended with `'),
+        ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 7, 'That is what SIGTERM raises'),
+    ],
 }
 
 RIGHT = {
@@ -205,5 +226,31 @@ RIGHT = {
          (': result.reason', ': result.reason or no_reason'),
          ('not result.successful}',
           "not result.successful}\n\nimport functools\nrejected = functools.partial(reasons, '')")],
+    ],
+    '5.3d': [
+        # It waits, with `await`, in a callback group of its own.
+        [('self.create_timer(0.5, self.ask)', 'self.create_timer(0.5, self.ask, MutuallyExclusiveCallbackGroup())'),
+         ('import Node\n', 'import Node\nfrom rclpy.callback_groups import MutuallyExclusiveCallbackGroup\n'),
+         ('    def ask', '    async def ask'),
+         ('            future.add_done_callback(self.on_speed)', '            await future\n            '
+          'self.on_speed(future)')],
+        [('SetParameters.Request', 'SetParametersAtomically.Request'), ('SetParameters, ', 'SetParametersAtomically, '),
+         ('GetParameters, SetParameters\n', 'GetParameters, SetParametersAtomically\n'),
+         ("'/rover/set_parameters'", "'/rover/set_parameters_atomically'"), ('.results[0]', '.result')],
+        # The client that rclpy brings.
+        [('self.setter.call_async(request)', "AsyncParameterClient(self, '/rover').set_parameters([parameter])"),
+         ('import Parameter\n', 'import Parameter\nfrom rclpy.parameter_client import AsyncParameterClient\n')],
+        [("'/rover/get_parameters'", "'rover/get_parameters'"), ("'/rover/set_parameters'", "'rover/set_parameters'"),
+         ('create_timer(0.5', 'create_timer(0.2')],
+        # A second thread brings what the callback waits for.
+        [('rclpy.spin(Guard())', 'executor = MultiThreadedExecutor()\n        executor.add_node(Guard())\n        '
+          'executor.spin()'), ('import ExternalShutdownException', 'import ExternalShutdownException, '
+          'MultiThreadedExecutor'),
+         ('self.create_timer(0.5, self.ask)', 'self.create_timer(0.5, self.ask, MutuallyExclusiveCallbackGroup())'),
+         ('import Node\n', 'import Node\nfrom rclpy.callback_groups import MutuallyExclusiveCallbackGroup\n'),
+         ("future = self.getter.call_async(GetParameters.Request(names=['max_speed_rpm']))",
+          "answer = self.getter.call(GetParameters.Request(names=['max_speed_rpm']))"),
+         ('future.add_done_callback(self.on_speed)', 'self.on_speed(answer)'),
+         ('future.result().values', 'future.values')],
     ],
 }

@@ -86,6 +86,26 @@ WRONG = {
         ([("weighs nothing.': 7", "weighs nothing.': [2, 7]")], 4, 'there is `[2, 7]`'),
         ([("weighs nothing.': 7", "weighs nothing.': True")], 4, 'there is `True`'),
     ],
+    '8d': [
+        ([('drum.speed_rpm', 'speed_rpm')], 4, 'the node has none of that name'),
+        ([('            raise ValueError(reason)', '            self.get_logger().error(reason)')], 7,
+         'never sees the start values'),
+        ([("'drum.speed_rpm', 0.0", "'drum.speed_rpm', 0")], 4, 'type integer, value `0`'),
+        ([("'drum.tilt_deg', 15.0", "'drum.tilt_deg', 10.0")], 7, 'type double, value `10.0`'),
+        ([(',\n            floating_point_range=[FloatingPointRange(from_value=0.0, to_value=60.0)]', '')], 7,
+         'it has none for its type'),
+        ([('to_value=30.0', 'to_value=40.0')], 7, 'its `to_value` is 40.0'),
+        ([("description='Stamped on the frame.', ", '')], 7, 'there is none for `serial_number`'),
+        ([(', read_only=True', '')], 7, 'accepted serial_number'),
+        ([("proposed.get('drum.tilt_deg', self.get_parameter('drum.tilt_deg').value)",
+           "self.get_parameter('drum.tilt_deg').value")], 7, 'it was accepted'),
+        ([('tilt_deg > 30.0', 'tilt_deg >= 30.0')], 7, 'A tilt of 30° is still allowed'),
+        ([('        return SetParametersResult(successful', '        self.react(parameters)\n        return '
+           'SetParametersResult(successful')], 7, 'an on-set callback has only a proposal'),
+        ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 7, 'it prints nothing'),
+        ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 7, 'That is what SIGTERM raises'),
+        ([('        rclpy.init()\n', '')], 0, 'Call `rclpy.init()` before'),
+    ],
 }
 
 RIGHT = {
@@ -125,5 +145,16 @@ RIGHT = {
         [("'Speed, as a fraction of full speed.'", "'0: off, 1: full'")],
         [("'Speed, as a fraction of full speed.'", "'Duty cycle'")],
         [("'fan.speed', 0.5", "'.'.join(['fan', 'speed']), 1 / 2")],
+    ],
+    '8d': [
+        [("super().__init__('mixer')", "super().__init__('mixer')\n        self.get_logger().info('mixing')")],
+        [("f'drum turns at {parameter.value} rpm'", '"drum turns at %.1f rpm" % parameter.value')],
+        [('raise ValueError(reason)', 'raise SystemExit(reason)')],
+        [('rclpy.spin(Mixer())', 'mixer = Mixer()\n        rclpy.spin(mixer)'),
+         ('        pass', '        pass\n    finally:\n        rclpy.try_shutdown()')],
+        [("self.declare_parameter('serial_number', 'MX-0001', ParameterDescriptor(\n            "
+          "description='Stamped on the frame.', read_only=True))",
+          "self.declare_parameters('', [('serial_number', 'MX-0001', ParameterDescriptor(\n            "
+          "description='Stamped on the frame.', read_only=True))])")],
     ],
 }

@@ -187,6 +187,23 @@ WRONG = {
         ([('atomically', 'atomicaly')], 0, 'atomicaly'),
         ([(_SET, f'while True: {_SET}')], 0, 'was still running'),
     ],
+    '11g': [
+        ([('door_node = warehouse.door_node:main', 'door = warehouse.door_node:main')], 1, 'No executable found'),
+        ([('door_node:main', 'door_node:mian')], 1, "has no attribute 'mian'"),
+        ([('setup(\n', 'setup((\n')], 0, 'SyntaxError'),
+        ([('<name>warehouse</name>', '<name>warehose</name>'), ("name='warehouse',", "name='warehose',")], 0,
+         'it finds no package of this name'),
+        ([("    'setup.cfg': '''[develop]\nscript_dir=$base/lib/warehouse\n[install]\n"
+           "install_scripts=$base/lib/warehouse\n''',\n", '')], 1, 'No executable found'),
+        ([("packages=['warehouse'],", '')], 0, 'Multiple top-level packages'),
+        ([('rclpy.spin(Door())', 'Door()')], 1, 'Nothing spins the node'),
+        ([("super().__init__('door')", "super().__init__('gate')")], 6, 'it is called `gate`'),
+        ([("'open_sec', 5.0", "'open_sec', 5")], 4, 'type integer, value `5`'),
+        ([('to_value=60.0', 'to_value=30.0')], 5, 'its `to_value` is 30.0'),
+        ([('{open_sec} s', '5.0 s')], 5, 'its last line is'),
+        ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 5, 'That is what SIGTERM raises'),
+        ([('def main():', 'def main()')], 1, "expected ':'"),
+    ],
 }
 
 RIGHT = {
@@ -267,5 +284,11 @@ RIGHT = {
         [(_SET, """for speed in (1.8, 1.9, 2.0):
         client.set_parameters_atomically({'max_speed_mps': speed,
                                           'max_acceleration_mps2': speed ** 2 / (8 * speed - 12)})""")],
+    ],
+    '11g': [
+        [("packages=['warehouse']", 'packages=find_packages()'), ('import setup\n', 'import find_packages, setup\n')],
+        [("'share/warehouse', ['package.xml']", "'share/' + 'warehouse', ['package.xml']")],
+        [('script_dir=$base', 'script-dir=$base'), ('install_scripts=$base', 'install-scripts=$base')],
+        [('def main():', 'def main(args=None):'), ('rclpy.init()', 'rclpy.init(args=args)')],
     ],
 }

@@ -1,4 +1,4 @@
-"""Exercises of chapter 3: fill in defaults, declare parameters, and mend declarations."""
+"""Exercises of chapter 3: fill in defaults, declare parameters, mend declarations, and write a whole program."""
 
 from typing import Any
 
@@ -8,7 +8,17 @@ from rclpy.node import Node
 from param_tools.node.client import ParameterClient
 from param_tools.values import BOOL, DOUBLE, INTEGER, STRING, ParameterType
 from param_tutorial.exercises.exercise import NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import expect_declared, expect_fixed_type, expect_range_fields, expect_result
+from param_tutorial.exercises.expectations import (
+    expect_answers,
+    expect_declared,
+    expect_fixed_type,
+    expect_range,
+    expect_range_fields,
+    expect_result,
+    expect_start_value,
+    take_type_for_granted,
+)
+from param_tutorial.exercises.programs import PROGRAM, require_ends, require_program, running
 from param_tutorial.exercises.trial import NoStart, NotTried, Trial, expect
 
 CHAPTER = '03_declaring'
@@ -172,4 +182,48 @@ require_gap('speed_dps', DOUBLE, 30.0)
 require_gap('label', STRING, '7')
 
 
-EXERCISES = (fill, declare, mend)
+KETTLE = '3d · A kettle from an empty file'
+program = Exercise('3d', 'A kettle from an empty file', CHAPTER, PROGRAM, node_name='kettle', hints=(
+    'Four parts, from top to bottom: imports, the class, `def main():`, and two last lines that begin with '
+    "`if __name__ == '__main__':` and call `main()`. The class is like the rover of 3a.",
+    '`main` calls `rclpy.init()`, and then `rclpy.spin(Kettle())`, which returns only when something ends the program. '
+    "A line in the log is `self.get_logger().info(f'...')`.",
+    'Both lines of `main` stand in a `try:`. After it comes `except (KeyboardInterrupt, ExternalShutdownException):`, '
+    'with a `pass`. `ExternalShutdownException` is in `rclpy.executors`.'))
+require_program(program, 'kettle_node.py', KETTLE)
+
+
+@program.require('`target_c` is a double, starts at 80.0, and has a range from 20.0 to 100.0', see=DESCRIPTOR)
+def target(trial: Trial) -> None:
+    with running(trial, program) as kettle:
+        client = trial.client(kettle.node)
+        expect_start_value(client, 'target_c', DOUBLE, 80.0)
+        expect_answers(client, 'target_c', 'accepted', 20.0, 100.0, 37.5)
+        expect_answers(client, 'target_c', 'out of range', 19.9, 100.1, because=_NO_LIMIT)
+        expect_range(client, 'target_c', 20.0, 100.0)
+        expect_fixed_type(client, 'target_c')
+
+
+_NO_LIMIT = 'A `FloatingPointRange` limits a double'
+
+
+@program.require('`model` is a string, `K-1`, and nobody can change it', see=DESCRIPTOR)
+def model(trial: Trial) -> None:
+    with running(trial, program) as kettle:
+        client = trial.client(kettle.node)
+        expect_start_value(client, 'model', STRING, 'K-1')
+        expect_result(client, 'model', 'K-2', 'read only', 'The field `read_only` of the descriptor makes it so')
+
+
+@program.require('it logs the temperature that it starts with', see=KETTLE)
+def logs_target(trial: Trial) -> None:
+    for words, value in (('', '80.0'), ('-p target_c:=95.5', '95.5')):
+        with running(trial, program, words) as kettle:
+            take_type_for_granted(trial.client(kettle.node), DOUBLE, 'target_c')
+            kettle.expect_line(value, f'after a start with `{words}`' if words else 'after its start')
+
+
+require_ends(program, KETTLE)
+
+
+EXERCISES = (fill, declare, mend, program)

@@ -1,4 +1,4 @@
-"""Exercises of chapter 5.2: judge and act, hunt faults, and put a change in order."""
+"""Exercises of chapter 5.2: judge and act, hunt faults, put a change in order, and write a whole program."""
 
 import contextlib
 from collections.abc import Iterator, Mapping
@@ -17,7 +17,10 @@ from param_tutorial.exercises.expectations import (
     expect_follows,
     expect_left_alone,
     expect_rejected,
+    expect_start_value,
+    take_type_for_granted,
 )
+from param_tutorial.exercises.programs import PROGRAM, expect_no_start, require_ends, require_program, running
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, describe_error, expect
 
 CHAPTER = '05_2_with_a_callback'
@@ -280,4 +283,59 @@ require_order(2, 'what comes before the value is stored',
 require_order(3, 'what comes after that',
               'when it was set from 100 to 150, a node held 150 while its post-set callback ran')
 
-EXERCISES = (judge, hunt, put_in_order)
+ELEVATOR = '5.2d · An elevator from an empty file'
+program = Exercise('5.2d', 'An elevator from an empty file', CHAPTER, PROGRAM, node_name='elevator', hints=(
+    'Begin with the frame: imports, a class with its two declarations, `main`, and the two last lines. It runs before '
+    'it has a callback, so the check can tell you how far you are.',
+    'Write the rule once, as a method that takes a floor and a top floor and returns a reason or an empty string. The '
+    'on-set callback calls it with `{p.name: p.value for p in parameters}` in place of what is stored.',
+    'In the constructor, call the rule with the start values before you register the callbacks, and `raise '
+    'ValueError(reason)` if there is one. The log line belongs in the post-set callback.'))
+require_program(program, 'elevator_node.py', ELEVATOR)
+
+
+@program.require('floors below 0 or above `top_floor` are rejected, with a reason', see=JUDGE)
+def floors(trial: Trial) -> None:
+    with running(trial, program) as elevator:
+        client = trial.client(elevator.node)
+        expect_start_value(client, 'floor', INTEGER, 0)
+        expect_start_value(client, 'top_floor', INTEGER, 5)
+        for good in ({'floor': 5}, {'floor': 0}, {'top_floor': 9}, {'floor': 8}, {'use_sim_time': False}):
+            expect_accepted(trial, elevator.node, good)
+        for bad in ({'floor': 10}, {'floor': -1}, {'top_floor': 7}):
+            expect_rejected(trial, elevator.node, bad)
+
+
+@program.require('both in one request are judged together', see=LIST)
+def floors_together(trial: Trial) -> None:
+    with running(trial, program) as elevator:
+        take_type_for_granted(trial.client(elevator.node), INTEGER, 'floor', 'top_floor')
+        for bad in ({'floor': 5, 'top_floor': 4}, {'top_floor': 4, 'floor': 5}):
+            expect_rejected(trial, elevator.node, bad)
+        for good in ({'floor': 12, 'top_floor': 12}, {'top_floor': 3, 'floor': 2}):
+            expect_accepted(trial, elevator.node, good, '. What counts are the two proposed values')
+
+
+@program.require('it does not start with such values', see=ELEVATOR)
+def floors_at_start(trial: Trial) -> None:
+    with running(trial, program) as elevator:
+        take_type_for_granted(trial.client(elevator.node), INTEGER, 'floor', 'top_floor')
+    with running(trial, program, '-p floor:=7 -p top_floor:=8') as elevator:
+        expect_start_value(trial.client(elevator.node), 'floor', INTEGER, 7)
+    expect_no_start(trial, program, '-p floor:=6')
+
+
+@program.require('it logs each floor that is stored, and none that is rejected', see=ACT)
+def logs_floor(trial: Trial) -> None:
+    with running(trial, program) as elevator:
+        take_type_for_granted(trial.client(elevator.node), INTEGER, 'floor', 'top_floor')
+        expect_rejected(trial, elevator.node, {'floor': 77})
+        expect_accepted(trial, elevator.node, {'floor': 3})
+        elevator.expect_line('going to floor 3', 'once `floor = 3` is stored')
+        expect('going to floor 77' not in elevator.terminal.text, 'no line about floor 77, which is rejected',
+               'it logs `going to floor 77`: an on-set callback has only a proposal')
+
+
+require_ends(program, ELEVATOR)
+
+EXERCISES = (judge, hunt, put_in_order, program)

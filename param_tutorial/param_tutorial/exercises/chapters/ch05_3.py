@@ -1,11 +1,11 @@
-"""Exercises of chapter 5.3: order the lines of a request, set two parameters of another node together, and read an
-answer."""
+"""Exercises of chapter 5.3: order the lines of a request, set two parameters of another node together, read an answer,
+and write a whole program that asks another node."""
 
 import contextlib
 import time
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar
 
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rcl_interfaces.srv import SetParameters
@@ -15,9 +15,20 @@ from rclpy.parameter import Parameter
 
 from param_tools.node.client import ParameterValues
 from param_tools.ros import stage
+from param_tools.ros.waiting import deadline, wait
+from param_tools.values import INTEGER
 from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
-from param_tutorial.exercises.expectations import NotesQuestions, is_settled, run_lines, start_asking
-from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
+from param_tutorial.exercises.expectations import (
+    NotesQuestions,
+    expect_accepted,
+    expect_start_value,
+    is_settled,
+    run_lines,
+    start_asking,
+    take_type_for_granted,
+)
+from param_tutorial.exercises.programs import PROGRAM, Program, require_ends, require_program, running
+from param_tutorial.exercises.trial import TIME_LIMIT_SEC, NotYet, NoUse, Trial, expect
 
 CHAPTER = '05_3_from_another_node'
 HOW = 'How it works'
@@ -51,6 +62,9 @@ class Rover(Node):
 
     def note(self, _: list[Parameter]) -> None:
         self.has_stored = True
+
+
+RoverT = TypeVar('RoverT', bound=Rover)
 
 
 class KeepsAcceleration(Rover):
@@ -300,4 +314,92 @@ def is_answered(trial: Trial) -> None:
            'one result, which is successful', f'`results` is `{results!r}`')
 
 
-EXERCISES = (order, supervise, read)
+GUARD = '5.3d · A guard from an empty file'
+program = Exercise('5.3d', 'A guard from an empty file', CHAPTER, PROGRAM, node_name='guard', hints=(
+    'The constructor declares the limit, makes two clients (`GetParameters` and `SetParameters`, of `/rover`) and a '
+    'timer. `main` is that of every node.',
+    'The timer’s callback sends the question with `call_async`, and leaves the rest to a callback of the future: '
+    '`future.add_done_callback(self.on_speed)`. If `service_is_ready()` is false, it returns at once.',
+    '`on_speed` reads `future.result().values[0].integer_value`. If that is above the limit, it sends '
+    "`Parameter('max_speed_rpm', value=limit).to_parameter_msg()`, and another callback logs the reason of a result "
+    'that is not `successful`.'))
+require_program(program, 'guard_node.py', GUARD)
+
+
+class CountsQuestions(Rover):
+    """Counts how often it is asked for a value."""
+
+    times_asked = 0
+
+    def get_parameter(self, name: str) -> Parameter:
+        self.times_asked += 1
+        return super().get_parameter(name)
+
+
+def start_rover(trial: Trial, guard: Program, rover_class: type[RoverT], rpm: int = 100) -> RoverT:
+    """Put a rover beside the guard."""
+    return trial.start(rover_class, namespace=guard.namespace, ros_args=['-p', f'max_speed_rpm:={rpm}'])
+
+
+def expect_speed(trial: Trial, guard: Program, rover: Rover, rpm: int, when: str) -> None:
+    """Expect the guard to have changed the speed of a rover, soon."""
+    client = trial.client(rover)
+    try:
+        trial.wait(lambda: client.get_parameter('max_speed_rpm') == rpm, f'the rover holds {rpm} rpm {when}',
+                   lambda: f'it holds {client.get_parameter("max_speed_rpm")}')
+    except NotYet:
+        trial.client(guard.node).list_parameters()  # a guard that waits in a callback does not answer
+        raise
+
+
+@program.require('`limit_rpm` is an integer, 60 at first, and the guard answers also without a rover', see=HOW)
+def lives_alone(trial: Trial) -> None:
+    with running(trial, program) as guard:
+        expect_start_value(trial.client(guard.node), 'limit_rpm', INTEGER, 60)
+        # Its timer comes twice a second, and should find no rover three times.
+        end = deadline(1.5)
+        while time.monotonic() < end:
+            expect_accepted(trial, guard.node, {'limit_rpm': 60})
+
+
+@program.require('a rover at 100 rpm gets the limit', see=HOW)
+def slows_down(trial: Trial) -> None:
+    with running(trial, program) as guard:
+        expect_speed(trial, guard, start_rover(trial, guard, Rover), 60, 'soon after it has come')
+
+
+@program.require('the limit can be changed meanwhile', see=HOW)
+def follows_limit(trial: Trial) -> None:
+    with running(trial, program) as guard:
+        take_type_for_granted(trial.client(guard.node), INTEGER, 'limit_rpm')
+        rover = start_rover(trial, guard, Rover)
+        for rpm in (45, 30):
+            expect_accepted(trial, guard.node, {'limit_rpm': rpm})
+            expect_speed(trial, guard, rover, rpm, f'once `limit_rpm = {rpm}` is stored')
+
+
+@program.require('a rover that is slow enough is left alone', see=HOW)
+def leaves_alone(trial: Trial) -> None:
+    with running(trial, program) as guard:
+        rover = start_rover(trial, guard, CountsQuestions, 50)
+        before = rover.times_asked  # by the stage
+        wait(lambda: rover.times_asked >= before + 3 or rover.has_stored, TIME_LIMIT_SEC)
+        expect(rover.has_stored or rover.times_asked >= before + 3, 'the rover is asked for its speed, again and again',
+               f'it has been asked {rover.times_asked - before} times in {TIME_LIMIT_SEC:g} s')
+        expect(not rover.has_stored, 'nothing is set while the rover holds 50 rpm',
+               f'the guard has set `max_speed_rpm` to {rover.get_parameter("max_speed_rpm").value}')
+
+
+@program.require('the reason of a rover that rejects is logged, and the guard goes on', see=HOW)
+def logs_reason(trial: Trial) -> None:
+    with running(trial, program) as guard:
+        take_type_for_granted(trial.client(guard.node), INTEGER, 'limit_rpm')
+        start_rover(trial, guard, KeepsSpeed)
+        guard.expect_line(KeepsSpeed.words, f'when the rover says “{KeepsSpeed.words}”')
+        expect_accepted(trial, guard.node, {'limit_rpm': 50})
+
+
+require_ends(program, GUARD)
+
+
+EXERCISES = (order, supervise, read, program)

@@ -1,5 +1,5 @@
-"""Exercises of chapter 8: fill in a declaration, repair a node, and find the practice that would have prevented a
-complaint."""
+"""Exercises of chapter 8: fill in a declaration, repair a node, find the practice that would have prevented a
+complaint, and write a whole program."""
 
 import contextlib
 import re
@@ -11,7 +11,7 @@ from rclpy.parameter import Parameter
 
 from param_tools.descriptor import is_housekeeping
 from param_tools.errors import CallbackError
-from param_tools.values import DOUBLE
+from param_tools.values import DOUBLE, STRING
 from param_tutorial.exercises.exercise import DICTIONARY, NODE_CLASS, Exercise
 from param_tutorial.exercises.expectations import (
     expect_accepted,
@@ -22,8 +22,12 @@ from param_tutorial.exercises.expectations import (
     expect_range,
     expect_range_fields,
     expect_rejected,
+    expect_result,
+    expect_start_value,
     format_found,
+    take_type_for_granted,
 )
+from param_tutorial.exercises.programs import PROGRAM, expect_no_start, require_ends, require_program, running
 from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '08_best_practices'
@@ -328,4 +332,73 @@ def fan_described(trial: Trial) -> None:
     expect(words - set(FAN_SPEED.split('.')), wanted, f'there is `{told}`, which the name says already')
 
 
-EXERCISES = (fill, repair, find)
+MIXER = '8d · A mixer from an empty file'
+TURNS, TILT = 'drum.speed_rpm', 'drum.tilt_deg'
+program = Exercise('8d', 'A mixer from an empty file', CHAPTER, PROGRAM, node_name='mixer', hints=(
+    'Follow the practices in their order: three declarations with a dot in the name where it belongs, a default and a '
+    'descriptor each; then the rule; then what happens once it is met.',
+    'Let one method judge a speed and a tilt. The constructor calls it with the start values, before it registers the '
+    'callbacks, and raises a `ValueError`; the on-set callback calls it with what would be stored.',
+    'The post-set callback logs what is stored: `self.get_logger().info(f"the drum turns at {speed} rpm")`. `main` is '
+    'that of every node, and catches `KeyboardInterrupt` and `ExternalShutdownException`.'))
+require_program(program, 'mixer_node.py', MIXER)
+
+
+@program.require(f'`{TURNS}` and `{TILT}` are doubles with a range', see=DESCRIBE)
+def drum(trial: Trial) -> None:
+    with running(trial, program) as mixer:
+        client = trial.client(mixer.node)
+        for name, start, highest in ((TURNS, 0.0, 30.0), (TILT, 15.0, 60.0)):
+            expect_start_value(client, name, DOUBLE, start)
+            expect_range(client, name, 0.0, highest)
+
+
+@program.require('`serial_number` is fixed, but by a start, and each parameter is described', see=DESCRIBE)
+def mixer_described(trial: Trial) -> None:
+    with running(trial, program, '-p serial_number:=MX-0002') as mixer:
+        client = trial.client(mixer.node)
+        expect_start_value(client, 'serial_number', STRING, 'MX-0002')
+        expect_result(client, 'serial_number', 'MX-0003', 'read only')
+        told = client.describe_parameters([name for name in client.list_parameters() if not is_housekeeping(name)])
+        silent = [f'`{name}`' for name in told if not told[name].description.strip().strip('.…')]
+        expect(not silent, 'a description for each', f'there is none for {", ".join(silent)}')
+
+
+@program.require('above 20 rpm a tilt above 30° is rejected, with a reason', see=JUDGE)
+def mixer_judges(trial: Trial) -> None:
+    together = '. Both are proposed together, so judge them together'
+    with running(trial, program) as mixer:
+        take_type_for_granted(trial.client(mixer.node), DOUBLE, TURNS, TILT)
+        expect_accepted(trial, mixer.node, {TURNS: 30.0})
+        expect_accepted(trial, mixer.node, {TILT: 30.0}, '. A tilt of 30° is still allowed')
+        expect_rejected(trial, mixer.node, {TILT: 30.5})
+        expect_accepted(trial, mixer.node, {TILT: 45.0, TURNS: 20.0}, together)
+        expect_rejected(trial, mixer.node, {TURNS: 20.5})
+        expect_rejected(trial, mixer.node, {TILT: 60.0, TURNS: 30.0})
+        expect_accepted(trial, mixer.node, {TURNS: 25.0, TILT: 0.0}, together)
+
+
+@program.require('it does not start with what it would reject later', see=MIXER)
+def mixer_starts(trial: Trial) -> None:
+    with running(trial, program) as mixer:
+        take_type_for_granted(trial.client(mixer.node), DOUBLE, TURNS, TILT)
+    with running(trial, program, f'-p {TURNS}:=12.0 -p {TILT}:=45.0') as mixer:
+        expect_start_value(trial.client(mixer.node), TURNS, DOUBLE, 12.0)
+    expect_no_start(trial, program, f'-p {TURNS}:=25.0 -p {TILT}:=45.0')
+
+
+@program.require('it logs a speed once it is stored, and none that is rejected', see=JUDGE)
+def mixer_acts_late(trial: Trial) -> None:
+    with running(trial, program) as mixer:
+        take_type_for_granted(trial.client(mixer.node), DOUBLE, TURNS, TILT)
+        expect_accepted(trial, mixer.node, {TILT: 40.0})
+        expect_rejected(trial, mixer.node, {TURNS: 27.5})
+        expect_accepted(trial, mixer.node, {TURNS: 12.5})
+        mixer.expect_line('12.5', f'once `{TURNS} = 12.5` is stored')
+        expect('drum turns at 27.5' not in mixer.terminal.text, 'no line about 27.5 rpm, which is rejected',
+               'it logs it all the same: an on-set callback has only a proposal')
+
+
+require_ends(program, MIXER)
+
+EXERCISES = (fill, repair, find, program)

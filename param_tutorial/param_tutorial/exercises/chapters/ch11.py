@@ -1,4 +1,5 @@
-"""Exercises of chapter 11, the capstone: a warehouse cart, declared, judged, acting, saved, launched and tuned.
+"""Exercises of chapter 11, the capstone: a warehouse cart, declared, judged, acting, saved, launched and tuned; and a
+door in a package of its own.
 
 The first three try what the learner has built. From the fourth on, the check uses the cart of the package, so that a
 fault in an earlier step does not follow the learner.
@@ -8,6 +9,7 @@ import contextlib
 import functools
 import math
 import os
+import re
 import tempfile
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -22,9 +24,9 @@ from param_tools.errors import NodeError, WaitTimeoutError
 from param_tools.node.client import ParameterClient
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
-from param_tools.ros.waiting import wait_until
+from param_tools.ros.waiting import PATIENCE, wait_until
 from param_tools.values import DOUBLE, STRING
-from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise
+from param_tutorial.exercises.exercise import FUNCTION, NODE_CLASS, TEXT, Exercise, Kind
 from param_tutorial.exercises.expectations import (
     WithSecondJudge,
     client_for,
@@ -34,12 +36,21 @@ from param_tutorial.exercises.expectations import (
     expect_declared,
     expect_left_alone,
     expect_override,
+    expect_range,
     expect_range_fields,
     expect_rejected,
     expect_result,
+    expect_start_value,
+    take_type_for_granted,
 )
+<<<<<<< HEAD
+=======
+from param_tutorial.exercises.forms import Combination
+from param_tutorial.exercises.programs import require_ends, running
+>>>>>>> programs
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
+from param_tutorial.notebook.shell import NO_SHELL, Shell
 from param_tutorial.notebook.terminal import Terminal
 from param_tutorial.views.cart import cart_on_trip
 from param_tutorial.views.drawing import driving
@@ -460,4 +471,87 @@ def trip(trial: Trial) -> str:
     return driving.replay(cart_on_trip('/cart_node', *tuned(trial).settings()))
 
 
-EXERCISES = (declare, judge, act, save, launch, tune)
+# -- 11g ----------------------------------------------------------------------------------------------------
+
+DOOR = '11g · A door, in a package of its own'
+FOLDER = Kind('the folder of your package, in quotes', lambda work: isinstance(work, (str, Path)) and str(work) != '',
+              'my_package')
+# colcon alone takes five seconds.
+BUILD_SEC = 60.0
+package = Exercise('11g', 'A door, in a package of its own', CHAPTER, FOLDER, node_name='door', hints=(
+    '`%ros2 pkg create --build-type ament_python --node-name door_node warehouse` writes the package, with a '
+    '`door_node.py` that only greets. That file is yours to write.',
+    'A cell that begins with `%%writefile warehouse/warehouse/door_node.py` replaces it. The program has a class, a '
+    '`main` and the two last lines; the entry point in `setup.py` calls `main`.',
+    'The range is a `FloatingPointRange(from_value=1.0, to_value=60.0)` in the descriptor, and `main` spins the node '
+    'in a `try:` that catches `KeyboardInterrupt` and `ExternalShutdownException`.'))
+
+
+@functools.lru_cache(maxsize=1)
+def build(files: frozenset[tuple[str, bytes]]) -> Shell:
+    """Build a package in a workspace, and return a terminal in which it is sourced.
+
+    :raises NoUse: it cannot be built.
+    """
+    shell = Shell()
+    if not shell.can_run:
+        raise NoUse('the package is built', NO_SHELL)
+    for name, content in files:
+        path = shell.home / 'ros2_ws' / 'src' / 'warehouse' / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    printed = shell.run('cd ~/ros2_ws && colcon build', BUILD_SEC * PATIENCE)
+    failed = shell.status
+    shell.run('source install/setup.bash')
+    if failed or 'Finished <<< warehouse' not in printed:
+        # The first one is about the package, and what follows about colcon.
+        error = re.search(r'^ *(\w*[Ee]rror: .*)', printed, re.MULTILINE)
+        raise NoUse('`colcon build` finishes the package `warehouse`', error[1] if error else
+                    f'it finds no package of this name, and says: {printed.strip().splitlines()[-1]}')
+    return shell
+
+
+def built(trial: Trial) -> Shell:
+    """Build the learner's package."""
+    folder = Path(trial.work)
+    if not folder.is_dir():
+        raise NoUse(f'a folder `{folder}`', 'there is none beside this notebook yet')
+    return build(frozenset((str(path.relative_to(folder)), path.read_bytes()) for path in folder.rglob('*')
+                           if path.is_file() and '__pycache__' not in path.parts))
+
+
+def run_door(trial: Trial, words: str) -> Terminal:
+    return Terminal(f'ros2 run warehouse door_node {words}', built(trial))
+
+
+@package.require('`colcon build` builds the package `warehouse`', see=DOOR)
+def builds(trial: Trial) -> None:
+    built(trial)
+
+
+@package.require('`ros2 run warehouse door_node` starts a node that answers', see=DOOR)
+def runs(trial: Trial) -> None:
+    with running(trial, package, start=run_door):
+        pass
+
+
+@package.require('`open_sec` is a double, starts at 5.0, and has a range from 1.0 to 60.0', see=DECLARE)
+def open_sec(trial: Trial) -> None:
+    with running(trial, package, start=run_door) as door:
+        client = trial.client(door.node)
+        expect_start_value(client, 'open_sec', DOUBLE, 5.0)
+        expect_range(client, 'open_sec', 1.0, 60.0)
+
+
+@package.require('it logs how long it stays open when it starts', see=START)
+def logs_open_sec(trial: Trial) -> None:
+    with running(trial, package, start=run_door) as door:
+        take_type_for_granted(trial.client(door.node), DOUBLE, 'open_sec')
+    with running(trial, package, '-p open_sec:=7.5', start=run_door) as door:
+        door.expect_line('7.5', 'after a start with `-p open_sec:=7.5`')
+
+
+require_ends(package, DOOR, start=run_door)
+
+
+EXERCISES = (declare, judge, act, save, launch, tune, package)

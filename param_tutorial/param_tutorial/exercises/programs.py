@@ -1,0 +1,244 @@
+"""Whole programs as answers: a check starts the file as ``python3 FILE`` does, asks its node, and ends it by a signal.
+
+The program runs in a process of its own or, in a web page, as ``param_tools.ros.programs`` says. Its node is put into a
+namespace by words after ``--ros-args``, so the program has to read them, as every program of ROS does.
+"""
+
+import ast
+import contextlib
+import itertools
+import re
+import shlex
+import signal
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import NamedTuple, cast
+
+from param_tools.errors import NodeError, WaitTimeoutError
+from param_tools.ros.service_types import SERVICE_TYPES
+from param_tools.ros.waiting import wait, wait_until
+from param_tutorial.exercises.exercise import Exercise, Kind
+from param_tutorial.exercises.trial import CORNER, NotYet, NoUse, Trial, expect
+from param_tutorial.notebook.terminal import Terminal
+
+PROGRAM = Kind('the name of the file that the cell above writes, in quotes',
+               lambda work: isinstance(work, (str, Path)) and Path(work).suffix == '.py', "'my_program.py'")
+
+# How long a program may take until its node is there, how long a node after another one, a line that it prints, and an
+# end. Importing rclpy takes seconds on a slow machine.
+START_SEC, LATER_SEC, LINE_SEC, END_SEC = 15.0, 2.0, 5.0, 5.0
+# How often a program may lose a race that is rclpy's own.
+_TIMES = 3
+_SPINS = {'spin', 'spin_once', 'spin_until_future_complete'}
+# What to think of when a program ends with one of these.
+_REMARKS = {
+    'NotInitializedException': 'Call `rclpy.init()` before you make the node',
+    'already called': 'When a signal comes, rclpy shuts down by itself: leave `rclpy.shutdown()` out',
+    'KeyboardInterrupt': 'That is what Ctrl+C raises in `rclpy.spin`: catch it there',
+    'ExternalShutdownException': 'That is what SIGTERM raises in `rclpy.spin`: import it from `rclpy.executors`, and '
+                                 'catch it there',
+    '_TimeIsUp': 'It was still running after some seconds without a `spin`, and in a page nothing else runs meanwhile',
+}
+# A node that a killed program leaves in the graph for some seconds must not be taken for the next one.
+_numbers = itertools.count(1)
+
+
+class Program(NamedTuple):
+    """A learner's program that runs, and whose node answers."""
+
+    terminal: Terminal
+    node: str
+    """The node's full name."""
+    namespace: str
+    """The node's namespace within the corner, as ``Trial.start`` takes it."""
+
+    def expect_line(self, text: str, when: str) -> None:
+        """Expect the program to have logged or printed a text, or to do so soon."""
+        if not wait(lambda: text in self.terminal.text, LINE_SEC):
+            lines = self.terminal.text.strip().splitlines()
+            raise NotYet(f'it logs or prints `{text}` {when}',
+                         f'its last line is `{lines[-1]}`' if lines else 'it prints nothing')
+
+
+def start_file(trial: Trial, words: str) -> Terminal:
+    """Start the learner's file with Python.
+
+    :raises NoUse: there is none, or nothing in it, or it is no Python.
+    """
+    path = Path(trial.work)
+    if not path.is_file():
+        raise NoUse(f'a file `{path}`', 'there is none beside this notebook: run the cell above, which writes it')
+    try:
+        body = _parsed(path).body
+    except SyntaxError as error:
+        raise NoUse('a file that Python can read', f'{type(error).__name__}: {error.msg}, in line {error.lineno}, '
+                    f'`{(error.text or "").strip()}`') from None
+    if not body:
+        raise NoUse('a whole program, from its imports to its last line', 'there is nothing in the file yet')
+    # A page's Python has no program of its own. There the learner's runs in this thread, up to its first `spin`.
+    python = sys.executable if Path(sys.executable).stem.startswith('python') else 'python3'
+    command = f'{shlex.join([python, str(path.resolve())])} {words}'
+    return cast(Terminal, trial.call('the program', Terminal, command))
+
+
+Start = Callable[[Trial, str], Terminal]
+
+
+@contextlib.contextmanager
+def running(trial: Trial, exercise: Exercise, words: str = '', start: Start = start_file) -> Iterator[Program]:
+    """Start the learner's program, and end it after the block.
+
+    :param words: More words after ``--ros-args``.
+    :param start: Starts it with these words; by default as ``python3 FILE``.
+    :raises NoUse: there is none, or its node doesn't come, or doesn't answer.
+    """
+    namespace = f'/program_{next(_numbers)}'
+    # A service of /rover is, for this program, that of the /rover beside it.
+    moved = [f'/rover/{service}:={CORNER}{namespace}/rover/{service}' for service in SERVICE_TYPES]
+    remapped = ' '.join(f'-r {rule}' for rule in (f'__ns:={CORNER}{namespace}', *moved))
+    before = Counter(trial.ros.services.node_names(hidden=True))
+    terminal = start(trial, f'--ros-args {remapped} {words}')
+    file = _source_file(trial, exercise)
+    try:
+        name = _wait_for_node(trial, exercise, terminal, f'{CORNER}{namespace}/', before)
+        trial.names.add(name.rpartition('/')[2])
+        trial.client(name).list_parameters()
+        yield Program(terminal, name, namespace)
+    except NodeError as error:
+        # What ended the program explains more than what came of it.
+        if wait(lambda: not terminal.is_running, LATER_SEC):
+            raise NoUse('a program that goes on', _describe_end(terminal, file)) from None
+        remark = 'Does a callback wait, or loop forever?' if _spins(_parsed(file)) else 'Nothing spins it'
+        raise NoUse('an answer', f'{error}. {remark}'.replace(namespace, '')) from None
+    except NotYet as error:
+        raised = '' if terminal.is_running else _raised(terminal.text, file)
+        if raised and raised not in error.happened:
+            raise NoUse('a program that goes on', raised) from None
+        raise type(error)(*(text.replace(namespace, '') for text in (error.expected, error.happened))) from None
+    finally:
+        terminal.interrupt(END_SEC)
+
+
+def _wait_for_node(trial: Trial, exercise: Exercise, terminal: Terminal, prefix: str, before: Counter[str]) -> str:
+    """Return the full name of the program's node, preferably the one that the exercise asks for."""
+    wanted, outside = f'{prefix}{exercise.node_name}', f'/{exercise.node_name}'
+
+    def new() -> list[str]:
+        names = Counter(trial.ros.services.node_names(hidden=True)) - before
+        return sorted(each for each in names if each.startswith(prefix) or each == outside)
+
+    with contextlib.suppress(WaitTimeoutError):
+        wait_until(lambda: new() or not terminal.is_running, 'a node', START_SEC)
+        if not trial.names - {exercise.node_name}:  # it had another name the last time
+            wait_until(lambda: wanted in new() or not terminal.is_running, 'the node', LATER_SEC)
+    if not terminal.is_running:
+        raise NoUse('a program that goes on until a signal ends it',
+                    _describe_end(terminal, _source_file(trial, exercise)))
+    found = new()
+    if not found:
+        raise NoUse('a node', f'none has come after {START_SEC:g} s, and the program still runs')
+    if outside in found:
+        raise NoUse('a node that obeys the words after `--ros-args`', 'it was started with `-r __ns:=…`, and has no '
+                    'namespace. Does `rclpy.init()` get arguments other than those of the program?')
+    return wanted if wanted in found else found[0]
+
+
+def require_program(exercise: Exercise, file: str, see: str) -> None:
+    """Add the requirement that the program starts."""
+    @exercise.require(f'`python3 {file}` starts a node that answers', see=see)
+    def starts(trial: Trial) -> None:
+        with running(trial, exercise):
+            pass
+
+
+def require_ends(exercise: Exercise, see: str, start: Start = start_file) -> None:
+    """Add two requirements: that each of the two signals that end programs ends this one in peace."""
+    @exercise.require('Ctrl+C ends it, without a traceback', see=see)
+    def interrupted(trial: Trial) -> None:
+        _expect_end(trial, exercise, signal.SIGINT, start)
+
+    @exercise.require('SIGTERM, which `docker stop` sends, ends it without a traceback too', see=see)
+    def terminated(trial: Trial) -> None:
+        _expect_end(trial, exercise, signal.SIGTERM, start)
+
+
+def _expect_end(trial: Trial, exercise: Exercise, number: signal.Signals, start: Start) -> None:
+    # rclpy's handler of signals shuts the context down in a thread of its own. Now and then that comes in the middle of
+    # a `spin` or a `try_shutdown`, which then raises an RCLError through no fault of its caller.
+    for left in reversed(range(_TIMES)):
+        with running(trial, exercise, start=start) as program:
+            status = program.terminal.interrupt(END_SEC, number)
+            expect(status != -signal.SIGKILL, f'{number.name} ends it', f'it was still running {END_SEC:g} s later')
+            raised = _raised(program.terminal.text, _source_file(trial, exercise))
+            if not left or 'RCLError' not in raised:
+                expect(not raised, f'{number.name} ends it without a traceback', raised)
+                expect(status in (0, -number, 128 + number), f'{number.name} ends it with exit status 0',
+                       f'its exit status is {status}, which stands for an error')
+                return
+
+
+def expect_no_start(trial: Trial, exercise: Exercise, words: str) -> None:
+    """Expect the program to end with an error when it is started with some words after ``--ros-args``."""
+    try:
+        with running(trial, exercise, words):
+            pass
+    except NoUse as error:
+        if not error.happened.startswith('it ended'):
+            raise
+        expect('exit status 0' not in error.happened, f'an error after a start with `{words}`', error.happened)
+        return
+    raise NotYet(f'no start with `{words}`', 'the program has started. A callback that is registered after the '
+                 'declarations never sees the start values')
+
+
+# -- what a program says of itself ------------------------------------------------------------------------------------
+
+def _source_file(trial: Trial, exercise: Exercise) -> Path:
+    """Return the program's file; in a package, that of its node."""
+    work = Path(trial.work)
+    return next(work.rglob(f'{exercise.node_name}_node.py'), work) if work.is_dir() else work
+
+
+def _parsed(file: Path) -> ast.Module:
+    return ast.parse(file.read_text(encoding='utf-8')) if file.is_file() else ast.Module([], [])
+
+
+def _describe_end(terminal: Terminal, file: Path) -> str:
+    """Return how a program has ended without a signal."""
+    status, lines = terminal.interrupt(), terminal.text.strip().splitlines()
+    why = _why_it_ends(_parsed(file)) if not status else f'. Its last line is `{lines[-1]}`' if lines else ''
+    return _raised(terminal.text, file) or f'it ended with exit status {status}{why}'
+
+
+def _raised(text: str, file: Path) -> str:
+    """Return the exception that ended a program, with the line of its file; nothing if none did.
+
+    :param text: What the program has printed.
+    """
+    _, found, after = text.rpartition('Traceback (most recent call last):\n')
+    if not found:
+        return ''
+    raised = next((line for line in after.splitlines() if line[:1].strip()), 'an exception')
+    own = re.findall(rf'^  File ".*?{re.escape(file.name)}", line (\d+).*\n +(.*)', after, re.MULTILINE)
+    where = ', in line {}, `{}`'.format(*own[-1]) if own else ''
+    remark = next((f'. {words}' for word, words in _REMARKS.items() if word in raised), '')
+    return f'it ended with `{raised}`{where}{remark}'
+
+
+def _spins(tree: ast.AST) -> bool:
+    return any((isinstance(each, ast.Attribute) and each.attr in _SPINS)
+               or (isinstance(each, ast.Name) and each.id in _SPINS) for each in ast.walk(tree))
+
+
+def _why_it_ends(tree: ast.Module) -> str:
+    """Return what to think of when a program ends without an error and without a signal."""
+    used = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name)}
+    texts = {each.value for each in ast.walk(tree) if isinstance(each, ast.Constant)}
+    unused = [each.name for each in tree.body if isinstance(each, ast.FunctionDef) and each.name not in used]
+    if unused:
+        return f'. Nothing calls `{unused[0]}()`'
+    if '__name__' in used and '__main__' not in texts:
+        return ". The name to compare with is `'__main__'`, with two underscores on each side"
+    return '' if _spins(tree) else '. Nothing spins the node, so the program ends after its last line'
