@@ -43,11 +43,7 @@ from param_tutorial.exercises.expectations import (
     expect_start_value,
     take_type_for_granted,
 )
-<<<<<<< HEAD
-=======
-from param_tutorial.exercises.forms import Combination
 from param_tutorial.exercises.programs import require_ends, running
->>>>>>> programs
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.notebook.shell import NO_SHELL, Shell

@@ -7,7 +7,7 @@ import path from "node:path";
 
 const [pyodide, packages, kernel, notebook] = process.argv.slice(2, 6).map((each) => path.resolve(each));
 const isToRest = process.argv[6] === "rest";
-// Whoever has started it is gone.
+// Its parent process is gone.
 process.stdin.resume().on("end", () => process.exit(1));
 const { loadPyodide } = await import(path.join(pyodide, "pyodide.mjs"));
 const { digest, Kernel, unpackFiles } = await import(kernel);

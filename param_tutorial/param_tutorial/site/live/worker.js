@@ -42,7 +42,7 @@ async function begin(parts, progress) {
     load(part['pyodide.mjs']),
     load(part['pyodide.asm.mjs']),
   ]);
-  // Pyodide asks by this whether the worker is a classic one, which it refuses; all that it needs works in one, too.
+  // Pyodide asks by this whether the worker is a classic one, which it rejects; all that it needs works in one, too.
   worker.importScripts = () => {
     throw new TypeError('this page loads no scripts');
   };
