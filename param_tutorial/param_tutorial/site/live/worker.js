@@ -35,6 +35,10 @@ async function load(code) {
  * @param {string} progress What the browser has kept, as the course writes it into a file.
  */
 async function begin(parts, progress) {
+  // Pyodide asks by this whether the worker is a classic one, which it rejects; all that it needs works in one, too.
+  worker.importScripts = () => {
+    throw new TypeError('this page loads no scripts');
+  };
   const names = Object.keys(parts);
   const contents = await Promise.all(names.map(name => unpack(parts[name])));
   const part = Object.fromEntries(names.map((name, at) => [name, contents[at]]));
@@ -42,10 +46,6 @@ async function begin(parts, progress) {
     load(part['pyodide.mjs']),
     load(part['pyodide.asm.mjs']),
   ]);
-  // Pyodide asks by this whether the worker is a classic one, which it rejects; all that it needs works in one, too.
-  worker.importScripts = () => {
-    throw new TypeError('this page loads no scripts');
-  };
   const fetchOfBrowser = worker.fetch;
   // Pyodide has no other way to be given its machine code.
   worker.fetch = async (/** @type {any} */ wanted) =>

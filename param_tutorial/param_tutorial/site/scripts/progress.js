@@ -204,9 +204,9 @@ function show() {
     if (count === of) mark.dataset.done = '';
     link.append(mark);
   }
-  const line = /** @type {HTMLElement | null} */ (document.querySelector('.lesson-here'));
-  if (line) {
-    const of = document.querySelectorAll(QUESTIONS).length;
+  const of = document.querySelectorAll(QUESTIONS).length;
+  // The theme shows it in the bar, and on a phone in the menu.
+  for (const line of all(document, '.lesson-here')) {
     line.hidden = !of;
     line.textContent = `${Object.keys(lessons[here]?.answers ?? {}).length} of ${of} answered`;
   }
