@@ -84,7 +84,8 @@ export class Page {
         const root = still.dataset.root ?? '';
         const view = new View(this, cell.facts.id, root, cell.facts.states);
         cell.views.set(root, view);
-        still.replaceWith(view.element);
+        // Nothing on the page moves: the first picture stays until there is another.
+        Promise.all(view.loading).then(() => still.replaceWith(view.element));
       }
     }
   }

@@ -148,6 +148,8 @@ function addStyle(text) {
 export class View {
   /** @type {Map<string, Handle>} */
   handles = new Map();
+  /** What its front ends still load. @type {Promise<void>[]} */
+  loading = [];
 
   /**
    * @param {import('./page.js').Page} page
@@ -202,7 +204,7 @@ export class View {
       element.classList.add(`widget-${kind.replace('Model', '').toLowerCase()}`);
       this.fill(element, model);
     } else if (kind === 'AnyModel') {
-      this.begin(element, model);
+      this.loading.push(this.begin(element, model));
     } else {
       element.append(`The notebook shows a ${kind.replace('Model', '')} here.`);
     }
