@@ -107,10 +107,10 @@ def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
 def _download_note(path: Path, has_lab: bool) -> str:
     in_lab = (f' As a notebook: <a href="{LAB}/lab/index.html?path={path.name}">in JupyterLab, in this browser</a>.'
               if has_lab else '')
-    return (f'<p class="lesson-download">A node runs in this page: rclpy’s own code, without a network. Change any value, '
-            f'and edit and run any cell; what you do stays in this browser.{in_lab}<br>With all of ROS 2: '
-            f'<a href="{COURSE}.zip" download>download the course</a>, unpack it on a Linux machine with Python, and type '
-            f'<code>make lab</code> there. This lesson is its <a href="{NOTEBOOKS}/{path.name}" download>notebook'
+    return (f'<p class="lesson-download">A node runs in this page: rclpy’s own code, without a network. Change any '
+            f'value, and edit and run any cell; what you do stays in this browser.{in_lab}<br>With all of ROS 2: '
+            f'<a href="{COURSE}.zip" download>download the course</a>, unpack it on a Linux machine with Python, and '
+            f'type <code>make lab</code> there. This lesson is its <a href="{NOTEBOOKS}/{path.name}" download>notebook'
             f'</a>.</p>')
 
 
