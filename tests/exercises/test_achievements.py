@@ -43,7 +43,7 @@ def test_what_is_solved_has_a_tick_and_a_date(file):
     found = exercises.progress('3')
     assert found.text == ''
     assert repr(found).splitlines()[0] == (
-        'Chapter 3: 1 of 3 exercises solved, 2 of 7 predictions made, 1 of them right')
+        'Chapter 3: 1 of 4 exercises solved, 2 of 7 predictions made, 1 of them right')
     assert '✓ 3a    Declare a rover  2026-03-04' in repr(found)
     assert '· 3b' in repr(found)
     assert '3-1 ✓ 3-2 ✗ 3-3' in repr(found)
@@ -51,7 +51,7 @@ def test_what_is_solved_has_a_tick_and_a_date(file):
 
 
 def test_a_solved_chapter_is_a_small_pleasure(file):
-    for number in ('3a', '3b', '3c'):
+    for number in ('3a', '3b', '3c', '3d'):
         file.add_solved(number)
     found = exercises.progress('3')
     assert CHAPTERS['3'].praise in repr(found)
@@ -64,12 +64,12 @@ def test_a_damaged_file_is_named(file):
 
 
 def test_the_whole_course_has_a_row_for_each_chapter(file):
-    for number in ('3a', '3b', '3c', '5.2a'):
+    for number in ('3a', '3b', '3c', '3d', '5.2a'):
         file.add_solved(number)
     rows = repr(exercises.progress()).splitlines()
     assert len(rows) == len(CHAPTERS)
-    assert '✓ 3     exercises 3/3   predictions 0/7' in rows
-    assert '· 5.2   exercises 1/3   predictions 0/9' in rows
+    assert '✓ 3     exercises 4/4   predictions 0/7' in rows
+    assert '· 5.2   exercises 1/4   predictions 0/9' in rows
 
 
 def test_the_whole_course_without_a_file(no_file):
@@ -86,7 +86,7 @@ def test_a_check_is_remembered_if_all_is_done(monkeypatch, file, done, solved):
     (file.path.parent / 'index.md').write_text('| 3 | [Declaring](03_declaring.ipynb) | … |\n')
     exercises.check('3a', object)
     assert list(file.read()[0].solved) == solved
-    assert (file.path.parent / 'index.md').read_text().startswith('| 3 1/3 |' if done else '| 3 |')
+    assert (file.path.parent / 'index.md').read_text().startswith('| 3 1/4 |' if done else '| 3 |')
 
 
 def test_a_check_that_cannot_be_remembered_says_so(monkeypatch, file):

@@ -41,10 +41,10 @@ def test_one_row_for_each_student_and_bad_files_are_named(folder, capsys):
     assert header == ['student', *CHAPTERS, 'all', 'predicted', 'right']
     assert [row[0] for row in rows] == ['ada', 'Bob', 'group']
     ada = dict(zip(header, rows[0]))
-    assert (ada['3'], ada['5.2'], ada['6.1']) == ('3/3', '1/3', '0/3')
+    assert (ada['3'], ada['5.2'], ada['6.1']) == ('3/4', '1/4', '0/3')
     questions = len(PREDICTIONS) + len(RECALLS)
     assert (ada['all'], ada['predicted'], ada['right']) == (f'4/{len(EXERCISES)}', f'2/{questions}', '1')
-    assert dict(zip(header, rows[1]))['11'] == '1/6'
+    assert dict(zip(header, rows[1]))['11'] == '1/7'
     assert rows[2][-3] == f'0/{len(EXERCISES)}'
     assert len({len(line) for line in printed.splitlines()}) == 1
     assert len(complained.splitlines()) == 1 and 'broken.json' in complained

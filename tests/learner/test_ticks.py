@@ -21,14 +21,14 @@ def test_every_chapter_has_a_row():
 
 
 def test_a_solved_chapter_has_a_tick_and_a_begun_one_says_how_much():
-    found = marks(with_ticks(PAGE, EXERCISES, {'3a', '3b', '3c', '5.2a', '10.4b'}))
-    assert {number: mark for number, mark in found.items() if mark} == {'3': '✓', '5.2': '1/3', '10.4': '1/3'}
+    found = marks(with_ticks(PAGE, EXERCISES, {'3a', '3b', '3c', '3d', '5.2a', '10.4b'}))
+    assert {number: mark for number, mark in found.items() if mark} == {'3': '✓', '5.2': '1/4', '10.4': '1/3'}
 
 
 def test_marks_change_and_go():
     begun = with_ticks(PAGE, EXERCISES, {'3a'})
-    assert marks(begun)['3'] == '1/3'
-    assert marks(with_ticks(begun, EXERCISES, {'3a', '3b', '3c'}))['3'] == '✓'
+    assert marks(begun)['3'] == '1/4'
+    assert marks(with_ticks(begun, EXERCISES, {'3a', '3b', '3c', '3d'}))['3'] == '✓'
     assert with_ticks(begun, EXERCISES, ()) == without_ticks(begun) == without_ticks(PAGE) == PAGE
 
 
@@ -39,5 +39,5 @@ def test_a_page_that_is_not_there_is_not_made(tmp_path):
 
 def test_the_page_in_a_folder_is_written(tmp_path):
     (tmp_path / 'index.md').write_text(PAGE)
-    tick(tmp_path, EXERCISES, {'3a', '3b', '3c'})
+    tick(tmp_path, EXERCISES, {'3a', '3b', '3c', '3d'})
     assert marks((tmp_path / 'index.md').read_text())['3'] == '✓'

@@ -169,6 +169,8 @@ def _expect_end(trial: Trial, exercise: Exercise, number: signal.Signals, start:
     # a `spin` or a `try_shutdown`, which then raises an RCLError through no fault of its caller.
     for left in reversed(range(_TIMES)):
         with running(trial, exercise, start=start) as program:
+            # In the middle of a callback, a signal lets `spin` return in peace, and no exception has to be caught.
+            program.terminal.wait_until_idle(LATER_SEC)
             status = program.terminal.interrupt(END_SEC, number)
             expect(status != -signal.SIGKILL, f'{number.name} ends it', f'it was still running {END_SEC:g} s later')
             raised = _raised(program.terminal.text, _source_file(trial, exercise))

@@ -15,7 +15,9 @@ import sys
 import threading
 import time
 import weakref
+from collections import deque
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 from param_tools.cli import command as embedded
 from param_tools.cli import genuine
@@ -23,7 +25,7 @@ from param_tools.cli.session import Session
 from param_tools.errors import WaitTimeoutError
 from param_tools.ros import domain, environment, host, stage
 from param_tools.ros.processes import Output
-from param_tools.ros.waiting import PATIENCE, Steps, deadline
+from param_tools.ros.waiting import PATIENCE, Steps, deadline, wait
 from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 
@@ -33,6 +35,8 @@ _LOG_FORMAT = '[{severity}] [{name}]: {message}'
 _PROCESS_ID = re.compile(r'(?<=: process started) with pid \[\d+\]$|(?<=: process has finished cleanly) \[pid \d+\]$|'
                          r'(?<=: process has died \[)pid \d+, ')
 _LOG_FOLDER = '[INFO] [launch]: All log files can be found below '
+# A command that sleeps may be about to wake up, unless it does so at each of several looks.
+_LOOKS = 8
 _open: 'weakref.WeakSet[Terminal]' = weakref.WeakSet()
 
 
@@ -87,7 +91,8 @@ class Terminal:
             arguments[0] = sys.executable or 'python3'
         with interruptible():
             self._process = host.host.start(
-                arguments, Output(self._take, ended=self._end), folder=folder, is_interactive=True, instead=instead,
+                arguments, Output(self._take, began=self._begin, ended=self._end), folder=folder, is_interactive=True,
+                instead=instead,
                 environment={**{name: value for name, value in outer.items() if not name.startswith('RCUTILS_')},
                              **(variables or {}), 'RCUTILS_CONSOLE_OUTPUT_FORMAT': _LOG_FORMAT, 'PYTHONUNBUFFERED': '1',
                              'PYTHON_COLORS': '0'})  # ipykernel asks for colors, and from 3.13 on a traceback has them
@@ -128,6 +133,19 @@ class Terminal:
                                            f'what came:\n{self._text[self._read:] or "(nothing)"}')
                 self._changed.wait(0.2)
 
+    def wait_until_idle(self, timeout_sec: float) -> bool:
+        """Wait until the command, and all that it has started, waits too, and return whether it does.
+
+        Only Linux tells. In a page, a command always waits while a cell runs.
+        """
+        looks = deque([False], maxlen=_LOOKS)
+
+        def is_idle() -> bool:
+            looks.append(not host.host.has_processes or _sleeps(self._process_id))
+            return len(looks) == _LOOKS and all(looks)
+
+        return wait(is_idle, timeout_sec)
+
     def interrupt(self, timeout_sec: float = 20.0, number: int = signal.SIGINT) -> int:
         """Press Ctrl+C and wait for the end; a command that does not end is killed.
 
@@ -151,10 +169,24 @@ class Terminal:
                 self._text += _PROCESS_ID.sub('', line)
                 self._changed.notify_all()
 
+    def _begin(self, process_id: int) -> None:
+        self._process_id = process_id
+
     def _end(self, _status: int) -> None:
         with self._lock:
             self._all_read.set()
             self._changed.notify_all()
+
+
+def _sleeps(process_id: int) -> bool:
+    """True if the main threads of a process and of those below it sleep, or there are none any more."""
+    folder = Path('/proc', str(process_id))
+    try:
+        state = (folder / 'stat').read_text().rpartition(')')[2].split()[0]
+        children = (folder / 'task' / str(process_id) / 'children').read_text().split()
+    except OSError:
+        return True
+    return state == 'S' and all(_sleeps(int(each)) for each in children)
 
 
 def _embedded(words: Sequence[str]) -> Steps:
