@@ -74,7 +74,7 @@ test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on
 test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
 	@$(VENV) -m tests.tools.beside_ros $(ARGS)
 
-html: setup-all $(JS_TOOLS)  ## make the website, in build/html/: lessons with a node in each page, and JupyterLab for the browser
+html: setup-all $(JS_TOOLS)  ## make the website in build/html/, with a node in each page and JupyterLab for the browser
 	@$(VENV) -m param_tutorial.site $(ARGS)
 
 lite: setup-all $(JS_TOOLS)  ## make the course for any browser, in build/lite/: JupyterLab without a server, with a kernel in the page
