@@ -150,7 +150,8 @@ def made(tmp_path_factory):
     solved = nbformat.read(path, as_version=4)
     solved.cells[1].id = 'solution-7-3a'
     nbformat.write(solved, path)
-    (notebooks / 'claims.md').write_text('# The claims\n\n| A001 | true |\n| --- | --- |\n| A002 | false |\n')
+    (notebooks / 'claims.md').write_text('# The claims\n\n| id | claim | verdict |\n| --- | --- | --- |\n'
+                                        '| A001 | one | true: so it is |\n| A002 | two | false |\n')
     site = Site(notebooks, folder / 'html', folder / 'work', processes=2, address='https://lessons.example/ros')
     site.build()
     return site
@@ -512,6 +513,18 @@ def test_a_change_on_the_way_takes_effect_on_the_way(page):
     box(page, 'enable_safety_mode').uncheck()
     expect(page.locator('.robot-head').first).to_contain_text('safety off')
     expect(page.locator('.robot-says').first).to_contain_text('has run into the wall', timeout=60_000)
+
+
+@pytest.mark.parametrize('page', ['claims.html'], indirect=True)
+def test_claims_are_filtered_by_verdict(page):
+    choice = page.get_by_label('Show')
+    choice.select_option('false')
+    expect(page.get_by_role('cell', name='two')).to_be_visible()
+    expect(page.get_by_role('cell', name='one')).to_be_hidden()
+    expect(page.get_by_text('1 of 2 claims')).to_be_visible()
+    assert check_page(page) == []
+    choice.select_option('all claims')
+    expect(page.get_by_role('cell', name='one')).to_be_visible()
 
 
 @limits

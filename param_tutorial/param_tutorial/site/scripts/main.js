@@ -1,11 +1,12 @@
 /* All scripts of a page of the website. */
 
 import {beginLive} from '../live/page.js';
+import {beginClaims} from './claims.js';
 import {beginGlossary} from './glossary.js';
 import {beginLesson} from './lesson.js';
 import {beginSearch} from './search.js';
 
-for (const begin of [beginLesson, beginLive, beginGlossary, beginSearch]) {
+for (const begin of [beginLesson, beginLive, beginClaims, beginGlossary, beginSearch]) {
   if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin);
   else begin();
 }
