@@ -16,7 +16,7 @@ CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.
          'And a value:', "exercises.predict('6.1-2')", "print('decided too')",
          'What is solved:', "exercises.progress('3')", 'The next one solves it:',
          "from param_tutorial.learner.progress import own_progress\n\n"
-         "for number in ('3a', '3b', '3c'):\n    own_progress().add_solved(number)",
+         "for number in ('3a', '3b', '3c', '3d'):\n    own_progress().add_solved(number)",
          "exercises.progress('3')")
 
 
@@ -24,7 +24,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
     lab = CourseLab(tmp_path / 'lab', [])
     lesson.write(lab.course / 'notebooks' / CHAPTER, CELLS)
     notebook = nbformat.read(lab.course / 'notebooks' / CHAPTER, as_version=4)
-    notebook.cells += [nbformat.v4.new_code_cell(id=f'check-3{letter}') for letter in 'ab']
+    notebook.cells += [nbformat.v4.new_code_cell(id=f'check-3{letter}') for letter in 'abd']
     nbformat.write(notebook, lab.course / 'notebooks' / CHAPTER)
     with lab, chromium() as browser:
         lab_page = LabPage(lab, browser, CHAPTER)
@@ -61,7 +61,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         expect(page.locator('.param-praise')).to_have_count(1)
         assert lab_page.errors == []
     remembered = json.loads((lab.copies / 'progress.json').read_text())
-    assert list(remembered['solved']) == ['3a', '3b', '3c']
+    assert list(remembered['solved']) == ['3a', '3b', '3c', '3d']
     assert {number: each['right'] for number, each in remembered['predicted'].items()} == {'3-1': False, '6.1-2': True}
 
     # The next start: the page has a tick, and the file is what it was.
