@@ -27,6 +27,8 @@ def _count():
     executor = stage.current()
     # It holds the lines of one run. How many of them came from processes that end at once is luck.
     executor.node_log.clear()
+    # It keeps a client for each service that was called, as long as the node is there. Which these are is luck, too.
+    executor.run(lambda: executor.services.forget(''), 'clients end')
     gc.collect()
     named = (f'{type(each).__module__}.{type(each).__qualname__}' for each in gc.get_objects())
     counted = collections.Counter(name for name in named if name.startswith(

@@ -14,7 +14,7 @@ LOOP = 'kettle = Kettle()\n        while True:\n            pass'
 
 
 @pytest.fixture
-def check(outputs_in_a_page, tmp_path):
+def check(run_in_a_page, tmp_path):
     """Return a function that checks solutions, each with some words replaced, and returns what is said to each."""
     def check(number, *answers):
         cells = ['import param_tutorial\nfrom param_tutorial import exercises\nros = param_tutorial.start()']
@@ -25,8 +25,8 @@ def check(outputs_in_a_page, tmp_path):
         cells.append('print(ros.nodes)')
         notebook = nbformat.v4.new_notebook(cells=list(map(nbformat.v4.new_code_cell, cells)))
         nbformat.write(notebook, tmp_path / 'notebook.ipynb')
-        printed = [' '.join(''.join(each.get('text', '') for each in outputs).split())
-                   for outputs in outputs_in_a_page(tmp_path / 'notebook.ipynb')]
+        printed = [' '.join(''.join(each.get('text', '') for each in ran['outputs']).split())
+                   for ran in run_in_a_page(tmp_path / 'notebook.ipynb')]
         assert printed[-1] == '()'
         return printed[2::2]
 

@@ -28,7 +28,7 @@ PROGRAM = Kind('the name of the file that the cell above writes, in quotes',
 
 # How long a program may take until its node is there, how long a node after another one, a line that it prints, and an
 # end. Importing rclpy takes seconds on a slow machine.
-START_SEC, LATER_SEC, LINE_SEC, END_SEC = 15.0, 2.0, 5.0, 5.0
+START_SEC, LATER_SEC, LINE_SEC, END_SEC = 15.0, 2.0, 5.0, 10.0
 # How often a program may lose a race that is rclpy's own.
 _TIMES = 3
 _SPINS = {'spin', 'spin_once', 'spin_until_future_complete'}
