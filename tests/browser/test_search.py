@@ -66,8 +66,8 @@ def test_a_word_with_a_hyphen_is_a_word(search):
 
 
 @pytest.mark.parametrize('words, page', [
-    ('namespace', '7.3'), ('events', '10.1'), ('declare', '3'), ('qos', '10.1'), ('launch file', '7.2'), ('range', '6.1'),
-    ('on-set callback', '5.2'), ('--params-file', '7.1'), ('rosparam', '9.1')])
+    ('namespace', '7.3'), ('events', '10.1'), ('declare', '3'), ('qos', '10.1'), ('launch file', '7.2'),
+    ('range', '6.1'), ('on-set callback', '5.2'), ('--params-file', '7.1'), ('rosparam', '9.1')])
 def test_the_chapter_about_it_comes_first(search, words, page):
     assert pages_of(search(words))[0] == page
 

@@ -22,8 +22,7 @@ def ask_all(node, questions):
         return {name: value for name, value in one.items() if not values.same(other[name], value)}
 
     def put_back(now):
-        # A rule over several parameters may let them back in one order only.
-        for set_all in 3 * (client.set_parameters, client.set_parameters_atomically):
+        for set_all in (client.set_parameters, client.set_parameters_atomically):
             if different := differing(first, now):
                 set_all(different)
                 now = read()
@@ -36,6 +35,7 @@ def ask_all(node, questions):
             result = client.set_parameter(name, parse_value(descriptors[name], text))
             reason = '' if result.successful else result.reason or 'The node gave no reason.'
         except ValueError as error:
+            put_back(before)
             return {'reason': str(error)}
         except ParameterToolError as error:
             reason = describe_error(error)
