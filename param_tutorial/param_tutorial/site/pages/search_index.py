@@ -15,7 +15,7 @@ from docutils import nodes  # type: ignore[import-untyped]
 
 FILE_NAME = 'searchindex.js'
 # What gives an answer away or is a wrong one, what stands on each page, and pictures, beside which there are words.
-_UNSAID = '.lesson-help, .rec-prediction label, .lesson-download, .rec-note, .param-progress, noscript, svg, button'
+_UNSAID = '.lesson-help, .lesson-prediction label, .lesson-download, .param-progress, noscript, svg, button'
 # They are most of a page, so they are gone before the rest is parsed.
 _PACKED = re.compile(r'<(script|style)\b.*?</\1>', re.DOTALL)
 _OUTPUTS = ('text/html', 'text/plain')
