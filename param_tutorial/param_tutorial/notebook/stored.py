@@ -24,7 +24,10 @@ from param_tools.errors import NoProcessError
 from param_tools.panel.close_with_cell import this_cell
 from param_tutorial.notebook.shell import NO_SHELL, Shell
 
-_WIDGET = 'application/vnd.jupyter.widget-view+json'
+WIDGET = 'application/vnd.jupyter.widget-view+json'
+"""In an output of a cell: the widget that it shows."""
+DOES_NOT_RUN = f'{NO_SHELL[0].upper()}{NO_SHELL[1:]}, so this cell does not run here.'
+"""What a cell without a shell says first."""
 _MAGIC = 'stored_output'
 
 
@@ -80,7 +83,7 @@ def _show(outputs: list[dict[str, Any]]) -> None:
         elif output['output_type'] == 'error':
             print(f'{output["ename"]}: {output["evalue"]}', file=sys.stderr)
         else:
-            publish_display_data({kind: _text(data) for kind, data in output['data'].items() if kind != _WIDGET})
+            publish_display_data({kind: _text(data) for kind, data in output['data'].items() if kind != WIDGET})
 
 
 def _text(lines: Any) -> Any:
@@ -120,9 +123,8 @@ def _replaced(ipython: InteractiveShell, lines: list[str]) -> list[str]:
 
 def _stand_in(ipython: InteractiveShell, _line: str, source: str) -> None:
     """Show the sentence and the stored outputs; what the cell would have made is missing from now on."""
-    sentence = f'{NO_SHELL[0].upper()}{NO_SHELL[1:]}, so this cell does not run here.'
     outputs = _outputs_of(source)
-    print(f'{sentence} This is what it printed where there is one:' if outputs else sentence)
+    print(f'{DOES_NOT_RUN} This is what it printed where there is one:' if outputs else DOES_NOT_RUN)
     _show(outputs)
     ipython.user_ns.update({name: Missing() for name in _assigned(_parsed(source))})
 

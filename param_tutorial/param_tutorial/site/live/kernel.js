@@ -13,6 +13,8 @@
  *   {is: 'solved', numbers: string[]} | {is: 'ran', cell: string, status: string}} Said
  */
 
+/** In an output of a cell: the widget that it shows. */
+export const WIDGET = 'application/vnd.jupyter.widget-view+json';
 /** The file in which the course keeps what the learner has solved. */
 export const PROGRESS = '/drive/progress.json';
 const SITE = '/lib/python3.14/site-packages/';
@@ -119,7 +121,7 @@ export class Kernel {
    */
   data(given) {
     const data = this.plain(given);
-    const view = data['application/vnd.jupyter.widget-view+json'];
+    const view = data[WIDGET];
     if (view) view.model_id = this.names.get(view.model_id);
     return data;
   }

@@ -7,11 +7,9 @@ import {all, make, one} from '../../../param_tools/panel/dom.js';
 import {answerTo, keepAnswer, progressFile} from '../scripts/progress.js';
 import {followAddress, keepSettings} from './address.js';
 import {keepCode, keptCode} from './kept_code.js';
-import {digest} from './kernel.js';
+import {digest, WIDGET} from './kernel.js';
 import {add, draw} from './outputs.js';
 import {View} from './widgets.js';
-
-const WIDGET = 'application/vnd.jupyter.widget-view+json';
 
 /**
  * What the page knows of a cell: its code in the lesson, a digest of its outputs, the names of the widgets that it shows,
@@ -21,8 +19,6 @@ const WIDGET = 'application/vnd.jupyter.widget-view+json';
 
 /** A code cell of the lesson. */
 class Cell {
-  /** How often the kernel was told to run it. */
-  told = 0;
   /** True if its outputs are to be drawn whatever they are: the reader has run it. */
   isAsked = false;
   /** @type {any[]} */
@@ -145,7 +141,6 @@ export class Page {
 
   /** @param {Cell} cell */
   tellToRun(cell) {
-    cell.told += 1;
     this.running += 1;
     cell.element?.setAttribute('aria-busy', 'true');
     if (document.documentElement.dataset.node !== 'awake') {
@@ -174,8 +169,7 @@ export class Page {
     if (said.is === 'widget') this.hearOfWidget(said);
     else if (said.is === 'update') this.replace(said);
     else if (said.is === 'solved') this.keepSolved(said.numbers);
-    else if (said.is === 'clear') cell?.outputs.splice(0);
-    else if (cell && said.is === 'begin') cell.outputs.splice(0);
+    else if (said.is === 'begin' || said.is === 'clear') cell?.outputs.splice(0);
     else if (cell && said.is === 'output') this.hearOutput(cell, said.output);
     else if (cell && said.is === 'ran') this.end(cell);
   }
@@ -295,6 +289,11 @@ function letEdit(page, cell, code) {
   const run = () => {
     page.run(cell);
   };
+  const runByKey = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key !== 'Enter' || !(event.shiftKey || event.ctrlKey)) return;
+    event.preventDefault();
+    run();
+  };
   const reset = () => {
     cell.code = cell.facts.source;
     box?.replaceWith(lesson);
@@ -317,29 +316,15 @@ function letEdit(page, cell, code) {
       keepCode(cell.facts.id, cell.code);
       show();
     });
-    typed.addEventListener('keydown', event => {
-      if (event.key === 'Enter' && (event.shiftKey || event.ctrlKey)) {
-        event.preventDefault();
-        run();
-      }
-    });
+    typed.addEventListener('keydown', runByKey);
     lesson.replaceWith(typed);
     show();
+    return typed;
   };
-  const editButton = button('Edit', 'Edit the code of this cell', () => {
-    edit();
-    box?.focus();
-  });
+  const editButton = button('Edit', 'Edit the code of this cell', () => edit().focus());
   const resetButton = button('Reset', 'Bring back the code of the lesson', reset);
-  lesson.addEventListener('keydown', event => {
-    if (event.key !== 'Enter' || !(event.shiftKey || event.ctrlKey)) return;
-    event.preventDefault();
-    run();
-  });
-  lesson.addEventListener('dblclick', () => {
-    edit();
-    box?.focus();
-  });
+  lesson.addEventListener('keydown', runByKey);
+  lesson.addEventListener('dblclick', () => edit().focus());
   const tools = make('div', {className: 'live-tools'}, button('Run', 'Run this cell', run), editButton, resetButton);
   input.append(tools);
   show();

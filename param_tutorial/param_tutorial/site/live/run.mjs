@@ -10,7 +10,7 @@ const isToRest = process.argv[6] === "rest";
 // Its parent process is gone.
 process.stdin.resume().on("end", () => process.exit(1));
 const { loadPyodide } = await import(path.join(pyodide, "pyodide.mjs"));
-const { digest, Kernel, unpackFiles } = await import(kernel);
+const { digest, Kernel, unpackFiles, WIDGET } = await import(kernel);
 const python = await loadPyodide({ indexURL: pyodide, stdout: console.error, stderr: console.error });
 unpackFiles(python, new Uint8Array(fs.readFileSync(packages)));
 
@@ -41,7 +41,7 @@ for (const cell of JSON.parse(fs.readFileSync(notebook, "utf8")).cells) {
     const outputs = said.filter((each) => each.is === "output").map((each) => each.output);
     const known = digest(outputs);
     // Only what is live goes on after its cell.
-    if (isToRest && said.some((each) => each.output?.data?.["application/vnd.jupyter.widget-view+json"])) {
+    if (isToRest && said.some((each) => each.output?.data?.[WIDGET])) {
       await rest();
     }
     results.push({ cell: cell.id, outputs, said, digest: known });

@@ -17,12 +17,10 @@ import nbformat
 
 from param_tools.markup.styles import sheet
 from param_tutorial.exercises.prediction import MIME_TYPE
-from param_tutorial.notebook.shell import NO_SHELL
+from param_tutorial.notebook.stored import DOES_NOT_RUN, WIDGET
 from param_tutorial.site.comparison import Cell, cells_of
 
-WIDGET = 'application/vnd.jupyter.widget-view+json'
 _RUN = Path(__file__).with_name('run.mjs')
-_WITHOUT_SHELL = f'{NO_SHELL[0].upper()}{NO_SHELL[1:]}, so this cell does not run here.'
 # By a chapter's name: the first line of a cell whose output differs in a page, and why.
 EXPLAINED = {
     '02_workspace': {
@@ -134,7 +132,7 @@ def compare(path: Path, ran: list[dict[str, Any]]) -> Comparison:
     different, without_shell = [], 0
     for cell, result in zip(cells_of(path), ran, strict=True):
         outputs = [nbformat.from_dict(_as_stored(each)) for each in result['outputs']]
-        if outputs and outputs[0].get('text', '').startswith(_WITHOUT_SHELL):
+        if outputs and outputs[0].get('text', '').startswith(DOES_NOT_RUN):
             without_shell += 1
         elif not cell.is_skipped and (difference := cell.difference(outputs)):
             different.append((cell, difference))

@@ -160,7 +160,6 @@ export class View {
   constructor(page, cell, root, states) {
     this.page = page;
     this.cell = cell;
-    this.root = root;
     this.states = states;
     this.element = make('div', {className: 'live-view'});
     this.element.append(this.draw(root));

@@ -10,7 +10,8 @@ import nbformat
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.glossary import Glossary
-from param_tutorial.site.live.running import WIDGET, LiveCell, LiveChapter
+from param_tutorial.notebook.stored import WIDGET
+from param_tutorial.site.live.running import LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.links import LAB, NOTEBOOKS, Links

@@ -3,6 +3,7 @@
    without it. */
 
 import {all, make} from '../../../param_tools/panel/dom.js';
+import {entries, openDatabase} from './database.js';
 
 /**
  * An answer to a question, or an exercise that is solved, which has no text: whether it was right, when (local time in ISO
@@ -13,10 +14,12 @@ import {all, make} from '../../../param_tools/panel/dom.js';
  */
 
 const NAME = 'ros2-parameters-lessons';
-const here = page(location.pathname);
+/** The name of this page. */
+export const here = page(location.pathname);
 // Not localStorage: of pages on a disk, Chromium 156 loads about one in twenty with a localStorage that reads nothing and
 // keeps nothing (46 of 750 with no script of ours; over HTTP none of 80, and none of 350 with IndexedDB).
-const opened = open();
+// By lesson and number: an Answer; and by lesson how many questions and exercises it has.
+const opened = openDatabase(NAME, ['answers', 'sizes']);
 const news = new BroadcastChannel(NAME);
 /** @type {Record<string, Lesson>} */
 let lessons = {};
@@ -29,22 +32,6 @@ const DAY_MS = 24 * 3600 * 1000;
 function page(path) {
   const [name] = path.split('/').slice(-1);
   return decodeURIComponent(name).replace(/\.html$/, '') || 'index';
-}
-
-/**
- * Return the database, or null where this browser has none for us.
- * @returns {Promise<IDBDatabase | null>}
- */
-function open() {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(NAME, 1);
-    request.onupgradeneeded = () => {
-      // By lesson and number: an Answer; and by lesson how many questions and exercises it has.
-      for (const each of ['answers', 'sizes']) request.result.createObjectStore(each);
-    };
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = reject;
-  }).catch(() => null);
 }
 
 /** Read what is kept; what this page changes meanwhile is newer. */
@@ -71,26 +58,6 @@ async function load() {
   }
   show();
   dispatchEvent(new Event('lesson-progress'));
-}
-
-/**
- * @param {IDBObjectStore} store
- * @returns {Promise<[any, any][]>}
- */
-async function entries(store) {
-  const [keys, values] = await Promise.all([store.getAllKeys(), store.getAll()].map(result));
-  return keys.map((key, at) => [key, values[at]]);
-}
-
-/**
- * @param {IDBRequest<any[]>} request
- * @returns {Promise<any[]>}
- */
-function result(request) {
-  return new Promise((resolve, reject) => {
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = reject;
-  });
 }
 
 /**
