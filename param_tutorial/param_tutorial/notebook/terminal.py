@@ -146,16 +146,20 @@ class Terminal:
 
         return wait(is_idle, timeout_sec)
 
-    def interrupt(self, timeout_sec: float = 20.0, number: int = signal.SIGINT) -> int:
+    def interrupt(self, timeout_sec: float = 20.0, number: int = signal.SIGINT, *, times: int = 1) -> int:
         """Press Ctrl+C and wait for the end; a command that does not end is killed.
 
         :param timeout_sec: How long it may take. ``ros2 launch`` needs up to 10 s for nodes that ignore Ctrl+C, and
             killed before, it would leave them running.
         :param number: The signal to send, if not that of Ctrl+C.
+        :param times: How often to send it, while the command goes on, within this time.
         :return: Its exit status; negative if a signal ended it.
         """
-        self._process.send(number)
-        if not self._process.wait(timeout_sec * PATIENCE):
+        for _ in range(times):
+            self._process.send(number)
+            if self._process.wait(timeout_sec * PATIENCE / times):
+                break
+        else:
             self._process.send(signal.SIGKILL)
             self._process.wait(math.inf)
         self._all_read.wait(timeout_sec)

@@ -103,7 +103,12 @@ export class Page {
     this.worker.addEventListener('message', ({data}) => this.hear(data));
     this.worker.addEventListener('error', event => this.die(event.message));
     performance.mark('live-begin');
-    await Promise.all(scripts.map(loadPart));
+    try {
+      await Promise.all(scripts.map(loadPart));
+    } catch (error) {
+      this.die(String(error));
+      return;
+    }
     this.worker.postMessage({parts: /** @type {any} */ (self).lessonPython, progress: progressFile()});
     delete (/** @type {any} */ (self).lessonPython);
   }
@@ -111,7 +116,7 @@ export class Page {
   /** @param {string} why */
   die(why) {
     console.warn(why);
-    this.say('dead', 'Python could not be started in this browser, so this page shows what it was built with.');
+    this.say('dead', 'Python could not be started, so this page shows what it was built with. Reload it to try again.');
   }
 
   /**
