@@ -10,7 +10,7 @@ READ = '''\
 HAS = '{node: parameters[name] for node, parameters in snapshot.items() if name in parameters}'
 
 WRONG = {
-    '10.2c': [
+    '10.2a': [
         ([('parameter_value_to_python(value)', 'value')], 0, "it returned `{'speed':"),
         ([('zip(names, values)', 'zip(values, names)')],
          0, "AttributeError: 'str' object has no attribute 'type'"),
@@ -25,7 +25,7 @@ WRONG = {
            'value.double_value or value.integer_value or value.string_value')],
          0, "it returned `{'speed': ''}`"),
     ],
-    '10.2a': [
+    '10.2b': [
         # What the article promises: no names for all parameters.
         ([(READ, '        self.get_client.call_async(GetParameters.Request()).add_done_callback(self.on_values)\n\n'
                  '    def on_values(self, future):\n        for value in future.result().values:\n'
@@ -77,7 +77,7 @@ WRONG = {
            'def inspect(self):\n        self.timer = self.create_timer(0.3, self.work)\n\n'
            '    async def work(self):\n        self.timer.cancel()\n')], 0, 'and 1 of 1 questions have no answer'),
     ],
-    '10.2b': [
+    '10.2c': [
         ([('if name in parameters', 'if parameters.get(name)')], 2, "returned `{'/gripper': 4, '/mast': 4}`"),
         ([('if name in parameters', 'if parameters.get(name) is not None')], 2, "returned `{'/rover': 5.0}`"),
         ([('if name in parameters', 'if True')], 0, 'KeyError'),
@@ -109,14 +109,14 @@ WRONG = {
 }
 
 RIGHT = {
-    '10.2c': [
+    '10.2a': [
         [('{name: parameter_value_to_python(value) for name, value in zip(names, values)}',
           'dict(zip(names, map(parameter_value_to_python, values)))')],
         [('for name, value in zip(names, values)', 'for value, name in zip(values, names)')],
         [('{name: parameter_value_to_python(value) for name, value in zip(names, values)}',
           '{names[i]: parameter_value_to_python(values[i]) for i in range(len(names))}')],
     ],
-    '10.2a': [
+    '10.2b': [
         # With callbacks, and only then one by one: each question waits for the answer before.
         [('async def inspect(self):', 'def inspect(self):'),
          (READ, '        self.list_client.call_async(ListParameters.Request()).add_done_callback(self.on_names)\n\n'
@@ -160,7 +160,7 @@ RIGHT = {
           '        self.timer = self.create_timer(0.3, self.work, callback_group=ReentrantCallbackGroup())\n\n'
           '    async def work(self):\n        self.timer.cancel()\n')],
     ],
-    '10.2b': [
+    '10.2c': [
         [(HAS, 'dict((node, value) for node, parameters in snapshot.items()\n'
                '                for key, value in parameters.items() if key == name)')],
         [('    return ' + HAS, '    found = {}\n    for node in snapshot:\n        try:\n'
