@@ -23,6 +23,7 @@ from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06_2, ch07_3, ch11
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.learner.progress import FILE, VARIABLE, own_progress
+from tests.exercises.wrong_answers import ch10_2
 from tests.support.answers import answer, blank, cell, not_yet, notebook, solution
 from tests.support.paths import NOTEBOOKS
 
@@ -285,7 +286,7 @@ def test_a_button_callback_that_never_returns_is_reported(ros):
     ('5.3b', [('self.on_answer)', 'lambda future: None)')], "it is `''`"),
     ('5.3a', [('future.add_done_callback(', '(')], '`results` is empty'),
     ('10.2b', [('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 'it is `{'),
-    ('10.2b', [('values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values',
+    ('10.2b', [(ch10_2.IN_TIME, ch10_2.READ), ('values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values',
                 'future = self.get_client.call_async(GetParameters.Request(names=[name]))'),
                ('            if values:\n                self.found[name] = parameter_value_to_python(values[0])',
                 '        values = (await future).values')], 'it is `{'),

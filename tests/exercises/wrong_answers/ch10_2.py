@@ -1,6 +1,20 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.2."""
 
-# In the solutions: what the inspector does, and what the function returns.
+# In the solutions: what the inspector does, with a deadline for each question, and what the function returns.
+IN_TIME = '''\
+        answer = await self.in_time(self.list_client.call_async(ListParameters.Request()))
+        for name in answer.result.names if answer else []:
+            answer = await self.in_time(self.get_client.call_async(GetParameters.Request(names=[name])))
+            if answer and answer.values:
+                self.found[name] = parameter_value_to_python(answer.values[0])
+
+    async def in_time(self, future):
+        """Return the answer, or None if there is none after five seconds."""
+        deadline = self.create_timer(5.0, future.cancel)
+        answer = await future
+        self.destroy_timer(deadline)
+        return answer'''
+# The same without deadlines, as most people write it, and as all answers to 10.2b below begin.
 READ = '''\
         answer = await self.list_client.call_async(ListParameters.Request())
         for name in answer.result.names:
@@ -173,3 +187,6 @@ RIGHT = {
           'parameters.pop(name) for node, parameters in mine.items() if name in parameters}')],
     ],
 }
+
+WRONG['10.2b'] = [([(IN_TIME, READ), *replacements], count, word) for replacements, count, word in WRONG['10.2b']]
+RIGHT['10.2b'] = [[(IN_TIME, READ)], *([(IN_TIME, READ), *replacements] for replacements in RIGHT['10.2b'])]

@@ -81,9 +81,10 @@ def leaves_it_alone(trial: Trial) -> None:
 
 # -- 10.5b ----------------------------------------------------------------------------------------------------
 
-equal = Exercise('10.5b', 'Fix a comparison', CHAPTER, FUNCTION, hints=(
-    'Two lists are both of type `list`. Whether they are the same depends on their elements.',
-    'The function already knows what makes two single values the same. It may call itself for two elements.',
+equal = Exercise('10.5b', 'Compare arrays, too', CHAPTER, FUNCTION, hints=(
+    'Begin with the lines of `same`. Two lists are both of type `list`; whether they are the same depends on their '
+    'elements.',
+    'Once the function knows what makes two single values the same, it may call itself for two elements.',
     '`all(same_value(one, other) for one, other in zip(before, after))`, and before that the lengths: `zip` stops at '
     'the shorter list.'))
 

@@ -45,8 +45,8 @@ PREDICTIONS = (
                'in particular. Which acceleration does the cart have?', (
         wrong('0.4: the file names the node more exactly', 'How exact a name is does not matter. `-p` opens the block '
               '`/**` after the block of the file, and the later block wins.'),
-        right('0.8', '`-p` opens the block `/**` after the block of the file, and the block that was opened later '
-              'wins.'),
+        right('0.8', 'Here the last word counts: `-p` opens the block `/**` after the block of the file, and the block '
+              'that was opened later wins.'),
         wrong('0.5, the default: the two cancel each other', "Overrides don't cancel each other. One of them "
               'wins.'))),
 )
