@@ -23,8 +23,8 @@ BACK = 'Back to where it was'
 
 # -- 10.5a ----------------------------------------------------------------------------------------------------
 
-experiment = Exercise('10.5a', 'Put an experiment in order', CHAPTER, TEXT, hints=(
-    'A line can use a name only after the line that defines it. That decides where `client` and `then` are made.',
+experiment = Exercise('10.5a', 'An experiment in five lines', CHAPTER, TEXT, hints=(
+    "The first two lines are `client = ParameterClient('/robot')` and `then = ParameterSet.of(client)`.",
     'Two sets are compared: one from before the change, and what the robot holds after it. So the change comes between '
     'them.',
     '`restore` makes the difference go away, so the comparison has to come first.'))

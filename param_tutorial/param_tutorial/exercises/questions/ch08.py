@@ -68,11 +68,11 @@ PREDICTIONS = (
               'and logs nothing.'),
         wrong('not at all', 'An unknown name among the overrides is not an error. The node '
               'ignores it and logs nothing.'))),
-    Prediction('8-7', 'The launch file of the course starts in this scratch folder, too, which holds neither of the two '
-               'parameter files. How do the two lifts start?', (
-        right('each with the values of its file', 'It works as it looks: the launch file asks the package for its share '
-              'folder, so the current folder does not matter.'),
-        wrong('both with their defaults, after a warning', "That was the path in `mine_launch.py`, which counts from the "
-              'current folder. This launch file asks the package for its share folder.'),
+    Prediction('8-7', 'The launch file of the course starts in this scratch folder, too, which holds neither of the '
+               'two parameter files. How do the two lifts start?', (
+        right('each with the values of its file', 'It works as it looks: the launch file asks the package for its '
+              'share folder, so the current folder does not matter.'),
+        wrong('both with their defaults, after a warning', 'That was the path in `mine_launch.py`, which counts from '
+              'the current folder. This launch file asks the package for its share folder.'),
         wrong('not at all', 'The launch file is installed with its package, and so are the two parameter files.'))),
 )

@@ -68,8 +68,8 @@ PREDICTIONS = (
                'which gains does the controller start?', (
         right('those of the tuned file', 'What you put last counts here: its block was opened after the one in the '
               "robot's own file."),
-        wrong("those of the robot's own file", 'They were there first. The block of the tuned file was opened later, and '
-              'wins.'),
+        wrong("those of the robot's own file", 'They were there first. The block of the tuned file was opened later, '
+              'and wins.'),
         wrong('none: it does not start, since two files contradict each other', 'That is no contradiction to rcl. The '
               'block that was opened later wins.'))),
 )
