@@ -23,6 +23,7 @@ from param_tutorial.exercises import EXERCISES, trial
 from param_tutorial.exercises.chapters import ch04, ch05_1, ch05_3, ch06_2, ch07_3, ch11
 from param_tutorial.exercises.results import Finding, Result
 from param_tutorial.learner.progress import FILE, VARIABLE, own_progress
+from tests.exercises.wrong_answers import ch10_2
 from tests.support.answers import answer, blank, cell, not_yet, notebook, solution
 from tests.support.paths import NOTEBOOKS
 
@@ -118,7 +119,7 @@ def test_a_node_in_place_of_its_class_is_named_and_stays_on_the_stage(ros):
     assert ros.nodes == (node,)
 
 
-@pytest.mark.parametrize('number', ['1b', '5.3b', '10.1a', '11a'])
+@pytest.mark.parametrize('number', ['1b', '5.3b', '10.1b', '11a'])
 def test_a_class_that_forgets_the_constructor_of_node_is_asked_about_it(ros, number):
     source = re.sub(r"super\(\).__init__\('\w+'\)", 'pass', cell(number, 'solution').source)
     happened, = filter(None, not_yet(exercises.check(number, answer(number, source, 'solution'))).values())
@@ -136,7 +137,7 @@ def test_a_class_that_forgets_something_else_is_not_asked_about_the_constructor_
     assert happened.endswith("'ForgetsItsOwn' object has no attribute '_rate'")
 
 
-@pytest.mark.parametrize('number', ['1b', '5.2a', '8a', '10.4a'])
+@pytest.mark.parametrize('number', ['1b', '5.2a', '8b', '10.4a'])
 def test_a_node_without_parameter_services_is_not_waited_for(ros, number):
     source = re.sub(r"(super\(\).__init__\('\w+')", r'\1, start_parameter_services=False',
                     cell(number, 'solution').source)
@@ -251,15 +252,15 @@ def test_a_wrong_name_in_the_learners_lines_is_not_searched_for(ros, monkeypatch
         raise AssertionError('there was a search')
 
     monkeypatch.setattr(graph, 'wait_for', search)
-    result = exercises.check('10.3c', solution('10.3c', ('/wheel_controller', '/wheel')))
+    result = exercises.check('10.3a', solution('10.3a', ('/wheel_controller', '/wheel')))
     assert 'there is no node /wheel. No node is running' in result.findings[0].happened
 
 
 def test_the_learners_client_is_called_as_they_know_it(ros):
-    result = exercises.check('10.3c', solution('10.3c', ('set_parameters_atomically', 'set_all')))
+    result = exercises.check('10.3a', solution('10.3a', ('set_parameters_atomically', 'set_all')))
     assert "'ParameterClient' object has no attribute 'set_all'" in result.findings[0].happened
     unusual = [("ParameterClient('/wheel_controller')", "ParameterClient('/wheel_controller', timeout_sec=2.0)")]
-    assert exercises.check('10.3c', solution('10.3c', *unusual)).done
+    assert exercises.check('10.3a', solution('10.3a', *unusual)).done
 
 
 class Loops(Node):
@@ -284,8 +285,9 @@ def test_a_button_callback_that_never_returns_is_reported(ros):
 @pytest.mark.parametrize(('number', 'replacements', 'word'), [
     ('5.3b', [('self.on_answer)', 'lambda future: None)')], "it is `''`"),
     ('5.3a', [('future.add_done_callback(', '(')], '`results` is empty'),
-    ('10.2a', [('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 'it is `{'),
-    ('10.2a', [('values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values',
+    ('10.2b', [('ListParameters.Request()', 'ListParameters.Request(depth=1)')], 'it is `{'),
+    ('10.2b', [(ch10_2.IN_TIME, ch10_2.READ),
+               ('values = (await self.get_client.call_async(GetParameters.Request(names=[name]))).values',
                 'future = self.get_client.call_async(GetParameters.Request(names=[name]))'),
                ('            if values:\n                self.found[name] = parameter_value_to_python(values[0])',
                 '        values = (await future).values')], 'it is `{'),

@@ -25,7 +25,7 @@ _STYLE = style('param_tutorial/views/step_response.css')
 _PAUSE_SEC = 1.0
 
 
-# What exercise 10.3a asks for: the steady-state error is at most this in either direction, and the others are less.
+# What exercise 10.3b asks for: the steady-state error is at most this in either direction, and the others are less.
 _ERROR, _OVERSHOOT_PERCENT, _SETTLING_SEC = 0.1, 5.0, 0.4
 
 

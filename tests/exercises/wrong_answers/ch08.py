@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 8."""
 
 WRONG = {
-    '8c': [
+    '8a': [
         ([("'fan.speed', 0.5", "'speed', 0.5")], 0, 'its constructor did not finish.'),
         ([("'fan.speed', 0.5", "'fan.speed', 1")], 1, 'type integer, value `1`'),
         ([('0.5, Param', '0.25, Param')], 2, 'type double, value `0.25`'),
@@ -25,7 +25,7 @@ WRONG = {
            '            ')], 2, 'it was accepted'),
         ([("'fan.speed', 0.5", "'fan/speed', 0.5")], 0, 'its constructor did not finish.'),
     ],
-    '8a': [
+    '8b': [
         ([("'belt.speed_mps', 0.0, ParameterDescriptor(", "'belt.speed_mps', 0, ParameterDescriptor(")], 2,
          'it is of type integer: the default decides'),
         ([("'belt.", "'")], 1, 'there is no `belt.speed_mps` and no `belt.gap_m`'),
@@ -76,7 +76,7 @@ WRONG = {
            '        self.add_on_set_parameters_callback(self.validate)\n'
            "        self.declare_parameter('belt.speed_mps'")], 0, 'its constructor did not finish.'),
     ],
-    '8b': [
+    '8c': [
         ([("at once.': 1", "at once.': 6")], 4, 'is not initialized'),
         ([("took it.': 2", "took it.': 3")], 4, 'it accepted 50.0 m/s'),
         ([("all the same.': 3", "all the same.': 2")], 4, 'the motor runs at 1.5 m/s, and the parameter says 0.5'),
@@ -109,7 +109,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '8a': [
+    '8b': [
         [('callback(self.react)',
           "callback(lambda _: setattr(self, 'motor_mps', self.get_parameter('belt.speed_mps').value))")],
         [("        self.motor_mps = self.get_parameter('belt.speed_mps').value\n        self.add_on",
@@ -135,12 +135,12 @@ RIGHT = {
          ("new.get('belt.gap_m', self.get_parameter('belt.gap_m').value)",
           "new['belt.gap_m'] if 'belt.gap_m' in new else self.get_parameter('belt.gap_m').value")],
     ],
-    '8b': [
+    '8c': [
         [("weighs nothing.': 7", "weighs nothing.': 2")],
         [("weighs nothing.': 7", "weighs nothing.': '7'")],
         [("at once.': 1", "at once.': 1.0")],
     ],
-    '8c': [
+    '8a': [
         [('0.0, to_value=1.0', '-0.0, to_value=float(1)')],
         [("'Speed, as a fraction of full speed.'", "'0: off, 1: full'")],
         [("'Speed, as a fraction of full speed.'", "'Duty cycle'")],

@@ -41,7 +41,7 @@ WRONG = {
          'it is `0`. A float has a dot'),
         ([('from_value=0.0', 'from_value=0')], 3, 'it is `0`. A float has a dot'),
         ([('floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0)]', '')], 3, 'it was accepted'),
-        ([("description='A part of the full speed, 3000 rpm.',", '')], 3, 'it has no description'),
+        ([("description='A fraction of full speed, 3000 rpm.',", '')], 3, 'it has no description'),
         ([('Doubles the speed for a moment.', 'boost')], 3, 'its description is `boost`'),
         ([('        self.react([])\n', '')], 2, 'it is `None`'),
         ([('        self.react([])\n', '        self.motor_rpm = 1500.0\n')], 2, 'it is `1500.0`'),

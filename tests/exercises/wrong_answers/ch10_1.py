@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.1."""
 
 WRONG = {
-    '10.1c': [
+    '10.1a': [
         # The same dictionary each time: what has been in it stays in it.
         ([('    return {', '    changes.seen = getattr(changes, "seen", {})\n    changes.seen |= {'),
           ('event.changed_parameters}', 'event.changed_parameters}\n    return changes.seen')],
@@ -34,7 +34,7 @@ WRONG = {
          0, "AttributeError: 'ParameterEvent' object has no attribute"),
         ([(' for parameter in event.changed_parameters', '')], 0, "NameError: name 'parameter' is not defined"),
     ],
-    '10.1a': [
+    '10.1b': [
         # The chain of the article.
         ([('parameter_value_to_python(parameter.value)',
            'parameter.value.string_value or parameter.value.integer_value or parameter.value.double_value '
@@ -92,7 +92,7 @@ WRONG = {
         ([('        self.create_subscription(', '\n    def begin(self):\n        self.create_subscription(')], 0,
          'it does not'),
     ],
-    '10.1b': [
+    '10.1c': [
         ([("with three parameters': 3", "with three parameters': 1")], 6, 'one after the other, and publishes each'),
         ([("atomically with three parameters': 1", "atomically with three parameters': 3")], 6, 'in one go'),
         ([("set_parameters with two, of which one is rejected': 1",
@@ -106,7 +106,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '10.1c': [
+    '10.1a': [
         [('{parameter.name: parameter_value_to_python(parameter.value) for parameter in '
           'event.changed_parameters}',
           'dict((each.name, parameter_value_to_python(each.value)) for each in '
@@ -120,7 +120,7 @@ RIGHT = {
          ('    return {', '        return {'), ('_parameters}', '_parameters}\n\n\nchanges = Changes()'),
          ('    """', '        """')],
     ],
-    '10.1a': [
+    '10.1b': [
         # A relative name, keywords, and your own profile.
         [("'/parameter_events', self.write", "'parameter_events', self.write")],
         [("ParameterEvent, '/parameter_events', self.write, qos_profile_parameter_events",

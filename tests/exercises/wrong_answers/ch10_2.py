@@ -1,6 +1,20 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.2."""
 
-# In the solutions: what the inspector does, and what the function returns.
+# In the solutions: what the inspector does, with a deadline for each question, and what the function returns.
+IN_TIME = '''\
+        answer = await self.in_time(self.list_client.call_async(ListParameters.Request()))
+        for name in answer.result.names if answer else []:
+            answer = await self.in_time(self.get_client.call_async(GetParameters.Request(names=[name])))
+            if answer and answer.values:
+                self.found[name] = parameter_value_to_python(answer.values[0])
+
+    async def in_time(self, future):
+        """Return the answer, or None if there is none after five seconds."""
+        deadline = self.create_timer(5.0, future.cancel)
+        answer = await future
+        self.destroy_timer(deadline)
+        return answer'''
+# The same without deadlines, as most people write it, and as all answers to 10.2b below begin.
 READ = '''\
         answer = await self.list_client.call_async(ListParameters.Request())
         for name in answer.result.names:
@@ -10,7 +24,7 @@ READ = '''\
 HAS = '{node: parameters[name] for node, parameters in snapshot.items() if name in parameters}'
 
 WRONG = {
-    '10.2c': [
+    '10.2a': [
         ([('parameter_value_to_python(value)', 'value')], 0, "it returned `{'speed':"),
         ([('zip(names, values)', 'zip(values, names)')],
          0, "AttributeError: 'str' object has no attribute 'type'"),
@@ -25,7 +39,7 @@ WRONG = {
            'value.double_value or value.integer_value or value.string_value')],
          0, "it returned `{'speed': ''}`"),
     ],
-    '10.2a': [
+    '10.2b': [
         # What the article promises: no names for all parameters.
         ([(READ, '        self.get_client.call_async(GetParameters.Request()).add_done_callback(self.on_values)\n\n'
                  '    def on_values(self, future):\n        for value in future.result().values:\n'
@@ -77,7 +91,7 @@ WRONG = {
            'def inspect(self):\n        self.timer = self.create_timer(0.3, self.work)\n\n'
            '    async def work(self):\n        self.timer.cancel()\n')], 0, 'and 1 of 1 questions have no answer'),
     ],
-    '10.2b': [
+    '10.2c': [
         ([('if name in parameters', 'if parameters.get(name)')], 2, "returned `{'/gripper': 4, '/mast': 4}`"),
         ([('if name in parameters', 'if parameters.get(name) is not None')], 2, "returned `{'/rover': 5.0}`"),
         ([('if name in parameters', 'if True')], 0, 'KeyError'),
@@ -109,14 +123,14 @@ WRONG = {
 }
 
 RIGHT = {
-    '10.2c': [
+    '10.2a': [
         [('{name: parameter_value_to_python(value) for name, value in zip(names, values)}',
           'dict(zip(names, map(parameter_value_to_python, values)))')],
         [('for name, value in zip(names, values)', 'for value, name in zip(values, names)')],
         [('{name: parameter_value_to_python(value) for name, value in zip(names, values)}',
           '{names[i]: parameter_value_to_python(values[i]) for i in range(len(names))}')],
     ],
-    '10.2a': [
+    '10.2b': [
         # With callbacks, and only then one by one: each question waits for the answer before.
         [('async def inspect(self):', 'def inspect(self):'),
          (READ, '        self.list_client.call_async(ListParameters.Request()).add_done_callback(self.on_names)\n\n'
@@ -160,7 +174,7 @@ RIGHT = {
           '        self.timer = self.create_timer(0.3, self.work, callback_group=ReentrantCallbackGroup())\n\n'
           '    async def work(self):\n        self.timer.cancel()\n')],
     ],
-    '10.2b': [
+    '10.2c': [
         [(HAS, 'dict((node, value) for node, parameters in snapshot.items()\n'
                '                for key, value in parameters.items() if key == name)')],
         [('    return ' + HAS, '    found = {}\n    for node in snapshot:\n        try:\n'
@@ -173,3 +187,6 @@ RIGHT = {
           'parameters.pop(name) for node, parameters in mine.items() if name in parameters}')],
     ],
 }
+
+WRONG['10.2b'] = [([(IN_TIME, READ), *replacements], count, word) for replacements, count, word in WRONG['10.2b']]
+RIGHT['10.2b'] = [[(IN_TIME, READ)], *([(IN_TIME, READ), *replacements] for replacements in RIGHT['10.2b'])]

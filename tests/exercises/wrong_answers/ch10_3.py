@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 10.3."""
 
 WRONG = {
-    '10.3c': [
+    '10.3a': [
         ([("group = 'gains.wheel_joint'\n", ''),
           ("gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n",
            "gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n"
@@ -31,7 +31,7 @@ WRONG = {
         ([("'gains.wheel_joint'", "'gains'")], 0, 'there is none'),
         ([('0.3', "'0.3'")], 0, 'there is none'),
     ],
-    '10.3a': [
+    '10.3b': [
         # P alone, as loud as it goes.
         ([(".i': 0.3", ".i': 0.0")], 2, 'Without an integral, some error always remains'),
         ([(".d': 0.03", ".d': 0.0")], 1, 'overshoot 2'),
@@ -50,7 +50,7 @@ WRONG = {
         ([("    'gains.wheel_joint.i': 0.3,\n", '')], 0, 'there is none'),
         ([('gains = {', "gains = {'gains': {'wheel_joint': {'p': 0.62}}} or {")], 0, 'there is none'),
     ],
-    '10.3b': [
+    '10.3c': [
         # A name without a slash is for the root namespace alone.
         ([('/**/left_controller:', 'left_controller:'), ('/**/right_controller:', 'right_controller:')], 4,
          'the file does not reach it'),
@@ -84,7 +84,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '10.3c': [
+    '10.3a': [
         [("client = ParameterClient('/wheel_controller')\n", ''),
          ("group = 'gains.wheel_joint'\n",
           "client = ParameterClient('/wheel_controller')\n"
@@ -95,14 +95,14 @@ RIGHT = {
           "gains = {f'{group}.p': 0.3, f'{group}.d': 0.02}\n",
           "gains = {'gains.wheel_joint.p': 0.3, 'gains.wheel_joint.d': 0.02}\n")],
     ],
-    '10.3a': [
+    '10.3b': [
         [("    'gains.wheel_joint.p': 0.62,\n", ''),
          ("'gains.wheel_joint.d': 0.03,", "'gains.wheel_joint.d': 0.03,\n    'gains.wheel_joint.p': 0.62,")],
         [('gains = {', 'gains = {} | {')],
         [('0.62', '0.6'), ('0.3', '0.31')],
         [('gains = {', "gains = {f'gains.wheel_joint.{k}': v for k, v in dict(p=0.62, i=0.3, d=0.03).items()} or {")],
     ],
-    '10.3b': [
+    '10.3c': [
         # The type in the controllers' own blocks, and more that the real files hold.
         [('    left_controller:\n      type: pid_controller/PidController\n'
           '    right_controller:\n      type: pid_controller/PidController\n', ''),

@@ -91,7 +91,7 @@ def own_descriptors(trial: Trial) -> None:
 
 describe = Exercise('6.1c', 'Say it in the descriptor', CHAPTER, NODE_CLASS, node_name='camera', hints=(
     'Each parameter needs one `ParameterDescriptor`. Begin with `exposure_us`, and ask the node: '
-    "`verdicts(ParameterClient(ros.add(Camera)), 'exposure_us', 100, 150, 20000)`.",
+    "`verdicts(Camera(), 'exposure_us', 100, 150, 20000)`.",
     'The fields are `integer_range` and `floating_point_range`. The range stands in brackets, and each of the two '
     'fields belongs to one type of default.',
     'For the second parameter: `ParameterDescriptor(floating_point_range=[FloatingPointRange(from_value=0.0, '
@@ -120,6 +120,28 @@ def gain(trial: Trial) -> None:
                    because='The limits of a double are the two ends of its `floating_point_range`')
     expect_answers(client, 'gain', 'wrong type', 2)
     expect_range(client, 'gain', 0.0, 16.0, 0)
+
+
+@describe.require('`tilt_deg` is a double, 0.0, and takes every half degree from -90.0 to 90.0', see=LIMITS)
+def tilt(trial: Trial) -> None:
+    client = start(trial, 'tilt_deg')
+    expect_declared(trial, 'tilt_deg', DOUBLE, 0.0)
+    expect_answers(client, 'tilt_deg', 'accepted', -90.0, -0.5, 0.0, 12.5, 90.0)
+    expect_answers(client, 'tilt_deg', 'out of range', -90.5, 91.0,
+                   because='The limits of a double are the two ends of its `floating_point_range`')
+    expect_answers(client, 'tilt_deg', 'off the step', 0.25, 12.3,
+                   because='The step is the third field of `FloatingPointRange`')
+    expect_answers(client, 'tilt_deg', 'wrong type', 2)
+    expect_range(client, 'tilt_deg', -90.0, 90.0, 0.5)
+
+
+@describe.require('each of the three has a description', see='Eight fields')
+def described(trial: Trial) -> None:
+    node = trial.start()
+    for name in ('exposure_us', 'gain', 'tilt_deg'):
+        expect(node.has_parameter(name), f'a parameter `{name}`', 'the node has none of that name')
+        expect(node.describe_parameter(name).description.strip().strip('.…'), 'a description for each',
+               f'`{name}` has none')
 
 
 EXERCISES = (fill, mend, describe)

@@ -139,10 +139,10 @@ def dumped(trial: Trial, text: str) -> str:
 
 
 foresee = Exercise('7.1c', 'Predict what comes back', CHAPTER, DICTIONARY, hints=(
-    'Does the command put quotes around the string? It does if YAML 1.1 would take it for something else. Then ask '
+    'Does the command put quotes around the string? It does if PyYAML would take it for something else. Then ask '
     'what the reader makes of what is written there.',
     'To rcl, `n` is a boolean and `2e3` is a number, and a string in quotes stays a string. `load` reads by the rules '
-    'of YAML 1.1, twice, and the first reading removes the quotes.',
+    'of PyYAML, twice, and the first reading removes the quotes.',
     'rcl turns an empty array into a parameter that is declared and has no value: `None`. If a node rejects a value, '
     'the old one stays.'))
 
@@ -175,7 +175,7 @@ def require_load(text: str, because: Mapping[object, str], see: str = SECOND) ->
 EXPONENT = 'In YAML 1.1 an exponent needs a dot and a sign, so this is a string'
 
 require_start('n', {
-    'n': 'The command wrote it without quotes, and rcl has more words for false than YAML 1.1 has'})
+    'n': 'The command wrote it without quotes, and rcl has more words for false than PyYAML has'})
 require_load('n', {
     False: 'To this reader it is a string, both times', 'old': 'The node accepts it: to this reader it is a string'})
 require_start('no', {

@@ -38,7 +38,7 @@ GROUP = 'Practice 4: group names with dots'
 
 SPEED, GAP = 'belt.speed_mps', 'belt.gap_m'
 
-repair = Exercise('8a', 'Repair a conveyor', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
+repair = Exercise('8b', 'Repair a conveyor', CHAPTER, NODE_CLASS, node_name='conveyor', hints=(
     'Begin with the declarations: new names with a dot, defaults with a dot, a range and a description for each. Only '
     'then look at the callback.',
     "In the callback, hold what would be stored against the rule: `new = {p.name: p.value for p in parameters}`, then "
@@ -211,7 +211,7 @@ def belt(follows: int) -> type[Belt]:
     return type('Belt', (Belt,), {'follows': follows})
 
 
-find = Exercise('8b', 'Which practice would have prevented it?', CHAPTER, DICTIONARY, hints=(
+find = Exercise('8c', 'Which practice would have prevented it?', CHAPTER, DICTIONARY, hints=(
     'Name the practice that you believe in, by its number: a wrong guess costs nothing, the check tries it out.',
     'Practices 5 and 6 are for readers and for launches. No complaint is about these.',
     'Ask of each: when did it hurt? At the start, at a wrong value, at a rejection, in a list, or at a knob that '
@@ -288,7 +288,7 @@ def has_gravity(trial: Trial, belt_class: type[Belt]) -> str:
     return 'it accepted a gravity of 0' if client.set_parameter('gravity_mps2', 0.0).successful else ''
 
 
-fill = Exercise('8c', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='fan', hints=(
+fill = Exercise('8a', 'Fill five gaps', CHAPTER, NODE_CLASS, node_name='fan', hints=(
     'A group is a name in front, and a dot: the last line shows what this parameter is called.',
     'The default, and both ends of a range for doubles, are doubles too. The description is any sentence that says '
     'what the number means.'))

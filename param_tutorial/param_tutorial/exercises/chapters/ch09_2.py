@@ -132,7 +132,7 @@ replace = Exercise('9.2c', 'Replace `dynamic_reconfigure`', CHAPTER, NODE_CLASS,
     'for a `FloatingPointRange` in the descriptor, and the sentence for its description.',
     "What the server's callback did goes into a post-set callback, which reads both parameters with `get_parameter`.",
     'Call that method once at the end of the constructor too, for what an override has brought.'))
-DESCRIPTIONS = {'speed': 'A part of the full speed, 3000 rpm.', 'boost': 'Doubles the speed for a moment.'}
+DESCRIPTIONS = {'speed': 'A fraction of full speed, 3000 rpm.', 'boost': 'Doubles the speed for a moment.'}
 
 
 @replace.require('`speed` is a double, 0.5 at the start, and `boost` a boolean, false at the start', see=RULES)

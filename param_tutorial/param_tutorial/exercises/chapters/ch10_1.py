@@ -91,7 +91,7 @@ class InTheCorner(Node):
             self.events_heard = (*self.events_heard, message)
 
 
-keep = Exercise('10.1a', 'Keep a journal', CHAPTER, NODE_CLASS, node_name='journal', hints=(
+keep = Exercise('10.1b', 'Keep a journal', CHAPTER, NODE_CLASS, node_name='journal', hints=(
     "Subscribe in the constructor, as the package's monitor does, and look at `event.node` in the callback.",
     'Go through the three lists of the message one after the other. `parameter_value_to_python(parameter.value)` '
     'returns the value, even if it is 0.',
@@ -254,7 +254,7 @@ def burst(trial: Trial) -> None:
            f'the pages begin with `{shorten(repr(pages[:3]), 200)}`')
 
 
-count = Exercise('10.1b', 'How many messages?', CHAPTER, DICTIONARY, hints=(
+count = Exercise('10.1c', 'How many messages?', CHAPTER, DICTIONARY, hints=(
     'An event reports what was stored in one go. `set_parameters` stores its parameters one by one.',
     'A rejected value is not stored. If one value in a request is rejected, what happens to the others?',
     'Most of the numbers are in the output of the section “Change it: what is published, and how often”.'))
@@ -313,7 +313,7 @@ require_count('undeclare_parameter',
               {1: 'The only deletion that is published is that of a dynamic parameter that is set to nothing'})
 
 
-fill = Exercise('10.1c', 'Fill two gaps', CHAPTER, FUNCTION, hints=(
+fill = Exercise('10.1a', 'Fill two gaps', CHAPTER, FUNCTION, hints=(
     'An event has three lists: `new_parameters`, `changed_parameters` and `deleted_parameters`.',
     'Each element has a `name` and a `value`. The value is a message with a field for each type, and '
     '`parameter_value_to_python` finds the right one.'))

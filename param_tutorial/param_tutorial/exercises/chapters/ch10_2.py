@@ -58,7 +58,7 @@ class Uncalibrated(Node):
             self.declare_parameter(f'{name}_count', 3)
 
 
-inspect = Exercise('10.2a', 'Inspect a rover', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
+inspect = Exercise('10.2b', 'Inspect a rover', CHAPTER, NODE_CLASS, node_name='inspector', hints=(
     'Create two clients in the constructor, and ask two questions: `list_parameters` for the names and, once they are '
     'there, `get_parameters` for the values. `ParamQueryNode` and `Reader` both do it.',
     '`call_async` returns a future. Await it in an `async def inspect`, or use '
@@ -120,7 +120,7 @@ def unset(trial: Trial) -> None:
     found_in(trial, Uncalibrated)
 
 
-who = Exercise('10.2b', 'Who has it?', CHAPTER, FUNCTION, hints=(
+who = Exercise('10.2c', 'Who has it?', CHAPTER, FUNCTION, hints=(
     'A snapshot is a dictionary: `for node, parameters in snapshot.items()`. And `parameters` is one, too.',
     '`name in parameters` asks whether the node has the parameter. Its value may be 0 or `None`, but it is there.',
     'Collect the answer in a dictionary, `found[node] = parameters[name]`, and return it after the loop.'))
@@ -168,7 +168,7 @@ def nobody(trial: Trial) -> None:
     census(trial, 'pid', 'Speed')
 
 
-fill = Exercise('10.2c', 'Fill three gaps', CHAPTER, FUNCTION, hints=(
+fill = Exercise('10.2a', 'Fill three gaps', CHAPTER, FUNCTION, hints=(
     'The values come in the order of the names, and `zip` takes the first of both, then the second of both, and so on.',
     'Each value is a message with a field for each type. `parameter_value_to_python` returns the Python value.'))
 

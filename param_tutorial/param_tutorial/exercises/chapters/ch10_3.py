@@ -25,7 +25,7 @@ FILE = 'The file of ros2_control'
 TOGETHER = 'Change it: three gains, one change'
 
 TUNED = [f'gains.wheel_joint.{name}' for name in 'pid']
-tune = Exercise('10.3a', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
+tune = Exercise('10.3b', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
     'Begin with P alone, and raise it until the wheel is fast. It will ring; that is what D is for.',
     'With `d` at 0.03 you can raise `p` far beyond 0.4, and the wheel rings less than before.',
     'The integral has little left to do when `p` is large. A small one, below 0.5, removes the error and hardly '
@@ -78,7 +78,7 @@ def fast(trial: Trial) -> None:
     expect(figures.settling_sec is not None and figures.settling_sec < 0.4, 'a settling time below 0.4 s', f'{figures}')
 
 
-write = Exercise('10.3b', 'Write the file of two controllers', CHAPTER, TEXT, hints=(
+write = Exercise('10.3c', 'Write the file of two controllers', CHAPTER, TEXT, hints=(
     'Three blocks: one for the manager, one for each controller. Each begins with the name of a node and '
     '`ros__parameters:` below it.',
     'The manager holds `update_rate` and, for each controller, a name with a `type` below it. Look at the file of the '
@@ -230,7 +230,7 @@ def anywhere(trial: Trial) -> None:
                    'it gets others' if found else 'the file does not reach it')
 
 
-order = Exercise('10.3c', 'Put a change in order', CHAPTER, TEXT, hints=(
+order = Exercise('10.3a', 'Put a change in order', CHAPTER, TEXT, hints=(
     'A name has to exist before a line can use it. Which two lines use no name from another line?',
     'The dictionary needs `group`, and the last line needs the client and the dictionary.'))
 

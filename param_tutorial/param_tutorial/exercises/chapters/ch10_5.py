@@ -23,8 +23,8 @@ BACK = 'Back to where it was'
 
 # -- 10.5a ----------------------------------------------------------------------------------------------------
 
-experiment = Exercise('10.5a', 'Put an experiment in order', CHAPTER, TEXT, hints=(
-    'A line can use a name only after the line that defines it. That decides where `client` and `then` are made.',
+experiment = Exercise('10.5a', 'An experiment in five lines', CHAPTER, TEXT, hints=(
+    "The first two lines are `client = ParameterClient('/robot')` and `then = ParameterSet.of(client)`.",
     'Two sets are compared: one from before the change, and what the robot holds after it. So the change comes between '
     'them.',
     '`restore` makes the difference go away, so the comparison has to come first.'))
@@ -81,9 +81,10 @@ def leaves_it_alone(trial: Trial) -> None:
 
 # -- 10.5b ----------------------------------------------------------------------------------------------------
 
-equal = Exercise('10.5b', 'Fix a comparison', CHAPTER, FUNCTION, hints=(
-    'Two lists are both of type `list`. Whether they are the same depends on their elements.',
-    'The function already knows what makes two single values the same. It may call itself for two elements.',
+equal = Exercise('10.5b', 'Compare arrays, too', CHAPTER, FUNCTION, hints=(
+    'Begin with the lines of `same`. Two lists are both of type `list`; whether they are the same depends on their '
+    'elements.',
+    'Once the function knows what makes two single values the same, it may call itself for two elements.',
     '`all(same_value(one, other) for one, other in zip(before, after))`, and before that the lengths: `zip` stops at '
     'the shorter list.'))
 

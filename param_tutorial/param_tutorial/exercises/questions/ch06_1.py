@@ -47,7 +47,14 @@ PREDICTIONS = (
               'million, and 2.0001 is beyond it.'),
         wrong('It stores 2.0 both times', 'A node never moves a value to the limit. It accepts 2.000001 as it is, and '
               'rejects 2.0001.'))),
-    Prediction('6.1-4', 'The range goes from -0.3 to 0.3 in steps of 0.1, and the default is 0.0. What happens when '
+    Prediction('6.1-4', 'The range goes from 0.0 to 1.0 in steps of 0.1. How does the node answer `3 * 0.1`, which is '
+               '0.30000000000000004 in Python?', (
+        right('It accepts it: it is the third step', 'Your first thought holds. A tiny error of rounding is within the '
+              'tolerance, so you can calculate a value.'),
+        wrong('It rejects it: it is not exactly 0.3', 'It is not, and the tolerance is there for such cases: one part '
+              'in a million.'),
+        wrong('It stores 0.3', 'The node accepts the value as it is, with all its digits. It never moves a value.'))),
+    Prediction('6.1-5', 'The range goes from -0.3 to 0.3 in steps of 0.1, and the default is 0.0. What happens when '
                'the node starts?', (
         wrong('It starts with 0.0, which is three steps up', 'Three steps up lead to 5.551115123125783e-17. That is '
               'not 0.0, and at 0.0 the tolerance leaves no room.'),
@@ -55,7 +62,7 @@ PREDICTIONS = (
               'not start.'),
         right('It does not start: 0.0 is not a valid step', 'Doubles miss 0.0 by 5.551115123125783e-17, and at 0.0 '
               'the tolerance leaves no room.'))),
-    Prediction('6.1-5', '`gain` has the default `1` and a range of doubles up to 1.0. `reach_m` has the default `0.5` '
+    Prediction('6.1-6', '`gain` has the default `1` and a range of doubles up to 1.0. `reach_m` has the default `0.5` '
                'and a range of integers up to 10. `speeds` is a list of integers, with a range of integers up to '
                '10. We set them to 900, 900.0 and [5, 900]. Which does the node reject?', (
         wrong('all three', 'None. rclpy ignores a range of the wrong kind, and any range on an array.'),
@@ -63,7 +70,7 @@ PREDICTIONS = (
         wrong('speeds', 'rclpy ignores a range on an array; it does not compare the elements.'),
         right('none of them', 'rclpy ignores a range of the wrong kind, and any range on an array. Nothing warns '
               'you.'))),
-    Prediction('6.1-6', 'Both parameters share one descriptor, without a range or a lock. How does the node answer if '
+    Prediction('6.1-7', 'Both parameters share one descriptor, without a range or a lock. How does the node answer if '
                'you set `wheel_count`, 4, to 6?', (
         wrong('It accepts it', 'The second declaration has written *string* into the shared descriptor, so 6 has '
               'the wrong type now.'),
@@ -71,12 +78,4 @@ PREDICTIONS = (
               'descriptor. One descriptor, one declaration.'),
         wrong('It accepts it, and wheel_maker becomes 6, too', "The two parameters don't share a value. They share "
               'the descriptor, and with it the type.'))),
-    Prediction('6.1-7', 'The range is `FloatingPointRange(from_value=0, to_value=16)`, with integers for its ends. '
-               'What does the node do with it?', (
-        wrong('It does not start', 'A message does not check its fields, unless you ask it to.'),
-        wrong('It ignores the range', 'The range is of the right kind, and 16.5 is out of range.'),
-        wrong('It enforces 0 to 16, and describes 0.0 to 16.0', 'It enforces 0 to 16. But what it describes ends at '
-              'almost nothing: nothing has converted the integers to doubles.'),
-        right('It enforces 0 to 16, and describes something else', 'Python compares the integers well enough, but '
-              'the message is sent as if they were doubles.'))),
 )

@@ -42,13 +42,20 @@ PREDICTIONS = (
         wrong('dock and door', 'They were there after the declaration, and the next line replaced them.'),
         right('an empty list', 'The override arrives with the declaration, and the next line replaces it.'),
         wrong('nothing: the node does not start', 'Both are lists of strings, so no check rejects either.'))),
-    Prediction('6.2-4', '`serial` is read-only, an integer from 0 to 100 in steps of 10. You set it to 905. Which of '
+    Prediction('6.2-4', '`PatientTour` sets the empty list only if the declaration brought no value. It starts with '
+               '`-p waypoints:="[dock, door]"`. What does `waypoints` hold?', (
+        right('dock and door', 'The code does what it seems to do: there was a value already, so the node left it '
+              'alone.'),
+        wrong('an empty list', '`EmptyTour` replaced the override in any case. This node looks first.'),
+        wrong('nothing: the value is still unset', 'The override arrives with the declaration, so the parameter has '
+              'a value at once.'))),
+    Prediction('6.2-5', '`serial` is read-only, an integer from 0 to 100 in steps of 10. You set it to 905. Which of '
                'the three reasons does the node give?', (
         right('It is read-only', 'The lock is checked before the range, and only the first failure is named.'),
         wrong('It is out of range', 'It is, and rclpy would have said so, but it checks the lock before the range.'),
         wrong('It is between two steps', 'The step is checked last, and only the first failure is named.'),
         wrong('It names all three', 'rclpy stops at the first check that fails.'))),
-    Prediction('6.2-5', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a '
+    Prediction('6.2-6', 'Four commands: an acceleration of 1.5, an acceleration of 5.0, a new serial number, and a '
                'speed of 180. How many of them reach the callback with the branches?', (
         right('2', '1.5 and 180. The range and the lock reject the other two before any callback is called.'),
         wrong('3', 'Two. The lock rejects the serial number before any callback is called, and the range rejects 5.0.'),

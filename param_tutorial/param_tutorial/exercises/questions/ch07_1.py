@@ -66,4 +66,11 @@ PREDICTIONS = (
               'node answers with nothing at all.'),
         right('none', 'One parameter without a value, and the dump is empty. The exit status is 0, and nobody notices '
               "until last night's values are needed."))),
+    Prediction('7.1-7', 'Names, numbers and booleans, and none of the strings that caused trouble: how many of the '
+               'nine parameters differ between the two robots?', (
+        right('none', 'A dump keeps ordinary values, also the read-only serial number: the second robot starts with '
+              'the file. The traps of this chapter are exceptions. Test for them, and trust the rest.'),
+        wrong('one: the read-only serial number', 'A read-only parameter cannot be set in a running robot. This '
+              'robot starts with the file, and an override counts.'),
+        wrong('some of the doubles', 'The client writes each double so that rcl reads the same double again.'))),
 )

@@ -24,15 +24,15 @@ PREDICTIONS = (
                'on. The defaults are Clawbot, 100 rpm, safety on. How does the robot start?', (
         wrong('Clawbot, 200 rpm, safety on', 'A dictionary does not replace the file. Each parameter has the last '
               'value that it was given.'),
-        right('AlphaClaw, 200 rpm, safety on', 'Each parameter has the last value that it was given: the name comes '
-              'from the file, the rest from the dictionary.'),
+        right('AlphaClaw, 200 rpm, safety on', 'As the list suggests: each parameter has the last value that it was '
+              'given. The name comes from the file, the rest from the dictionary.'),
         wrong('AlphaClaw, 180 rpm, safety off', 'The dictionary comes later in the list, and of these two sources the '
               'later one wins.'))),
     Prediction('7.2-2', 'You give the launch `robot_name:=42`, and the launch file says '
                '`ParameterValue(…, value_type=str)`. What is the name of the robot?', (
         wrong('The integer 42, so the node does not start', 'That would happen without `ParameterValue`. '
               '`value_type=str` keeps 42 a string.'),
-        right('The string 42', '`value_type=str` keeps 42 a string.'),
+        right('The string 42', '`value_type=str` does what it says, and keeps 42 a string.'),
         wrong('Clawbot: a number is no name, so the default stays', 'A launch passes on what you gave it, here as a '
               'string. It does not fall back to the default.'))),
     Prediction('7.2-3', '`SetParameter` gives 50 rpm. Anna comes before it, Berta after it, and the third robot, after '

@@ -45,29 +45,37 @@ PREDICTIONS = (
               'it.'),
         wrong('100', 'The file does reach the robot: its name and the key in the file are the same.')),
         otherwise='180. Both dictionaries are one block, which the first one opened, so the block of the file wins.'),
-    Prediction('7.3-4', 'The key in `robot.yaml` is `/robot`, and it gives the speed 200. The robot starts in '
+    Prediction('7.3-4', 'One file: first a block `/**` with 300, and below it a block `/robot` with 200. With which '
+               'speed does the robot start?', (
+        right('200: the block for this robot wins', 'What looks natural is right here: the block for this robot comes '
+              'later in the file. So write the general block first.'),
+        wrong('300: the first block was opened first', 'That is why it loses: among the blocks, the one that was '
+              'opened later wins.'),
+        wrong('100: two blocks in one file contradict each other', 'That is no error. rcl keeps the blocks apart, and '
+              'the later one wins.'))),
+    Prediction('7.3-5', 'The key in `robot.yaml` is `/robot`, and it gives the speed 200. The robot starts in '
                'the namespace `/lab`. What is its speed?', (
         wrong('200: its name is still robot', 'A file names a node by its fully qualified name, and that is '
               '`/lab/robot` now.'),
         right('100', 'The fully qualified name is `/lab/robot`, the file is for `/robot`, and nothing tells you.'),
         wrong('There is none: no node takes the file, so the start fails', 'A file that reaches no node is not an '
               'error. The robot starts with its default.'))),
-    Prediction('7.3-5', 'A file says `sped: 200`, a typo, and `turbo: true`, which the node no longer declares. What '
+    Prediction('7.3-6', 'A file says `sped: 200`, a typo, and `turbo: true`, which the node no longer declares. What '
                'do you see at the start?', (
         wrong('an error: there are no such parameters', 'An override waits until its parameter is declared. If that '
               'never happens, nothing happens.'),
         wrong('a warning with both names', 'There is no warning. The node keeps the overrides aside without a word.'),
         right('nothing', 'An override waits until its parameter is declared. If that never happens, nothing tells '
               'you.'))),
-    Prediction('7.3-6', 'The file still says `sped: 200`. Which of the two options turns it into a parameter?', (
+    Prediction('7.3-7', 'The file still says `sped: 200`. Which of the two options turns it into a parameter?', (
         wrong('allow_undeclared_parameters', 'It lets others *set* what was not declared. For overrides it does '
               'nothing.'),
-        right('automatically_declare_parameters_from_overrides', 'It declares every override that reaches the node, '
-              'with a type and nothing else.'),
+        right('automatically_declare_parameters_from_overrides', 'The name says it, and it is so: this option declares '
+              'every override that reaches the node, with a type and nothing else.'),
         wrong('both', 'The first one only lets others *set* what was not declared. For overrides it does nothing.'),
         wrong('neither', 'The second one declares every override that reaches the node, with a type and nothing '
               'else.'))),
-    Prediction('7.3-7', 'A file has three mistakes: a typo in the name of a parameter, a value out of its range, and a '
+    Prediction('7.3-8', 'A file has three mistakes: a typo in the name of a parameter, a value out of its range, and a '
                'block for a misspelled node. How many of them does the robot report when it starts with the file?', (
         wrong('3', 'A node checks values. It knows nothing of names that it has not declared, nor of blocks for '
               'others.'),

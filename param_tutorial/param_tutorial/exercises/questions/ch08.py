@@ -48,8 +48,8 @@ PREDICTIONS = (
         wrong('It starts with 900 kg', 'That is what `Patient` did, which judged changes only.'),
         wrong('It starts with 300 kg, its default', 'An override that is rejected is not replaced by the default. '
               'The constructor raises an exception.'),
-        right('It does not start', 'Its constructor holds the start values against the rule, and raises an '
-              'exception.'))),
+        right('It does not start', 'As it should be: its constructor holds the start values against the rule, and '
+              'raises an exception.'))),
     Prediction('8-5', 'The dump holds `max speed`, `arm/left` and `gains..kp`. A new node starts with the file. What '
                'happens?', (
         wrong('All three come back', 'Between the two dots is a part without a name, and rcl rejects the whole file '
@@ -68,4 +68,11 @@ PREDICTIONS = (
               'and logs nothing.'),
         wrong('not at all', 'An unknown name among the overrides is not an error. The node '
               'ignores it and logs nothing.'))),
+    Prediction('8-7', 'The launch file of the course starts in this scratch folder, too, which holds neither of the '
+               'two parameter files. How do the two lifts start?', (
+        right('each with the values of its file', 'It works as it looks: the launch file asks the package for its '
+              'share folder, so the current folder does not matter.'),
+        wrong('both with their defaults, after a warning', 'That was the path in `mine_launch.py`, which counts from '
+              'the current folder. This launch file asks the package for its share folder.'),
+        wrong('not at all', 'The launch file is installed with its package, and so are the two parameter files.'))),
 )

@@ -56,13 +56,14 @@ PREDICTIONS = (
         wrong('the one of ROS 2: it knows its names', 'It raises an exception without a default. With '
               '`get_parameter_or` it gets the 100 that it brings along, too.'),
         right('neither', 'Nobody has ever set the misspelled name, so both get the 100 that they bring along.'))),
-    Prediction('9.1-6', "In ROS 1, `/lab` holds a speed and a robot with a speed. Then a node calls "
-               "`set_param('/lab', {'mode': 'night'})`. What does `/lab` hold?", (
-        wrong('all three: the new one is added', 'Setting a branch of the tree replaces it, with all that was '
-              'below it.'),
-        right('the mode, and nothing else', 'Setting a branch of the tree replaces it, with all that was below it.'),
-        wrong('as before: /lab is no parameter', 'To ROS 1 it is one: a branch is a parameter whose value is a '
-              'dictionary.'))),
+    Prediction('9.1-6', "The arm declares `gains.kp`, `gains.kd`, `gains/kp` and `gains`. Which of them does "
+               "`get_parameters_by_prefix('gains')` return?", (
+        right('gains.kp and gains.kd', 'Your eye is right: the group has the two with a dot after `gains`.'),
+        wrong('gains.kp, gains.kd and gains/kp', 'A slash in the name of a parameter is accepted, and means nothing.'),
+        wrong('all four', 'A slash means nothing in the name of a parameter, and `gains` is a parameter beside the '
+              'group.'),
+        wrong('gains alone: a longer name destroys a shorter one', 'That is the tree of ROS 1. In ROS 2 all four '
+              'exist side by side.'))),
     Prediction('9.1-7', 'A string of two lines, the strings `1e5` and `1.0`, and an empty list: how many of the four '
                'does `ros2 param load` set as they were saved?', (
         right('1', 'Only `1e5`. The two lines become one, and `1.0` and the empty list turn into something that the '

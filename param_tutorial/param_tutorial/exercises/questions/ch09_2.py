@@ -62,4 +62,10 @@ PREDICTIONS = (
               'it.'),
         wrong('0.5, without a reason', 'The field never learns that it was rejected. It shows what was typed.'),
         right('7.0', 'The field shows what was typed, and drops the answer of the node.'))),
+    Prediction('9.2-7', 'Someone sets the same gain of 7.0 in the panel of this course. What does the panel show '
+               'afterwards?', (
+        right('0.5, with the reason', 'As in every chapter so far: the panel shows what the node confirmed, and why '
+              'it rejected the rest.'),
+        wrong('7.0', 'That is `rqt_reconfigure`, which drops the answer. The panel waits for it.'),
+        wrong('0.5, without a reason', 'The answer has a reason in it, and the panel shows it.'))),
 )

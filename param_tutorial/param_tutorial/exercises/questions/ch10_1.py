@@ -27,7 +27,7 @@ PREDICTIONS = (
         wrong('an event with -1', 'An event reports what was stored, and nothing was.'),
         wrong('an event with the old value', 'A node publishes when it stores a value. Here it stored none, not even '
               'the old one again.'),
-        right('nothing', 'Nothing stored, no event. Only the client gets an answer.'))),
+        right('nothing', 'As simple as that: nothing stored, no event. Only the client gets an answer.'))),
     Prediction('10.1-2', 'The speed is set to 0. What does the monitor log, with its chain of `or`?', (
         wrong('0', 'The chain skips every field that is false in Python, and 0 is false.'),
         right('False', '0 is false in Python, so the chain runs through to its last field, `bool_value`.'),
@@ -49,7 +49,7 @@ PREDICTIONS = (
               'parameter.'))),
     Prediction('10.1-5', 'The robot publishes three events: its speed is now 80, its speed is now 80, its name is now '
                '*Logged*. Before, the speed was 120. How many changes does the follower report?', (
-        right('2', 'The second event repeats a value that the follower knows already, so nothing has changed.'),
+        right('2', 'You counted as the follower does: the second event repeats a value that it knows already.'),
         wrong('3', 'The robot does publish three events. But the follower compares each with what it knows, and the '
               'second one repeats the first.'),
         wrong('1: the last value of each parameter is enough', 'The speed and the name are two parameters, and both '

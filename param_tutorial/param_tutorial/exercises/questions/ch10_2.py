@@ -29,7 +29,8 @@ PREDICTIONS = (
         otherwise='None: one unknown name empties the whole answer.'),
     Prediction('10.2-2', 'A request names no parameter at all. Which values come back?', (
         wrong('all of them', '`get_parameters` returns what it was asked for, and it was asked for nothing.'),
-        right('none', 'A request for nothing gets nothing. To get all parameters, call `list_parameters` first.'),
+        right('none', 'As the request says: nothing asked, nothing answered. To get all parameters, call '
+              '`list_parameters` first.'),
         wrong('none, but an error', 'There is no error. An empty request has an empty answer.'))),
     Prediction('10.2-3', 'The arm has `pid.kp`, `pid.ki` and `pid.limits.max`. What does `list_parameters` return for '
                'the prefix `pi`?', (
@@ -62,7 +63,7 @@ PREDICTIONS = (
               'its result `None`.'),
         wrong('It goes on waiting', 'Canceling wakes up the callback that awaits the future. Its result is `None`.'))),
     Prediction('10.2-7', 'An `AsyncParameterClient` has created six service clients in its node. How many of the six '
-               'are left in the node after `del box`?', (
+               'are left in the node after `del parameter_client`?', (
         right('6', 'They belong to the node, and `AsyncParameterClient` has no method that destroys them.'),
         wrong('0', 'The object is gone, but its clients are not: they belong to the node.')),
         otherwise='All six: they belong to the node, and nothing destroys them.'),

@@ -59,8 +59,17 @@ PREDICTIONS = (
         otherwise='It puts three to use: the service sets one parameter after the other.'),
     Prediction('10.3-6', 'The same three gains come in one call of `set_parameters_atomically`. How many sets of gains '
                'does the node put to use now?', (
-        right('1', 'The node stores the three together, and calls its callbacks once.'),
+        right('1', 'As the name of the service promises: the node stores the three together, and calls its callbacks '
+              'once.'),
         wrong('3', 'That was `set_parameters`. An atomic request is one change.'),
         wrong('0', 'The three are valid, so the node accepts and uses them.')),
         otherwise='One: the node stores the three together, and calls its callbacks once.'),
+    Prediction('10.3-7', "The robot's own file has gains for this controller, and so has the tuned file after it. With "
+               'which gains does the controller start?', (
+        right('those of the tuned file', 'What you put last counts here: its block was opened after the one in the '
+              "robot's own file."),
+        wrong("those of the robot's own file", 'They were there first. The block of the tuned file was opened later, '
+              'and wins.'),
+        wrong('none: it does not start, since two files contradict each other', 'That is no contradiction to rcl. The '
+              'block that was opened later wins.'))),
 )

@@ -33,13 +33,13 @@ PREDICTIONS = (
         right('It rejects the first and accepts the second', '50 is not below the stored 40. But 30 is, and 20 is '
               'above the stored -5.'),
         wrong('It rejects both', 'The second passes: 30 is below the stored 40, and 20 is above the stored -5.'))),
-    Prediction('10.4-3', 'The callback divides by the voltage, and the request is 0. What happens?', (
-        wrong('The node rejects 0: an exception is not a yes', 'rclpy does not turn it into a rejection. The exception '
-              'leaves the callback.'),
-        wrong('The node accepts 0: the callback did not say no', 'Nothing is stored. The exception leaves the '
-              'callback before there is an answer.'),
-        right('The exception leaves the callback, and there is no answer', 'rclpy catches nothing here. In a program '
-              'of its own the node would be gone.'))),
+    Prediction('10.4-3', '`SecondTry` states the rule for the two temperatures with `rule`. Stored are -5 and 40. What '
+               'does the node answer to the pairs 50, 60 and 30, 20 now?', (
+        wrong('It rejects the first and accepts the second', 'That was `FirstTry`, which compared each proposed value '
+              'with the other stored one.'),
+        right('It accepts the first and rejects the second', 'As it should be: the rule judges the pair that the node '
+              'would hold after the change.'),
+        wrong('It accepts both', 'In the second pair 30 is not below 20, and `rule` sees the pair.'))),
     Prediction('10.4-4', 'Stored are 50 and 60. `set_parameters` is called with `high_c` = 10 and `low_c` = 0, in this '
                'order. What becomes of them?', (
         wrong('Both are accepted: together they are in order', 'In `set_parameters` each is a change of its own, and '
@@ -71,7 +71,8 @@ PREDICTIONS = (
         wrong('10 and 10', 'The callback makes each of the two a change of both names. The later one stays.'))),
     Prediction('10.4-8', 'The file says `speed: 150`, and `Aliases` knows `speed` as an old name of `max_speed_rpm`, '
                'whose default is 100. What does `max_speed_rpm` hold at the start?', (
-        right('150', '`Aliases` moves the override to the new name before the declaration reads it.'),
+        right('150', '`Aliases` does what it is made for: it moves the override to the new name before the declaration '
+              'reads it.'),
         wrong('100', 'That is what happened with forwarding alone. `Aliases` moves the override to the new name.'),
         wrong('no value: the node does not start', 'An old name in a file is no error. The node logs a warning.'))),
 )

@@ -28,11 +28,12 @@ PREDICTIONS = (
         wrong('False: the types differ', 'They do, and for ROS that makes the values different. Python '
               'compares only the numbers.'))),
     Prediction('10.5-2', 'The file says 150 rpm and *brisk*, the robot holds 250 rpm and *brisk*. How many '
-               'differences does `compare(file, robot)` find?', (
-        wrong('1', 'The speed is one. The robot also has five parameters that the file does not mention.'),
-        wrong('2', 'The mode is the same. But the robot has five parameters that the file does not mention.'),
-        right('6', 'The speed, and five names that only the robot has.')),
-        otherwise='Six: the speed, and five names that only the robot has.'),
+               'differences does `compare(file, robot, names=file)` find?', (
+        right('1', 'You see it with the naked eye: the speed. The five parameters that the file does not mention are '
+              'left out.'),
+        wrong('6', 'So many it would find without `names=`: the speed, and five names that only the robot has.'),
+        wrong('2', 'The mode is the same on both sides.')),
+        otherwise='It finds one: the speed.'),
     Prediction('10.5-3', 'Stored are -30 and -10, and the saved set says -5 and 40. `set_parameters` gets all seven '
                'parameters of the set, in this order. How many does the robot reject?', (
         wrong('0', 'Two are read-only, and a request for them is rejected even if it changes nothing. And `low_c` '

@@ -22,8 +22,8 @@ RECALLS = (
 PREDICTIONS = (
     Prediction('11-1', 'The cart drives at 1.0 m/s with 0.5 m/s². One call of `set_parameters` asks for 2.0 m/s and '
                '1.0 m/s², which are valid together. What becomes of them?', (
-        wrong('Both are accepted', 'The cart decides one by one, and the speed meets the old acceleration: it would '
-              'take 4 m to stop.'),
+        wrong('Both are accepted', 'The cart decides one by one, and the speed meets the old acceleration: it needs '
+              '4 m to stop.'),
         wrong('Both are rejected', 'The cart decides one by one, and the acceleration alone breaks no rule.'),
         right('The speed is rejected, the acceleration accepted', 'The cart judges the speed first, with the old '
               'acceleration. Half of the request comes true.'))),
@@ -45,8 +45,8 @@ PREDICTIONS = (
                'in particular. Which acceleration does the cart have?', (
         wrong('0.4: the file names the node more exactly', 'How exact a name is does not matter. `-p` opens the block '
               '`/**` after the block of the file, and the later block wins.'),
-        right('0.8', '`-p` opens the block `/**` after the block of the file, and the block that was opened later '
-              'wins.'),
+        right('0.8', 'Here the last word counts: `-p` opens the block `/**` after the block of the file, and the block '
+              'that was opened later wins.'),
         wrong('0.5, the default: the two cancel each other', "Overrides don't cancel each other. One of them "
               'wins.'))),
 )
