@@ -35,6 +35,9 @@ WRONG = {
          0, 'it returns `{'),
     ],
     '4a': [
+        ([("'max_speed_rpm', 100)", "'max_speed_rpm', 100.0)")], 0, 'type double, value `100.0`'),
+        ([(_DECLARED, 'self.max_speed_rpm = 100\n'),
+          (_RETURN, 'return min(wanted_rpm, self.max_speed_rpm)')], 0, 'the node has none of that name'),
         ([(_DECLARED, f"{_DECLARED}        self.rpm = self.get_parameter('max_speed_rpm').value\n"), _COPIED], 3,
          'a copy that it made earlier'),
         ([(_DECLARED, f'{_DECLARED}        self.rpm = None\n'),  # cached when it is first used
@@ -63,7 +66,7 @@ WRONG = {
         ([(_RETURN, "return str(min(wanted_rpm, self.get_parameter('max_speed_rpm').value))")], 0,
          "it is the string `'100'`"),
         ([(_RETURN, "return self.get_parameter('max_speed_rpm').value")], 0, 'it is `100`'),
-        ([(_DECLARED, '\n')], 0, 'ParameterNotDeclaredException'),
+        ([(_DECLARED, '\n')], 0, 'the node has none of that name'),
         ([(_RETURN, "return max(0, min(wanted_rpm, self.get_parameter('max_speed_rpm').value))")], 0, 'it is `0`'),
         ([(_RETURN, "return min(int(wanted_rpm), self.get_parameter('max_speed_rpm').value)")], 0, 'it is `40`'),
         ([(_RETURN, "return min(wanted_rpm, self.get_parameter('max_speed_rpm').value or 100)")], 3, 'it is `100`'),

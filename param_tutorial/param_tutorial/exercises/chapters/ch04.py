@@ -7,8 +7,9 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools import values
+from param_tools.values import INTEGER
 from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import WithSecondJudge, derive
+from param_tutorial.exercises.expectations import WithSecondJudge, derive, expect_declared
 from param_tutorial.exercises.trial import NotTried, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 
@@ -19,7 +20,8 @@ FALLBACK = 'Several at once, and a fallback'
 START = 'Which value does a node start with?'
 
 read = Exercise('4a', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
-    'The method needs the value that the parameter has when someone calls the method.',
+    'The constructor is like those of `Copies` and `Reads`: the name of the node, and a declaration with the default '
+    '100. The method needs the value that the parameter has when someone calls the method.',
     '`self.get_parameter(name)` returns an object; the number in it is its `.value`.',
     'Python’s `min(a, b)` is the smaller of two numbers, so the method is one line: `return min(wanted_rpm, ...)`.'))
 
@@ -45,6 +47,10 @@ def expect_limited(trial: Trial, wheel: Any, wanted_rpm: float, allowed_rpm: int
 @read.require('`limited(500)` is 100 at the start, and any speed below that comes back as it is', see=OBJECT)
 def at_the_start(trial: Trial) -> None:
     wheel = trial.start()
+    try:
+        expect_declared(trial, 'max_speed_rpm', INTEGER, 100)
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
     try:
         for wanted_rpm in (500, 40, 100, 101, 0, 40.5, -40, -500):
             expect_limited(trial, wheel, wanted_rpm, 100, {})
