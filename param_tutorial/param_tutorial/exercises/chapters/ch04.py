@@ -19,7 +19,7 @@ NOTICE = 'Change it: when does a node notice?'
 FALLBACK = 'Several at once, and a fallback'
 START = 'Which value does a node start with?'
 
-read = Exercise('4a', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
+read = Exercise('4b', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
     'The constructor is like those of `Copies` and `Reads`: the name of the node, and a declaration with the default '
     '100. The method needs the value that the parameter has when someone calls the method.',
     '`self.get_parameter(name)` returns an object; the number in it is its `.value`.',
@@ -89,7 +89,7 @@ def with_an_override(trial: Trial) -> None:
             100: 'That is the default in the source, not what the parameter holds'})
 
 
-predict = Exercise('4b', 'Predict what is read', CHAPTER, DICTIONARY, hints=(
+predict = Exercise('4c', 'Predict what is read', CHAPTER, DICTIONARY, hints=(
     'Write the number, `True` or `False` that Python would show. A wrong guess costs nothing.',
     'The object of a number is a photograph, and a fallback is stored nowhere.',
     'An override takes the place of the default when the parameter is declared.'))
@@ -146,7 +146,7 @@ def overridden(trial: Trial) -> Any:
     return story(trial).second.get_parameter('max_speed_rpm').value
 
 
-fill = Exercise('4c', 'Fill two gaps, and mend a line', CHAPTER, FUNCTION, hints=(
+fill = Exercise('4a', 'Fill two gaps, and mend a line', CHAPTER, FUNCTION, hints=(
     '`get_parameter` takes the name of a parameter. The number is the `.value` of what it returns.',
     '`get_parameter_or` takes a name and a parameter object. The section “Several at once, and a fallback” '
     "makes one: `Parameter('battery_volts', value=12.0)`."))
