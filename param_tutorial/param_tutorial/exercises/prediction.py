@@ -65,7 +65,7 @@ class Prediction:
 
     def can_read(self, text: str) -> bool:
         """Return False for a typed answer that is no number; the learner is asked again."""
-        return not self.is_typed or number_in(text) is not None
+        return not self.is_typed or parse_number(text) is not None
 
     def choice(self, text: str) -> Choice:
         """Return what belongs to an answer.
@@ -81,7 +81,7 @@ class Prediction:
 
     def plain(self, text: str) -> str:
         """Return an answer as it is compared: ``150 rpm`` is ``150.0``, and ``True`` is ``true``."""
-        number = number_in(text) if self.is_typed else None
+        number = parse_number(text) if self.is_typed else None
         return text.strip().casefold() if number is None else repr(number)
 
     @property
@@ -114,7 +114,7 @@ class Recall(Prediction):
         return f'You learned it in chapter {self.chapter}, “{self.section}”.'
 
 
-def number_in(text: str) -> float | None:
+def parse_number(text: str) -> float | None:
     """Return the number in a typed answer; None if there is none."""
     found = re.search(NUMBER, text.strip())
     if found is None:

@@ -13,7 +13,7 @@
  * @param {string} answer
  * @param {string} pattern The one of `exercises/prediction.py`.
  */
-export function numberIn(answer, pattern) {
+export function parseNumber(answer, pattern) {
   const [, grouped, plain] = new RegExp(pattern, 'u').exec(answer.trim()) ?? [];
   return Number(grouped?.replaceAll(',', '') ?? plain?.replace(',', '.'));
 }
@@ -24,6 +24,6 @@ export function numberIn(answer, pattern) {
  * @param {Facts} facts
  */
 export function choiceOf(answer, {choices, typed}) {
-  const number = typed && numberIn(answer, typed.number);
+  const number = typed && parseNumber(answer, typed.number);
   return Object.keys(choices).find(each => (typed ? Number(each) === number : each === answer.toLowerCase()));
 }

@@ -1,7 +1,7 @@
 /* The predictions of a lesson: a reader commits to an answer before the page shows what happens. */
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
-import {choiceOf, numberIn} from './answers.js';
+import {choiceOf, parseNumber} from './answers.js';
 import {answerTo, forgetAnswer, isDue, keepAnswer} from './progress.js';
 
 /** @import {Facts} from './answers.js' */
@@ -103,7 +103,7 @@ export function askForPrediction(form, facts) {
    * @param {string} answer
    */
   function other(answer) {
-    return facts.typed && !Number.isNaN(numberIn(answer, facts.typed.number)) ? facts.typed.otherwise : '';
+    return facts.typed && !Number.isNaN(parseNumber(answer, facts.typed.number)) ? facts.typed.otherwise : '';
   }
 
   /** @param {string} answer */
