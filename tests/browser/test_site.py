@@ -354,14 +354,28 @@ def test_a_prediction_by_keyboard(page):
 
 
 @limits
-@pytest.mark.parametrize(('typed', 'said'), [(' 5.0 ', 'Right. -20, -15'), ('4', 'Not so. There is one more'),
-                                             ('many', 'Not so. It accepts five')])
+@pytest.mark.parametrize(('typed', 'said'), [(' 5,0 values', 'Right. -20, -15'), ('4', 'Not so. There is one more'),
+                                             ('7', 'Not so. It accepts five')])
 def test_a_prediction_that_is_typed(page, typed, said):
     form = page.locator('.lesson-prediction').nth(1)
-    box = form.get_by_label('Your value')
+    box = form.get_by_label('Your number')
     box.fill(typed)
     box.press('Enter')
     expect(form.get_by_role('status')).to_contain_text(said)
+
+
+@limits
+def test_a_word_in_place_of_a_number_is_asked_again(page):
+    form = page.locator('.lesson-prediction').nth(1)
+    box, marks = form.get_by_label('Your number'), page.locator('.lesson-mark')
+    box.fill('many')
+    box.press('Enter')
+    expect(form.get_by_role('status')).to_contain_text('Please answer with a number')
+    expect(box).to_be_enabled()
+    expect(marks).to_have_count(0)
+    box.fill('5')
+    box.press('Enter')
+    expect(form.get_by_role('status')).to_contain_text('Right. -20, -15')
 
 
 def test_predictions_are_kept_in_the_browser_and_marked_beside_the_lessons(made, browser):
@@ -372,15 +386,15 @@ def test_predictions_are_kept_in_the_browser_and_marked_beside_the_lessons(made,
         chosen.get_by_role('radio').nth(1).check()
         chosen.get_by_role('button', name='Commit').click()
         expect(marks).to_have_attribute('title', '1 of 2 questions answered')
-        typed.get_by_label('Your value').fill('many')
-        typed.get_by_label('Your value').press('Enter')
+        typed.get_by_label('Your number').fill('7 values')
+        typed.get_by_label('Your number').press('Enter')
         expect(marks).to_have_text('✓ (2 of 2 questions answered)')
         said = chosen.get_by_role('status').inner_text()
         page.reload()
         expect(chosen.get_by_role('status')).to_have_text(said)
         expect(chosen.get_by_role('radio').nth(1)).to_be_checked()
         expect(chosen.get_by_role('radio').nth(1)).to_be_disabled()
-        expect(typed.get_by_label('Your value')).to_have_value('many')
+        expect(typed.get_by_label('Your number')).to_have_value('7 values')
         chosen.get_by_role('button', name='Answer again').click()
         expect(chosen.get_by_role('radio').first).to_be_focused()
         expect(chosen.get_by_role('status')).to_be_empty()
@@ -436,8 +450,8 @@ def test_an_output_below_a_prediction_is_folded_until_one_commits_or_looks(page)
     expect(shown).to_be_visible()
     expect(look).to_be_hidden()
     page.emulate_media(media='screen')
-    form.get_by_label('Your value').fill('4')
-    form.get_by_label('Your value').press('Enter')
+    form.get_by_label('Your number').fill('4')
+    form.get_by_label('Your number').press('Enter')
     expect(shown).to_be_visible()
     expect(look).to_be_hidden()
     page.reload()

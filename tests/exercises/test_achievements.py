@@ -37,15 +37,15 @@ def test_each_chapter_ends_with_its_progress_and_the_stored_one_has_no_ticks(cha
 
 
 def test_what_is_solved_has_a_tick_and_a_date(file):
-    file.add_solved('3a')
+    file.add_solved('3b')
     file.add_prediction('3-1', 'an exception', right=True)
     file.add_prediction('3-2', 'It rejects it', right=False)
     found = exercises.progress('3')
     assert found.text == ''
     assert repr(found).splitlines()[0] == (
         'Chapter 3: 1 of 4 exercises solved, 2 of 7 predictions made, 1 of them right')
-    assert '✓ 3a    Declare a rover  2026-03-04' in repr(found)
-    assert '· 3b' in repr(found)
+    assert '✓ 3b    Declare a rover  2026-03-04' in repr(found)
+    assert '· 3c' in repr(found)
     assert '3-1 ✓ 3-2 ✗ 3-3' in repr(found)
     assert 'solved 2026-03-04' in found._repr_html_() and 'The robot stands' not in found._repr_html_()
 
@@ -77,22 +77,22 @@ def test_the_whole_course_without_a_file(no_file):
 
 
 def finding(done):
-    return Result('3a', [Finding('it is so', done)], 1, 'A worked solution, to compare: solutions/3.ipynb')
+    return Result('3b', [Finding('it is so', done)], 1, 'A worked solution, to compare: solutions/3.ipynb')
 
 
-@pytest.mark.parametrize(('done', 'solved'), [(True, ['3a']), (False, []), (None, [])])
+@pytest.mark.parametrize(('done', 'solved'), [(True, ['3b']), (False, []), (None, [])])
 def test_a_check_is_remembered_if_all_is_done(monkeypatch, file, done, solved):
-    monkeypatch.setattr(EXERCISES['3a'], 'check', lambda _: finding(done))
+    monkeypatch.setattr(EXERCISES['3b'], 'check', lambda _: finding(done))
     (file.path.parent / 'index.md').write_text('| 3 | [Declaring](03_declaring.ipynb) | … |\n')
-    exercises.check('3a', object)
+    exercises.check('3b', object)
     assert list(file.read()[0].solved) == solved
     assert (file.path.parent / 'index.md').read_text().startswith('| 3 1/4 |' if done else '| 3 |')
 
 
 def test_a_check_that_cannot_be_remembered_says_so(monkeypatch, file):
-    monkeypatch.setattr(EXERCISES['3a'], 'check', lambda _: finding(True))
+    monkeypatch.setattr(EXERCISES['3b'], 'check', lambda _: finding(True))
     file.path.mkdir()
-    result = exercises.check('3a', object)
+    result = exercises.check('3b', object)
     assert result.done and 'could not be remembered' in result.text
 
 
@@ -108,14 +108,14 @@ def test_a_certificate_needs_something_to_certify(file):
 
 
 def test_a_certificate_lists_what_was_proved_with_dates(file):
-    file.add_solved('3a')
+    file.add_solved('3b')
     file.add_solved('10.4b')
     found = exercises.certificate('Ada <Lovelace>')
     page = (file.path.parent / achievements.CERTIFICATE).read_text()
     assert repr(found).startswith(f'2 of {len(EXERCISES)} exercises proved.')
     assert 'Ada &lt;Lovelace&gt;' in page and 'Ada <Lovelace>' not in page
-    assert '<th scope="row">3a</th><td>Declare a rover</td><td>2026-03-04</td>' in page
-    assert '<th scope="row">10.4b</th>' in page and '3b' not in page
+    assert '<th scope="row">3b</th><td>Declare a rover</td><td>2026-03-04</td>' in page
+    assert '<th scope="row">10.4b</th>' in page and '3c' not in page
     assert page.startswith('<!DOCTYPE html>')
 
 
@@ -133,8 +133,8 @@ def test_what_was_solved_under_an_old_number_still_counts(file):
     assert '✓ 6.1c' in repr(exercises.progress('6.1')) and '· 6.1a' in repr(exercises.progress('6.1'))
     assert '✓ 6.2c' in repr(exercises.progress('6.2')) and '6.2-1 ✓' in repr(exercises.progress('6.2'))
     # The next change writes all of it, and nothing is lost for an older version of the course.
-    file.add_solved('3a')
-    assert set(json.loads(file.path.read_text())['solved']) == {'6a', '6.1c', '6.2c', '3a'}
+    file.add_solved('3b')
+    assert set(json.loads(file.path.read_text())['solved']) == {'6a', '6.1c', '6.2c', '3b'}
 
 
 def test_every_new_number_is_one_of_the_course():

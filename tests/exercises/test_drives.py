@@ -1,4 +1,4 @@
-"""Checks that show what solved work does: in 1a the robot parks, and in 11f the cart drives."""
+"""Checks that show what solved work does: in 1b the robot parks, and in 11f the cart drives."""
 
 import re
 
@@ -12,7 +12,7 @@ PARKED = {'sensor_offset_meters': -0.15, 'max_speed_rpm': 95, 'max_acceleration_
 
 
 def test_solved_work_shows_the_robot_parking_in_the_cold():
-    result = exercises.check('1a', PARKED)
+    result = exercises.check('1b', PARKED)
     assert result.done, result
     shown = result._repr_html_()
     assert 'aria-label="STOPPED. Clawbot has stopped 0.50 m from the wall.' in shown
@@ -29,7 +29,7 @@ def test_the_cart_drives_as_it_was_tuned():
 
 @pytest.mark.parametrize('work', [{}, {'max_speed_rpm': 50}])
 def test_unsolved_work_is_not_shown(work):
-    assert 'robot-stage' not in exercises.check('1a', work)._repr_html_()
+    assert 'robot-stage' not in exercises.check('1b', work)._repr_html_()
 
 
 @pytest.mark.slow
@@ -37,5 +37,5 @@ def test_a_picture_that_cannot_be_drawn_takes_nothing_from_the_result(monkeypatc
     def fail(_):
         raise ZeroDivisionError
     monkeypatch.setattr(ch01.park, '_draw', fail)
-    result = exercises.check('1a', PARKED)
+    result = exercises.check('1b', PARKED)
     assert result.done and 'robot-stage' not in result._repr_html_()

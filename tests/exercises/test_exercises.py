@@ -48,7 +48,7 @@ def test_a_solution_is_done(ros, number):
 
 
 def test_a_requirement_that_builds_on_one_that_is_not_met_is_not_tried(ros):
-    result = exercises.check('3a', solution('3a', ("'wheels', 6", "'wheels', '6'")))
+    result = exercises.check('3b', solution('3b', ("'wheels', 6", "'wheels', '6'")))
     assert [finding.word for finding in result.findings] == ['done', 'done', 'not yet', 'not tried']
     assert not result.done
 
@@ -94,7 +94,7 @@ class Unreadable:
     (ch05_1.Gripper, 'it is called `gripper`'),
 ])
 def test_the_check_of_a_rover_names_anything_else(ros, work, word):
-    result = exercises.check('3a', work)
+    result = exercises.check('3b', work)
     assert (result.done, result.count) == (False, 0)
     assert word in ' '.join(not_yet(result).values())
     assert not ros.nodes
@@ -113,13 +113,13 @@ def test_nonsense_never_raises(ros, monkeypatch, number, work):
 
 
 def test_a_node_in_place_of_its_class_is_named_and_stays_on_the_stage(ros):
-    node = ros.add(solution('3a'))
-    result = exercises.check('3a', node)
+    node = ros.add(solution('3b'))
+    result = exercises.check('3b', node)
     assert 'by its name alone and without parentheses' in repr(result)
     assert ros.nodes == (node,)
 
 
-@pytest.mark.parametrize('number', ['1b', '5.3b', '10.1b', '11a'])
+@pytest.mark.parametrize('number', ['1c', '5.3b', '10.1b', '11a'])
 def test_a_class_that_forgets_the_constructor_of_node_is_asked_about_it(ros, number):
     source = re.sub(r"super\(\).__init__\('\w+'\)", 'pass', cell(number, 'solution').source)
     happened, = filter(None, not_yet(exercises.check(number, answer(number, source, 'solution'))).values())
@@ -133,11 +133,11 @@ class ForgetsItsOwn(Node):
 
 
 def test_a_class_that_forgets_something_else_is_not_asked_about_the_constructor_of_node(ros):
-    happened, = filter(None, not_yet(exercises.check('1b', ForgetsItsOwn)).values())
+    happened, = filter(None, not_yet(exercises.check('1c', ForgetsItsOwn)).values())
     assert happened.endswith("'ForgetsItsOwn' object has no attribute '_rate'")
 
 
-@pytest.mark.parametrize('number', ['1b', '5.2a', '8b', '10.4a'])
+@pytest.mark.parametrize('number', ['1c', '5.2a', '8b', '10.4a'])
 def test_a_node_without_parameter_services_is_not_waited_for(ros, number):
     source = re.sub(r"(super\(\).__init__\('\w+')", r'\1, start_parameter_services=False',
                     cell(number, 'solution').source)
@@ -215,7 +215,7 @@ def waits(parameters, results):
 @pytest.mark.slow
 def test_code_that_never_ends_in_this_thread_is_interrupted(ros, monkeypatch):
     monkeypatch.setattr(trial, 'TIME_LIMIT_SEC', 0.5)
-    result = exercises.check('3a', WaitsInConstructor)
+    result = exercises.check('3b', WaitsInConstructor)
     assert 'it was still running after 0.5 s' in repr(result)
     assert [finding.word for finding in result.findings] == ['not yet', 'not tried', 'not tried', 'not tried']
     assert 'it was still running after 0.5 s' in repr(exercises.check('5.3c', waits))
@@ -333,7 +333,7 @@ def test_a_cart_that_is_launched_already_is_named(ros):
 
 
 def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):
-    result = exercises.check('3a', solution('3a', ("'rover'", "'rovr'")))
+    result = exercises.check('3b', solution('3b', ("'rover'", "'rovr'")))
     assert (result.done, result.count, result.score) == (False, 4, '4 of 4 done')
     assert not_yet(result) == {'the node is called `rover`': 'it is called `rovr`'}
     assert 'not yet' in result.heading
@@ -341,10 +341,10 @@ def test_a_wrong_node_name_is_one_finding_and_the_rest_counts(ros):
 
 @pytest.mark.slow
 def test_a_check_leaves_the_stage_as_it_was(ros):
-    own = ros.add(solution('3a'))
+    own = ros.add(solution('3b'))
     client = ParameterClient(own)
     client.set_parameter('max_speed_mps', 1.5)
-    for number in ('3a', '5.1a', '5.2c', '5.3c'):  # one for each kind of work
+    for number in ('3b', '5.1b', '5.2c', '5.3c'):  # one for each kind of work
         exercises.check(number, solution(number))
         exercises.check(number, blank(number))
     assert ros.nodes == (own,)
@@ -360,7 +360,7 @@ class AddsAnother(Node):
 
 
 def test_nodes_that_a_node_adds_are_removed_too(ros):
-    exercises.check('3a', AddsAnother)
+    exercises.check('3b', AddsAnother)
     assert not ros.nodes
 
 
@@ -370,8 +370,8 @@ def test_work_that_starts_or_stops_the_stage_gets_a_hint_to_leave_that_out(ros, 
         touch()
         return robot.get_parameter('max_speed_rpm').value, 12.0
 
-    own = ros.add(solution('3a'))
-    happened = not_yet(exercises.check('4c', report)).values()
+    own = ros.add(solution('3b'))
+    happened = not_yet(exercises.check('4a', report)).values()
     assert 'would take the check’s own nodes off the stage: leave this line out' in ' '.join(happened)
     assert ros.nodes == (own,)
     assert param_tutorial.start() is ros  # after the check, everything is as before
@@ -382,15 +382,15 @@ def test_work_that_starts_or_stops_the_stage_gets_a_hint_to_leave_that_out(ros, 
 def test_a_function_may_be_any_object_that_can_be_called(ros):
     class Report:
         def __call__(self, robot, volts=12.0):
-            return solution('4c')(robot)
+            return solution('4a')(robot)
 
     for report in (Report(), functools.partial(Report(), volts=12.0)):
-        assert exercises.check('4c', report).done
+        assert exercises.check('4a', report).done
 
 
 def test_without_a_stage_there_is_one_for_the_time_of_the_check():
     param_tutorial.stop()
-    assert exercises.check('3a', solution('3a')).done
+    assert exercises.check('3b', solution('3b')).done
     with pytest.raises(ExecutorError):
         stage.current()
 
@@ -406,19 +406,19 @@ def test_a_finding_quotes_the_line_that_raised(ros, tmp_path):
 
 def test_hints_come_one_by_one_and_end_at_the_solution(monkeypatch):
     monkeypatch.setattr(exercises, '_hints_given', {})
-    hints = EXERCISES['4a'].hints
+    hints = EXERCISES['4b'].hints
     for position, text in enumerate(hints, start=1):
-        shown = ' '.join(repr(exercises.hint('4a')).split())
+        shown = ' '.join(repr(exercises.hint('4b')).split())
         assert shown.startswith(f'Hint {position} of {len(hints)}')
         assert text in shown
-    assert 'solutions/04_retrieving.ipynb' in repr(exercises.hint('4a'))
+    assert 'solutions/04_retrieving.ipynb' in repr(exercises.hint('4b'))
 
 
 @pytest.mark.parametrize(('ask', 'number', 'said'), [
-    (exercises.check, '', "There is no exercise ''. There is: 1c"),
+    (exercises.check, '', "There is no exercise ''. There is: 1a"),
     (exercises.check, '5.2', "There is no exercise '5.2'. Did you mean 5.2"),
     (exercises.hint, 3, 'There is no exercise 3. Did you mean 3'),
-    (exercises.hint, [], 'There is no exercise []. There is: 1c'),
+    (exercises.hint, [], 'There is no exercise []. There is: 1a'),
     (exercises.predict, '6.1-99', "There is no prediction '6.1-99'. Did you mean 6.1-"),
     (exercises.recall, '4-r3', "There is no question '4-r3'. Did you mean 4-r"),
     (exercises.progress, '12', "There is no chapter '12'. Did you mean 2")])
@@ -448,7 +448,7 @@ def test_an_exercise_leads_to_sections_that_exist(number):
     assert len(EXERCISES[number].hints) >= 2
 
 
-@pytest.mark.parametrize('number', ['4b', '5.1b', '6.2a', '7.1c', '7.2c', '7.3b'])
+@pytest.mark.parametrize('number', ['4c', '5.1c', '6.2a', '7.1c', '7.2c', '7.3b'])
 def test_a_prediction_is_asked_for_in_the_words_of_the_check(number):
     assert [f'`{question}`' for question in blank(number)] == [
         requirement.sentence for requirement in EXERCISES[number].requirements]
@@ -490,11 +490,11 @@ def test_a_recall_says_at_once_whether_it_is_right_and_where_it_was_learned(monk
 
 
 def test_the_values_to_spell_are_those_of_the_check():
-    assert list(blank('5.1a')) == [name for name, *_ in ch05_1.GOALS]
+    assert list(blank('5.1b')) == [name for name, *_ in ch05_1.GOALS]
 
 
 def test_the_story_in_the_chapter_is_the_one_that_the_check_runs():
-    told = next(each.source for each in notebook('4b') if each.source.startswith('### 4b'))
+    told = next(each.source for each in notebook('4c') if each.source.startswith('### 4c'))
     for line in inspect.getsource(ch04.story).splitlines()[2:-1]:
         done = line.strip().replace('trial.start(', 'ros.add(').replace('trial.client(', 'ParameterClient(')
         assert done in told
@@ -523,8 +523,8 @@ def test_the_files_in_the_chapter_are_those_that_the_check_starts_with():
 
 def test_a_result_has_a_text_and_an_html_form():
     findings = [Finding('`a` < `b`', False, 'x', '<b>', 'See it'), Finding('fine', True), Finding('?', None)]
-    result = Result('3a', findings, 3, 'the end')
-    assert repr(result) == '''Exercise 3a: not yet, 1 of 3 done
+    result = Result('3b', findings, 3, 'the end')
+    assert repr(result) == '''Exercise 3b: not yet, 1 of 3 done
 
 not yet    `a` < `b`
            expected  x

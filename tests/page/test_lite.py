@@ -43,9 +43,9 @@ class Chapter(NamedTuple):
 
 
 CHAPTERS = (
-    Chapter('01_what_are_parameters.ipynb', '/clawbot_node', 'max_speed_rpm', '1-1', '1b'),
-    Chapter('03_declaring.ipynb', '/simple_param_node', 'max_acceleration_mps2', '3-1', '3a'),
-    Chapter('05_1_from_the_command_line.ipynb', '/simple_param_node', 'enable_safety_mode', '5.1-1', '5.1a'),
+    Chapter('01_what_are_parameters.ipynb', '/clawbot_node', 'max_speed_rpm', '1-1', '1c'),
+    Chapter('03_declaring.ipynb', '/simple_param_node', 'max_acceleration_mps2', '3-1', '3b'),
+    Chapter('05_1_from_the_command_line.ipynb', '/simple_param_node', 'enable_safety_mode', '5.1-1', '5.1b'),
     Chapter('05_2_with_a_callback.ipynb', '/simple_param_node', 'max_acceleration_mps2', '5.2-1', '5.2a'),
     Chapter('06_1_descriptors_and_ranges.ipynb', '/gripper', 'force_n', '6.1-1', '6.1a'),
 )

@@ -102,7 +102,7 @@ def test_the_verdict_on_a_recall_links_to_the_section_that_answers_it(number):
     shown = links.Links(path, notebooks[path.stem], set(notebooks))
     recall = RECALLS[number]
     for choice in recall.choices:
-        said = shown.in_verdict(predicting.verdict(recall, choice.text))
+        said = shown.in_verdict(predicting.verdict(recall, choice))
         (page, place), = re.findall(r'<a href="(\w+)\.html#([^"]+)">“', said)
         there = links.Links(NOTEBOOKS / f'{page}.ipynb', notebooks[page], set())
         assert html.unescape(place) in there.anchors

@@ -33,7 +33,7 @@ class Rover(Node):
         self.declare_parameter('max_speed_mps', 1.0, ParameterDescriptor(
             floating_point_range=[FloatingPointRange(from_value=0.0, to_value=2.0)]))
         self.declare_parameter('wheels', 6, ParameterDescriptor(read_only=True))
-exercises.check('3a', Rover).done
+exercises.check('3b', Rover).done
 '''
 BEGUN = '<begun>'
 
@@ -148,7 +148,7 @@ PLACES = {
                "param_tutorial.wait_until(asking.service_is_ready, 'the service', 60)\n"
                "asking.call_async(GetParameters.Request())" + _WAIT),
     'check, constructor': lambda source: _node(
-        source, name='rover', in_constructor='self.act()', begins="exercises.check('3a', Victim)"),
+        source, name='rover', in_constructor='self.act()', begins="exercises.check('3b', Victim)"),
     'check, parameter callback': lambda source: _node(
         source, name='heater', in_constructor="self.declare_parameters('', [('low_c', 18), ('high_c', 22)]); "
         "self.target_c = 20; self.add_on_set_parameters_callback(self.judge)",

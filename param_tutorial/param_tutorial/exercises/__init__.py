@@ -1,7 +1,7 @@
 """The exercises of the chapters: a check that runs a learner's code against a real node, and hints.
 
-    exercises.check('3a', Rover)      what is done, what is not yet, and where to look
-    exercises.hint('3a')              one hint; run it again for the next
+    exercises.check('3b', Rover)      what is done, what is not yet, and where to look
+    exercises.hint('3b')              one hint; run it again for the next
     exercises.predict('3-1')          a question, before the cell that answers it
     exercises.recall('4-r1')          a question about an earlier chapter
     exercises.progress('3')           what you have solved of the chapter

@@ -15,7 +15,7 @@ from param_tools.markup.styles import style
 from param_tools.markup.tables import with_code
 from param_tools.panel.beside_cells import answer_beside_cells
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
-from param_tutorial.exercises.prediction import MIME_TYPE, Prediction
+from param_tutorial.exercises.prediction import ASK_AGAIN, MIME_TYPE, Choice, Prediction
 
 STYLE = style('param_tutorial/exercises/prediction.css')
 COMMIT, COMMITTED = 'Commit', 'Committed'
@@ -41,7 +41,7 @@ class PredictionView(widgets.VBox):
         question = widgets.HTML(f'{STYLE}<p class="param-predict-question"><b>{prediction.word}</b> · '
                                 f'{with_code(prediction.question)}</p>')
         self.answer: Any = (
-            widgets.Text(placeholder='your value', value='') if prediction.is_typed
+            widgets.Text(placeholder='your number', value='') if prediction.is_typed
             else widgets.RadioButtons(options=[each.text for each in prediction.choices], value=None))
         self.button = widgets.Button(description=COMMIT, disabled=True, tooltip='Commit to this answer')
         self.said = widgets.HTML()
@@ -75,9 +75,12 @@ class PredictionView(widgets.VBox):
         super().close()
 
     def commit(self) -> None:
-        """Lock the answer in, and say what became of it as soon as it can be known."""
+        """Lock the answer in, and say what became of it as soon as it can be known; ask again for a number."""
         with self._deciding:
             if self._committed or not self._given:
+                return
+            if not self.prediction.can_read(self._given):
+                self.said.value = f'<p role="status">{with_code(ASK_AGAIN)}</p>'
                 return
             choice = self.prediction.choice(self._given)
             self._note = self._remember(self.prediction.number, choice.text, choice.is_right)
@@ -121,12 +124,12 @@ class PredictionView(widgets.VBox):
             said = 'Wait for the cell that is running.' if _watch.is_running_for(self) else 'Now run the next cell.'
             self.said.value = f'<p role="status">{said}</p>'
             return
-        self.said.value = f'<p role="status">{verdict(self.prediction, self._given)} {with_code(self._note)}</p>'
+        said = verdict(self.prediction, self.prediction.choice(self._given))
+        self.said.value = f'<p role="status">{said} {with_code(self._note)}</p>'
 
 
-def verdict(prediction: Prediction, answer: str) -> str:
+def verdict(prediction: Prediction, choice: Choice) -> str:
     """Return what is said to an answer, as HTML."""
-    choice = prediction.choice(answer)
     css_class, word = ('param-predict-right', 'Right.') if choice.is_right else ('param-predict-wrong', 'Not so.')
     return f'<b class="{css_class}">{word}</b> {with_code(f"{choice.sentence} {prediction.pointer}".strip())}'
 

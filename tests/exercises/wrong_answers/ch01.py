@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 1."""
 
 WRONG = {
-    '1c': [
+    '1a': [
         ([('robot.drive()\n', ''),
           ('client = ParameterClient(robot)\n', 'client = ParameterClient(robot)\nrobot.drive()\n')],
          1, 'it is `100`, and becomes `50` only later'),
@@ -27,7 +27,7 @@ WRONG = {
         ([("'max_speed_rpm'", "'max_speed'")], 2, 'it is `100`'),
         ([('robot.drive()', 'robot.drive(')], 0, "SyntaxError: '(' was never closed (<your lines>, line 5)"),
     ],
-    '1a': [
+    '1b': [
         ([("'max_speed_rpm': 95", "'max_speed_rpm': 95.0")], 0, 'wrong type'),
         ([("'max_speed_rpm': 95,", '')], 4, 'it gets up to 1.05 m/s'),
         ([("'max_acceleration_mps2': 1.0,", '')], 4, 'it takes 5.51 s'),
@@ -42,7 +42,7 @@ WRONG = {
         ([("'max_speed_rpm': 95", "'max_speed_rpm': 95, 5: 1")], 0, '`5` is not a string'),
         ([("'max_speed_rpm': 95", "'max_speed_rpm': 95, 'robot_name': {}")], 0, 'cannot be a parameter'),
     ],
-    '1b': [
+    '1c': [
         ([("_min', 2.5)", "_min', 2)")], 0, 'type integer, value `2`'),
         ([("self.declare_parameter('liters_per_min', 2.5)", "self.rate = self.declare_parameter('liters_per_min', "
            '2.5).value'), ("self.get_parameter('liters_per_min').value", 'self.rate')], 2,
@@ -77,7 +77,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '1c': [
+    '1a': [
         [("client.set_parameter('max_speed_rpm', 50)\n", ''),
          ("client.set_parameter('enable_safety_mode', True)\n",
           "client.set_parameter('enable_safety_mode', True)\n"
@@ -96,14 +96,14 @@ RIGHT = {
         [('robot.drive()\n', 'robot.drive()\nrobot.step(60)\n')],
         [('client', '    client'), ('robot.drive()', '    robot.drive()')],
     ],
-    '1a': [
+    '1b': [
         [("'max_acceleration_mps2': 1.0", "'max_acceleration_mps2': 2.0"), ("'max_speed_rpm': 95",
                                                                             "'max_speed_rpm': 80")],
         [("'min_operating_temperature_c': -10", "'min_operating_temperature_c': -20")],
         [("'sensor_offset_meters': -0.15", "'sensor_offset_meters': -0.145")],
         [("'max_speed_rpm': 95", "'max_speed_rpm': 95, 'robot_name': 'Parker', 'enable_safety_mode': True")],
     ],
-    '1b': [
+    '1c': [
         [("        self.declare_parameter('liters_per_min', 2.5)\n        self.liters = 0.0\n",
           "        self.liters = 0\n        self.declare_parameters('', [('liters_per_min', 5 / 2)])\n")],
         [("self.get_parameter('liters_per_min').value", "self.get_parameters(['liters_per_min'])[0].value")],

@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 2."""
 
 WRONG = {
-    '2c': [
+    '2a': [
         ([('cd ~/ros2_ws\n', ''),
           ('colcon build\n', 'colcon build\ncd ~/ros2_ws\n')],
          0, 'it is not there, but in `~/install`'),
@@ -28,7 +28,7 @@ WRONG = {
         ([('ros2 run lift lift_node', 'echo The lift is ready.')], 2, 'it does not start'),
         ([('cd ~/ros2_ws\n', 'exit\n')], 0, "'exit\\ncolcon build"),
     ],
-    '2a': [
+    '2b': [
         ([("['resource/lift']", "['lift']")], 0, "can't copy 'lift'"),
         ([("        ('share/ament_index/resource_index/packages', ['resource/lift']),\n", '')], 2,
          'what is installed in `share` is `share/lift/package.xml`'),
@@ -42,7 +42,7 @@ WRONG = {
         ([('\nsetup(', '\ndict(')], 0, 'does the file call `setup(...)`?'),
         ([('\nsetup(', '\nwhile True: pass\nsetup(')], 0, 'it is still running after 8 s'),
     ],
-    '2b': [
+    '2c': [
         ([("(prefix / 'share/ament_index/resource_index/packages' / package).exists()", 'True')], 3,
          'Without the marker, ROS does not know the package'),
         ([("'share/ament_index/resource_index/packages' / package", "'share' / package")], 0,
@@ -67,7 +67,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '2c': [
+    '2a': [
         [('source install/setup.bash\n', '. install/setup.bash\n')],
         [('source install/setup.bash\n', 'cd install\nsource setup.bash\n'), ('lift_node\n', 'lift_node &\nwait\n')],
         [('source install/setup.bash\n', ''),
@@ -79,13 +79,13 @@ RIGHT = {
         [('colcon build\n', 'colcon build --packages-select lift > /dev/null\n'),
          ('source install/setup.bash', 'source install/local_setup.bash')],
     ],
-    '2a': [
+    '2b': [
         [("packages=find_packages(exclude=['test'])", "packages=['lift']")],
         [("['resource/lift']", "__import__('glob').glob('resource/*')")],
         [("['lift_node = lift.lift_node:main']", "['lift = lift.lift_node:main', 'lift_node=lift.lift_node:main']")],
         [("version='0.0.0',", "version='1.2.3', install_requires=['setuptools'], zip_safe=True,")],
     ],
-    '2b': [
+    '2c': [
         [('return path if path.exists()', 'return str(path) if path.is_file()')],
         [('for prefix in prefixes:\n', 'for prefix in map(str, prefixes):\n        from pathlib import Path\n'
           '        prefix = Path(prefix)\n')],

@@ -13,7 +13,7 @@ UNDO = """
         self.add_post_set_parameters_callback(undo)"""
 
 WRONG = {
-    '3c': [
+    '3a': [
         ([('90', '90.0')], 2, 'type double, value `90.0`'),
         ([('30.0', '30')], 2, 'type integer, value `30`'),
         ([("'7'", '7')], 2, 'type integer, value `7`'),
@@ -27,7 +27,7 @@ WRONG = {
         ([("'door'", "'doors'")], 3, 'it is called `doors`'),
         ([("'7'", "'7', ParameterDescriptor(dynamic_typing=True)")], 2, 'it takes values of any type'),
     ],
-    '3a': [
+    '3b': [
         ([("'max_speed_mps', 1.0", "'max_speed_mps', 1")], 2, 'type integer, value `1`'),
         ([(SPEED, "'max_speed_mps', 1.0, ParameterDescriptor(description='0 to 2'))")], 3,
          'A description is for people'),
@@ -55,7 +55,7 @@ WRONG = {
         ([(SPEED, f"'max_speed_mps', 1.0){UNDO.format('max_speed_mps', 1.0)}")], 3,
          'put the value back only afterward'),
     ],
-    '3b': [
+    '3c': [
         ([('50.0', '50')], 2, 'type integer, value `50`'),
         ([('FloatingPointRange(from_value=0.0', 'FloatingPointRange(from_value=-1000.0'), ('100.0)', '1000.0)')], 3,
          'Its range goes from -1000.0 to 1000.0'),
@@ -101,7 +101,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '3c': [
+    '3a': [
         [('30.0', '3e1')],
         [('90', 'int(90.0)')],
         [("'7'", 'str(7)'),
@@ -110,7 +110,7 @@ RIGHT = {
           "        self.declare_parameter('speed_dps', 30.0)\n",
           "        self.declare_parameters('', [('max_angle_deg', 90), ('speed_dps', 30.0)])\n")],
     ],
-    '3a': [
+    '3b': [
         [('from_value=0.0, to_value=2.0', 'from_value=2.0, to_value=0.0')],
         [('super().__init__', f'limits = ParameterDescriptor()\n        limits.floating_point_range.append({RANGE})\n'
           '        super().__init__'),
@@ -121,7 +121,7 @@ RIGHT = {
           "for p in ps if p.name in ('wheels', 'max_speed_mps'))))"),
          (SPEED, "'max_speed_mps', 1.0)"), (WHEELS, "'wheels', 6)")],
     ],
-    '3b': [
+    '3c': [
         [('to_value=100.0', 'to_value=100.0, step=0.5')],
         [("'warm_white', True", "'warm_white', bool('true')")],
         [("        self.declare_parameter('warm_white', True)\n        self.declare_parameter('calibration', "

@@ -1,12 +1,12 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 4."""
 
-# What stands in the solution of 4a, for the answers that replace it.
+# What stands in the solution of 4b, for the answers that replace it.
 _DECLARED = "self.declare_parameter('max_speed_rpm', 100)\n"
 _RETURN = "return min(wanted_rpm, self.get_parameter('max_speed_rpm').value)"
 _COPIED = (_RETURN, 'return min(wanted_rpm, self.rpm)')
 
 WRONG = {
-    '4c': [
+    '4a': [
         ([('speed.value, volts.value', 'speed, volts')], 0, 'it is a parameter object, and not its value'),
         ([('speed.value', '100')], 3, 'it is `100`'),
         ([("Parameter('battery_volts', value=12.0)", '12.0')],
@@ -34,7 +34,10 @@ WRONG = {
         ([('return speed.value, volts.value', "return {'speed': speed.value, 'volts': volts.value}")],
          0, 'it returns `{'),
     ],
-    '4a': [
+    '4b': [
+        ([("'max_speed_rpm', 100)", "'max_speed_rpm', 100.0)")], 0, 'type double, value `100.0`'),
+        ([(_DECLARED, 'self.max_speed_rpm = 100\n'),
+          (_RETURN, 'return min(wanted_rpm, self.max_speed_rpm)')], 0, 'the node has none of that name'),
         ([(_DECLARED, f"{_DECLARED}        self.rpm = self.get_parameter('max_speed_rpm').value\n"), _COPIED], 3,
          'a copy that it made earlier'),
         ([(_DECLARED, f'{_DECLARED}        self.rpm = None\n'),  # cached when it is first used
@@ -63,7 +66,7 @@ WRONG = {
         ([(_RETURN, "return str(min(wanted_rpm, self.get_parameter('max_speed_rpm').value))")], 0,
          "it is the string `'100'`"),
         ([(_RETURN, "return self.get_parameter('max_speed_rpm').value")], 0, 'it is `100`'),
-        ([(_DECLARED, '\n')], 0, 'ParameterNotDeclaredException'),
+        ([(_DECLARED, '\n')], 0, 'the node has none of that name'),
         ([(_RETURN, "return max(0, min(wanted_rpm, self.get_parameter('max_speed_rpm').value))")], 0, 'it is `0`'),
         ([(_RETURN, "return min(int(wanted_rpm), self.get_parameter('max_speed_rpm').value)")], 0, 'it is `40`'),
         ([(_RETURN, "return min(wanted_rpm, self.get_parameter('max_speed_rpm').value or 100)")], 3, 'it is `100`'),
@@ -71,7 +74,7 @@ WRONG = {
           (_RETURN, "self.rpm = max(self.rpm, self.get_parameter('max_speed_rpm').value)\n"
                     '        return min(wanted_rpm, self.rpm)')], 3, 'it is `150`'),
     ],
-    '4b': [
+    '4c': [
         ([("'photo.value': 100", "'photo.value': 150")], 4, 'the photograph is older'),
         ([('.value": 150', '.value": 100')], 4, 'a new photograph'),
         ([('12.0', 'None')], 4, 'so the fallback is used'),
@@ -83,7 +86,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '4c': [
+    '4a': [
         [('return speed.value, volts.value', 'return [speed.value, volts.value]')],
         [("Parameter('battery_volts', value", "Parameter('x', value")],
         [("    volts = robot.get_parameter_or('battery_volts', Parameter('battery_volts', "
@@ -96,7 +99,7 @@ RIGHT = {
         [('return speed.value, volts.value',
           'return tuple(each.get_parameter_value().integer_value or each.value for each in (speed, volts))')],
     ],
-    '4a': [
+    '4b': [
         [("super().__init__('wheel')", "Node.__init__(self, 'wheel')")],
         [(_RETURN, "limit = self.get_parameter('max_speed_rpm').get_parameter_value().integer_value\n"
                    '        return limit if wanted_rpm > limit else wanted_rpm')],

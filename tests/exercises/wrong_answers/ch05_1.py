@@ -1,7 +1,7 @@
 """Wrong answers that people give, and unusual right ones, to the exercises of chapter 5.1."""
 
 WRONG = {
-    '5.1c': [
+    '5.1a': [
         ([('set /gripper retries 5', 'set retries /gripper 5')],
          2, 'it is `3`; the terminal says: Node not found'),
         ([('retries 5', 'retries 5.0')], 2, 'it is `3`; the terminal says: Setting parameter failed:'),
@@ -23,7 +23,7 @@ WRONG = {
         ([('set /gripper retries', 'set /griper retries'), ('get /gripper mode', 'get /gripper')], 1,
          'the terminal says: ros2 param get: error: the following arguments are required: parameter_name'),
     ],
-    '5.1a': [
+    '5.1b': [
         ([("'1.0'", "'1'")], 5, 'the integer `1`. A double needs a dot'),
         ([("'1.0'", "'1,0'")], 5, 'the string `'),
         ([("'1.0'", '"\\"\'1.0\'\\""')], 5, "the string `'1.0'`"),
@@ -49,7 +49,7 @@ WRONG = {
         ([("'10'", "'\"10'")], 5, 'No closing quotation'),
         ([("    'retries': '10',\n", '')], 5, 'there is `None`'),
     ],
-    '5.1b': [
+    '5.1c': [
         ([('750', '100')], 4, 'in base 60'),
         ([('750', '12')], 4, 'does not stop at the colon'),
         ([(': False', ": 'off'")], 4, 'A boolean parameter never holds a string'),
@@ -63,7 +63,7 @@ WRONG = {
 }
 
 RIGHT = {
-    '5.1c': [
+    '5.1a': [
         [('/gripper', 'gripper')],
         [('ros2 param get', '%ros2 param get')],
         [('retries 5', 'retries "5"  # five')],
@@ -75,7 +75,7 @@ RIGHT = {
         [('retries 5\n', 'retries 5; '), ('mode\n', 'mode && ')],
         [('ros2 param get', '# the second\n\nros2  param   get')],
     ],
-    '5.1a': [
+    '5.1b': [
         [("'1.0'", "'1.'"), ('1.0e-3', '.001'), ("'10'", "'+10'")],
         [("'1.0'", "'\"1.0\"'"), ('1.0e-3', '0.001'), ("'10'", "'0xA'")],
         [("\"\\\"'42'\\\"\"", "'\\\\\"42\\\\\"'"), ("\"\\\"'off'\\\"\"", '\'"\\\'off\\\'"\'')],

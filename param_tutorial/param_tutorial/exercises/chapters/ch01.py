@@ -26,7 +26,7 @@ GAP_M, GAP_TOLERANCE_M = 0.5, 0.01
 SPEED_LIMIT_MPS = 1.0
 TIME_SEC = 5.0
 
-park = Exercise('1a', 'Park at the line', CHAPTER, DICTIONARY, hints=(
+park = Exercise('1b', 'Park at the line', CHAPTER, DICTIONARY, hints=(
     'Try it on a robot of your own, a new one: `robot = ros.add(ClawbotNode)`, then '
     '`ParameterClient(robot).set_parameters(settings)`, then press Drive. For the cold, set its '
     '`simulation.ambient_temperature_c` to -10.',
@@ -125,7 +125,7 @@ def parking(trial: Trial) -> str:
     return driving.replay(vehicle_of(robot, robot.motion[0]))
 
 
-free = Exercise('1b', 'Free a number', CHAPTER, NODE_CLASS, node_name='pump', hints=(
+free = Exercise('1c', 'Free a number', CHAPTER, NODE_CLASS, node_name='pump', hints=(
     'The robot in the section “Why not write the number into the program?” has been through this: compare '
     '`HardCoded` with `WithParameter`.',
     'One line is new, and one is different. The new one declares the parameter, in the constructor: '
@@ -200,7 +200,7 @@ def changed(trial: Trial) -> None:
            f'`liters` is `{judged.liters!r}`: that value was rejected in the end, and the parameter never held it')
 
 
-order = Exercise('1c', 'Put a drive in order', CHAPTER, TEXT, hints=(
+order = Exercise('1a', 'Put a drive in order', CHAPTER, TEXT, hints=(
     'A line can use a name only after another line has created it. Which line creates `client`?',
     'The robot drives off when `robot.drive()` is called, with the values that it has at that moment. So what should '
     'hold for the whole drive comes before that line.'))

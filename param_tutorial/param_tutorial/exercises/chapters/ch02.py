@@ -119,7 +119,7 @@ def built(trial: Trial) -> Built:
     return result
 
 
-mend = Exercise('2a', 'Mend a `setup.py`', CHAPTER, TEXT, hints=(
+mend = Exercise('2b', 'Mend a `setup.py`', CHAPTER, TEXT, hints=(
     'Compare it, line by line, with the `setup.py` that `ros2 pkg create` writes: the section “Create it” shows one.',
     '`data_files` is a list of pairs: a folder in the install space, and the files that go there. The marker goes to '
     '`share/ament_index/resource_index/packages`. In the source, it is in the folder `resource`.',
@@ -162,7 +162,7 @@ def starts(trial: Trial) -> None:
     expect(printed == READY, f'it prints “{READY}”', printed.splitlines()[-1] if printed else 'it prints nothing')
 
 
-find = Exercise('2b', 'Be `ros2 run`', CHAPTER, FUNCTION, hints=(
+find = Exercise('2c', 'Be `ros2 run`', CHAPTER, FUNCTION, hints=(
     'Go through the prefixes in their order. Check whether the package’s marker is in each: '
     '`(prefix / "share/ament_index/resource_index/packages" / package).exists()`.',
     'The first prefix with the marker decides, and you look at no other. The program is in its '
@@ -252,7 +252,7 @@ def overlaid(trial: Trial) -> None:
            f'it returns `{answer}`. `ros2 run` finds the package in `first`, and looks no further')
 
 
-order = Exercise('2c', 'Put a terminal in order', CHAPTER, TEXT, hints=(
+order = Exercise('2a', 'Put a terminal in order', CHAPTER, TEXT, hints=(
     'Ask of each line what it needs. `source`, for one, needs a file that only a build writes.',
     '`colcon build` writes into the folder in which you call it, so the line that goes to the workspace comes first. '
     'And `ros2 run` finds only what the terminal has sourced.'))

@@ -25,6 +25,8 @@ CHAPTER = '03_declaring'
 TYPE = 'Build it: one declaration, one type'
 DESCRIPTOR = 'Build it: the descriptor'
 WHO_DECIDES = 'Who decides the type?'
+WHOLE = 'From a class to a command'
+STAGE = 'What the stage does for you'
 PUT_BACK = 'the node accepted it, and put the value back only afterward'
 
 
@@ -90,7 +92,7 @@ def _what_limits(descriptor: ParameterDescriptor) -> str:
     return 'Nothing limits it yet'
 
 
-declare = Exercise('3a', 'Declare a rover', CHAPTER, NODE_CLASS, node_name='rover', hints=(
+declare = Exercise('3b', 'Declare a rover', CHAPTER, NODE_CLASS, node_name='rover', hints=(
     'Each parameter takes one line `self.declare_parameter(name, default, descriptor)`, and the default decides its '
     'type. The section “Build it: one declaration, one type” shows the first two arguments.',
     'In Python `1` is an `int` and `1.0` a `float`. A double takes its range from a `FloatingPointRange`, in a list: '
@@ -126,7 +128,7 @@ def wheels_locked(trial: Trial) -> None:
         expect(other not in held, f'`wheels = {other}` is rejected', PUT_BACK)
 
 
-mend = Exercise('3b', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
+mend = Exercise('3c', 'Mend a lamp', CHAPTER, NODE_CLASS, node_name='lamp', hints=(
     'Ask the lamp as it is: `ParameterClient(ros.add(Lamp)).describe_parameters()` shows the type of each parameter.',
     'A descriptor cannot choose a type, and a description limits nothing. The default decides the type, and a range '
     'sets the limits.',
@@ -163,7 +165,7 @@ def calibration(trial: Trial) -> None:
         expect_result(client, 'calibration', value, 'accepted')
 
 
-fill = Exercise('3c', 'Fill three gaps', CHAPTER, NODE_CLASS, node_name='door', hints=(
+fill = Exercise('3a', 'Fill three gaps', CHAPTER, NODE_CLASS, node_name='door', hints=(
     'The default decides the type: how does Python write an integer, a float, and a string?',
     'A double needs its dot, and a string its quotes: without them, 7 is a number.'))
 
@@ -185,12 +187,12 @@ require_gap('label', STRING, '7')
 KETTLE = '3d · A kettle from an empty file'
 program = Exercise('3d', 'A kettle from an empty file', CHAPTER, PROGRAM, node_name='kettle', hints=(
     'Four parts, from top to bottom: imports, the class, `def main():`, and two last lines that begin with '
-    "`if __name__ == '__main__':` and call `main()`. The class is like the rover of 3a.",
+    "`if __name__ == '__main__':` and call `main()`. The class is like the rover of 3b.",
     '`main` calls `rclpy.init()`, and then `rclpy.spin(Kettle())`, which returns only when something ends the program. '
     "A line in the log is `self.get_logger().info(f'...')`.",
     'Both lines of `main` stand in a `try:`. After it comes `except (KeyboardInterrupt, ExternalShutdownException):`, '
     'with a `pass`. `ExternalShutdownException` is in `rclpy.executors`.'))
-require_program(program, 'kettle_node.py', KETTLE)
+require_program(program, 'kettle_node.py', STAGE)
 
 
 @program.require('`target_c` is a double, starts at 80.0, and has a range from 20.0 to 100.0', see=DESCRIPTOR)
@@ -223,7 +225,7 @@ def logs_target(trial: Trial) -> None:
             kettle.expect_line(value, f'after a start with `{words}`' if words else 'after its start')
 
 
-require_ends(program, KETTLE)
+require_ends(program, WHOLE)
 
 
 EXERCISES = (fill, declare, mend, program)

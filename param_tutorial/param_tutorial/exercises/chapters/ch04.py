@@ -7,8 +7,9 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools import values
+from param_tools.values import INTEGER
 from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, NODE_CLASS, Exercise
-from param_tutorial.exercises.expectations import WithSecondJudge, derive
+from param_tutorial.exercises.expectations import WithSecondJudge, derive, expect_declared
 from param_tutorial.exercises.trial import NotTried, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 
@@ -18,8 +19,9 @@ NOTICE = 'Change it: when does a node notice?'
 FALLBACK = 'Several at once, and a fallback'
 START = 'Which value does a node start with?'
 
-read = Exercise('4a', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
-    'The method needs the value that the parameter has when someone calls the method.',
+read = Exercise('4b', 'Read at the right moment', CHAPTER, NODE_CLASS, node_name='wheel', hints=(
+    'The constructor is like those of `Copies` and `Reads`: the name of the node, and a declaration with the default '
+    '100. The method needs the value that the parameter has when someone calls the method.',
     '`self.get_parameter(name)` returns an object; the number in it is its `.value`.',
     'Python’s `min(a, b)` is the smaller of two numbers, so the method is one line: `return min(wanted_rpm, ...)`.'))
 
@@ -45,6 +47,10 @@ def expect_limited(trial: Trial, wheel: Any, wanted_rpm: float, allowed_rpm: int
 @read.require('`limited(500)` is 100 at the start, and any speed below that comes back as it is', see=OBJECT)
 def at_the_start(trial: Trial) -> None:
     wheel = trial.start()
+    try:
+        expect_declared(trial, 'max_speed_rpm', INTEGER, 100)
+    except NotYet as error:
+        raise NoUse(error.expected, error.happened) from None
     try:
         for wanted_rpm in (500, 40, 100, 101, 0, 40.5, -40, -500):
             expect_limited(trial, wheel, wanted_rpm, 100, {})
@@ -83,7 +89,7 @@ def with_an_override(trial: Trial) -> None:
             100: 'That is the default in the source, not what the parameter holds'})
 
 
-predict = Exercise('4b', 'Predict what is read', CHAPTER, DICTIONARY, hints=(
+predict = Exercise('4c', 'Predict what is read', CHAPTER, DICTIONARY, hints=(
     'Write the number, `True` or `False` that Python would show. A wrong guess costs nothing.',
     'The object of a number is a photograph, and a fallback is stored nowhere.',
     'An override takes the place of the default when the parameter is declared.'))
@@ -140,7 +146,7 @@ def overridden(trial: Trial) -> Any:
     return story(trial).second.get_parameter('max_speed_rpm').value
 
 
-fill = Exercise('4c', 'Fill two gaps, and mend a line', CHAPTER, FUNCTION, hints=(
+fill = Exercise('4a', 'Fill two gaps, and mend a line', CHAPTER, FUNCTION, hints=(
     '`get_parameter` takes the name of a parameter. The number is the `.value` of what it returns.',
     '`get_parameter_or` takes a name and a parameter object. The section “Several at once, and a fallback” '
     "makes one: `Parameter('battery_volts', value=12.0)`."))

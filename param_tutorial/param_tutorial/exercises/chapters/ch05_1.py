@@ -46,7 +46,7 @@ def type_in(trial: Trial, node: Node, words: str) -> str:
     return answer
 
 
-spell = Exercise('5.1a', 'Spell six values', CHAPTER, DICTIONARY, hints=(
+spell = Exercise('5.1b', 'Spell six values', CHAPTER, DICTIONARY, hints=(
     'Begin with the type: a double needs a dot, an integer must not have one, and a string that looks like something '
     'else needs quotes.',
     'The shell takes one pair of quotes away, and YAML reads what is left. So a string may need two pairs, as in '
@@ -105,7 +105,7 @@ for each in GOALS:
     require_spelling(*each)
 
 
-foresee = Exercise('5.1b', 'Predict what the robot holds', CHAPTER, DICTIONARY, hints=(
+foresee = Exercise('5.1c', 'Predict what the robot holds', CHAPTER, DICTIONARY, hints=(
     'There are two questions for each line: what does YAML make of the word, and does the robot accept a value of '
     'that type?',
     'A robot that rejects a value keeps the one it has. `%ros2 param describe` shows types and limits.',
@@ -137,7 +137,7 @@ require_foresight('robot_name 007', {
     7: 'A string parameter never holds a number: the robot rejects it, and the old value stays'})
 
 
-order = Exercise('5.1c', 'Put the words in order', CHAPTER, TEXT, hints=(
+order = Exercise('5.1a', 'Put the words in order', CHAPTER, TEXT, hints=(
     'Each command begins with `ros2 param`, and then says what to do: `get`, `set` or `describe`.',
     'After the verb comes the node, then the parameter, and with `set` the value at the end.'))
 

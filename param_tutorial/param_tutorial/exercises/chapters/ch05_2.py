@@ -30,6 +30,7 @@ ACT = 'Build it: a callback that acts'
 LADDER = 'The callback ladder'
 LIST = 'One by one, or all at once'
 START = 'Who judges an override?'
+ROBOT = 'The same on a robot'
 
 
 judge = Exercise('5.2a', 'Judge and act', CHAPTER, NODE_CLASS, node_name='heater', hints=(
@@ -291,7 +292,7 @@ program = Exercise('5.2d', 'An elevator from an empty file', CHAPTER, PROGRAM, n
     'on-set callback calls it with `{p.name: p.value for p in parameters}` in place of what is stored.',
     'In the constructor, call the rule with the start values before you register the callbacks, and `raise '
     'ValueError(reason)` if there is one. The log line belongs in the post-set callback.'))
-require_program(program, 'elevator_node.py', ELEVATOR)
+require_program(program, 'elevator_node.py', ROBOT)
 
 
 @program.require('floors below 0 or above `top_floor` are rejected, with a reason', see=JUDGE)

@@ -24,7 +24,8 @@ PREDICTIONS = (
               'drive. The curve bends at one second.'))),
     Prediction('1-3', 'One minute at 0.5 m/s, then the parameter is set to 1.0 m/s, then another minute. How many '
                'meters has the robot driven?', (
-        right('90', 'Thirty meters plus sixty. The robot asks for its parameter each time it drives.'),
+        right('90', 'Thirty meters plus sixty: the plain sum is right here, because the robot asks for its parameter '
+              'each time it drives.'),
         wrong('60', 'That would be both minutes at the old speed, or a restart in between. This robot asks for its '
               'parameter each time it drives: 30 plus 60.'),
         wrong('120', 'That would be both minutes at the new speed. But the first minute is over: 30 plus 60.')),
@@ -41,7 +42,7 @@ PREDICTIONS = (
                'parameter `max_speed_rpm`. What is its value in the second?', (
         wrong('200: it is the same parameter', 'A parameter does not belong to a class, nor to the whole system. Each '
               'node has its own.'),
-        right('100', 'A parameter belongs to one node. The second robot still has its default.'),
+        right('100', 'Nobody touched the second robot, so nothing changed in it. A parameter belongs to one node.'),
         wrong('It has none, since nobody has set it', 'Each node declares its own parameters, with a default. The '
               'second robot still has that default.'))),
 )

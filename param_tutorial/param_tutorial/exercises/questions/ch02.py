@@ -48,12 +48,13 @@ PREDICTIONS = (
                'starts?', (
         wrong('the second', 'That version would be in a copy. With `--symlink-install`, Python follows links to the '
               'source.'),
-        right('the third', 'There is no copy. The link leads to the folder in `src`, with all that is in it.'),
+        right('the third', 'This time you get what you wrote: there is no copy. The link leads to the folder in `src`, '
+              'with all that is in it.'),
         wrong('none: the new file has no link yet', 'The link leads to the folder, not to single files. Python finds '
               'whatever you put into the folder.'))),
     Prediction('2-7', 'The list has the overlay first and its underlay after it. Which version starts?', (
-        right('the fourth, from the overlay', 'The first folder in the list that has the package decides, and that is '
-              'the overlay.'),
+        right('the fourth, from the overlay', 'First in the list, first found: the first folder that has the package '
+              'decides, and that is the overlay.'),
         wrong('the third, from the underlay', 'The underlay was sourced first, but it stands last in the list. The '
               'search ends at the first folder that has the package.'),
         wrong('none: the package exists twice', 'Nothing counts the packages. The search ends at the first folder that '

@@ -40,13 +40,13 @@ PREDICTIONS = (
         right('double', 'The default decides. rclpy overwrites the field `type`, without a warning.'),
         wrong('none: the declaration fails', 'It looks like a contradiction, but nothing compares the two. rclpy '
               'overwrites the field.'))),
-    Prediction('3-6', '`speed_mps` is 0.5, `stops` is empty, and `closed_doors` is not set. Which of them does '
-               '`ros2 param dump` write?', (
-        wrong('speed_mps and stops', 'One request asks for all values, and rclpy returns none of them if one is not '
-              'set.'),
-        wrong('all three, with null for the one that is not set', 'rclpy returns no value at all if one of those that '
-              'you ask for is not set.'),
-        right('none of them', 'One parameter that is not set empties the whole answer, and with it the file.'))),
+    Prediction('3-6', '`calibration` is a double that is not set. What does the node answer to the word `rough`?', (
+        wrong('It accepts it: there is nothing yet that it could contradict', 'There is no value yet, but there is a '
+              'type, and the node checks every value against it.'),
+        right('It rejects it', 'Just as you would think: the declaration says double, and a word is none. The type '
+              'counts from the declaration on, with or without a value.'),
+        wrong('It accepts it, and the parameter is a string from now on', 'The declaration has fixed the type. A first '
+              "value doesn't change it."))),
     Prediction('3-7', 'The description of `max_acceleration_mps2` says *Must be positive.* What does the node answer '
                'to -3.0?', (
         wrong('It rejects it', 'A description is for people. Without a range or a callback, nothing enforces it.'),

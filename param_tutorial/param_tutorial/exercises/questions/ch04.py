@@ -37,25 +37,33 @@ PREDICTIONS = (
         right('[], the empty list', '`.value` is the list that the node holds, so `pop` changed the parameter itself.'),
         wrong("['door']: the last stop stays", 'The loop takes stops off until the list is empty, and that list is the '
               "node's own."))),
-    Prediction('4-3', '`get_parameter_or` has returned the fallback for `battery_volts`. What does '
+    Prediction('4-3', 'This courier copies the list before it takes stops off it. It has driven its route once. What '
+               'does a client get for `stops` now?', (
+        wrong('[], the empty list', 'Its loop has emptied a list, but that was the copy. The list that the node holds '
+              'was never touched.'),
+        right("['dock', 'shelf', 'door']", 'No trick here: a copy is a list of its own, and the node still holds all '
+              'three stops.'),
+        wrong("['door']: the last stop stays", 'The loop takes all stops off the copy, and none off the list that the '
+              'node holds.'))),
+    Prediction('4-4', '`get_parameter_or` has returned the fallback for `battery_volts`. What does '
                "`has_parameter('battery_volts')` return now?", (
         wrong('True: the fallback was stored', '`get_parameter_or` stores nothing. To create the parameter, the node '
               'would have to declare it.'),
         right('False', 'The fallback was used once and stored nowhere. The parameter still does not exist.'))),
-    Prediction('4-4', 'The node declares `calibration` as a double, without a value. What does `get_parameter` do?', (
+    Prediction('4-5', 'The node declares `calibration` as a double, without a value. What does `get_parameter` do?', (
         wrong('It returns 0.0', 'A type brings no default with it, not even zero. This parameter has no value.'),
         wrong('It returns a parameter whose value is None', 'A node could easily overlook a None. rclpy raises an '
               'exception instead.'),
         right('It raises an exception', 'It is a `ParameterUninitializedException`: the parameter exists, but it has '
               'no value.'))),
-    Prediction('4-5', 'Both robots have accepted 150. The first copied the parameter when it started, the second reads '
+    Prediction('4-6', 'Both robots have accepted 150. The first copied the parameter when it started, the second reads '
                'it each time. At which speeds do they drive?', (
         wrong('both at 150: both accepted', 'Accepting a value and acting on it are two things. The first still uses '
               'its copy.'),
         right('100 and 150', 'The first still uses its copy, although its parameter says 150.'),
         wrong('both at 100 until they are started again', 'The second reads its parameter ten times a second. It '
               'needs no restart.'))),
-    Prediction('4-6', 'The override is `-p max_speed_rpm:=fast`, and the default is the integer 100. What does the '
+    Prediction('4-7', 'The override is `-p max_speed_rpm:=fast`, and the default is the integer 100. What does the '
                'node do?', (
         wrong('It starts with 100, and warns', 'rclpy does not ignore a wrong override. The declaration raises an '
               'exception, which ends the constructor.'),

@@ -58,7 +58,8 @@ PREDICTIONS = (
     Prediction('5.1-6', 'You misspell a name: `ros2 param set … max_sped_rpm 150`. What happens?', (
         wrong('The node gets a new parameter max_sped_rpm', 'That was so in ROS 1. This node has the parameters that '
               'it declared, and no others.'),
-        right('The node rejects it', 'The node has not declared that name, so it rejects the request.'),
+        right('The node rejects it', 'As you would expect of a node that declares what it has: it has not declared '
+              'that name, so it rejects the request.'),
         wrong('The command does not send it', 'The command does not look up the name first. The node does, and rejects '
               'the request.'))),
     Prediction('5.1-7', 'The same typo with `ros2 param get … max_sped_rpm`. With which exit status does it end?', (
@@ -70,7 +71,8 @@ PREDICTIONS = (
               'time. `--timeout` gives the node time to appear.'),
         wrong('The value, after 20 seconds', 'The 20 seconds are the longest wait. The command goes on as soon as the '
               'node is there.'),
-        right('The value, as soon as the node is there', '`--timeout` is the longest wait, not the shortest.'))),
+        right('The value, as soon as the node is there', 'The option does what its name says: `--timeout` is the '
+              'longest wait, not the shortest.'))),
     Prediction('5.1-9', 'Two nodes are called `/simple_param_node`, one on the stage and one in a terminal. One '
                '`ros2 param set` sets the speed to 70. Which of them obeys?', (
         wrong('The one that started last', 'The second node does not take over the name. Both have it, and both offer '

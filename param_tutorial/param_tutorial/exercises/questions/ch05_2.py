@@ -38,8 +38,8 @@ PREDICTIONS = (
               'value.'))),
     Prediction('5.2-3', 'The motor follows in a post-set callback now. Someone sets 120, and then -20. What do motor '
                'and parameter say in the end?', (
-        right('motor 120, parameter 120', '120 was stored, so the post-set callback was called. -20 was rejected, so '
-              'it was not.'),
+        right('motor 120, parameter 120', 'No surprise this time, and that is what post-set is for: it was called for '
+              '120, which was stored, and not for -20, which was rejected.'),
         wrong('motor -20, parameter 120', 'rclpy calls a post-set callback only when a value is stored, and -20 never '
               'was.'),
         wrong('motor 100, parameter 120', 'The post-set callback was called for 120, once it was stored.'))),
@@ -77,12 +77,11 @@ PREDICTIONS = (
         wrong('There is none: the node does not start', 'It would not start if a range rejected the override. But the '
               'callback is not registered yet when the parameter is declared.'),
         right('-20', 'The override counts when the parameter is declared. The callback is registered after that.'))),
-    Prediction('5.2-9', 'The on-set callback returns `True` instead of a `SetParametersResult`. What becomes of the '
-               'request?', (
-        wrong('It is accepted: True means yes', 'rclpy accepts only a `SetParametersResult`. It takes anything else as '
-              'a rejection.'),
-        right('It is rejected', 'rclpy takes anything but a `SetParametersResult` as a rejection, to be on the safe '
-              'side.'),
-        wrong('The node ends with an exception', 'rclpy foresees this mistake. It rejects the request, and says that '
-              'the callback returned an invalid type.'))),
+    Prediction('5.2-9', 'The winch holds 100 kg and 60 rpm, and its load times its speed may be 10,000 at most. First '
+               'it is set to 400 kg alone, then to 400 kg and 20 rpm in one atomic request. What does it answer?', (
+        wrong('It rejects both', '400 times 20 is 8000, and the callback gets both values at once. The second request '
+              'keeps the rule.'),
+        right('It rejects the first and accepts the second', 'Do the sum, and that is all: 400 times 60 is too much, '
+              'and 400 times 20 is not.'),
+        wrong('It accepts both', '400 times the stored 60 is 24,000, so the first request breaks the rule.'))),
 )

@@ -52,7 +52,15 @@ PREDICTIONS = (
               '`rclpy.spin` starts no other callback of its group. So the client cannot receive the answer.'),
         wrong('a warning, and then the answer', 'There is no warning. `rclpy.spin` starts no other callback of the '
               'group until `tick` has finished, so `tick` waits forever.'))),
-    Prediction('5.3-5', 'A message says *double*, and its field for doubles was filled with the integer 2. What does '
+    Prediction('5.3-5', 'The last of the three blocks in `call`, in an executor with two threads, and its timer has a '
+               'group of its own. Does it get its answer?', (
+        wrong('No: a callback that blocks keeps the answer out', 'It keeps one thread, and its own group. The other '
+              'thread and the default group are free, and the client needs no more.'),
+        right('Yes', 'Exactly what the two threads and the two groups are for: one thread waits in one group, and '
+              'the other brings the answer in the other group.'),
+        wrong('Only if the client has a group of its own as well', 'Timer and client have to be in two groups. One of '
+              'them may stay in the default group.'))),
+    Prediction('5.3-6', 'A message says *double*, and its field for doubles was filled with the integer 2. What does '
                'the robot do?', (
         wrong('It rejects it: wrong type', 'The robot looks at the type that the message names, and that is double.'),
         wrong('It accepts it, and stores 2.0', 'Nobody converts the integer. Its bytes are read as if they were a '

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from param_tools.markup.tables import with_code
 from param_tutorial.exercises.predicting import STYLE, verdict
-from param_tutorial.exercises.prediction import Prediction, plain_answer
+from param_tutorial.exercises.prediction import ASK_AGAIN, NUMBER, Prediction, wrong
 
 
 def draw_prediction(prediction: Prediction, linked: Callable[[str], str] = str) -> str:
@@ -15,16 +15,19 @@ def draw_prediction(prediction: Prediction, linked: Callable[[str], str] = str) 
     :param linked: Returns a verdict with the page's links in it.
     """
     if prediction.is_typed:
-        answers = '<input type="text" name="answer" autocomplete="off" aria-label="Your value">'
+        answers = '<input type="text" name="answer" autocomplete="off" aria-label="Your number">'
     else:
         answers = ''.join(f'<label><input type="radio" autocomplete="off" name="answer" '
                           f'value="{html.escape(each.text)}">'
                           f'<span>{with_code(each.text)}</span></label>' for each in prediction.choices)
-    # A typed value may be none of the choices; the page's script compares it as the notebook does.
     facts = json.dumps({
-        'choices': {plain_answer(each.text): linked(verdict(prediction, each.text)) for each in prediction.choices},
-        'otherwise': linked(verdict(prediction, '')) if prediction.is_typed else '',
-        'right': [plain_answer(each.text) for each in prediction.choices if each.is_right]}).replace('</', '<\\/')
+        'choices': {prediction.plain(each.text): linked(verdict(prediction, each)) for each in prediction.choices},
+        'right': [prediction.plain(each.text) for each in prediction.choices if each.is_right],
+        # A typed number may be none of the choices; the page's script reads it as the notebook does.
+        'typed': {'number': NUMBER, 'askAgain': with_code(ASK_AGAIN),
+                  'otherwise': linked(verdict(prediction, wrong('', prediction.otherwise)))}
+        if prediction.is_typed else None,
+    }).replace('</', '<\\/')
     return (f'{STYLE}<form class="lesson-prediction param-predict" autocomplete="off" '
             f'data-number="{prediction.number}" '
             # A recall comes again; the first page links to it then.

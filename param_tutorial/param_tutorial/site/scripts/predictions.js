@@ -1,7 +1,10 @@
 /* The predictions of a lesson: a reader commits to an answer before the page shows what happens. */
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
+import {choiceOf, parseNumber} from './answers.js';
 import {answerTo, forgetAnswer, isDue, keepAnswer} from './progress.js';
+
+/** @import {Facts} from './answers.js' */
 
 /** For each prediction what is folded below it. @type {Map<HTMLElement, Fold>} */
 const folds = new Map();
@@ -82,19 +85,9 @@ export function foldAnswers() {
 }
 
 /**
- * Return an answer as it is compared: see `exercises/prediction.py`.
- * @param {string} answer
- */
-function plainly(answer) {
-  const value = Number(answer);
-  return Number.isNaN(value) ? answer.toLowerCase() : String(value);
-}
-
-/**
  * Let a prediction be committed: it is locked then, and the page says what became of it. The browser keeps it.
  * @param {HTMLFormElement} form
- * @param {{choices: Record<string, string>, otherwise: string, right: string[]}} facts What to say to each answer, as
- *   HTML, and which answers are right.
+ * @param {Facts} facts
  */
 export function askForPrediction(form, facts) {
   const number = form.dataset.number ?? '';
@@ -105,10 +98,18 @@ export function askForPrediction(form, facts) {
   const boxes = all(form, 'input', HTMLInputElement);
   const given = () => String(new FormData(form).get('answer') ?? '').trim();
 
+  /**
+   * Return what is said to an answer that is none of the choices.
+   * @param {string} answer
+   */
+  function other(answer) {
+    return facts.typed && !Number.isNaN(parseNumber(answer, facts.typed.number)) ? facts.typed.otherwise : '';
+  }
+
   /** @param {string} answer */
   function lock(answer) {
-    const plain = plainly(answer);
-    const verdict = Object.hasOwn(facts.choices, plain) ? facts.choices[plain] : facts.otherwise;
+    const choice = choiceOf(answer, facts);
+    const verdict = choice === undefined ? other(answer) : facts.choices[choice];
     said.innerHTML = verdict;
     fields.disabled = Boolean(verdict);
     button.hidden = Boolean(verdict);
@@ -133,7 +134,9 @@ export function askForPrediction(form, facts) {
   form.addEventListener('submit', event => {
     event.preventDefault();
     const answer = given();
-    if (answer && lock(answer)) keepAnswer(number, answer, facts.right.includes(plainly(answer)));
+    if (!answer) return;
+    if (lock(answer)) keepAnswer(number, answer, facts.right.includes(choiceOf(answer, facts) ?? ''));
+    else said.innerHTML = facts.typed?.askAgain ?? '';
   });
   again.addEventListener('click', () => {
     forgetAnswer(number);
