@@ -18,9 +18,10 @@ from rclpy.node import Node as RclNode
 from param_tools.cli import command
 from param_tools.cli.launch.actions import DeclareLaunchArgument, LaunchDescription
 from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.importing import MODULES
 from param_tools.cli.launch.parameters import ParameterFile, ParameterValue, parameter_value
 from param_tools.cli.launch.processes import Launcher, Program
-from param_tools.cli.launch.reading import MODULES, load_description
+from param_tools.cli.launch.reading import load_description
 from param_tools.cli.launch.ros_actions import Node, SetParameter
 from param_tools.cli.launch.substitutions import LaunchConfiguration, PathJoinSubstitution
 from param_tools.ros.waiting import to_end
@@ -145,7 +146,7 @@ def test_where_nothing_is_sourced_and_the_course_must_not_be_found_a_sentence_sa
 
 @pytest.mark.parametrize(('text', 'why'), [
     ('from launch.actions import DeclareArgument', r'has no launch\.actions\.DeclareArgument; .* it has AppendEnv'),
-    ('import launch.tools', r'has no module launch\.tools; it has launch, launch\.actions'),
+    ('import launch.tools', r'has no module launch\.tools\.'),
     ('import launch\nlaunch.LaunchService(argv=[])', r'has no launch\.LaunchService'),
     ('from launch_ros.actions import SetUseSimTime\nSetUseSimTime(True)', r'has no launch_ros\.actions\.SetUseSimTime'),
     ('from launch_ros.actions import Node\nNode(package="p", executable="e", shells=True)', "'shells'"),

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple, Self
 
 from param_tools.cli.launch.conditions import Condition
 from param_tools.cli.launch.context import Context, LaunchFailed, refuse
+from param_tools.cli.launch.importing import read, running
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.substitutions import as_bool, expect_string, is_list, perform
 from param_tools.cli.session import CommandFailed
@@ -264,12 +265,10 @@ class LaunchDescriptionSource:
 
         :raises LaunchFailed: it cannot be read.
         """
-        from param_tools.cli.launch.reading import load_description  # which imports this module
-
         if self._description is not None:
             return self._description, None
         path = Path(perform(self._location, context)).absolute()
-        return load_description(path), path
+        return read(path), path
 
 
 class LaunchFileSource(LaunchDescriptionSource):
@@ -330,8 +329,6 @@ class OpaqueFunction(Action):
         self.kwargs = kwargs or {}
 
     def execute(self, context: Context) -> list[Program]:
-        from param_tools.cli.launch.reading import running  # which imports this module
-
         with running(getattr(self.function, '__name__', 'an OpaqueFunction')):
             found = self.function(context, *self.args, **self.kwargs)
         return visit_all(found, context)

@@ -8,14 +8,10 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import Any, NoReturn
 
 from param_tools.cli.run import find_program
 from param_tools.cli.session import CommandFailed
-
-if TYPE_CHECKING:
-    from param_tools.cli.launch.actions import Action
-    from param_tools.cli.launch.substitutions import Substitution
 
 FULL_INSTALLATION = 'A full installation knows more: environment/README.md says how to get one'
 
@@ -57,12 +53,12 @@ class Context:
     """The environment variables of the programs."""
     originals: dict[Path, Path] = field(default_factory=dict)
     """For each parameter file whose substitutions were carried out, the file that holds them."""
-    postponed: list[tuple[float, Sequence['Action']]] = field(default_factory=list)
-    """What timers do, each with the seconds that it waits."""
+    postponed: list[tuple[float, Sequence[Any]]] = field(default_factory=list)
+    """The actions of timers, each with the seconds that it waits."""
 
-    def perform_substitution(self, substitution: 'Substitution') -> str:
+    def perform_substitution(self, substitution: Any) -> str:
         """Return the string that a substitution stands for."""
-        return substitution.perform(self)
+        return str(substitution.perform(self))
 
     @contextlib.contextmanager
     def scope(self) -> Iterator[None]:
