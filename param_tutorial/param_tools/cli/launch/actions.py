@@ -4,7 +4,6 @@ An action is carried out by ``visit``, which returns the programs to start. Noth
 mistake anywhere in a launch file leaves nothing running.
 """
 
-import os
 import shlex
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -389,7 +388,7 @@ class Process(Action):
         environment |= _performed(self.additional_env or {}, context)
         return Program(
             [*shlex.split(perform(prefix, context)), *command], name, *self.streams_on_screen(context),
-            environment=None if environment == dict(os.environ) else environment,
+            environment=None if environment == context.environment_before else environment,
             folder=None if self.cwd is None else Path(perform(self.cwd, context)),
             respawn_sec=(self.respawn_delay or 0.0) if typed_bool(self.respawn, context) else None,
             ends_all=self._ends_all(context))
@@ -476,12 +475,13 @@ def carry_out(actions: Iterable[Action], context: Context) -> list[Program]:
     """
     programs: list[Program] = []
     pending: list[tuple[float, Iterable[Action]]] = [(0.0, actions)]
-    while pending:
-        delay, due = pending.pop(0)
-        programs += [program._replace(delay_sec=delay) for program in LaunchDescription(due).execute(context)]
-        pending += [(delay + period, later) for period, later in context.postponed]
-        pending.sort(key=lambda each: each[0])
-        context.postponed.clear()
+    with context.scope():
+        while pending:
+            delay, due = pending.pop(0)
+            programs += [program._replace(delay_sec=delay) for program in LaunchDescription(due).execute(context)]
+            pending += [(delay + period, later) for period, later in context.postponed]
+            pending.sort(key=lambda each: each[0])
+            context.postponed.clear()
     return programs
 
 

@@ -5,7 +5,7 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn
@@ -49,8 +49,10 @@ class Context:
     """Prints what the launch file logs."""
     launch_file: Path | None = None
     """The launch file that was included last."""
-    environment: dict[str, str] = field(default_factory=lambda: dict(os.environ))
-    """The environment variables of the programs."""
+    environment: MutableMapping[str, str] = field(default_factory=lambda: os.environ)
+    """The environment variables: those of this process, which launch files in Python change, too."""
+    environment_before: Mapping[str, str] = field(default_factory=lambda: dict(os.environ))
+    """The environment variables before the launch file was carried out."""
     originals: dict[Path, Path] = field(default_factory=dict)
     """For each parameter file whose substitutions were carried out, the file that holds them."""
     postponed: list[tuple[float, Sequence[Any]]] = field(default_factory=list)
@@ -64,8 +66,13 @@ class Context:
     def scope(self) -> Iterator[None]:
         """Undo, in the end, what is set in the meantime."""
         configurations, environment = dict(self.launch_configurations), dict(self.environment)
-        yield
-        self.launch_configurations, self.environment = configurations, environment
+        try:
+            yield
+        finally:
+            self.launch_configurations = configurations
+            if self.environment != environment:
+                self.environment.clear()
+                self.environment.update(environment)
 
     def write(self, text: str) -> Path:
         """Write a parameter file, and return its path."""
@@ -100,7 +107,7 @@ class Context:
         """
         try:
             done = subprocess.run(
-                command, stdout=subprocess.PIPE, text=True, env=self.environment, check=False,
+                command, stdout=subprocess.PIPE, text=True, env=dict(self.environment), check=False,
                 stderr=subprocess.STDOUT if on_stderr == 'capture' else subprocess.PIPE)
         except OSError as error:
             raise LaunchFailed(f'cannot run {command[0]}: {error.strerror}') from None

@@ -106,12 +106,13 @@ def load(path: Path) -> LaunchDescription:
     """
     try:
         root = READERS[path.suffix](path.read_text(encoding='utf-8'))
-    except (OSError, UnicodeDecodeError, ElementTree.ParseError, yaml.YAMLError) as error:
+        if root.tag != 'launch':
+            raise LaunchFailed(f"Expected 'launch' as root tag, and {path.name} has {root.tag!r}")
+        return LaunchDescription(_actions(root.children()), deprecated_reason=root.take('deprecated'))
+    # The last one is a quotation mark that nothing closes, in a command line, or a file that is no text.
+    except (OSError, ElementTree.ParseError, yaml.YAMLError, ValueError) as error:
         kind = path.suffix[1:]
         raise LaunchFailed(f'Caught exception when trying to load file of format [{kind}]: {error}') from None
-    if root.tag != 'launch':
-        raise LaunchFailed(f"Expected 'launch' as root tag, and {path.name} has {root.tag!r}")
-    return LaunchDescription(_actions(root.children()), deprecated_reason=root.take('deprecated'))
 
 
 def _actions(entities: Iterable[Entity]) -> list[Action]:

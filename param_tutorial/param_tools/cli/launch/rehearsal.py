@@ -85,8 +85,9 @@ class RehearsedLaunch:
         :param folder: Where parameter files are written.
         :raises LaunchFailed: it cannot be carried out.
         """
-        self.warnings: list[str] = []
-        self._context = Rehearsal({}, folder, self.warnings.append)
+        self.path = path
+        self._warnings: list[str] = []
+        self._context = Rehearsal({}, folder, self._warnings.append)
         programs = carry_out([include(path, arguments)], self._context)
         self.nodes = [node for program in programs if (node := self._node(program)) is not None]
 
@@ -121,14 +122,25 @@ class RehearsedLaunch:
                 result.append(Given(name, winner.value, f'{source}:{line}'))
         return result
 
-    def check(self, known: Descriptions, *, loading: bool = False) -> Findings:
+    def lines(self) -> Iterator[str]:
+        """Return the lines that say what each node gets."""
+        for node in self.nodes:
+            yield f'{node.name}  ({node.program}{"" if node.has_name else ", whose node may have another name"})'
+            given = self.given(node)
+            lines = [f'  {each.name}: {values.format_value(each.value, 60)}' for each in given]
+            width = max(map(len, lines), default=0)
+            yield from (f'{line:{width}}  {each.source}' for line, each in zip(lines, given))
+            if not given:
+                yield '  no parameters'
+
+    def check(self, known: Descriptions) -> Findings:
         """Find what no node would get, and what a node would reject."""
-        found: dict[FileFinding, None] = {}
+        found = dict.fromkeys(FileFinding(str(self.path), 1, 1, 'unreadable', text) for text in self._warnings)
         left: dict[str, None] = {}
         for node in self.nodes:
             description = node.description(known)
             files = [path for path in node.files if path.is_file()]
-            result = check_files(files, Descriptions([] if description is None else [description]), loading=loading)
+            result = check_files(files, Descriptions([] if description is None else [description]))
             others = [each.name for each in self.nodes if each is not node]
             for each in (*result, *self._never_matched(node, files)):
                 if each.kind != 'unknown node' or not any(matches(each.node, other) for other in others):
@@ -138,6 +150,8 @@ class RehearsedLaunch:
                 left['{}:{}'.format(*self._place(Path(file), int(line), ''))] = None
         findings = Findings(found)
         findings.left_to_launch = tuple(left)
+        if known:
+            findings.passed_over = tuple(node.name for node in self.nodes if node.description(known) is None)
         return findings
 
     def _never_matched(self, node: RehearsedNode, files: Sequence[Path]) -> Iterator[FileFinding]:
@@ -185,15 +199,3 @@ def _ros_options(words: Sequence[str]) -> Iterator[tuple[str, str]]:
             is_ros = word == '--ros-args'
         elif is_ros and word in ('-p', '-r', '--params-file', '--param', '--remap'):
             yield {'--param': '-p', '--remap': '-r'}.get(word, word), after
-
-
-def shown(launch: RehearsedLaunch) -> Iterator[str]:
-    """Return the lines that say what each node gets."""
-    for node in launch.nodes:
-        yield f'{node.name}  ({node.program}{"" if node.has_name else ", which may name its node otherwise"})'
-        given = launch.given(node)
-        lines = [f'  {each.name}: {values.format_value(each.value, 60)}' for each in given]
-        width = max(map(len, lines), default=0)
-        yield from (f'{line:{width}}  {each.source}' for line, each in zip(lines, given))
-        if not given:
-            yield '  no parameters'
