@@ -16,11 +16,13 @@ import yaml
 from rclpy.node import Node as RclNode
 
 from param_tools.cli import command
-from param_tools.cli.launch.actions import DeclareLaunchArgument, LaunchDescription, Node, SetParameter
+from param_tools.cli.launch.actions import DeclareLaunchArgument, LaunchDescription
 from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.importing import MODULES
 from param_tools.cli.launch.parameters import ParameterFile, ParameterValue, parameter_value
 from param_tools.cli.launch.processes import Launcher, Program
-from param_tools.cli.launch.reading import MODULES, load_description
+from param_tools.cli.launch.reading import load_description
+from param_tools.cli.launch.ros_actions import Node, SetParameter
 from param_tools.cli.launch.substitutions import LaunchConfiguration, PathJoinSubstitution
 from param_tools.ros.waiting import to_end
 from param_tutorial import ParameterClient, Terminal, wait_until
@@ -143,20 +145,50 @@ def test_where_nothing_is_sourced_and_the_course_must_not_be_found_a_sentence_sa
 
 
 @pytest.mark.parametrize(('text', 'why'), [
-    ('from launch.actions import TimerAction', r'has no launch\.actions\.TimerAction; .* it has DeclareLaunchArgument'),
-    ('from launch_ros.actions import ComposableNodeContainer', r'has no launch_ros\.actions\.ComposableNodeContainer'),
-    ('import launch.event_handlers', r'has no module launch\.event_handlers; it has launch, launch\.actions'),
-    ('import launch\nlaunch.LaunchService', r'has no launch\.LaunchService'),
-    ('from launch_ros.actions import Node\nNode(package="p", executable="e", respawn=True)', "'respawn'"),
-    ('from launch_ros.actions import Node\nNode(executable="ls")', 'needs package= for a Node'),
+    ('from launch.actions import DeclareArgument', r'has no launch\.actions\.DeclareArgument; .* it has AppendEnv'),
+    ('import launch.tools', r'has no module launch\.tools\.'),
+    ('import launch\nlaunch.LaunchService(argv=[])', r'has no launch\.LaunchService'),
+    ('from launch_ros.actions import SetUseSimTime\nSetUseSimTime(True)', r'has no launch_ros\.actions\.SetUseSimTime'),
+    ('from launch_ros.actions import Node\nNode(package="p", executable="e", shells=True)', "'shells'"),
 ])
 def test_what_only_a_full_installation_has_is_rejected_by_name(launch_file, text, why):
     with pytest.raises(LaunchFailed, match=f'(?s){why}.*environment/README.md'):
         load_description(launch_file('', head=f'{text}\ndef generate_launch_description():\n    return (['))
 
 
+def test_what_only_a_full_installation_has_may_be_imported(launch_file):
+    path = launch_file('', head=f'from launch import LaunchService\nfrom launch.logging import get_logger\n{HEAD}')
+    assert load_description(path).entities == []
+
+
+@pytest.mark.parametrize(('entity', 'why'), [
+    ('RegisterEventHandler(OnProcessExit(on_exit=[]))', r'wait for events \(OnProcessExit\)'),
+    ('EmitEvent(event=Shutdown())', r'emit events \(Shutdown\)'),
+    ("Node(package='p', executable='e', on_exit=[LogInfo(msg='gone')])", r'do anything but Shutdown\(\) on_exit='),
+    ('TimerAction(period=1.0, actions=[], cancel_on_shutdown=False)', 'keep a timer after a shutdown'),
+    ("ComposableNodeContainer(name='c', namespace='', package='p', executable='e', composable_node_descriptions=["
+     "ComposableNode(package='p', plugin='p::C')])", r'load components \(ComposableNode\)'),
+])
+def test_what_cannot_be_started_here_is_an_error_before_anything_starts(launch_file, context, monkeypatch, entity, why):
+    monkeypatch.setattr(Context, 'find_program', lambda *_: ['program'])
+    head = HEAD.replace('def generate', """
+from launch.actions import EmitEvent, LogInfo, RegisterEventHandler, Shutdown, TimerAction
+from launch.event_handlers import OnProcessExit
+from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+
+
+def generate""")
+    with pytest.raises(LaunchFailed, match=f'the embedded ros2 launch cannot {why}.*environment/README.md'):
+        load_description(launch_file(entity, head)).execute(context)
+
+
 @pytest.mark.parametrize(('name', 'text', 'why'), [
-    ('x_launch.xml', '', 'x_launch.xml is no launch file in Python, .*environment/README.md'),
+    ('x_launch.txt', '', 'x_launch.txt is no launch file in Python, XML or YAML'),
+    ('x_launch.xml', '', r'file of format \[xml\]: no element found'),
+    ('x_launch.xml', '<group/>', "Expected 'launch' as root tag, and x_launch.xml has 'group'"),
+    ('x_launch.yaml', '- launch', "has one key at the top, which is 'launch'"),
+    ('x_launch.yaml', 'launch: {', r'file of format \[yaml\]: while parsing'),
     ('x_launch.py', 'x = 1', "required function 'generate_launch_description"),
     ('x_launch.py', 'x =', 'SyntaxError'),
     ('x_launch.py', 'import no_such_module', "No module named 'no_such_module'"),
@@ -303,20 +335,20 @@ def test_values_are_what_launch_ros_makes_of_them(context, tmp_path):
 @pytest.mark.parametrize(('text', 'value'), [
     ('', ''), ('60', 60), ('on', True), ('1e5', '1e5'), ('"42"', '42'), ("['a', 'b']", ['a', 'b'])])
 def test_the_string_of_an_argument_is_read_as_yaml(context, text, value):
-    context.arguments['n'] = text
+    context.launch_configurations['n'] = text
     assert values_of({'n': given('n')}, context) == {'n': value}
 
 
 @pytest.mark.parametrize('text', ['null', '2026-01-31', '2026-02-31', '{a: b}', '[1, a]', '[]', '[true, 1]', 'a: b: c'])
 def test_a_string_that_yaml_makes_no_parameter_of_is_an_error_that_says_how_to_keep_it(context, text):
-    context.arguments['n'] = text
+    context.launch_configurations['n'] = text
     with pytest.raises(LaunchFailed, match=r'^n: .* read as YAML\. .*value_type=str\) keeps it one'):
         values_of({'n': given('n')}, context)
     assert values_of({'n': ParameterValue(given('n'), value_type=str)}, context) == {'n': text}
 
 
 def test_a_list_that_holds_a_list_with_a_substitution_is_a_list_and_one_of_strings_and_substitutions_is_one(context):
-    context.arguments['x'] = 'a'
+    context.launch_configurations['x'] = 'a'
     assert values_of({
         'two': [given('x'), [given('x'), '_b']], 'one': [given('x'), '_b'], 'texts': ['1', ['2', given('x')]],
         'numbers': [[given('speed')], 5], 'bools': [True, False]}, context) == {
@@ -333,7 +365,7 @@ def test_what_cannot_be_a_parameter(context, value):
     ('1', bool, True), ('yes', bool, True), ('60', int, 60), ('60', float, 60.0), ('1e5', float, 1e5),
     ('42', str, '42'), ('[1, 2]', INTS, [1, 2]), ('1.0', None, 1.0)])
 def test_a_parameter_value_turns_the_string_of_a_substitution_into_its_type(context, text, value_type, value):
-    context.arguments['n'] = text
+    context.launch_configurations['n'] = text
     found = parameter_value('x', ParameterValue(given('n'), value_type=value_type), context)
     assert (type(found), found) == (type(value), value)
 
@@ -341,7 +373,7 @@ def test_a_parameter_value_turns_the_string_of_a_substitution_into_its_type(cont
 @pytest.mark.parametrize(('text', 'value_type', 'name'), [
     ('2', bool, 'bool'), ('fast', int, 'int'), ('1', INTS, r'List\[int\]'), ('[1, a]', INTS, r'List\[int\]')])
 def test_a_string_of_another_type_is_an_error(context, text, value_type, name):
-    context.arguments['n'] = text
+    context.launch_configurations['n'] = text
     why = f'^{re.escape(repr(text))} was given where the launch file takes a value of type {name}$'
     with pytest.raises(LaunchFailed, match=why):
         parameter_value('x', ParameterValue(given('n'), value_type=value_type), context)
@@ -366,8 +398,11 @@ def test_a_parameter_file_with_substitutions(context, tmp_path):
 
 
 @pytest.mark.parametrize(('text', 'why'), [
-    ('x: $(eval 1 + 1)', r'(?s)not \$\(eval 1 \+ 1\).*environment/README.md'),
-    ('x: $(var speed', r'knows \$\(var …\) and \$\(find-pkg-share …\) in a parameter file, and not \$\(var speed\.'),
+    ('x: $(arg speed)', r'no substitution \$\(arg speed\); it has \$\(var …\), .*environment/README.md'),
+    ('x: $(var)', r'\$\(var\) has too many arguments or too few'),
+    ('x: $(eval 1 + nothing)', r'too many arguments or too few'),
+    ("x: $(eval '1 + nothing')", r"the expression '1 \+ nothing' fails: NameError"),
+    ('x: $(var speed', r'a substitution cannot be read: \$\(var speed; it has to be \$\(name argument …\)'),
     ('x: $(var nobody)', "'nobody' does not exist")])
 def test_a_substitution_in_a_file_that_cannot_be_carried_out_is_named(context, tmp_path, text, why):
     path = tmp_path / 'with.yaml'
@@ -395,20 +430,18 @@ def test_arguments_are_shown_and_checked(launch_file):
         no description given
 """, '', 0)
     for words, why in ((['mode:=wild', 'robot:=x'], 'provided value "wild" is not valid'),
-                       ([], 'Required launch argument "robot" was not provided'),
+                       ([], "Included launch description missing required argument 'robot' (description: 'no "
+                            "description given'), given: []"),
                        (['fast'], "malformed launch argument 'fast'"),
                        (['robot:='], "malformed launch argument 'robot:='")):
         out, err, status = launch(path, *words, in_notebook=False)
         assert status == 1
         assert why in (err if 'malformed' in why else out)  # before the launch begins, or in it
-    assert launch(path, 'mode:=wild', in_notebook=False)[0].splitlines()[1:] == [
+    assert launch(path, 'mode:=wild', 'robot:=x', in_notebook=False)[0].splitlines()[1:] == [
         '[ERROR] [launch.actions.declare_launch_argument]: Argument "mode" provided value "wild" is not valid. Valid '
         "options are: ['slow', 'fast']",
         '[ERROR] [launch]: Caught exception in launch (see debug for traceback): Argument "mode" provided value "wild" '
         "is not valid. Valid options are: ['slow', 'fast']"]
-    assert launch(path, in_notebook=False)[0].splitlines()[1] == (
-        '[ERROR] [launch.actions.declare_launch_argument]: Required launch argument "robot" (description: "no '
-        'description given") was not provided')
 
 
 def test_of_two_declarations_the_first_is_shown_and_defaults_are_described(launch_file):

@@ -4,6 +4,8 @@ The exit status is made for scripts: 0 if nothing was found, 1 if something was,
 """
 
 import argparse
+import tempfile
+from pathlib import Path
 
 from param_tools.cli import system_arguments
 from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
@@ -25,6 +27,10 @@ def add_check_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('files', nargs='+', metavar='FILE',
                         help='parameter files, in the order in which the nodes get them')
+    parser.add_argument('--launch', action='store_true',
+                        help='the words are those after `ros2 launch`: a launch file, or a package and a launch file, '
+                             'and name:=value for its arguments. Show what each of its nodes would get, from where, '
+                             'and check it. The launch file is carried out, but no program is started')
     parser.add_argument('--against', action='append', default=[], metavar='[NODE=]SOURCE',
                         help=f'what the files are for: {system_arguments.HELP}: a description saved by `describe`, '
                              f'or a schema of generate_parameter_library. May be given several times, also '
@@ -48,8 +54,11 @@ def check(session: Session, args: argparse.Namespace) -> int:
             if not found:
                 raise CommandFailed(f'nothing can be checked against {word}: no node of it was described')
             against.add(found)
-        sets = [[file] for file in args.files] if args.separately else [args.files]
-        results = [check_files(files, against, loading=args.load) for files in sets]
+        if args.launch:
+            results = [_check_launch(session, args, against)]
+        else:
+            sets = [[file] for file in args.files] if args.separately else [args.files]
+            results = [check_files(files, against, loading=args.load) for files in sets]
     except (ParameterToolError, CommandFailed) as error:
         session.complain(error)
         return 2
@@ -61,6 +70,23 @@ def check(session: Session, args: argparse.Namespace) -> int:
     if left := [place for result in results for place in result.left_to_launch]:
         session.complain(f'Not checked, because launch fills them in: {", ".join(left)}')
     return 1 if findings else 0
+
+
+def _check_launch(session: Session, args: argparse.Namespace, against: Descriptions) -> Findings:
+    """Print what the nodes of a launch file would get, and return what is wrong with it.
+
+    :raises CommandFailed: the launch file cannot be carried out.
+    """
+    from param_tools.cli.launch.rehearsal import RehearsedLaunch
+    from param_tools.cli.launch.verb import path_and_arguments
+
+    if args.load or args.separately or args.complete:
+        raise CommandFailed('--load, --separately and --complete are for parameter files, and not for --launch')
+    with tempfile.TemporaryDirectory(prefix='param_tools_') as folder:
+        launch = RehearsedLaunch(*path_and_arguments(args.files), Path(folder))
+        if args.format == 'text':
+            session.print('\n'.join(launch.lines()) or 'The launch file starts no node.')
+        return launch.check(against)
 
 
 def add_describe_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,23 +1,20 @@
-"""What a launch file is made of: a LaunchDescription, and the actions of ``launch`` and ``launch_ros`` in it.
+"""The actions of ``launch``: arguments, groups, included files, variables, timers, and programs that are no nodes.
 
-An action is carried out by ``execute``, which returns the programs to start. Nothing here starts a process, so a
+An action is carried out by ``visit``, which returns the programs to start. Nothing here starts a process, so a
 mistake anywhere in a launch file leaves nothing running.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+import shlex
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple, Self
 
-import yaml
-from rclpy.exceptions import NameValidationException
-from rclpy.validate_namespace import validate_namespace
-from rclpy.validate_node_name import validate_node_name
-
-from param_tools.cli.launch.context import FULL_INSTALLATION, Context, LaunchFailed
-from param_tools.cli.launch.parameters import ParameterFile, flat
+from param_tools.cli.launch.conditions import Condition
+from param_tools.cli.launch.context import Context, LaunchFailed, refuse
+from param_tools.cli.launch.importing import read, running
 from param_tools.cli.launch.processes import Program
-from param_tools.cli.launch.substitutions import expect_string, perform
-from param_tools.cli.run import find_program
+from param_tools.cli.launch.substitutions import as_bool, expect_string, is_list, perform
 from param_tools.cli.session import CommandFailed
 
 # Where the two streams of a program go, for each word that output= takes. A program's log file is not kept here.
@@ -26,8 +23,28 @@ _OUTPUTS: dict[str, dict[str, Any]] = {
     'own_log': {'both': 'own_log'}, 'full': {'both': 'screen'}}
 
 
+class DeclaredArgument(NamedTuple):
+    """An argument of a launch file, and where it is declared."""
+
+    declaration: 'DeclareLaunchArgument'
+    is_conditional: bool
+    """True if conditions decide whether it is."""
+    given: tuple[str, ...]
+    """The names of the arguments that the launch files around it pass on to the one that declares it."""
+
+
+@dataclass(kw_only=True)
 class Action:
     """An entry of a launch description."""
+
+    condition: Condition | None = None
+
+    def visit(self, context: Context) -> list[Program]:
+        """Carry out the action if its condition is true, and return the programs to start.
+
+        :raises LaunchFailed: that cannot be done.
+        """
+        return self.execute(context) if self.condition is None or self.condition.evaluate(context) else []
 
     def execute(self, context: Context) -> list[Program]:
         """Carry out the action, and return the programs to start.
@@ -36,16 +53,43 @@ class Action:
         """
         raise NotImplementedError
 
-    def declared_arguments(self) -> list['DeclareLaunchArgument']:
-        """Return the arguments of the launch file that the action declares."""
-        return []
+    def declared_arguments(self) -> Iterator[DeclaredArgument]:
+        """Return the arguments of the launch file that the action declares, as far as that is known before a launch."""
+        yield from ()
+
+
+def visit_all(actions: Iterable[Action] | None, context: Context) -> list[Program]:
+    """Carry out actions, and return the programs to start.
+
+    :raises LaunchFailed: that cannot be done.
+    """
+    return [program for action in expect_actions(actions) for program in action.visit(context)]
+
+
+def expect_actions(actions: Iterable[Action] | None) -> list[Action]:
+    """Return actions as a list.
+
+    :raises LaunchFailed: there is something else among them.
+    """
+    found = list(actions or ())
+    for each in found:
+        if not isinstance(each, Action):
+            raise LaunchFailed(f'a LaunchDescription takes actions such as Node(...), not {each!r}')
+    return found
+
+
+def _declared_in(actions: Iterable[Action], is_conditional: bool) -> Iterator[DeclaredArgument]:
+    for action in actions:
+        for each in action.declared_arguments():
+            yield each._replace(is_conditional=each.is_conditional or is_conditional)
 
 
 class DeclareLaunchArgument(Action):
     """An argument of the launch file, given as ``name:=value``."""
 
     def __init__(self, name: str, *, default_value: Any = None, description: str | None = None,
-                 choices: list[str] | None = None):
+                 choices: list[str] | None = None, condition: Condition | None = None):
+        super().__init__(condition=condition)
         if default_value is not None:
             expect_string(default_value)
         self.name = name
@@ -56,100 +100,298 @@ class DeclareLaunchArgument(Action):
             self.description = f'{description.rstrip(".")}. Valid choices are: {choices}'
 
     def execute(self, context: Context) -> list[Program]:
-        if self.name not in context.arguments:
+        if self.name not in context.launch_configurations:
             if self.default_value is None:
                 context.log_error(f'Required launch argument "{self.name}" (description: "{self.description}") was not '
                                   f'provided')
                 raise LaunchFailed(f'Required launch argument "{self.name}" was not provided.')
-            context.arguments[self.name] = perform(self.default_value, context)
-        given = context.arguments[self.name]
+            context.launch_configurations[self.name] = perform(self.default_value, context)
+        given = context.launch_configurations[self.name]
         if self.choices is not None and given not in self.choices:
             error = f'Argument "{self.name}" provided value "{given}" is not valid. Valid options are: {self.choices}'
             context.log_error(error)
             raise LaunchFailed(error)
         return []
 
-    def declared_arguments(self) -> list['DeclareLaunchArgument']:
-        return [self]
+    def declared_arguments(self) -> Iterator[DeclaredArgument]:
+        yield DeclaredArgument(self, self.condition is not None, ())
 
 
 @dataclass
-class SetParameter(Action):
-    """A parameter for every node that comes later in the launch file."""
+class SetLaunchConfiguration(Action):
+    """A value for an argument, also for one that nobody has declared."""
 
     name: Any
     value: Any
 
     def execute(self, context: Context) -> list[Program]:
         name = perform(self.name, context)
-        context.parameters.extend(flat({name: self.value}, context).items())
+        context.launch_configurations[name] = perform(self.value, context)
+        return []
+
+
+@dataclass
+class UnsetLaunchConfiguration(Action):
+    """An argument that has no value any more."""
+
+    name: Any
+
+    def execute(self, context: Context) -> list[Program]:
+        context.launch_configurations.pop(perform(self.name, context), None)
+        return []
+
+
+@dataclass
+class SetEnvironmentVariable(Action):
+    """An environment variable of every program that comes later in the launch file."""
+
+    name: Any
+    value: Any
+
+    def execute(self, context: Context) -> list[Program]:
+        context.environment[perform(self.name, context)] = perform(self.value, context)
+        return []
+
+
+@dataclass
+class UnsetEnvironmentVariable(Action):
+    """An environment variable that programs that come later in the launch file do not have."""
+
+    name: Any
+
+    def execute(self, context: Context) -> list[Program]:
+        context.environment.pop(perform(self.name, context), None)
+        return []
+
+
+@dataclass
+class AppendEnvironmentVariable(Action):
+    """A part of an environment variable such as PATH, at its end or at its beginning."""
+
+    name: Any
+    value: Any
+    prepend: Any = False
+    separator: Any = ':'
+
+    def execute(self, context: Context) -> list[Program]:
+        name = perform(self.name, context)
+        parts = [context.environment[name]] if name in context.environment else []
+        parts.insert(0 if typed_bool(self.prepend, context) else 1, perform(self.value, context))
+        context.environment[name] = perform(self.separator, context).join(parts)
+        return []
+
+
+@dataclass
+class LogInfo(Action):
+    """A line that the launch prints."""
+
+    msg: Any
+
+    def execute(self, context: Context) -> list[Program]:
+        context.log(perform(self.msg, context))
+        return []
+
+
+class LaunchDescription(Action):
+    """What a launch file starts, in this order."""
+
+    def __init__(self, initial_entities: Iterable[Action] | None = None, *, deprecated_reason: str | None = None):
+        super().__init__()
+        self.entities = expect_actions(initial_entities)
+        self.deprecated_reason = deprecated_reason
+
+    def add_action(self, action: Action) -> None:
+        """Add an action at the end."""
+        self.entities += expect_actions([action])
+
+    add_entity = add_action
+
+    def execute(self, context: Context) -> list[Program]:
+        if self.deprecated_reason is not None:
+            context.warn(f'launch file [{context.launch_file}] is deprecated: {self.deprecated_reason}')
+        try:
+            return visit_all(self.entities, context)
+        except LaunchFailed:
+            raise
+        except CommandFailed as error:  # no such package, no such program
+            raise LaunchFailed(error) from error
+        except (TypeError, ValueError) as error:  # a null character in a path, for example
+            raise LaunchFailed(f'{type(error).__name__}: {error}') from error
+
+    def declared_arguments(self) -> Iterator[DeclaredArgument]:
+        yield from _declared_in(self.entities, self.condition is not None)
+
+
+class GroupAction(Action):
+    """Actions whose settings end with the group, unless it has no scope of its own."""
+
+    def __init__(self, actions: Iterable[Action], *, scoped: bool = True, forwarding: bool = True,
+                 launch_configurations: Mapping[Any, Any] | None = None, condition: Condition | None = None):
+        super().__init__(condition=condition)
+        self.actions = expect_actions(actions)
+        self.scoped = scoped
+        self.forwarding = forwarding
+        self.launch_configurations = launch_configurations or {}
+
+    def execute(self, context: Context) -> list[Program]:
+        if not self.scoped:
+            return self._visit_actions(context)
+        with context.scope():
+            return self._visit_actions(context)
+
+    def _visit_actions(self, context: Context) -> list[Program]:
+        given: dict[str, Any] = {}
+        for name, value in self.launch_configurations.items():
+            given[perform(name, context)] = perform(value, context)
+        if self.scoped and not self.forwarding:
+            context.launch_configurations = {}
+        context.launch_configurations |= given
+        return visit_all(self.actions, context)
+
+    def declared_arguments(self) -> Iterator[DeclaredArgument]:
+        yield from _declared_in(self.actions, self.condition is not None)
+
+
+class LaunchDescriptionSource:
+    """Another launch file: its path, or what it describes."""
+
+    def __init__(self, launch_description: LaunchDescription | None = None, location: Any = '<string>'):
+        self._description = launch_description
+        self._location = location
+
+    def load(self, context: Context) -> tuple[LaunchDescription, Path | None]:
+        """Return what the launch file describes, and its path if it has one.
+
+        :raises LaunchFailed: it cannot be read.
+        """
+        if self._description is not None:
+            return self._description, None
+        path = Path(perform(self._location, context)).absolute()
+        return read(path), path
+
+
+class LaunchFileSource(LaunchDescriptionSource):
+    """Another launch file, by its path: in Python, XML or YAML, as the end of its name says."""
+
+    def __init__(self, launch_file_path: Any):
+        super().__init__(location=str(launch_file_path) if isinstance(launch_file_path, Path) else launch_file_path)
+
+
+class IncludeLaunchDescription(Action):
+    """Another launch file, with values for its arguments, which stay set after it."""
+
+    def __init__(self, launch_description_source: Any, *, launch_arguments: Iterable[tuple[Any, Any]] | None = None,
+                 condition: Condition | None = None):
+        super().__init__(condition=condition)
+        self.source = (launch_description_source if isinstance(launch_description_source, LaunchDescriptionSource)
+                       else LaunchFileSource(launch_description_source))
+        self.launch_arguments = tuple(launch_arguments or ())
+
+    def execute(self, context: Context) -> list[Program]:
+        description, path = self.source.load(context)
+        if path is not None:
+            # As in launch, it stays the current one when the file around it goes on.
+            context.launch_file = path
+        names = [perform(name, context) for name, _ in self.launch_arguments]
+        seen: set[str] = set()
+        for declared, is_conditional, given in description.declared_arguments():
+            is_given = declared.name in (*names, *given)
+            if declared.name not in seen and not (is_conditional or is_given or declared.default_value is not None):
+                raise LaunchFailed(f"Included launch description missing required argument '{declared.name}' "
+                                   f"(description: '{declared.description}'), given: [{', '.join((*names, *given))}]")
+            seen.add(declared.name)
+        for name, value in self.launch_arguments:
+            SetLaunchConfiguration(name, value).execute(context)
+        return description.visit(context)
+
+    def declared_arguments(self) -> Iterator[DeclaredArgument]:
+        nothing = Context()
+        try:
+            description, _ = self.source.load(nothing)
+            own = tuple(perform(name, nothing) for name, _ in self.launch_arguments)
+        except CommandFailed:
+            return  # the path is known at the launch only
+        for each in _declared_in([description], self.condition is not None):
+            yield each._replace(given=(*own, *each.given))
+
+
+class OpaqueFunction(Action):
+    """A function of the launch file, which takes the context and returns further actions."""
+
+    def __init__(self, *, function: Callable[..., Iterable[Action] | None], args: Iterable[Any] | None = None,
+                 kwargs: Mapping[str, Any] | None = None, condition: Condition | None = None):
+        super().__init__(condition=condition)
+        if not callable(function):
+            raise LaunchFailed(f"OpaqueFunction expected a callable for 'function', got '{type(function)}'")
+        self.function = function
+        self.args = args or ()
+        self.kwargs = kwargs or {}
+
+    def execute(self, context: Context) -> list[Program]:
+        with running(getattr(self.function, '__name__', 'an OpaqueFunction')):
+            found = self.function(context, *self.args, **self.kwargs)
+        return visit_all(found, context)
+
+
+class TimerAction(Action):
+    """Actions that are carried out some seconds later, when all others have been."""
+
+    def __init__(self, *, period: Any, actions: Iterable[Action], cancel_on_shutdown: Any = True,
+                 condition: Condition | None = None):
+        super().__init__(condition=condition)
+        self.period = period
+        self.actions = expect_actions(actions)
+        if cancel_on_shutdown is not True:
+            refuse('keep a timer after a shutdown (cancel_on_shutdown)')
+
+    def execute(self, context: Context) -> list[Program]:
+        context.postponed.append((typed_float(self.period, context), self.actions))
+        return []
+
+    def declared_arguments(self) -> Iterator[DeclaredArgument]:
+        yield from _declared_in(self.actions, is_conditional=True)
+
+
+class Shutdown(Action):
+    """The end of all programs: as ``on_exit`` of one of them."""
+
+    def __init__(self, *, reason: Any = '', condition: Condition | None = None):
+        super().__init__(condition=condition)
+        self.reason = reason
+
+    def execute(self, context: Context) -> list[Program]:
+        context.expect_launchable('shut down but as on_exit= of a program')
         return []
 
 
 @dataclass(kw_only=True)
-class Node(Action):
-    """A node, started in a process of its own."""
+class Process(Action):
+    """What a Node and another program have in common: how it is started and where its output goes."""
 
-    executable: Any
-    package: Any = None
-    name: Any = None
-    namespace: Any = None
-    parameters: list[Any] | None = None
-    remappings: Sequence[tuple[Any, Any]] | None = None
-    arguments: Sequence[Any] | None = None
-    ros_arguments: Sequence[Any] | None = None
     output: Any = 'log'
-    emulate_tty: bool = False
+    emulate_tty: Any = False
+    respawn: Any = False
+    respawn_delay: float | None = None
+    prefix: Any = None
+    cwd: Any = None
+    env: Mapping[Any, Any] | None = None
+    additional_env: Mapping[Any, Any] | None = None
+    on_exit: Any = None
 
-    def __post_init__(self) -> None:
-        if self.package is None:
-            raise LaunchFailed(f'the embedded ros2 launch needs package= for a Node. {FULL_INSTALLATION}')
-        if self.parameters is not None and not isinstance(self.parameters, list):
-            raise LaunchFailed(f"'Node' expected 'parameters' to be a list, but got a value of type "
-                               f"'{type(self.parameters).__name__}'")
-        for option, value in (('arguments', self.arguments), ('ros_arguments', self.ros_arguments)):
-            if not isinstance(value, Iterable | None):
-                raise LaunchFailed(f"'Node' expected '{option}' to be a list of strings and substitutions, but got "
-                                   f'{value!r}')
-        rules = [] if self.remappings is None else self.remappings
-        if not isinstance(rules, Iterable) or not all(isinstance(rule, tuple) and len(rule) == 2 for rule in rules):
-            raise LaunchFailed(f"'Node' expected 'remappings' to be a list of pairs such as ('old', 'new'), but got "
-                               f'{self.remappings!r}')
+    def program(self, command: list[str], name: str, context: Context) -> Program:
+        """Return what is to be started.
 
-    def execute(self, context: Context) -> list[Program]:
-        executable = perform(self.executable, context)
-        program = find_program(perform(self.package, context), executable)
-        return [Program(self.command(program, context), executable, *self.streams_on_screen(context))]
-
-    def command(self, program: list[str], context: Context) -> list[str]:
-        """Return the command line, as launch_ros makes it.
-
-        :param program: The words that start the executable.
+        :param name: The program's on the screen.
         """
-        name, namespace = self._full_name(context)
-        words = [*program, *(perform(word, context) for word in self.arguments or ()), '--ros-args',
-                 *(perform(word, context) for word in self.ros_arguments or ())]
-        if name is not None:
-            words += ['-r', f'__node:={name}']
-        if namespace is not None:
-            words += ['-r', f'__ns:={namespace}']
-        for parameter, value in context.parameters:
-            # As Python writes the value, a list as a tuple: so does launch_ros. rcl guesses the type again.
-            words += ['-p', f'{parameter}:={value}']
-        # The full name where the launch file gives it, and every node's where it does not.
-        key = '/**' if name is None or namespace is None else f'{namespace.rstrip("/")}/{name}'
-        for source in self.parameters or ():
-            if isinstance(source, Mapping):
-                path = context.write(yaml.safe_dump({key: {'ros__parameters': flat(source, context)}}))
-            else:
-                path = (source if isinstance(source, ParameterFile) else ParameterFile(source)).evaluate(context)
-                if not path.is_file():
-                    context.warn(f'Parameter file path is not a file: {path}')
-                    continue
-            words += ['--params-file', str(path)]
-        for old, new in self.remappings or ():
-            words += ['-r', f'{perform(old, context)}:={perform(new, context)}']
-        return words
+        prefix = context.launch_configurations.get('launch-prefix', '') if self.prefix is None else self.prefix
+        environment = dict(context.environment) if self.env is None else _performed(self.env, context)
+        environment |= _performed(self.additional_env or {}, context)
+        return Program(
+            [*shlex.split(perform(prefix, context)), *command], name, *self.streams_on_screen(context),
+            environment=None if environment == context.environment_before else environment,
+            folder=None if self.cwd is None else Path(perform(self.cwd, context)),
+            respawn_sec=(self.respawn_delay or 0.0) if typed_bool(self.respawn, context) else None,
+            ends_all=self._ends_all(context))
 
     def streams_on_screen(self, context: Context) -> tuple[bool, bool]:
         """True for each of standard output and standard error that is shown."""
@@ -162,42 +404,102 @@ class Node(Action):
                           for stream in ('stdout', 'stderr'))
         return stdout, stderr
 
-    def _full_name(self, context: Context) -> tuple[str | None, str | None]:
-        name, namespace = (None if each is None else perform(each, context) for each in (self.name, self.namespace))
-        try:
-            if name is not None:
-                validate_node_name(name)
-            if namespace is not None:
-                namespace = (namespace if namespace.startswith('/') else f'/{namespace}').rstrip('/') or '/'
-                validate_namespace(namespace)
-        except NameValidationException as error:
-            # The third line points at a character of the second, which is the name.
-            what, which, *_ = str(error).splitlines()
-            raise LaunchFailed(f'{what} {which.strip()}') from None
-        return name, namespace
+    def _ends_all(self, context: Context) -> bool:
+        actions = [] if self.on_exit is None else list(self.on_exit) if is_list(self.on_exit) else [self.on_exit]
+        if not all(isinstance(each, Shutdown) for each in actions):
+            context.expect_launchable('do anything but Shutdown() on_exit= of a program')
+        return bool(actions)
 
 
-class LaunchDescription(Action):
-    """What a launch file starts, in this order."""
+@dataclass(kw_only=True)
+class ExecuteProcess(Process):
+    """A program that is no node of a package."""
 
-    def __init__(self, entities: Sequence[Action] | None = None):
-        self.entities: list[Action] = []
-        for entity in entities or ():
-            self.add_action(entity)
-
-    def add_action(self, action: Action) -> None:
-        """Add an action at the end."""
-        if not isinstance(action, Action):
-            raise LaunchFailed(f'a LaunchDescription takes actions such as Node(...), not {action!r}')
-        self.entities.append(action)
+    cmd: Sequence[Any]
+    name: Any = None
+    shell: Any = False
 
     def execute(self, context: Context) -> list[Program]:
-        try:
-            return [program for entity in self.entities for program in entity.execute(context)]
-        except CommandFailed as error:  # no such package, no such program
-            raise LaunchFailed(error) from error
-        except (TypeError, ValueError) as error:  # a null character in a path, for example
-            raise LaunchFailed(f'{type(error).__name__}: {error}') from error
+        if not is_list(self.cmd) or not self.cmd:
+            raise LaunchFailed(f"'ExecuteProcess' expected 'cmd' to be a list of strings and substitutions, but got "
+                               f'{self.cmd!r}')
+        words = [perform(word, context) for word in self.cmd]
+        name = Path(words[0]).name if self.name is None else perform(self.name, context)
+        return [self.program(['sh', '-c', ' '.join(words)] if typed_bool(self.shell, context) else words, name,
+                             context)]
 
-    def declared_arguments(self) -> list[DeclareLaunchArgument]:
-        return [argument for entity in self.entities for argument in entity.declared_arguments()]
+
+class RegisterEventHandler(Action):
+    """Actions that an event sets off, such as the end of a program: only a rehearsal carries them out."""
+
+    def __init__(self, event_handler: 'Event', *, condition: Condition | None = None):
+        super().__init__(condition=condition)
+        self.event_handler = event_handler
+
+    def execute(self, context: Context) -> list[Program]:
+        context.expect_launchable(f'wait for events ({type(self.event_handler).__name__})')
+        context.postponed.append((float('inf'), self.event_handler.actions))
+        return []
+
+
+class EmitEvent(Action):
+    """An event, which only a full installation has."""
+
+    def __init__(self, *, event: 'Event', condition: Condition | None = None):
+        super().__init__(condition=condition)
+        self.event = event
+
+    def execute(self, context: Context) -> list[Program]:
+        context.expect_launchable(f'emit events ({type(self.event).__name__})')
+        return []
+
+
+class Event:
+    """An event, or what sets actions off when there is one; a function that would return them is passed over."""
+
+    def __init__(self, *_: Any, **options: Any):
+        found: Any = next((options[name] for name in ('on_exit', 'on_start', 'on_completion', 'on_shutdown', 'entities')
+                           if options.get(name) is not None), [])
+        self.actions = expect_actions(found if is_list(found) else [] if callable(found) else [found])
+
+    @classmethod
+    def named(cls, name: str) -> type[Self]:
+        """Return a class with the name that launch files use."""
+        return type(name, (cls,), {})
+
+
+def carry_out(actions: Iterable[Action], context: Context) -> list[Program]:
+    """Carry out actions and, after them, what timers have postponed; return the programs to start.
+
+    :raises LaunchFailed: that cannot be done.
+    """
+    programs: list[Program] = []
+    pending: list[tuple[float, Iterable[Action]]] = [(0.0, actions)]
+    with context.scope():
+        while pending:
+            delay, due = pending.pop(0)
+            programs += [program._replace(delay_sec=delay) for program in LaunchDescription(due).execute(context)]
+            pending += [(delay + period, later) for period, later in context.postponed]
+            pending.sort(key=lambda each: each[0])
+            context.postponed.clear()
+    return programs
+
+
+def typed_bool(value: Any, context: Context) -> bool:
+    """Return a boolean, or the one that a substitution stands for."""
+    return value if isinstance(value, bool) else as_bool(perform(value, context))
+
+
+def typed_float(value: Any, context: Context) -> float:
+    """Return a number, or the one that a substitution stands for.
+
+    :raises LaunchFailed: it is none.
+    """
+    try:
+        return float(value if isinstance(value, (int, float)) else perform(value, context))
+    except ValueError as error:
+        raise LaunchFailed(error) from None
+
+
+def _performed(variables: Mapping[Any, Any], context: Context) -> dict[str, str]:
+    return {perform(name, context): perform(value, context) for name, value in variables.items()}

@@ -1,11 +1,16 @@
 """What is known while a launch file is carried out, and the error that ends the launch."""
 
+import contextlib
+import os
+import shutil
+import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
+from param_tools.cli.run import find_program
 from param_tools.cli.session import CommandFailed
 
 FULL_INSTALLATION = 'A full installation knows more: environment/README.md says how to get one'
@@ -15,20 +20,59 @@ class LaunchFailed(CommandFailed):
     """A launch file asks for something that cannot be done."""
 
 
+def refuse(what: str) -> NoReturn:
+    """Reject what only a full installation can do.
+
+    :raises LaunchFailed: always.
+    """
+    raise LaunchFailed(f'the embedded ros2 launch cannot {what}. {FULL_INSTALLATION}')
+
+
 @dataclass
 class Context:
-    """What actions and substitutions know, and what the actions before them have set."""
+    """What actions and substitutions know, and what the actions before them have set.
 
-    arguments: dict[str, str]
-    """The launch configurations: the arguments that were given, and the defaults of the others."""
-    folder: Path
+    ``launch_configurations``, ``environment`` and ``perform_substitution`` have the names that the functions in launch
+    files use.
+    """
+
+    launch_configurations: dict[str, Any] = field(default_factory=dict)
+    """The arguments that were given, and the defaults of the others. As in launch_ros, ``ros_namespace``,
+    ``ros_remaps`` and ``global_params`` are among them: what PushROSNamespace, SetRemap and SetParameter have set."""
+    folder: Path = Path(tempfile.gettempdir())
     """Where parameter files are written."""
-    warn: Callable[[str], object]
+    warn: Callable[[str], object] = lambda _: None
     """Prints a warning."""
-    parameters: list[tuple[str, Any]] = field(default_factory=list)
-    """Names and values that ``SetParameter`` gives to every later node."""
     log_error: Callable[[str], object] = lambda _: None
     """Prints an error of the declaration of an argument, which ends the launch."""
+    log: Callable[[str], object] = lambda _: None
+    """Prints what the launch file logs."""
+    launch_file: Path | None = None
+    """The launch file that was included last."""
+    environment: MutableMapping[str, str] = field(default_factory=lambda: os.environ)
+    """The environment variables: those of this process, which launch files in Python change, too."""
+    environment_before: Mapping[str, str] = field(default_factory=lambda: dict(os.environ))
+    """The environment variables before the launch file was carried out."""
+    originals: dict[Path, Path] = field(default_factory=dict)
+    """For each parameter file whose substitutions were carried out, the file that holds them."""
+    postponed: list[tuple[float, Sequence[Any]]] = field(default_factory=list)
+    """The actions of timers, each with the seconds that it waits."""
+
+    def perform_substitution(self, substitution: Any) -> str:
+        """Return the string that a substitution stands for."""
+        return str(substitution.perform(self))
+
+    @contextlib.contextmanager
+    def scope(self) -> Iterator[None]:
+        """Undo, in the end, what is set in the meantime."""
+        configurations, environment = dict(self.launch_configurations), dict(self.environment)
+        try:
+            yield
+        finally:
+            self.launch_configurations = configurations
+            if self.environment != environment:
+                self.environment.clear()
+                self.environment.update(environment)
 
     def write(self, text: str) -> Path:
         """Write a parameter file, and return its path."""
@@ -36,3 +80,49 @@ class Context:
                                          encoding='utf-8') as file:
             file.write(text)
         return Path(file.name)
+
+    # -- what a rehearsal does otherwise ------------------------------------------------------------------------------
+
+    def find_program(self, package: str, executable: str) -> list[str]:
+        """Return the words that start a package's program.
+
+        :raises CommandFailed: there is no such package or program.
+        """
+        return find_program(package, executable)
+
+    def find_executable(self, name: str) -> str:
+        """Return the path of a program on the PATH.
+
+        :raises LaunchFailed: there is none.
+        """
+        if path := shutil.which(name, path=self.environment.get('PATH')):
+            return path
+        raise LaunchFailed(f"executable '{name}' not found on the PATH")
+
+    def output_of(self, command: Sequence[str], on_stderr: str) -> str:
+        """Run a command, and return what it prints.
+
+        :param on_stderr: What happens if it prints to standard error: ``fail``, ``ignore``, ``warn`` or ``capture``.
+        :raises LaunchFailed: it cannot be started or fails.
+        """
+        try:
+            done = subprocess.run(
+                command, stdout=subprocess.PIPE, text=True, env=dict(self.environment), check=False,
+                stderr=subprocess.STDOUT if on_stderr == 'capture' else subprocess.PIPE)
+        except OSError as error:
+            raise LaunchFailed(f'cannot run {command[0]}: {error.strerror}') from None
+        said = f'Command: {" ".join(command)}\nCaptured stderr output: {done.stderr}'
+        if done.returncode:
+            raise LaunchFailed(f'executed command failed. {said}')
+        if done.stderr and on_stderr == 'fail':
+            raise LaunchFailed(f'executed command showed stderr output. {said}')
+        if done.stderr and on_stderr == 'warn':
+            self.warn(f'executed command showed stderr output. {said}')
+        return done.stdout
+
+    def expect_launchable(self, what: str) -> None:
+        """Expect to carry out what only a full installation can start; a rehearsal can.
+
+        :raises LaunchFailed: this is no rehearsal.
+        """
+        refuse(what)

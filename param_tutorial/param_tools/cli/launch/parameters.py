@@ -3,17 +3,17 @@
 The string of a substitution is read as YAML, as launch_ros does, unless a ParameterValue says the type.
 """
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from inspect import formatannotation
 from pathlib import Path
-from typing import Any, ClassVar, get_args
+from typing import Any, get_args
 
 import yaml
 
-from param_tools.cli.launch.context import FULL_INSTALLATION, Context, LaunchFailed
-from param_tools.cli.launch.substitutions import FindPackageShare, LaunchConfiguration, is_substitution, perform
+from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.substitutions import as_bool, is_substitution, perform
+from param_tools.cli.launch.text import parse_text
 
 _SCALARS = (bool, int, float, str)
 
@@ -89,13 +89,8 @@ def _fits(value: Any, wanted: Any) -> bool:
 class ParameterFile:
     """A parameter file; with ``allow_substs=True`` it may hold substitutions, such as ``$(var name)``."""
 
-    # A character after a backslash, a substitution, or the beginning of an unknown one.
-    _TOKENS = re.compile(r'\\(?P<escaped>.)|\$\((?P<kind>[A-Za-z][\w-]*) (?P<argument>[^\s\'"\\$()]+)\)|\$\(.*')
-    _KINDS: ClassVar[dict[str, type[LaunchConfiguration | FindPackageShare]]] = {
-        'var': LaunchConfiguration, 'find-pkg-share': FindPackageShare}
-
     param_file: Any
-    allow_substs: bool = field(default=False, kw_only=True)
+    allow_substs: Any = field(default=False, kw_only=True)
 
     def evaluate(self, context: Context) -> Path:
         """Return the path of a file without substitutions.
@@ -103,20 +98,14 @@ class ParameterFile:
         :raises LaunchFailed: the file with substitutions cannot be read, or holds an unknown one.
         """
         path = self.param_file if isinstance(self.param_file, Path) else Path(perform(self.param_file, context))
-        if not self.allow_substs:
+        allows = self.allow_substs
+        if not (allows if isinstance(allows, bool) else as_bool(perform(allows, context))):
             return path
         try:
             text = path.read_text(encoding='utf-8')
         except OSError as error:
             raise LaunchFailed(f'{error.strerror}: {path}') from None
 
-        def substituted(token: re.Match[str]) -> str:
-            if token['escaped'] is not None:
-                return token['escaped']
-            if token['kind'] in self._KINDS:
-                return self._KINDS[token['kind']](token['argument']).perform(context)
-            known = ' and '.join(f'$({kind} …)' for kind in self._KINDS)
-            raise LaunchFailed(f'the embedded ros2 launch knows {known} in a parameter file, and not {token[0]}. '
-                               f'{FULL_INSTALLATION}')
-
-        return context.write(self._TOKENS.sub(substituted, text))
+        path_without = context.write(perform(parse_text(text), context))
+        context.originals[path_without] = path
+        return path_without

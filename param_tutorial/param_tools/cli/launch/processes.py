@@ -2,12 +2,14 @@
 
 import contextlib
 import itertools
+import math
 import os
 import queue
 import signal
 import threading
 import time
-from collections.abc import Callable, Generator, Iterable
+from collections.abc import Callable, Generator, Iterable, Mapping
+from pathlib import Path
 from typing import NamedTuple
 
 from param_tools.cli.session import TextStream
@@ -30,6 +32,16 @@ class Program(NamedTuple):
     show_stdout: bool
     show_stderr: bool
     """Nodes log there."""
+    environment: Mapping[str, str] | None = None
+    """Its environment variables; by default those of this process."""
+    folder: Path | None = None
+    """Where it runs; by default where this process does."""
+    delay_sec: float = 0.0
+    """How long after the others it starts."""
+    respawn_sec: float | None = None
+    """How long after its end it starts again; None if it does not."""
+    ends_all: bool = False
+    """True if its end ends all."""
 
 
 def _hide(_line: str) -> None:
@@ -61,29 +73,44 @@ class Launcher:
         """Start programs, and wait until all have ended; Ctrl+C or SIGTERM ends them."""
         before = {number: signal.signal(number, lambda number, _frame: self._events.put(number)) for number in _SIGNALS}
         try:
-            for program in programs:
-                self._start(program)
-            while self._running:
-                yield lambda: not self._events.empty()
+            begin = time.monotonic()
+            named = {f'{program.name}-{next(self._numbers)}': program for program in programs}
+            # The programs that are to start, and when: those of timers later, and those that start again.
+            due = {name: begin + program.delay_sec for name, program in named.items()}
+            while due or self._running:
+                for name in [name for name, moment in due.items() if moment <= time.monotonic()]:
+                    del due[name]
+                    self._start(name, named[name])
+                next_moment = min(due.values(), default=math.inf)
+                yield lambda: (not self._events.empty() or time.monotonic() >= next_moment  # noqa: B023
+                               or not (due or self._running))
+                if self._events.empty():
+                    continue
                 event = self._events.get()
-                if isinstance(event, str):
-                    del self._running[event]
-                else:
+                if not isinstance(event, str):
                     self.log('WARNING', 'launch', f'user interrupted with {_SIGNALS[signal.Signals(event)]}')
+                    due.clear()
                     yield from self._end_all()
+                    continue
+                del self._running[event]
+                if named[event].ends_all:
+                    self.log('INFO', 'launch', f'process[{event}] was required: shutting down launched system')
+                    due.clear()
+                    yield from self._end_all()
+                elif (pause := named[event].respawn_sec) is not None:
+                    due[event] = time.monotonic() + pause
         finally:
             for number, handler in before.items():
                 signal.signal(number, handler)
         return 0
 
-    def _start(self, program: Program) -> None:
-        name = f'{program.name}-{next(self._numbers)}'
+    def _start(self, name: str, program: Program) -> None:
         # In a session of its own: Ctrl+C reaches it once, through this launcher.
         output = _ProgramOutput(self, name, program)
         try:
             self._running[name] = host.host.start(program.command, Output(
                 output.show if program.show_stdout else _hide, output.show if program.show_stderr else _hide,
-                output.begin, output.end))
+                output.begin, output.end), environment=program.environment, folder=program.folder)
         except OSError as error:
             self.log('ERROR', name, f'exception occurred while executing process: {error.strerror}: '
                                    f'{program.command[0]}')

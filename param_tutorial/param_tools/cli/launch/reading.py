@@ -1,105 +1,104 @@
-"""Reading a launch file: while it runs, and no longer, ``import launch`` finds the classes of this package."""
+"""Reading a launch file: what it may import, and what it describes."""
 
-import contextlib
-import sys
-from collections.abc import Iterator
+import logging
+import re
 from pathlib import Path
 from types import ModuleType
-from typing import Any, NoReturn
+from typing import Any
 
-from param_tools.cli.index import provided_packages_installed
-from param_tools.cli.launch import actions, parameters, substitutions
-from param_tools.cli.launch.actions import LaunchDescription
-from param_tools.cli.launch.context import FULL_INSTALLATION, LaunchFailed
+from param_tools.cli.launch import actions, conditions, markup, parameters, ros_actions, substitutions
+from param_tools.cli.launch.actions import Event, LaunchDescription, LaunchDescriptionSource, LaunchFileSource
+from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.importing import MODULES, READERS, read, running
 
+# A launch file may import these to say the types of its functions' arguments and results.
+_TYPES: dict[str, Any] = {'SomeSubstitutionsType': Any, 'SomeEntitiesType': Any}
 _PARAMETERS: dict[str, Any] = {
     'ParameterFile': parameters.ParameterFile, 'ParameterValue': parameters.ParameterValue}
 
-# The modules, and the names in each, that a launch file may import.
-MODULES: dict[str, dict[str, Any]] = {
-    'launch': {'LaunchDescription': actions.LaunchDescription},
-    'launch.actions': {'DeclareLaunchArgument': actions.DeclareLaunchArgument},
-    'launch.substitutions': {name: getattr(substitutions, name) for name in (
-        'LaunchConfiguration', 'PathJoinSubstitution', 'TextSubstitution')},
+
+def _named(module: ModuleType, names: str) -> dict[str, Any]:
+    return {name: getattr(module, name) for name in names.split()}
+
+
+def _events(names: str) -> dict[str, Any]:
+    return {name: Event.named(name) for name in names.split()}
+
+
+_MODULES: dict[str, dict[str, Any]] = {
+    'launch': {'Action': actions.Action, 'Condition': conditions.Condition, 'LaunchContext': Context,
+               'LaunchDescription': LaunchDescription, 'LaunchDescriptionEntity': actions.Action,
+               'LaunchDescriptionSource': LaunchDescriptionSource, 'Substitution': substitutions.Substitution,
+               **_events('Event EventHandler'), **_TYPES},
+    'launch.actions': _named(actions, (
+        'AppendEnvironmentVariable DeclareLaunchArgument EmitEvent ExecuteProcess GroupAction '
+        'IncludeLaunchDescription LogInfo OpaqueFunction RegisterEventHandler SetEnvironmentVariable '
+        'SetLaunchConfiguration Shutdown TimerAction UnsetEnvironmentVariable UnsetLaunchConfiguration')),
+    'launch.conditions': _named(conditions, (
+        'IfCondition LaunchConfigurationEquals LaunchConfigurationNotEquals UnlessCondition')),
+    'launch.event_handlers': _events(
+        'OnExecutionComplete OnIncludeLaunchDescription OnProcessExit OnProcessIO OnProcessStart OnShutdown'),
+    'launch.events': _events('matches_action ExecutionComplete Shutdown'),
+    'launch.events.process': _events('ProcessExited ProcessIO ProcessStarted ShutdownProcess SignalProcess'),
+    'launch.launch_description_sources': dict.fromkeys(
+        ('AnyLaunchDescriptionSource', 'FrontendLaunchDescriptionSource', 'PythonLaunchDescriptionSource'),
+        LaunchFileSource),
+    'launch.logging': {'get_logger': logging.getLogger},
+    'launch.substitutions': _named(substitutions, (
+        'AllSubstitution AndSubstitution AnonName AnySubstitution Command EnvironmentVariable EqualsSubstitution '
+        'FileContent FindExecutable IfElseSubstitution LaunchConfiguration NotEqualsSubstitution NotSubstitution '
+        'OrSubstitution PathJoinSubstitution PathSubstitution PythonExpression TextSubstitution ThisLaunchFile '
+        'ThisLaunchFileDir')),
+    'launch.utilities': {
+        'normalize_to_list_of_substitutions': substitutions.normalized,
+        'perform_substitutions': lambda context, value: substitutions.perform(value, context)},
     'launch_ros': {},
-    'launch_ros.actions': {'Node': actions.Node, 'SetParameter': actions.SetParameter},
-    'launch_ros.descriptions': _PARAMETERS,
-    'launch_ros.substitutions': {'FindPackageShare': substitutions.FindPackageShare},
+    'launch_ros.actions': {**_named(ros_actions, (
+        'ComposableNodeContainer LifecycleNode LoadComposableNodes Node PushROSNamespace SetParameter '
+        'SetParametersFromFile SetRemap')), 'PushRosNamespace': ros_actions.PushROSNamespace,
+        'ROSTimer': ros_actions.RosTimer, 'RosTimer': ros_actions.RosTimer},
+    'launch_ros.descriptions': {**_PARAMETERS, 'ComposableNode': ros_actions.ComposableNode},
+    'launch_ros.event_handlers': _events('OnStateTransition'),
+    'launch_ros.events': {},
+    'launch_ros.events.lifecycle': _events('ChangeState StateTransition matches_node_name'),
+    'launch_ros.substitutions': _named(substitutions, (
+        'ExecutableInPackage FindPackagePrefix FindPackageShare Parameter')),
     'launch_ros.parameter_descriptions': _PARAMETERS,
+    'launch_xml': {},
+    'launch_xml.launch_description_sources': {'XMLLaunchDescriptionSource': LaunchFileSource},
+    'launch_yaml': {},
+    'launch_yaml.launch_description_sources': {'YAMLLaunchDescriptionSource': LaunchFileSource},
 }
-_PACKAGES = {name.partition('.')[0] for name in MODULES}
+# In launch, each of these classes has a module of its own, too, such as launch.substitutions.launch_configuration.
+MODULES.update(_MODULES)
+MODULES.update({f'{module}.{re.sub("(?<!^)(?=[A-Z])", "_", name).lower()}': {name: found}
+                for module in ('launch', 'launch.actions', 'launch.conditions', 'launch.launch_description_sources',
+                               'launch.substitutions', 'launch_ros.actions', 'launch_ros.descriptions')
+                for name, found in _MODULES[module].items()})
 
 
 def load_description(path: Path) -> LaunchDescription:
-    """Run a launch file and return what it describes.
+    """Read a launch file in Python, XML or YAML, and return what it describes.
 
-    :raises LaunchFailed: it is not a launch file in Python, or needs what only a full installation has.
+    :raises LaunchFailed: it is none, or needs what only a full installation has.
     """
-    if path.suffix != '.py':
-        raise LaunchFailed(f'{path.name} is no launch file in Python, and the embedded ros2 launch reads no other. '
-                           f'{FULL_INSTALLATION}')
+    found: LaunchDescription = read(path)
+    return found
+
+
+def _load_python(path: Path) -> LaunchDescription:
     scope: dict[str, Any] = {'__name__': path.stem, '__file__': str(path)}
-    with provided_packages_installed(), _importable():
-        try:
-            exec(compile(path.read_text(encoding='utf-8'), str(path), 'exec'), scope)
-            if 'generate_launch_description' not in scope:
-                raise LaunchFailed(f'launch file at {path} does not contain a required function '
-                                   f"'generate_launch_description()'")
-            found = scope['generate_launch_description']()
-        except LaunchFailed:
-            raise
-        except Exception as error:
-            raise LaunchFailed(_explanation(error)) from error
+    with running(f'file of format [{path.suffix[1:]}]'):
+        exec(compile(path.read_text(encoding='utf-8'), str(path), 'exec'), scope)
+        if 'generate_launch_description' not in scope:
+            raise LaunchFailed(f'launch file at {path} does not contain a required function '
+                               f"'generate_launch_description()'")
+        found = scope['generate_launch_description']()
     if not isinstance(found, LaunchDescription):
         raise LaunchFailed(f'generate_launch_description() of {path.name} must return a LaunchDescription, and '
                            f'returned {found!r}')
     return found
 
 
-def _explanation(error: Exception) -> str:
-    if isinstance(error, ModuleNotFoundError) and str(error.name).partition('.')[0] in _PACKAGES:
-        return (f'the embedded ros2 launch has no module {error.name}; it has {", ".join(MODULES)}. '
-                f'{FULL_INSTALLATION}')
-    hint = ''
-    if isinstance(error, ModuleNotFoundError):
-        hint = f'. Where it is part of ROS or of another package: {FULL_INSTALLATION[0].lower()}{FULL_INSTALLATION[1:]}'
-    elif 'unexpected keyword argument' in str(error):  # Node(respawn=True), for example
-        hint = f'. {FULL_INSTALLATION}'
-    return f'Caught exception when trying to load file of format [py]: {type(error).__name__}: {error}{hint}'
-
-
-@contextlib.contextmanager
-def _importable() -> Iterator[None]:
-    """Let the imports of a launch file find MODULES, and no installed ``launch``."""
-    outer = {name: module for name, module in sys.modules.items() if name.partition('.')[0] in _PACKAGES}
-    for name in outer:
-        del sys.modules[name]
-    for name in MODULES:
-        sys.modules[name] = _module(name)
-        package, _, part = name.rpartition('.')
-        if package:
-            setattr(sys.modules[package], part, sys.modules[name])
-    try:
-        yield
-    finally:
-        for name in [name for name in sys.modules if name.partition('.')[0] in _PACKAGES]:
-            del sys.modules[name]
-        sys.modules.update(outer)
-
-
-def _module(name: str) -> ModuleType:
-    module = ModuleType(name, f'The part of {name} that the embedded ros2 launch has.')
-    module.__path__ = []
-    module.__dict__.update(MODULES[name])
-
-    def raise_missing(wanted: str) -> NoReturn:
-        # The import system asks for these of any module.
-        if wanted.startswith('__'):
-            raise AttributeError(wanted)
-        known = ', '.join(MODULES[name]) or 'no names of its own'
-        raise LaunchFailed(f'the embedded ros2 launch has no {name}.{wanted}; of {name} it has {known}. '
-                           f'{FULL_INSTALLATION}')
-
-    # PEP 562: what a module has under this name is asked for names that it lacks.
-    module.__dict__['__getattr__'] = raise_missing
-    return module
+READERS['.py'] = _load_python
+READERS.update(dict.fromkeys(markup.READERS, markup.load))

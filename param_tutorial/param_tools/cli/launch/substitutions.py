@@ -3,9 +3,18 @@
 Where a launch file takes a substitution, it also takes a string, and several of both, which are joined.
 """
 
+import importlib
+import math
+import os
+import random
+import shlex
+import socket
+import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
+
+import yaml
 
 from param_tools.cli import index
 from param_tools.cli.launch.context import Context, LaunchFailed
@@ -41,12 +50,16 @@ class LaunchConfiguration(Substitution):
 
     def __init__(self, variable_name: Any, *, default: Any = None):
         self.variable_name = variable_name
+        if default is not None and not isinstance(default, (str, Substitution)):
+            # As in launch, which takes numbers, too.
+            default = [part if isinstance(part, (str, Substitution)) else str(part)
+                       for part in (default if is_list(default) else [default])]
         self.default = default
 
     def perform(self, context: Context) -> str:
         name = perform(self.variable_name, context)
-        if name in context.arguments:
-            return context.arguments[name]
+        if name in context.launch_configurations:
+            return str(context.launch_configurations[name])
         if self.default is None:
             raise LaunchFailed(f"launch configuration '{name}' does not exist")
         return perform(self.default, context)
@@ -68,17 +81,305 @@ class PathJoinSubstitution(Substitution):
         return f"PathJoin('{describe(self.substitutions)}')"
 
 
+class PathSubstitution(PathJoinSubstitution):
+    """A path to which ``/`` adds parts; it is newer than launch 3.4.3, and launch files for Jazzy use it."""
+
+    def __init__(self, path: Any):
+        super().__init__([path])
+
+    def __truediv__(self, part: Any) -> 'PathSubstitution':
+        return PathSubstitution(PathJoinSubstitution([*self.substitutions, part]))
+
+
 class FindPackageShare(Substitution):
     """The share folder of a package."""
 
     def __init__(self, package: Any):
         self.package = package
 
+    def find(self, package_name: str) -> str:
+        """Return the folder of a package."""
+        return str(index.share_folder_of(package_name))
+
     def perform(self, context: Context) -> str:
-        return str(index.share_folder_of(perform(self.package, context)))
+        return self.find(perform(self.package, context))
 
     def describe(self) -> str:
-        return f'FindPackageShare(pkg={describe(self.package)})'
+        return f'{type(self).__name__}(pkg={describe(self.package)})'
+
+
+class FindPackagePrefix(FindPackageShare):
+    """The install space that holds a package."""
+
+    def find(self, package_name: str) -> str:
+        return str(Path(super().find(package_name)).parents[1])
+
+
+class Parameter(Substitution):
+    """The value of a parameter that SetParameter gives to every node."""
+
+    def __init__(self, name: Any, *, default: Any = None):
+        self.name = name
+        self.default = default
+
+    def perform(self, context: Context) -> str:
+        name = perform(self.name, context)
+        for each in context.launch_configurations.get('global_params', []):
+            if isinstance(each, tuple) and each[0] == name:
+                return str(each[1])
+        if self.default is None:
+            raise LaunchFailed(f"parameter '{name}' not found")
+        return perform(self.default, context)
+
+    def describe(self) -> str:
+        return f'Parameter(name={describe(self.name)})'
+
+
+class ExecutableInPackage(Substitution):
+    """The path of a package's program."""
+
+    def __init__(self, executable: Any, package: Any):
+        self.executable = executable
+        self.package = package
+
+    def perform(self, context: Context) -> str:
+        return context.find_program(perform(self.package, context), perform(self.executable, context))[-1]
+
+    def describe(self) -> str:
+        return f'ExecInPkg(pkg={describe(self.package)}, exec={describe(self.executable)})'
+
+
+class EnvironmentVariable(Substitution):
+    """The value of an environment variable."""
+
+    def __init__(self, name: Any, *, default_value: Any = None):
+        self.name = name
+        self.default_value = default_value
+
+    def perform(self, context: Context) -> str:
+        name = perform(self.name, context)
+        if name in context.environment:
+            return context.environment[name]
+        if self.default_value is None:
+            raise LaunchFailed(f"environment variable '{name}' does not exist")
+        return perform(self.default_value, context)
+
+    def describe(self) -> str:
+        return f'EnvVar({describe(self.name)})'
+
+
+class PythonExpression(Substitution):
+    """What Python makes of an expression."""
+
+    def __init__(self, expression: Any, python_modules: Any = ('math',)):
+        self.expression = expression
+        self.python_modules = [python_modules] if isinstance(python_modules, (str, Substitution)) else python_modules
+
+    def perform(self, context: Context) -> str:
+        expression = perform(self.expression, context)
+        try:
+            modules = [importlib.import_module(perform(name, context)) for name in self.python_modules]
+            names = {module.__name__: module for module in modules}
+            # As in launch, the names of math need no module before them.
+            return str(eval(expression, {}, {**(vars(math) if 'math' in names else {}), **names}))
+        except Exception as error:
+            raise LaunchFailed(f'the expression {expression!r} fails: {type(error).__name__}: {error}') from error
+
+    def describe(self) -> str:
+        return f'PythonExpr({describe(self.expression)}, [{", ".join(map(describe, self.python_modules))}])'
+
+
+class ThisLaunchFile(Substitution):
+    """The path of the launch file that was included last."""
+
+    def perform(self, context: Context) -> str:
+        if context.launch_file is None:
+            raise LaunchFailed(f'{type(self).__name__} used outside of a launch file (in a script)')
+        return str(context.launch_file)
+
+    def describe(self) -> str:
+        return f'{type(self).__name__}()'
+
+
+class ThisLaunchFileDir(ThisLaunchFile):
+    """The folder of the launch file that was included last."""
+
+    def perform(self, context: Context) -> str:
+        return str(Path(super().perform(context)).parent)
+
+
+class FindExecutable(Substitution):
+    """The path of a program on the PATH."""
+
+    def __init__(self, *, name: Any):
+        self.name = name
+
+    def perform(self, context: Context) -> str:
+        return context.find_executable(perform(self.name, context))
+
+    def describe(self) -> str:
+        return f'FindExec({describe(self.name)})'
+
+
+class Command(Substitution):
+    """What a command prints."""
+
+    def __init__(self, command: Any, *, on_stderr: Any = 'fail'):
+        self.command = command
+        self.on_stderr = on_stderr
+
+    def perform(self, context: Context) -> str:
+        on_stderr = perform(self.on_stderr, context)
+        if on_stderr not in ('fail', 'ignore', 'warn', 'capture'):
+            raise LaunchFailed("expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture'")
+        words = shlex.split(perform(self.command, context))
+        if not words:
+            raise LaunchFailed('a Command without a command')
+        return context.output_of(words, on_stderr)
+
+    def describe(self) -> str:
+        return f'Command({describe(self.command)})'
+
+
+class FileContent(Substitution):
+    """The text of a file."""
+
+    def __init__(self, path: Any):
+        self.path = path
+
+    def perform(self, context: Context) -> str:
+        path = perform(self.path, context)
+        try:
+            return Path(path).read_text(encoding='utf-8')
+        except OSError as error:
+            raise LaunchFailed(f'{error.strerror}: {path}') from None
+
+    def describe(self) -> str:
+        return f'FileContent({describe(self.path)})'
+
+
+class AnonName(Substitution):
+    """A name that no other node has: the same one for the same word."""
+
+    def __init__(self, name: Any):
+        self.name = name
+
+    def perform(self, context: Context) -> str:
+        word = perform(self.name, context)
+        name = f'{word}_{socket.gethostname()}_{os.getpid()}_{random.randint(0, sys.maxsize)}'
+        for char in '.-:':
+            name = name.replace(char, '_')
+        return str(context.launch_configurations.setdefault(f'anon{word}', name))
+
+    def describe(self) -> str:
+        return f'AnonName({describe(self.name)})'
+
+
+class _Logical(Substitution):
+    """A substitution that is ``true`` or ``false``."""
+
+    def __init__(self, *values: Any):
+        self.values = values
+
+    def perform(self, context: Context) -> str:
+        return str(self.holds([perform(value, context) for value in self.values])).lower()
+
+    def holds(self, texts: list[str]) -> bool:
+        """Return whether it is true of these texts."""
+        raise NotImplementedError
+
+    def describe(self) -> str:
+        return f'{type(self).__name__}({" ".join(map(describe, self.values))})'
+
+
+class AnySubstitution(_Logical):
+    """True if one of the values is."""
+
+    def holds(self, texts: list[str]) -> bool:
+        return any([as_bool(text) for text in texts])  # all are read
+
+
+class AllSubstitution(_Logical):
+    """True if all values are."""
+
+    def holds(self, texts: list[str]) -> bool:
+        return all([as_bool(text) for text in texts])
+
+
+class OrSubstitution(AnySubstitution):
+    """True if one of two values is."""
+
+    def __init__(self, left: Any, right: Any):
+        super().__init__(left, right)
+
+
+class AndSubstitution(AllSubstitution):
+    """True if both values are."""
+
+    def __init__(self, left: Any, right: Any):
+        super().__init__(left, right)
+
+
+class NotSubstitution(_Logical):
+    """True if the value is not."""
+
+    def __init__(self, value: Any):
+        super().__init__(value)
+
+    def holds(self, texts: list[str]) -> bool:
+        return not as_bool(texts[0])
+
+
+class EqualsSubstitution(_Logical):
+    """True if two values are equal as booleans, as numbers, or as texts."""
+
+    def __init__(self, left: Any, right: Any):
+        super().__init__(*(value if isinstance(value, str) or is_substitution(value) else '' if value is None
+                           else str(value).lower() if isinstance(value, bool) else str(value)
+                           for value in (left, right)))
+
+    def holds(self, texts: list[str]) -> bool:
+        booleans = [{'true': True, '1': True, 'false': False, '0': False}.get(text.lower()) for text in texts]
+        if None not in booleans:
+            return booleans[0] is booleans[1]
+        try:
+            return math.isclose(*map(float, texts))
+        except ValueError:
+            return texts[0] == texts[1]
+
+
+class NotEqualsSubstitution(EqualsSubstitution):
+    """True if two values are not equal."""
+
+    def holds(self, texts: list[str]) -> bool:
+        return not super().holds(texts)
+
+
+class IfElseSubstitution(Substitution):
+    """One of two values."""
+
+    def __init__(self, condition: Any, if_value: Any = '', else_value: Any = ''):
+        self.condition, self.if_value, self.else_value = condition, if_value, else_value
+
+    def perform(self, context: Context) -> str:
+        return perform(self.if_value if as_bool(perform(self.condition, context)) else self.else_value, context)
+
+    def describe(self) -> str:
+        return f'IfElseSubstitution({describe(self.condition)}, {describe(self.if_value)}, {describe(self.else_value)})'
+
+
+def as_bool(text: str) -> bool:
+    """Return what a text says as a boolean, as YAML has it; 1 and 0 are booleans, too.
+
+    :raises LaunchFailed: it is none.
+    """
+    try:
+        found = {'1': True, '0': False}.get(text, yaml.safe_load(text) if text else None)
+    except yaml.YAMLError:
+        found = None
+    if not isinstance(found, bool):
+        raise LaunchFailed(f"Cannot convert value '{text}' to '{bool}'")
+    return found
 
 
 def is_list(value: Any) -> bool:
@@ -100,6 +401,13 @@ def expect_string(value: Any) -> None:
     """
     if not all(isinstance(part, (str, Substitution)) for part in (value if is_list(value) else [value])):
         raise LaunchFailed(f'the launch file has {value!r} where a string or a substitution belongs')
+
+
+def normalized(value: Any) -> list[Substitution]:
+    """Return what ``perform`` takes as a list of substitutions."""
+    expect_string(value)
+    return [TextSubstitution(text=part) if isinstance(part, str) else part
+            for part in (value if is_list(value) else [value])]
 
 
 def perform(value: Any, context: Context) -> str:

@@ -3,10 +3,17 @@
 import argparse
 import os
 import tempfile
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from param_tools.cli import index
-from param_tools.cli.launch.actions import DeclareLaunchArgument, LaunchDescription
+from param_tools.cli.launch.actions import (
+    DeclaredArgument,
+    IncludeLaunchDescription,
+    LaunchDescription,
+    LaunchFileSource,
+    carry_out,
+)
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.processes import Launcher
 from param_tools.cli.launch.reading import load_description
@@ -31,22 +38,22 @@ def launch_file(session: Session, args: argparse.Namespace) -> Steps:
 
     :return: The exit status: 1 if the file cannot be carried out. A program that dies makes no difference.
     """
-    path, given = _path_and_arguments(args)
-    arguments = dict(_argument(word) for word in given)
+    words = [word for word in (args.package_name, args.launch_file_name, *args.launch_arguments) if word]
+    path, arguments = path_and_arguments(words)
     if args.show_args:
         _show_arguments(session, load_description(path))
         return 0
     if session.in_notebook:
-        words = [word for word in (args.package_name, args.launch_file_name, *args.launch_arguments) if word]
         raise CommandFailed(session.instead_of(['launch', *words]))
     launcher = Launcher(session.stdout)
     launcher.log('INFO', 'launch', 'Default logging verbosity is set to INFO')
     with tempfile.TemporaryDirectory(prefix='param_tools_') as folder:
         context = Context(
-            arguments, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text),
-            log_error=lambda text: launcher.log('ERROR', 'launch.actions.declare_launch_argument', text))
+            {}, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text),
+            log_error=lambda text: launcher.log('ERROR', 'launch.actions.declare_launch_argument', text),
+            log=lambda text: launcher.log('INFO', 'launch.user', text))
         try:
-            yield from launcher.run(load_description(path).execute(context))
+            yield from launcher.run(carry_out([include(path, arguments)], context))
         except LaunchFailed as error:
             # To standard output, as all that launch logs.
             launcher.log('ERROR', 'launch', f'Caught exception in launch (see debug for traceback): {error}')
@@ -54,27 +61,36 @@ def launch_file(session: Session, args: argparse.Namespace) -> Steps:
     return 0
 
 
-def _path_and_arguments(args: argparse.Namespace) -> tuple[Path, list[str]]:
-    words = [word for word in (args.launch_file_name, *args.launch_arguments) if word]
-    if Path(args.package_name).is_file():
-        return Path(args.package_name).resolve(), words
-    if not words or ':=' in words[0]:
-        raise CommandFailed(f"{args.package_name!r} is not a launch file here; after a package's name comes the "
-                            f'name of a launch file in it')
-    name, *given = words
+def include(path: Path, arguments: Mapping[str, str]) -> IncludeLaunchDescription:
+    """Return the action that carries out a launch file with arguments, as `ros2 launch` does."""
+    return IncludeLaunchDescription(LaunchFileSource(path), launch_arguments=arguments.items())
+
+
+def path_and_arguments(words: Sequence[str]) -> tuple[Path, dict[str, str]]:
+    """Return the launch file that the words after ``ros2 launch`` name, and the arguments for it.
+
+    :raises CommandFailed: there is no such file, or an argument is malformed.
+    """
+    first, *others = words
+    if Path(first).is_file():
+        return Path(first).resolve(), dict(map(_argument, others))
+    if not others or ':=' in others[0]:
+        raise CommandFailed(f"{first!r} is not a launch file here; after a package's name comes the name of a launch "
+                            f'file in it')
+    name, *given = others
     try:
-        share = index.share_folder_of(args.package_name)
+        share = index.share_folder_of(first)
     except index.PackageNotFound as error:
-        raise CommandFailed(f"Package '{args.package_name}' not found: {error}") from None
+        raise CommandFailed(f"Package '{first}' not found: {error}") from None
     # In a checkout the folders in the share folder are links.
     found = sorted(Path(folder, name) for folder, _, files in os.walk(share, followlinks=True) if name in files)
     if not found:
-        raise CommandFailed(f"file '{name}' was not found in the share directory of package '{args.package_name}' "
+        raise CommandFailed(f"file '{name}' was not found in the share directory of package '{first}' "
                             f"which is at '{share}'")
     if len(found) > 1:
         raise CommandFailed(f"file '{name}' was found more than once in the share directory of package "
-                            f"'{args.package_name}': [{', '.join(repr(str(path)) for path in found)}]")
-    return found[0], given
+                            f"'{first}': [{', '.join(repr(str(path)) for path in found)}]")
+    return found[0], dict(map(_argument, given))
 
 
 def _argument(word: str) -> tuple[str, str]:
@@ -86,12 +102,14 @@ def _argument(word: str) -> tuple[str, str]:
 
 def _show_arguments(session: Session, description: LaunchDescription) -> None:
     session.print("Arguments (pass arguments as '<name>:=<value>'):")
-    declared: dict[str, DeclareLaunchArgument] = {}
-    for argument in description.declared_arguments():
-        declared.setdefault(argument.name, argument)
-    for each in declared.values():
-        session.print(f"\n    '{each.name}':\n        {each.description}")
-        if each.default_value is not None:
-            session.print(f'        (default: {describe(each.default_value)})')
+    declared: dict[str, DeclaredArgument] = {}
+    for each in description.declared_arguments():
+        declared.setdefault(each.declaration.name, each)
+    for name, (declaration, is_conditional, _) in declared.items():
+        session.print(f"\n    '{name}':{'*' * is_conditional}\n        {declaration.description}")
+        if declaration.default_value is not None:
+            session.print(f'        (default: {describe(declaration.default_value)})')
     if not declared:
         session.print('\n  No arguments.')
+    elif any(each.is_conditional for each in declared.values()):
+        session.print('\n* argument(s) which are only used if specific conditions occur')

@@ -1,0 +1,112 @@
+"""Running the Python code of a launch file: while it runs, and no longer, ``import launch`` finds our own classes.
+
+``reading`` fills the two tables, so that an action can read another launch file, or call a function of one.
+"""
+
+import contextlib
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from types import ModuleType
+from typing import Any, NoReturn
+
+from param_tools.cli.index import provided_packages_installed
+from param_tools.cli.launch.context import FULL_INSTALLATION, LaunchFailed
+from param_tools.cli.session import CommandFailed
+
+# The modules, and the names in each, that a launch file may import and use.
+MODULES: dict[str, Mapping[str, Any]] = {}
+# What reads a launch file and returns its description, by the end of the file's name.
+READERS: dict[str, Callable[[Path], Any]] = {}
+# What a full installation has besides: a launch file may import it, and is rejected where it uses it.
+_ELSEWHERE = {
+    'ExecuteLocal', 'FindPackage', 'LaunchIntrospector', 'LaunchLogDir', 'LaunchService', 'LifecycleTransition',
+    'LocalSubstitution', 'OpaqueCoroutine', 'PopEnvironment', 'PopLaunchConfigurations', 'PushEnvironment',
+    'PushLaunchConfigurations', 'ResetEnvironment', 'ResetLaunchConfigurations', 'SetROSLogDir', 'SetUseSimTime',
+    'SubstitutionFailure', 'UnregisterEventHandler', 'evaluate_condition_expression'}
+
+
+def read(path: Path) -> Any:
+    """Read a launch file, and return what it describes.
+
+    :raises LaunchFailed: it is none, or needs what only a full installation has.
+    """
+    if not path.is_file():
+        raise LaunchFailed(f'there is no launch file {path}')
+    if path.suffix not in READERS:
+        raise LaunchFailed(f'{path.name} is no launch file in Python, XML or YAML, by the end of its name')
+    return READERS[path.suffix](path)
+
+
+@contextlib.contextmanager
+def running(what: str) -> Iterator[None]:
+    """Let Python code of a launch file import MODULES and find the provided packages; explain its exceptions.
+
+    :param what: What the code is.
+    :raises LaunchFailed: the code raises an exception.
+    """
+    with provided_packages_installed(), _importable():
+        try:
+            yield
+        except CommandFailed:
+            raise
+        except Exception as error:
+            raise LaunchFailed(_explanation(error, what)) from error
+
+
+def _packages() -> dict[str, None]:
+    return dict.fromkeys(name.partition('.')[0] for name in MODULES)
+
+
+def _explanation(error: Exception, what: str) -> str:
+    if isinstance(error, ModuleNotFoundError) and str(error.name).partition('.')[0] in _packages():
+        return f'the embedded ros2 launch has no module {error.name}. {FULL_INSTALLATION}'
+    hint = ''
+    if isinstance(error, ModuleNotFoundError):
+        hint = f'. Where it is part of ROS or of another package: {FULL_INSTALLATION[0].lower()}{FULL_INSTALLATION[1:]}'
+    elif 'unexpected keyword argument' in str(error):  # Node(sigterm_timeout='1'), for example
+        hint = f'. {FULL_INSTALLATION}'
+    return f'Caught exception when trying to load {what}: {type(error).__name__}: {error}{hint}'
+
+
+@contextlib.contextmanager
+def _importable() -> Iterator[None]:
+    """Let the imports of a launch file find MODULES, and no installed ``launch``."""
+    outer = {name: module for name, module in sys.modules.items() if name.partition('.')[0] in _packages()}
+    for name in outer:
+        del sys.modules[name]
+    for name, names in MODULES.items():
+        sys.modules[name] = _module(name, names)
+        package, _, part = name.rpartition('.')
+        if package:
+            setattr(sys.modules[package], part, sys.modules[name])
+    try:
+        yield
+    finally:
+        for name in [name for name in sys.modules if name.partition('.')[0] in _packages()]:
+            del sys.modules[name]
+        sys.modules.update(outer)
+
+
+def _module(name: str, names: Mapping[str, Any]) -> ModuleType:
+    module = ModuleType(name, f'The part of {name} that the embedded ros2 launch has.')
+    module.__path__ = []
+    module.__dict__.update(names)
+
+    def missing(wanted: str) -> type:
+        # The import system asks for these of any module.
+        if wanted.startswith('__'):
+            raise AttributeError(wanted)
+        known = ', '.join(names) or 'no names of its own'
+        why = f'the embedded ros2 launch has no {name}.{wanted}; of {name} it has {known}. {FULL_INSTALLATION}'
+        if wanted not in _ELSEWHERE:
+            raise LaunchFailed(why)
+
+        def reject(*_: Any, **_options: Any) -> NoReturn:
+            raise LaunchFailed(why)
+
+        return type(wanted, (), {'__init__': reject})
+
+    # PEP 562: what a module has under this name is asked for names that it lacks.
+    module.__dict__['__getattr__'] = missing
+    return module

@@ -1,0 +1,377 @@
+"""Launch files in XML and YAML: the same actions as in Python, with substitutions written as ``$(var name)``."""
+
+import shlex
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, List, get_args  # noqa: UP035  # as the types of parameters are written
+from xml.etree import ElementTree
+
+import yaml
+
+from param_tools.cli.launch import actions, ros_actions
+from param_tools.cli.launch.actions import Action, LaunchDescription
+from param_tools.cli.launch.conditions import IfCondition, UnlessCondition
+from param_tools.cli.launch.context import FULL_INSTALLATION, LaunchFailed
+from param_tools.cli.launch.parameters import ParameterFile, ParameterValue
+from param_tools.cli.launch.substitutions import TextSubstitution, as_bool
+from param_tools.cli.launch.text import parse_text, unescape
+
+_SCALARS = {'int': int, 'float': float, 'bool': bool, 'str': str}
+# What type= of a parameter may be.
+_TYPES: dict[str, Any] = {'yaml': None, **_SCALARS, **{f'list_of_{name}': List[each]  # type: ignore[valid-type]  # noqa: UP006
+                                         for name, each in _SCALARS.items()}}
+
+
+class Entity:
+    """An element of XML, or a key of YAML with what is below it."""
+
+    def __init__(self, tag: str, attributes: Mapping[str, Any], children: 'Iterable[Entity]', *, is_text: bool):
+        self.tag = tag
+        self._attributes = dict(attributes)
+        self._children = list(children)
+        self.is_text = is_text
+        """True if all values are texts, as in XML, and not what YAML makes of them."""
+
+    def take(self, name: str) -> Any:
+        """Return an attribute, which then counts as read; None if there is none."""
+        return self._attributes.pop(name, None)
+
+    def need(self, name: str) -> Any:
+        """Return an attribute that has to be there.
+
+        :raises LaunchFailed: it is not.
+        """
+        found = self.take(name)
+        if found is None:
+            raise LaunchFailed(f"Attribute '{name}' not found in Entity '{self.tag}'")
+        return found
+
+    def children(self, tag: str | None = None) -> 'list[Entity]':
+        """Return the entities below it with a name, or all that are left; they then count as read."""
+        found = [each for each in self._children if tag in (None, each.tag)]
+        self._children = [each for each in self._children if each not in found]
+        return found
+
+    def end(self) -> None:
+        """Expect that all of it was read.
+
+        :raises LaunchFailed: something is left that it does not have.
+        """
+        if left := [*self._attributes, *(each.tag for each in self._children)]:
+            raise LaunchFailed(f'Unexpected attribute(s) or nested tag(s) found in `{self.tag}`: '
+                               f'{", ".join(map(repr, left))}; where they are right: {FULL_INSTALLATION}')
+
+
+def _from_xml(text: str) -> Entity:
+    def entity(element: ElementTree.Element) -> Entity:
+        return Entity(element.tag, element.attrib, map(entity, element), is_text=True)
+
+    return entity(ElementTree.fromstring(text))
+
+
+def _from_yaml(text: str) -> Entity:
+    def children(found: Any, where: str) -> list[Entity]:
+        if not isinstance(found, list) or not all(isinstance(each, dict) and len(each) == 1 for each in found):
+            raise LaunchFailed(f'what is below {where!r} has to be a list of entries with one key each')
+        return [entity(*pair) for each in found for pair in each.items()]
+
+    def entity(tag: str, content: Any) -> Entity:
+        if isinstance(content, list):
+            return Entity(tag, {}, children(content, tag), is_text=False)
+        if not isinstance(content, dict):
+            raise LaunchFailed(f'{tag!r} needs keys below it, and has {content!r}')
+        attributes, below = {}, []
+        for key, value in content.items():
+            if key == 'children':
+                below += children(value, tag)
+            elif isinstance(value, list) and value and isinstance(value[0], dict):
+                below += [entity(key, each) for each in value]
+            else:
+                attributes[key] = value
+        return Entity(tag, attributes, below, is_text=False)
+
+    found = yaml.safe_load(text)
+    if not isinstance(found, dict) or len(found) != 1:
+        raise LaunchFailed("a launch file in YAML has one key at the top, which is 'launch'")
+    return entity(*next(iter(found.items())))
+
+
+READERS: dict[str, Callable[[str], Entity]] = {'.xml': _from_xml, '.yaml': _from_yaml, '.yml': _from_yaml}
+
+
+def load(path: Path) -> LaunchDescription:
+    """Return what a launch file describes.
+
+    :raises LaunchFailed: it cannot be read, or needs what only a full installation has.
+    """
+    try:
+        root = READERS[path.suffix](path.read_text(encoding='utf-8'))
+        if root.tag != 'launch':
+            raise LaunchFailed(f"Expected 'launch' as root tag, and {path.name} has {root.tag!r}")
+        return LaunchDescription(_actions(root.children()), deprecated_reason=root.take('deprecated'))
+    # The last one is a quotation mark that nothing closes, in a command line, or a file that is no text.
+    except (OSError, ElementTree.ParseError, yaml.YAMLError, ValueError) as error:
+        kind = path.suffix[1:]
+        raise LaunchFailed(f'Caught exception when trying to load file of format [{kind}]: {error}') from None
+
+
+def _actions(entities: Iterable[Entity]) -> list[Action]:
+    found = []
+    for entity in entities:
+        if entity.tag not in _ACTIONS:
+            raise LaunchFailed(f'the embedded ros2 launch has no action {entity.tag}; it has {", ".join(_ACTIONS)}. '
+                               f'{FULL_INSTALLATION}')
+        action = _ACTIONS[entity.tag](entity)
+        _add_condition(entity, action)
+        entity.end()
+        found.append(action)
+    return found
+
+
+def _add_condition(entity: Entity, action: Any) -> None:
+    wanted, unwanted = entity.take('if'), entity.take('unless')
+    if wanted is not None and unwanted is not None:
+        raise LaunchFailed("if and unless conditions can't be used simultaneously")
+    if wanted is not None:
+        action.condition = IfCondition(_text(entity, wanted))
+    if unwanted is not None:
+        action.condition = UnlessCondition(_text(entity, unwanted))
+
+
+def _text(entity: Entity, value: Any) -> Any:
+    """Return the substitutions that are in an attribute; None if there is no attribute.
+
+    :raises LaunchFailed: it is no text: YAML makes numbers and booleans of some.
+    """
+    if value is None:
+        return None
+    if not isinstance(value, str):
+        raise LaunchFailed(f'an attribute of {entity.tag!r} has to be a text, and is {value!r}: put quotes around it')
+    return parse_text(value)
+
+
+def _number(entity: Entity, name: str) -> float | None:
+    found = entity.take(name)
+    try:
+        return None if found is None else float(found)
+    except ValueError:
+        raise LaunchFailed(f"Attribute '{name}' of Entity '{entity.tag}' has to be a number, not {found!r}") from None
+
+
+def _flag(entity: Entity, name: str) -> bool | None:
+    found = entity.take(name)
+    return found if found is None or isinstance(found, bool) else as_bool(found)
+
+
+def _given(**options: Any) -> dict[str, Any]:
+    """Return the options that are not None."""
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def _pairs(entities: Iterable[Entity], first: str, second: str) -> list[tuple[Any, Any]]:
+    found = []
+    for entity in entities:
+        found.append((tuple(_text(entity, entity.need(first))), _text(entity, entity.need(second))))
+        entity.end()
+    return found
+
+
+def _words(entity: Entity, text: str | None) -> list[Any] | None:
+    """Return the words of a command line, each with the substitutions in it."""
+    words: list[list[Any]] = []
+    is_open = False  # what comes next belongs to the last word
+    for part in [] if text is None else _text(entity, text):
+        if not isinstance(part, TextSubstitution):
+            if not is_open:
+                words.append([])
+            words[-1].append(part)
+            is_open = True
+            continue
+        split = shlex.split(part.text)
+        is_open = is_open and not part.text[:1].isspace()
+        for number, word in enumerate(split):
+            if not is_open or number:
+                words.append([])
+            words[-1].append(TextSubstitution(text=word))
+        is_open = bool(part.text) and not part.text[-1].isspace()
+    return None if text is None else words
+
+
+def _process(entity: Entity) -> dict[str, Any]:
+    on_exit = entity.take('on_exit')
+    if on_exit not in (None, 'shutdown'):
+        raise LaunchFailed(f'Attribute on_exit of Entity {entity.tag} expected to be shutdown but got `{on_exit}`')
+    respawn = entity.take('respawn')
+    return _given(
+        on_exit=None if on_exit is None else actions.Shutdown(), prefix=_text(entity, entity.take('launch-prefix')),
+        respawn=respawn if isinstance(respawn, bool) else _text(entity, respawn),
+        respawn_delay=_number(entity, 'respawn_delay'), output=_text(entity, entity.take('output')),
+        cwd=_text(entity, entity.take('cwd')), emulate_tty=_flag(entity, 'emulate_tty'),
+        additional_env=dict(_pairs(entity.children('env'), 'name', 'value')) or None)
+
+
+def _executable(entity: Entity) -> Action:
+    return actions.ExecuteProcess(cmd=_words(entity, entity.need('cmd')) or [], **_process(entity), **_given(
+        name=_text(entity, entity.take('name')), shell=_flag(entity, 'shell')))
+
+
+def _node_options(entity: Entity) -> dict[str, Any]:
+    return _process(entity) | _given(
+        package=_text(entity, entity.take('pkg')), executable=_text(entity, entity.need('exec')),
+        name=_text(entity, entity.take('name')), exec_name=_text(entity, entity.take('exec_name')),
+        namespace=_text(entity, entity.take('namespace')), arguments=_words(entity, entity.take('args')),
+        ros_arguments=_words(entity, entity.take('ros_args')), parameters=_parameters(entity),
+        remappings=_pairs(entity.children('remap'), 'from', 'to'))
+
+
+def _parameters(entity: Entity) -> list[Any]:
+    found: list[Any] = []
+    for each in entity.children('param'):
+        path = each.take('from')
+        if path is None:
+            found.append(_named_value(each))
+        else:
+            allows = each.take('allow_substs')
+            found.append(ParameterFile(_text(each, path), allow_substs=(
+                allows if isinstance(allows, bool) else False if allows is None else _text(each, allows))))
+            each.end()
+    return found
+
+
+def _named_value(entity: Entity) -> dict[Any, Any]:
+    """Return a parameter with its value, or with the parameters below it."""
+    name = tuple(_text(entity, entity.need('name')))
+    word, separator, value = entity.take('type'), entity.take('value-sep'), entity.take('value')
+    if word is not None and word not in _TYPES:
+        raise LaunchFailed(f'a parameter has the type {word!r}; the types are {", ".join(_TYPES)}')
+    below = entity.children('param')
+    entity.end()
+    if value is None and not below:
+        raise LaunchFailed('either a value attribute or nested params are needed')
+    if below and (value is not None or word is not None):
+        raise LaunchFailed('nested parameters exclude value and type')
+    if below:
+        return {name: {key: each for inner in below for key, each in _named_value(inner).items()}}
+    wanted = None if word is None else _TYPES[word]
+    if separator is not None:
+        value = value.split(separator)
+    return {name: ParameterValue(_value(value, entity, wanted), value_type=wanted)}
+
+
+def _value(value: Any, entity: Entity, wanted: Any) -> Any:
+    """Return a value, or the substitutions that stand for one."""
+    if isinstance(value, list):
+        return [_value(each, entity, *(get_args(wanted) or [None])) for each in value]
+    found = _converted(value, wanted) if entity.is_text else value
+    if isinstance(found, list):
+        return [_parsed(each) for each in found]
+    return _parsed(found)
+
+
+def _converted(text: str, wanted: Any) -> Any:
+    """Return what launch makes of an attribute in XML; a text that is nothing else stays one.
+
+    :raises LaunchFailed: it can be no parameter.
+    """
+    if wanted is str or not text:
+        return text
+    try:
+        if wanted in (int, float):
+            return wanted(text)
+        if wanted is bool and text in ('1', '0'):
+            return text == '1'
+        found = yaml.safe_load(text)
+    except (ValueError, yaml.YAMLError):
+        return text
+    if not isinstance(found, (bool, int, float, str, list)):
+        raise LaunchFailed(f"Attribute 'value' of Entity 'param' cannot be {text!r}: as YAML that is no value of a "
+                           f"parameter; type='str' keeps it a text")
+    return found
+
+
+def _parsed(value: Any) -> Any:
+    """Return the substitutions in a text; a text without any, and another value, as it is."""
+    if not isinstance(value, str):
+        return value
+    parts = parse_text(value)
+    first, = parts if len(parts) == 1 else [None]
+    return first.text if isinstance(first, TextSubstitution) else parts
+
+
+def _composable(entity: Entity) -> list[ros_actions.ComposableNode]:
+    found = []
+    for each in entity.children('composable_node'):
+        node = ros_actions.ComposableNode(**_given(
+            package=_text(each, each.need('pkg')), plugin=_text(each, each.need('plugin')),
+            name=_text(each, each.take('name')), namespace=_text(each, each.take('namespace')),
+            parameters=_parameters(each), remappings=_pairs(each.children('remap'), 'from', 'to')))
+        each.children('extra_arg')
+        _add_condition(each, node)
+        each.end()
+        found.append(node)
+    return found
+
+
+def _argument(entity: Entity) -> Action:
+    choices = [unescape(each.need('value')) for each in entity.children('choice')]
+    description = entity.take('description')
+    return actions.DeclareLaunchArgument(
+        unescape(entity.need('name')), default_value=_text(entity, entity.take('default')), choices=choices or None,
+        description=None if description is None else unescape(description))
+
+
+def _group(entity: Entity) -> Action:
+    scoped, forwarding = _flag(entity, 'scoped'), _flag(entity, 'forwarding')
+    kept = dict(_pairs(entity.children('keep'), 'name', 'value'))
+    return actions.GroupAction(_actions(entity.children()), launch_configurations=kept,
+                               **_given(scoped=scoped, forwarding=forwarding))
+
+
+def _include(entity: Entity) -> Action:
+    return actions.IncludeLaunchDescription(_text(entity, entity.need('file')),
+                                            launch_arguments=_pairs(entity.children('arg'), 'name', 'value'))
+
+
+def _timer(entity: Entity) -> Action:
+    period = entity.need('period')
+    return actions.TimerAction(period=_text(entity, period) if isinstance(period, str) else float(period),
+                               actions=_actions(entity.children()))
+
+
+def _with_texts(make: Callable[..., Action], *names: str, **optional: str) -> Callable[[Entity], Action]:
+    """Return a function that makes an action of attributes that are texts.
+
+    :param names: The attributes that have to be there, in the order in which the action takes them.
+    :param optional: The name of an option of the action, and the attribute for it.
+    """
+    def made(entity: Entity) -> Action:
+        return make(*(_text(entity, entity.need(name)) for name in names),
+                    **_given(**{option: _text(entity, entity.take(name)) for option, name in optional.items()}))
+
+    return made
+
+
+# What each tag stands for.
+_ACTIONS: dict[str, Callable[[Entity], Action]] = {
+    'arg': _argument,
+    'let': _with_texts(actions.SetLaunchConfiguration, 'name', 'value'),
+    'include': _include,
+    'group': _group,
+    'node': lambda entity: ros_actions.Node(**_node_options(entity)),
+    'executable': _executable,
+    'push_ros_namespace': _with_texts(ros_actions.PushROSNamespace, 'namespace'),
+    'push-ros-namespace': _with_texts(ros_actions.PushROSNamespace, 'namespace'),
+    'set_parameter': _with_texts(ros_actions.SetParameter, 'name', 'value'),
+    'set_parameters_from_file': _with_texts(ros_actions.SetParametersFromFile, 'filename'),
+    'set_remap': _with_texts(ros_actions.SetRemap, 'from', 'to'),
+    'set_env': _with_texts(actions.SetEnvironmentVariable, 'name', 'value'),
+    'unset_env': _with_texts(actions.UnsetEnvironmentVariable, 'name'),
+    'append_env': _with_texts(actions.AppendEnvironmentVariable, 'name', 'value', separator='separator',
+                              prepend='prepend'),
+    'log': _with_texts(actions.LogInfo, 'message'),
+    'timer': _timer,
+    'node_container': lambda entity: ros_actions.ComposableNodeContainer(
+        composable_node_descriptions=_composable(entity), **_node_options(entity)),
+    'load_composable_node': lambda entity: ros_actions.LoadComposableNodes(
+        composable_node_descriptions=_composable(entity), target_container=_text(entity, entity.need('target'))),
+}

@@ -1,0 +1,201 @@
+"""A launch file without its programs: what each node would get, from where, and whether the node would take it.
+
+The launch file is carried out as ``ros2 launch`` does, but programs and packages need not be there, commands such as
+``xacro`` are not run, and what only a full installation can start is read, too: components, and what events set off.
+"""
+
+import dataclasses
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from param_tools import values
+from param_tools.cli.launch.actions import carry_out
+from param_tools.cli.launch.context import Context
+from param_tools.cli.launch.processes import Program
+from param_tools.cli.launch.verb import include
+from param_tools.files.checking import FileFinding, Findings, check_files
+from param_tools.files.descriptions import Descriptions, NodeDescription
+from param_tools.files.parameter_files import read_bytes
+from param_tools.files.parsing import KEY, Parser, effective, matches
+
+
+class Rehearsal(Context):
+    """A launch that starts nothing."""
+
+    def find_program(self, package: str, executable: str) -> list[str]:
+        return [f'{package}/{executable}']
+
+    def find_executable(self, name: str) -> str:
+        return name
+
+    def output_of(self, command: Sequence[str], on_stderr: str) -> str:
+        """Return a stand-in that a check takes for something that launch fills in."""
+        return f'$(command {Path(command[0]).name})'
+
+    def expect_launchable(self, what: str) -> None:
+        """Accept what only a full installation can start."""
+
+    def write(self, text: str) -> Path:
+        path = super().write(text)
+        if self.launch_file is not None:
+            self.originals[path] = self.launch_file
+        return path
+
+
+@dataclass(frozen=True)
+class Given:
+    """A value that a node gets."""
+
+    name: str
+    value: Any
+    source: str
+    """The file that holds it, with the line where that is known."""
+
+
+@dataclass
+class RehearsedNode:
+    """A node that a launch file starts."""
+
+    program: str
+    """``package/executable``, or ``package/plugin`` of a component."""
+    name: str
+    """Its full name."""
+    has_name: bool
+    """False if the launch file leaves the name to the program, so that it is taken to be the program's."""
+    files: list[Path] = field(default_factory=list)
+    """The parameter files that it gets, in this order, with those that launch writes."""
+
+    def description(self, known: Descriptions) -> NodeDescription | None:
+        """Return the description of a node of this name, or else the one that is named like its program."""
+        executable = self.program.rpartition('/')[2]
+        like = [each for each in known.values() if each.node.rpartition('/')[2] == executable]
+        found = known.get(self.name) or (like[0] if len(like) == 1 else None)
+        return None if found is None else dataclasses.replace(found, node=self.name)
+
+
+class RehearsedLaunch:
+    """The nodes that a launch file starts, and the files that they get."""
+
+    def __init__(self, path: Path, arguments: Mapping[str, str], folder: Path):
+        """Carry out a launch file without starting anything.
+
+        :param folder: Where parameter files are written.
+        :raises LaunchFailed: it cannot be carried out.
+        """
+        self.path = path
+        self._warnings: list[str] = []
+        self._context = Rehearsal({}, folder, self._warnings.append)
+        programs = carry_out([include(path, arguments)], self._context)
+        self.nodes = [node for program in programs if (node := self._node(program)) is not None]
+
+    def _node(self, program: Program) -> RehearsedNode | None:
+        words = program.command
+        if '--ros-args' not in words:
+            return None
+        options = list(_ros_options(words))
+        names = {rule.partition(':=')[0]: rule.partition(':=')[2] for option, rule in reversed(options)
+                 if option == '-r'}
+        executable = words[0].rpartition('/')[2]
+        node = RehearsedNode(words[0], f'{names.get("__ns", "/").rstrip("/")}/{names.get("__node", executable)}',
+                             '__node' in names)
+        for option, text in options:
+            if option == '--params-file':
+                node.files.append(Path(text))
+            elif option == '-p':
+                name, _, value = text.partition(':=')
+                node.files.append(self._context.write(f'/**:\n  {KEY}:\n    {name}: {value}\n'))
+        return node
+
+    def given(self, node: RehearsedNode) -> list[Given]:
+        """Return what a node gets, by name."""
+        parser = Parser(tolerant=True)
+        for path in node.files:
+            if path.is_file():
+                parser.parse(read_bytes(path), str(path))
+        result = []
+        for name, entry in sorted(effective(parser, node.name).items()):
+            if (winner := entry.winner()) is not None:
+                source, line = self._place(Path(winner.file), winner.place.line, name)
+                result.append(Given(name, winner.value, f'{source}:{line}'))
+        return result
+
+    def lines(self) -> Iterator[str]:
+        """Return the lines that say what each node gets."""
+        for node in self.nodes:
+            yield f'{node.name}  ({node.program}{"" if node.has_name else ", whose node may have another name"})'
+            given = self.given(node)
+            lines = [f'  {each.name}: {values.format_value(each.value, 60)}' for each in given]
+            width = max(map(len, lines), default=0)
+            yield from (f'{line:{width}}  {each.source}' for line, each in zip(lines, given))
+            if not given:
+                yield '  no parameters'
+
+    def check(self, known: Descriptions) -> Findings:
+        """Find what no node would get, and what a node would reject."""
+        found = dict.fromkeys(FileFinding(str(self.path), 1, 1, 'unreadable', text) for text in self._warnings)
+        left: dict[str, None] = {}
+        for node in self.nodes:
+            description = node.description(known)
+            files = [path for path in node.files if path.is_file()]
+            result = check_files(files, Descriptions([] if description is None else [description]))
+            others = [each.name for each in self.nodes if each is not node]
+            for each in (*result, *self._never_matched(node, files)):
+                if each.kind != 'unknown node' or not any(matches(each.node, other) for other in others):
+                    found[self._moved(each)] = None
+            for place in result.left_to_launch:
+                file, _, line = place.rpartition(':')
+                left['{}:{}'.format(*self._place(Path(file), int(line), ''))] = None
+        findings = Findings(found)
+        findings.left_to_launch = tuple(left)
+        if known:
+            findings.passed_over = tuple(node.name for node in self.nodes if node.description(known) is None)
+        return findings
+
+    def _never_matched(self, node: RehearsedNode, files: Sequence[Path]) -> Iterator[FileFinding]:
+        """Find the files that a node is given and that hold nothing for it."""
+        # What a container gets is for the components in it, too.
+        if not node.has_name or 'component_container' in node.program:
+            return
+        for path in files:
+            parser = Parser(tolerant=True)
+            parser.parse(read_bytes(path), str(path))
+            if parser.blocks and not parser.rejected and not any(
+                    matches(block, node.name) for block in parser.blocks):
+                start = parser.starts[0]
+                yield FileFinding(str(path), start.place.line, start.place.column, 'never matched',
+                                  f'the launch file gives {node.name} this file, and no block in it is for that node: '
+                                  f'it has {", ".join(parser.blocks)}', node.name)
+
+    def _moved(self, finding: FileFinding) -> FileFinding:
+        """Return a finding where a person can mend it: not in a file that launch writes."""
+        path, line = self._place(Path(finding.file), finding.line, finding.parameter)
+        message = finding.message
+        for written, original in self._context.originals.items():
+            message = re.sub(rf'line \d+ of {re.escape(str(written))}', str(original), message)
+        column = finding.column if line == finding.line else 1
+        return dataclasses.replace(finding, file=str(path), line=line, column=column, message=message)
+
+    def _place(self, path: Path, line: int, name: str) -> tuple[Path, int]:
+        """Return the file that holds a value, and its line."""
+        original = self._context.originals.get(path)
+        if original is None:
+            return path, line
+        text = original.read_text(encoding='utf-8', errors='replace')
+        if KEY in text and original.suffix != '.py':
+            return original, line  # a parameter file whose substitutions were carried out
+        last = re.escape(name.rpartition('.')[2])
+        hit = re.search(rf'\b{last}\b', text) if last else None
+        return original, text.count('\n', 0, hit.start()) + 1 if hit else 1
+
+
+def _ros_options(words: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Return the options of a command line that are for ROS, each with the word after it."""
+    is_ros = False
+    for word, after in zip(words, (*words[1:], '')):
+        if word in ('--ros-args', '--'):
+            is_ros = word == '--ros-args'
+        elif is_ros and word in ('-p', '-r', '--params-file', '--param', '--remap'):
+            yield {'--param': '-p', '--remap': '-r'}.get(word, word), after

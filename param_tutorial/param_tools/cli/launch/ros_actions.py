@@ -1,0 +1,266 @@
+"""The actions of ``launch_ros``: nodes, and what they get from the launch file around them."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from param_tools.cli.launch.actions import Action, Process, expect_actions
+from param_tools.cli.launch.conditions import Condition
+from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.parameters import ParameterFile, flat
+from param_tools.cli.launch.processes import Program
+from param_tools.cli.launch.substitutions import perform
+from param_tools.files.node_names import Flaw, flaw_of_namespace, flaw_of_node_name
+
+
+@dataclass
+class SetParameter(Action):
+    """A parameter for every node that comes later in its group."""
+
+    name: Any
+    value: Any
+
+    def execute(self, context: Context) -> list[Program]:
+        _given_to_all(context).extend(flat({perform(self.name, context): self.value}, context).items())
+        return []
+
+
+@dataclass
+class SetParametersFromFile(Action):
+    """A parameter file for every node that comes later in its group."""
+
+    filename: Any
+
+    def execute(self, context: Context) -> list[Program]:
+        filename = str(self.filename) if isinstance(self.filename, Path) else perform(self.filename, context)
+        _given_to_all(context).append(filename)
+        return []
+
+
+def _given_to_all(context: Context) -> list[Any]:
+    """Return what every later node gets: names with values, and paths of files.
+
+    As in launch_ros, a group has the list of what is around it, if there is one: what it adds stays after its end.
+    """
+    found: list[Any] = context.launch_configurations.setdefault('global_params', [])
+    return found
+
+
+@dataclass
+class SetRemap(Action):
+    """A remapping for every node that comes later in its group."""
+
+    src: Any
+    dst: Any
+
+    def execute(self, context: Context) -> list[Program]:
+        context.launch_configurations.setdefault('ros_remaps', []).append(
+            (perform(self.src, context), perform(self.dst, context)))
+        return []
+
+
+@dataclass
+class PushROSNamespace(Action):
+    """A namespace for every node that comes later in its group, below the namespace before it."""
+
+    namespace: Any
+
+    def execute(self, context: Context) -> list[Program]:
+        _, namespace = full_name(None, self.namespace, context)
+        context.launch_configurations['ros_namespace'] = namespace
+        return []
+
+
+@dataclass(kw_only=True)
+class Node(Process):
+    """A node, started in a process of its own."""
+
+    executable: Any
+    package: Any = None
+    name: Any = None
+    namespace: Any = None
+    exec_name: Any = None
+    parameters: list[Any] | None = None
+    remappings: Sequence[tuple[Any, Any]] | None = None
+    arguments: Sequence[Any] | None = None
+    ros_arguments: Sequence[Any] | None = None
+
+    def __post_init__(self) -> None:
+        _expect_parameters('Node', self.parameters)
+        for option, value in (('arguments', self.arguments), ('ros_arguments', self.ros_arguments)):
+            if not isinstance(value, Iterable | None):
+                raise LaunchFailed(f"'Node' expected '{option}' to be a list of strings and substitutions, but got "
+                                   f'{value!r}')
+        rules = [] if self.remappings is None else self.remappings
+        if not isinstance(rules, Iterable) or not all(isinstance(rule, tuple) and len(rule) == 2 for rule in rules):
+            raise LaunchFailed(f"'Node' expected 'remappings' to be a list of pairs such as ('old', 'new'), but got "
+                               f'{self.remappings!r}')
+
+    def execute(self, context: Context) -> list[Program]:
+        executable = perform(self.executable, context)
+        program = [executable] if self.package is None else context.find_program(perform(self.package, context),
+                                                                                 executable)
+        name = Path(executable).name if self.exec_name is None else perform(self.exec_name, context)
+        return [self.program(self.command(program, context), name, context)]
+
+    def command(self, program: list[str], context: Context) -> list[str]:
+        """Return the command line, as launch_ros makes it.
+
+        :param program: The words that start the executable.
+        """
+        name, namespace = full_name(self.name, self.namespace, context)
+        words = [*program, *(perform(word, context) for word in self.arguments or ()), '--ros-args',
+                 *(perform(word, context) for word in self.ros_arguments or ())]
+        if name is not None:
+            words += ['-r', f'__node:={name}']
+        if namespace is not None:
+            words += ['-r', f'__ns:={namespace}']
+        words += parameter_words(self.parameters, name, namespace, context)
+        for old, new in context.launch_configurations.get('ros_remaps', []):
+            words += ['-r', f'{old}:={new}']
+        for old, new in self.remappings or ():
+            words += ['-r', f'{perform(old, context)}:={perform(new, context)}']
+        return words
+
+
+@dataclass(kw_only=True)
+class LifecycleNode(Node):
+    """A node with a life cycle, which has to be named in full; nothing here takes it through its states."""
+
+    name: Any
+    namespace: Any
+
+
+@dataclass(kw_only=True)
+class ComposableNode:
+    """A node of a component, which a container loads."""
+
+    package: Any
+    plugin: Any
+    name: Any = None
+    namespace: Any = None
+    parameters: list[Any] | None = None
+    remappings: Sequence[tuple[Any, Any]] | None = None
+    extra_arguments: list[Any] | None = None
+    condition: Condition | None = None
+
+    def __post_init__(self) -> None:
+        _expect_parameters('ComposableNode', self.parameters)
+
+    def load(self, context: Context) -> list[Program]:
+        """Return the node as a program whose command line says what the container gives it."""
+        if self.condition is not None and not self.condition.evaluate(context):
+            return []
+        plugin = perform(self.plugin, context)
+        name, namespace = full_name(self.name, self.namespace, context)
+        words = [*context.find_program(perform(self.package, context), plugin), '--ros-args']
+        if name is not None:
+            words += ['-r', f'__node:={name}']
+        if namespace is not None:
+            words += ['-r', f'__ns:={namespace}']
+        return [Program([*words, *parameter_words(self.parameters, name, namespace, context)], plugin, False, False)]
+
+
+class ComposableNodeContainer(Node):
+    """A program that loads components; only a full installation has one, and a rehearsal says what they get."""
+
+    def __init__(self, *, name: Any, namespace: Any, composable_node_descriptions: list[ComposableNode] | None = None,
+                 **options: Any):
+        super().__init__(name=name, namespace=namespace, **options)
+        self.composable_node_descriptions = composable_node_descriptions or []
+
+    def execute(self, context: Context) -> list[Program]:
+        loading = LoadComposableNodes(composable_node_descriptions=self.composable_node_descriptions)
+        return [*super().execute(context), *loading.execute(context)]
+
+
+@dataclass(kw_only=True)
+class LoadComposableNodes(Action):
+    """Components for a container that runs; only a full installation loads them."""
+
+    composable_node_descriptions: list[ComposableNode]
+    target_container: Any = None
+
+    def execute(self, context: Context) -> list[Program]:
+        if self.composable_node_descriptions:
+            context.expect_launchable('load components (ComposableNode)')
+        return [program for node in self.composable_node_descriptions for program in node.load(context)]
+
+
+class RosTimer(Action):
+    """A timer in ROS time, which only a full installation has."""
+
+    def __init__(self, *, period: Any, actions: Iterable[Action], condition: Condition | None = None):
+        super().__init__(condition=condition)
+        self.period = period
+        self.actions = expect_actions(actions)
+
+    def execute(self, context: Context) -> list[Program]:
+        context.expect_launchable('wait in ROS time (RosTimer)')
+        context.postponed.append((float('inf'), self.actions))
+        return []
+
+
+def full_name(name: Any, namespace: Any, context: Context) -> tuple[str | None, str | None]:
+    """Return the name of a node and its namespace, each as the launch file says it; None where it says nothing.
+
+    :raises LaunchFailed: one of them is not valid.
+    """
+    performed = None if name is None else perform(name, context)
+    if performed is not None:
+        _expect_valid('node name', performed, flaw_of_node_name(performed))
+    full = _full_namespace(None if namespace is None else perform(namespace, context), context)
+    if full is not None:
+        _expect_valid('namespace', full, flaw_of_namespace(full))
+    return performed, full
+
+
+def _full_namespace(namespace: str | None, context: Context) -> str | None:
+    """Return a namespace below the one that was pushed, unless it begins with a slash."""
+    outer = context.launch_configurations.get('ros_namespace')
+    if namespace is None:
+        return outer
+    if outer and not namespace.startswith('/'):
+        namespace = f'{outer.rstrip("/")}/{namespace}'
+    return (namespace if namespace.startswith('/') else f'/{namespace}').rstrip('/') or '/'
+
+
+def _expect_valid(what: str, name: str, flaw: Flaw) -> None:
+    if flaw is not None:
+        raise LaunchFailed(f'Invalid {what}: {flaw[0]}: {name!r}')
+
+
+def _expect_parameters(what: str, parameters: Any) -> None:
+    if parameters is not None and not isinstance(parameters, list):
+        raise LaunchFailed(f"'{what}' expected 'parameters' to be a list, but got a value of type "
+                           f"'{type(parameters).__name__}'")
+
+
+def parameter_words(parameters: Iterable[Any] | None, name: str | None, namespace: str | None,
+                    context: Context) -> list[str]:
+    """Return the words of a command line that give a node its parameters: first what all get, then its own."""
+    words: list[str] = []
+    for each in context.launch_configurations.get('global_params', []):
+        if isinstance(each, str):
+            path = Path(each).absolute()
+            if not path.is_file():
+                raise LaunchFailed(f'SetParametersFromFile: {path} is not a file')
+            words += ['--params-file', str(path)]
+        else:
+            # As Python writes the value, a list as a tuple: so does launch_ros. rcl guesses the type again.
+            words += ['-p', f'{each[0]}:={each[1]}']
+    # The full name where the launch file gives it, and every node's where it does not.
+    key = '/**' if name is None or namespace is None else f'{namespace.rstrip("/")}/{name}'
+    for source in parameters or ():
+        if isinstance(source, Mapping):
+            path = context.write(yaml.safe_dump({key: {'ros__parameters': flat(source, context)}}))
+        else:
+            path = (source if isinstance(source, ParameterFile) else ParameterFile(source)).evaluate(context)
+            if not path.is_file():
+                context.warn(f'Parameter file path is not a file: {path}')
+                continue
+        words += ['--params-file', str(path)]
+    return words

@@ -1,0 +1,60 @@
+"""Functions, environment variables and timers."""
+
+from launch import LaunchDescription
+from launch.actions import (
+    AppendEnvironmentVariable,
+    DeclareLaunchArgument,
+    ExecuteProcess,
+    GroupAction,
+    OpaqueFunction,
+    SetEnvironmentVariable,
+    SetLaunchConfiguration,
+    TimerAction,
+    UnsetEnvironmentVariable,
+)
+from launch.substitutions import EnvironmentVariable, LaunchConfiguration
+from launch_ros.actions import Node, PushRosNamespace, SetParameter
+
+
+def make(context, count, *, prefix):
+    from launch.actions import LogInfo
+
+    speed = LaunchConfiguration('speed').perform(context)
+    context.launch_configurations['from_function'] = speed
+    also = context.perform_substitution(EnvironmentVariable('TRY', default_value='unset'))
+    return [LogInfo(msg='made'), *(Node(package='p', executable=f'{prefix}{number}', parameters=[
+        {'speed': int(speed), 'also': also}]) for number in range(count))]
+
+
+def variable(name):
+    return Node(package='p', executable=name, parameters=[{
+        'try': EnvironmentVariable('TRY', default_value='unset'),
+        'path': EnvironmentVariable('TRY_PATH', default_value='')}])
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('speed', default_value='60'),
+        OpaqueFunction(function=make, args=[2], kwargs={'prefix': 'made_'}),
+        OpaqueFunction(function=lambda context: None),
+        Node(package='p', executable='after', parameters=[{'given': LaunchConfiguration('from_function')}]),
+        SetEnvironmentVariable('TRY', '1'), AppendEnvironmentVariable('TRY_PATH', 'a'),
+        AppendEnvironmentVariable('TRY_PATH', 'b'), AppendEnvironmentVariable('TRY_PATH', 'c', prepend=True),
+        AppendEnvironmentVariable('TRY_PATH', 'd', separator=';'),
+        variable('set'),
+        GroupAction([SetEnvironmentVariable('TRY', '2'), variable('in_group')]),
+        variable('after_group'),
+        UnsetEnvironmentVariable('TRY'), variable('unset'),
+        GroupAction([
+            PushRosNamespace('early'), SetLaunchConfiguration('speed', '1'),
+            TimerAction(period=0.4, actions=[
+                Node(package='p', executable='late', parameters=[{'speed': LaunchConfiguration('speed')}]),
+                TimerAction(period=0.1, actions=[Node(package='p', executable='later')])]),
+            TimerAction(period=[LaunchConfiguration('no_period', default='0'), '.2'], actions=[
+                Node(package='p', executable='first_timer')])]),
+        SetParameter('set_after_the_timers', True),
+        SetLaunchConfiguration('speed', '2'),
+        ExecuteProcess(cmd=['echo', ['speed ', LaunchConfiguration('speed')], 'a b']),
+        Node(executable='/usr/bin/program', arguments=['--x'], ros_arguments=['--log-level', 'debug'],
+             prefix='nice -n 5'),
+    ])

@@ -1,0 +1,287 @@
+"""Launch files as people write them: the embedded launch beside recorded answers of the genuine one."""
+
+import io
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+from lark import Lark
+
+from param_tools.cli import command
+from param_tools.cli.launch.actions import carry_out
+from param_tools.cli.launch.context import Context, LaunchFailed
+from param_tools.cli.launch.markup import load
+from param_tools.cli.launch.rehearsal import RehearsedLaunch
+from param_tools.cli.launch.substitutions import PathSubstitution, TextSubstitution
+from param_tools.cli.launch.text import KINDS, parse_text
+from param_tools.cli.launch.verb import include
+
+FOLDER = Path(__file__).parent / 'launch_files'
+RECORDED = json.loads((FOLDER / 'recorded.json').read_text())
+
+
+@pytest.fixture
+def context(tmp_path, monkeypatch):
+    """A context that knows any program."""
+    monkeypatch.setattr(Context, 'find_program', lambda _self, package, executable: [f'{package}/{executable}'])
+    return Context(folder=tmp_path)
+
+
+def comparable(words, written):
+    """Return a command line with the content of each file that launch has written."""
+    return [yaml.safe_load(Path(word).read_text()) if Path(word).parent == written else word for word in words]
+
+
+@pytest.mark.parametrize('case', RECORDED, ids=lambda case: ' '.join((case['file'], *case['arguments'].values())))
+def test_the_command_lines_are_those_of_the_genuine_launch(case, context):
+    path, arguments = FOLDER / case['file'], case['arguments']
+    if 'error' in case:
+        with pytest.raises(LaunchFailed, match=f'^{re.escape(case["error"])}$'):
+            carry_out([include(path, arguments)], context)
+        return
+    programs = carry_out([include(path, arguments)], context)
+    # launch_ros writes --ros-args twice where ros_arguments are given, which changes nothing.
+    found = json.dumps([comparable(program.command, context.folder) for program in programs])
+    assert json.loads(found.replace(str(FOLDER), 'FOLDER')) == [
+        [word for number, word in enumerate(words) if word != '--ros-args' or word not in words[:number]]
+        for words in case['commands']]
+
+
+def test_programs_of_timers_wait_and_have_the_environment_of_their_place(context):
+    programs = {each.name: each for each in carry_out([include(FOLDER / 'functions_launch.py', {})], context)}
+    assert [(name, programs[name].delay_sec) for name in ('set', 'first_timer', 'late', 'later')] == [
+        ('set', 0.0), ('first_timer', 0.2), ('late', 0.4), ('later', 0.5)]
+    assert [programs[name].environment.get('TRY') for name in ('set', 'in_group', 'after_group', 'unset')] == [
+        '1', '2', '1', None]
+    assert programs['set'].environment['TRY_PATH'] == 'c:a:b;d'
+
+
+# -- launch files in XML and YAML -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(('text', 'why'), [
+    ('<include/>', "Attribute 'file' not found in Entity 'include'"),
+    ('<node pkg="p" exec="e" colour="red"/>', r"found in `node`: 'colour'; .*environment/README.md"),
+    ('<node pkg="p" exec="e"><parm name="x" value="1"/></node>', "found in `node`: 'parm'"),
+    ('<nod/>', 'has no action nod; it has arg, let, include, .*environment/README.md'),
+    ('<group if="1" unless="1"/>', "can't be used simultaneously"),
+    ('<node pkg="p" exec="e"><param name="x"/></node>', 'either a value attribute or nested params are needed'),
+    ('<node pkg="p" exec="e"><param name="x" value="1" type="no"/></node>', "the type 'no'; the types are yaml"),
+    ('<node pkg="p" exec="e"><param name="x" value="1"><param name="y" value="1"/></param></node>', 'exclude value'),
+    ('<node pkg="p" exec="e"><param name="x" value="null"/></node>', "cannot be 'null': .* type='str' keeps it a text"),
+    ('<node pkg="p" exec="e" on_exit="stop"/>', 'on_exit of Entity node expected to be shutdown but got `stop`'),
+    ('<node pkg="p" exec="e" respawn_delay="soon"/>', "'respawn_delay' of Entity 'node' has to be a number"),
+    ('<node pkg="p" exec="e" args="\'open"/>', 'No closing quotation'),
+])
+def test_what_is_wrong_in_xml_is_named(tmp_path, text, why):
+    path = tmp_path / 'x.launch.xml'
+    path.write_text(f'<launch>{text}</launch>')
+    with pytest.raises(LaunchFailed, match=why):
+        load(path)
+
+
+@pytest.mark.parametrize(('text', 'why'), [
+    ('[node]', "what is below 'launch' has to be a list of entries with one key each"),
+    ('[{node: 5}]', "'node' needs keys below it, and has 5"),
+    ('[{arg: {name: x, default: true}}]', "'arg' has to be a text, and is True: put quotes around it"),
+])
+def test_what_is_wrong_in_yaml_is_named(tmp_path, text, why):
+    path = tmp_path / 'x.launch.yaml'
+    path.write_text(f'launch: {text}')
+    with pytest.raises(LaunchFailed, match=why):
+        load(path)
+
+
+def test_a_path_grows_with_slashes(context):
+    """As in launch files for today's Jazzy; launch 3.4.3, whose answers are recorded, has no such class."""
+    path = PathSubstitution('/a') / 'b' / [TextSubstitution(text='c'), '.yaml']
+    assert path.perform(context) == '/a/b/c.yaml'
+
+
+# launch's grammar (launch/share/launch/frontend/grammar.lark, 3.4.3), with the quotes that a substitution may have.
+GRAMMAR = r'''
+%import common.DIGIT
+%import common.LETTER
+IDENTIFIER: LETTER (LETTER | DIGIT | "_" | "-")*
+UNQUOTED_STRING: (/[^$]|\$(?!\()|(?<=\\)\$/)+
+UNQUOTED_RSTRING: (/[^ '\\"$\(\)]|(?<=\\)\(|(?<=\\)\)|\$(?!\()|(?<=\\)\$/ | "\\\"" | "\\'" | "\\")+
+SINGLE_QUOTED_STRING: (/[^'\\$]|\$(?!\()|(?<=\\)\$/ | "\\'" | "\\")+
+SINGLE_QUOTED_RSTRING: (/[^ '\\$\(\)]|(?<=\\)\(|(?<=\\)\)|\$(?!\()|(?<=\\)\$/ | "\\'" | "\\")+
+single_part: single_substitution | SINGLE_QUOTED_RSTRING
+single_value: single_part+
+single_arguments: single_value | single_arguments " " single_value
+single_substitution: "$" "(" IDENTIFIER (" " single_arguments)? ")"
+single_template: "'" (single_substitution | SINGLE_QUOTED_STRING)* "'"
+part: substitution | UNQUOTED_RSTRING
+value: part+ | single_template
+arguments: value | arguments " " value
+substitution: "$" "(" IDENTIFIER (" " arguments)? ")"
+template: (substitution | UNQUOTED_STRING)+
+'''
+
+
+def test_a_text_is_read_where_the_grammar_of_launch_reads_it(monkeypatch):
+    monkeypatch.setitem(KINDS, 'f', lambda *_: TextSubstitution(text=''))
+    parser = Lark(GRAMMAR, start='template')
+    generator = random.Random(1)
+    outcomes = set()
+    for _ in range(1500):
+        parts = generator.choices(['$(f ', '$(f)', ')', ' ', "'", 'a', '$', '(', 'b c'], k=generator.randint(1, 7))
+        text = ''.join(parts)
+        try:
+            parser.parse(text)
+            is_read = True
+        except Exception:
+            is_read = False
+        try:
+            parse_text(text)
+        except LaunchFailed as error:
+            assert not is_read, f'{text}: {error}'
+        else:
+            assert is_read, text
+        outcomes.add(is_read)
+    assert outcomes == {True, False}
+
+
+# -- check --launch -------------------------------------------------------------------------------------------------
+
+LAUNCH = """
+from pathlib import Path
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, GroupAction, RegisterEventHandler
+from launch.event_handlers import OnProcessExit
+from launch.substitutions import Command, FindExecutable, LaunchConfiguration
+from launch_ros.actions import ComposableNodeContainer, Node, PushRosNamespace, SetParameter
+from launch_ros.descriptions import ComposableNode
+from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
+
+FOLDER = Path(__file__).parent
+
+
+def generate_launch_description():
+    first = ExecuteProcess(cmd=['sh', '-c', 'exit 1'])
+    return LaunchDescription([
+        DeclareLaunchArgument('speed', default_value='fast'), first,
+        GroupAction([
+            PushRosNamespace('lab'), SetParameter('use_sim_time', True),
+            Node(package='nobody_has_it', executable='simple_param_node', name='clawbot', parameters=[
+                ParameterFile(FOLDER / 'robot.yaml', allow_substs=True),
+                {'max_speed_rpm': LaunchConfiguration('speed')}])]),
+        ComposableNodeContainer(
+            name='box', namespace='', package='rclcpp_components', executable='component_container',
+            parameters=[FOLDER / 'robot.yaml'], composable_node_descriptions=[
+                ComposableNode(package='p', plugin='p::Camera', name='camera', parameters=[{'rate': 30.0}])]),
+        RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[
+            Node(package='p', executable='describer', parameters=[{'robot_description': ParameterValue(
+                Command([FindExecutable(name='xacro'), ' robot.xacro']), value_type=str)}])])),
+    ])
+"""
+ROBOT = """/**/clawbot:
+  ros__parameters:
+    robot_name: $(var speed)bot
+    max_sped_rpm: 5
+"""
+
+
+@pytest.fixture
+def lab(tmp_path, ros):
+    """A folder with a launch file, its parameter file and the description of a node."""
+    (tmp_path / 'lab_launch.py').write_text(LAUNCH)
+    (tmp_path / 'robot.yaml').write_text(ROBOT)
+    from param_tutorial.nodes.simple_param_node import SimpleParamNode
+
+    ros.add(SimpleParamNode)
+    assert check('describe', '/simple_param_node', '--save', tmp_path / 'saved.yaml', executor=lambda: ros)[2] == 0
+    ros.remove_all()
+    return tmp_path
+
+
+def check(*words, executor=pytest.fail):
+    stdout, stderr = io.StringIO(), io.StringIO()
+    status = command.main(list(map(str, words)), stdout=stdout, stderr=stderr, get_executor=executor, in_notebook=False)
+    return stdout.getvalue(), stderr.getvalue(), status
+
+
+def test_check_launch_shows_what_each_node_would_get_from_where_and_what_it_would_reject(lab):
+    stdout, stderr, status = check('check', '--launch', lab / 'lab_launch.py', '--against', lab / 'saved.yaml')
+    assert stdout.replace(f'{lab}/', '') == """\
+/lab/clawbot  (nobody_has_it/simple_param_node)
+  max_sped_rpm: 5        robot.yaml:4
+  max_speed_rpm: 'fast'  lab_launch.py:23
+  robot_name: 'fastbot'  robot.yaml:3
+  use_sim_time: True     lab_launch.py:20
+/box  (rclcpp_components/component_container)
+  no parameters
+/camera  (p/p::Camera)
+  rate: 30.0  lab_launch.py:27
+/describer  (p/describer, whose node may have another name)
+  robot_description: '$(command xacro)'  lab_launch.py:29
+robot.yaml:4:5: unknown parameter: /lab/clawbot has no parameter 'max_sped_rpm'. Did you mean max_speed_rpm?
+lab_launch.py:23:1: wrong type: max_speed_rpm of /lab/clawbot cannot be 'fast': it is of type integer, and 'fast' is \
+a string; rcl reads fast as the string 'fast'
+"""
+    assert stderr == 'Not checked, because nothing is known of these nodes: /box, /camera, /describer\n'
+    assert status == 1
+
+
+def test_check_launch_takes_arguments_and_formats(lab):
+    (lab / 'robot.yaml').write_text(ROBOT.replace('sped', 'speed'))
+    words = 'check', '--launch', lab / 'lab_launch.py', 'speed:=5', '--against', lab / 'saved.yaml'
+    assert check(*words)[2] == 0
+    (lab / 'saved.yaml').write_text((lab / 'saved.yaml').read_text().replace('max_speed_rpm', 'other'))
+    found = json.loads(check(*words, '--format', 'json')[0])
+    assert [(Path(each['file']).name, each['line'], each['parameter']) for each in found] == [
+        ('robot.yaml', 4, 'max_speed_rpm'), ('lab_launch.py', 23, 'max_speed_rpm')]
+
+
+def test_a_value_that_another_file_overrides_is_found_where_a_person_wrote_it(lab):
+    (lab / 'robot.yaml').write_text('/lab/clawbot: {ros__parameters: {use_sim_time: false}}')
+    path = lab / 'lab_launch.py'
+    path.write_text(LAUNCH.replace(
+        "{'max_speed_rpm': LaunchConfiguration('speed')}", "'/nowhere/x.yaml'"))
+    stdout, _, status = check('check', '--launch', path)
+    assert f'{path}:1:1: unreadable: Parameter file path is not a file: /nowhere/x.yaml\n' in stdout
+    assert f'  use_sim_time: False  {lab}/robot.yaml:1\n' in stdout
+    assert status == 1
+
+
+def test_a_file_that_holds_nothing_for_the_node_that_gets_it_is_found(lab):
+    (lab / 'robot.yaml').write_text(ROBOT.replace('/**/clawbot', '/clawbot'))
+    stdout, _, status = check('check', '--launch', lab / 'lab_launch.py', 'speed:=5')
+    assert stdout.splitlines()[-1] == (
+        f'{lab}/robot.yaml:1:1: never matched: the launch file gives /lab/clawbot this file, and no block in it is for '
+        f'that node: it has /clawbot')  # and the container's file is for what it loads
+    assert status == 1
+
+
+def test_what_cannot_be_rehearsed_is_an_error_of_the_check(lab):
+    (lab / 'empty_launch.py').write_text('from launch import LaunchDescription as generate_launch_description')
+    assert check('check', '--launch', lab / 'empty_launch.py') == ('The launch file starts no node.\n', '', 0)
+    for words, why in (([lab / 'lab_launch.py', 'speed:='], 'malformed launch argument'),
+                       ([lab / 'none_launch.py'], 'is not a launch file here'),
+                       ([lab / 'lab_launch.py', '--load'], 'are for parameter files, and not for --launch'),
+                       ([FOLDER / 'inner/inner_launch.py'], "missing required argument 'robot'")):
+        stdout, stderr, status = check('check', '--launch', *words)
+        assert (stdout, status) == ('', 2)
+        assert why in stderr
+
+
+def test_a_rehearsal_leaves_the_environment_as_it_was_and_loads_no_ros(tmp_path):
+    before = dict(os.environ)
+    launch = RehearsedLaunch(FOLDER / 'functions_launch.py', {}, tmp_path)
+    assert [given.value for given in launch.given(next(each for each in launch.nodes if each.name == '/set'))] == [
+        'c:a:b;d', 1]
+    assert dict(os.environ) == before
+    code = ('import sys; from param_tools.cli import command; '
+            'command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=None, in_notebook=False); '
+            'print([name for name in ("rclpy", "IPython") if name in sys.modules])')
+    shown = subprocess.run([sys.executable, '-c', code, 'check', '--launch', str(FOLDER / 'groups_launch.py')],
+                           capture_output=True, text=True, check=True).stdout
+    assert shown.splitlines()[-1] == '[]'
