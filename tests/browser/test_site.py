@@ -94,12 +94,14 @@ heater = ros.add(Heater)''',
 )
 ROBOT = (
     '# 2 · A robot\n\n**Does it move?**',
-    'import param_tutorial\nfrom param_tutorial import ParameterPanel\n'
+    'import rclpy\n\nimport param_tutorial\nfrom param_tutorial import ParameterPanel\n'
     'from param_tutorial.views import LinePlot, RobotView\n'
     'from param_tutorial.nodes.clawbot_node import ClawbotNode\n\n'
     'ros = param_tutorial.start()\nrobot = ros.add(ClawbotNode)\nview = RobotView(robot)\nview',
     'Its controls:',
     "ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode', 'robot_name'])",
+    'Another name:',
+    "robot.set_parameters([rclpy.Parameter('robot_name', value='Rex')])\nview",
     'A picture:',
     "LinePlot({'a line': [(0, 0), (1, 2)]}, x='time in s', y='speed in m/s')",
     '## 7.3a · Put three sources in order',
@@ -279,6 +281,27 @@ def test_settings_stand_in_the_address_and_a_reload_brings_them_back(page):
     page.get_by_role('button', name='Reset').click()
     expect(box(page, 'low_c')).to_have_value('18')
     page.wait_for_function("!location.search.includes('low_c')")
+
+
+@limits
+def test_an_address_names_only_what_is_there_when_it_is_followed(page):
+    cell_with(page, "ParameterPanel('/heater')").get_by_role('button', name='Run this cell').click()
+    wait_for_the_node(page)
+    own = cell_with(page, 'the end')
+    own.get_by_role('button', name='Edit the code of this cell').click()
+    editor = own.get_by_role('textbox', name='The code of this cell')
+    editor.fill("ParameterPanel('/heater')")
+    editor.press('Shift+Enter')
+    name = own.get_by_label('name', exact=True)
+    name.fill('Rex')
+    name.press('Enter')
+    expect(box(page, 'name')).to_have_value('Rex', timeout=60_000)
+    assert 'Rex' not in page.url
+    type_into(page, 'power_w', '150')
+    page.wait_for_function("location.search.includes('150')")
+    page.reload()
+    expect(box(page, 'power_w')).to_have_value('150', timeout=60_000)
+    expect(page.locator('.lesson-no-link')).to_have_count(0)
 
 
 def test_an_address_that_asks_for_what_is_not_there_is_ignored_with_a_sentence(made, browser):
@@ -519,6 +542,14 @@ def test_the_robot_drives_as_its_node_does_and_stays_where_it_ended(page):
     box(page, 'enable_safety_mode').check()
     expect(page.locator('.robot-head').first).to_contain_text('safety on')
     expect(word).to_have_text('CRASHED')
+
+
+@robot
+def test_a_touch_runs_no_step_of_the_lesson_below_it(page):
+    type_into(page, 'max_speed_rpm', '120')
+    page.wait_for_function("location.search.includes('max_speed_rpm=120')", timeout=60_000)
+    wait_for_the_node(page)
+    expect(box(page, 'robot_name')).to_have_value('Clawbot')
 
 
 @robot

@@ -19,7 +19,7 @@ const entered = new Set();
  */
 export function noteEntered(panel, content) {
   if (content?.do !== 'enter') return;
-  const key = `${panel.name}:${content.name}`;
+  const key = `${panel.place}:${content.name}`;
   entered.delete(key);
   entered.add(key);
 }
@@ -33,7 +33,7 @@ export function keepSettings(panel) {
   const rows = panel.get('state').rows;
   for (const [name, {text, first, is_busy, is_gathered}] of Object.entries(rows)) {
     if (is_busy || is_gathered) continue;
-    const key = `${panel.name}:${name}`;
+    const key = `${panel.place}:${name}`;
     if (first === undefined) settings.delete(key);
     else settings.set(key, text);
   }

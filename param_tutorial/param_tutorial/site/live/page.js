@@ -121,14 +121,24 @@ export class Page {
 
   /**
    * Have all cells down to one run, that one included, and the views right below it, which may show what it does: a log,
-   * or a curve. Those that were told to already are not told again.
+   * or a curve. A view after a text is another step of the lesson, and may change the node. Those that were told to already
+   * are not told again.
    * @param {string} id
    */
   wake(id) {
     this.begin();
     let last = this.cells.findIndex(each => each.facts.id === id);
-    while (this.cells[last + 1]?.facts.roots.length) last += 1;
+    while (this.isRightBelow(last)) last += 1;
     while (this.next <= last) this.tellToRun(this.cells[this.next++]);
+  }
+
+  /**
+   * Tell whether the next cell shows a view right below a cell.
+   * @param {number} at
+   */
+  isRightBelow(at) {
+    const below = this.cells[at + 1];
+    return below?.facts.roots.length && below.element?.previousElementSibling === this.cells[at].element;
   }
 
   /**
@@ -188,7 +198,9 @@ export class Page {
       if (!handle?.isLive) continue;
       if (does === 'custom') handle.emit('msg:custom', content, []);
       else if (does === 'update') handle.update(state);
-      if (handle.isUsed && state?.state?.rows) keepSettings(handle);
+      // No address could bring back what the reader's own code shows, or a click has opened.
+      const isOfLesson = handle.place in (this.byId.get(view.cell)?.facts.states ?? {});
+      if (isOfLesson && handle.isUsed && state?.state?.rows) keepSettings(handle);
     }
   }
 

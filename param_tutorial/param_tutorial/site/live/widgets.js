@@ -38,6 +38,11 @@ export class Handle {
     this.state = {...state};
   }
 
+  /** Its name when the cell runs for the first time, as it does on a page that was just opened. */
+  get place() {
+    return this.name.replace(/\/\d+\//, '/1/');
+  }
+
   /** @param {string} key */
   get(key) {
     return this.state[key];
