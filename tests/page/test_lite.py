@@ -265,7 +265,7 @@ class Visits:
 class VisitsOfLearners(Visits):
     """The first visit of a learner, from the link on, as one test: a kernel takes long to come."""
 
-    def test_five_chapters_worked_through_and_gone_on_with(self, visit):
+    def test_five_chapters_worked_through_and_gone_on_with_without_a_network(self, visit, built):
         page = visit.page
         visit.load('')
         page.wait_for("document.querySelector('.jp-MarkdownViewer img')?.naturalWidth > 0")
@@ -278,6 +278,7 @@ class VisitsOfLearners(Visits):
                 visit.close()
                 visit.open(chapter.name)
             self._work_through(visit, chapter)
+        self._pull_the_cable(visit, built)
         self._go_on(visit)
         if self.browser is in_chromium:  # Firefox names no source, so what is JupyterLab's own can't be told apart
             assert visit.complaints() == []
@@ -346,11 +347,20 @@ class VisitsOfLearners(Visits):
             visit.run(index)
             visit.wait_for_text(index, f'Exercise {chapter.exercise}: {verdict}')
 
+    def _pull_the_cable(self, visit, built):
+        files = re.search(r'FILES = .*?(\[".*?"\])', (built / 'service-worker.js').read_text())[1]
+        lab.wait_for(lambda: visit.page.evaluate(
+            'caches.keys().then(([name]) => caches.open(name)).then(kept => Promise.all('
+            f'{files}.map(file => kept.match(new URL(file, {json.dumps(visit.site.url)}))))).then(all => all.every(Boolean))'
+        ), 'the browser to keep all files')
+        visit.site.stop()
+
     def _go_on(self, visit):
         index = visit.cell(f"check('{LAST.exercise}'")
         visit.write(index - 1, '# mine')
         visit.page.evaluate('test.panel.context.save().then(() => null)')
         visit.reload(LAST.name)
+        assert visit.page.evaluate('navigator.serviceWorker.getRegistrations().then(all => all.length)') == 1
         assert visit.page.evaluate(f'test.cells[{index - 1}].model.sharedModel.source') == '# mine'
         visit.run(visit.cell('import param_tutorial'))
         visit.run(visit.cell('from param_tutorial import exercises'))

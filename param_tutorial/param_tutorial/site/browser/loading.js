@@ -2,7 +2,7 @@
 
 // Opens the start page for somebody whose address names no file. Says that a kernel is being loaded, and when it is there,
 // has the service worker keep the rest of the course, too. Says how to end a cell that runs for long: JupyterLab's own
-// button cannot, since Python in a page hears of nothing while it runs.
+// button cannot, since Python in a page hears of nothing while it runs. Keeps the service worker.
 
 const [arrival] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
 if (arrival.type === 'navigate' && !new URLSearchParams(location.search).has('path')) {
@@ -23,6 +23,10 @@ if (location.protocol === 'file:') {
       'that it prints.';
   });
 }
+
+// On the second visit JupyterLite 0.8.6 takes its service worker for one of an older version and unregisters it. Without a
+// network no other comes, and the visit after that would find nothing. The browser itself replaces old ones.
+ServiceWorkerRegistration.prototype.unregister = async () => false;
 
 /**
  * Show a notice, and return what takes it away.
