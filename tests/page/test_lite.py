@@ -351,7 +351,8 @@ class VisitsOfLearners(Visits):
         files = re.search(r'FILES = .*?(\[".*?"\])', (built / 'service-worker.js').read_text())[1]
         lab.wait_for(lambda: visit.page.evaluate(
             'caches.keys().then(([name]) => caches.open(name)).then(kept => Promise.all('
-            f'{files}.map(file => kept.match(new URL(file, {json.dumps(visit.site.url)}))))).then(all => all.every(Boolean))'
+            f'{files}.map(file => kept.match(new URL(file, {json.dumps(visit.site.url)})))'
+            ')).then(all => all.every(Boolean))'
         ), 'the browser to keep all files')
         visit.site.stop()
 
