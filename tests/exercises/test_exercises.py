@@ -496,7 +496,8 @@ def test_the_values_to_spell_are_those_of_the_check():
 def test_the_story_in_the_chapter_is_the_one_that_the_check_runs():
     told = next(each.source for each in notebook('4c') if each.source.startswith('### 4c'))
     for line in inspect.getsource(ch04.story).splitlines()[2:-1]:
-        done = line.strip().replace('trial.start(', 'ros.add(').replace('trial.client(', 'ParameterClient(')
+        done = re.sub(r"trial\.client\(robot\)\.set_parameter\('(\w+)', (\d+)\)",
+                      r'%ros2 param set /simple_param_node \1 \2', line.strip().replace('trial.start(', 'ros.add('))
         assert done in told
 
 

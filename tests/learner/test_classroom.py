@@ -77,7 +77,7 @@ def test_progress_is_forgotten_and_kept(tmp_path, capsys):
     (tmp_path / 'notebooks' / 'index.md').write_text('| 3 | [x](03_x.ipynb) | |\n')
     copies = Copies(tmp_path)
     copies.deliver()
-    copies.progress.add_solved('3b')
+    copies.progress.add_solved('3a')
     assert copies.deliver() == []
     page = copies.folder / 'index.md'
     assert page.read_text() == '| 3 ✓ | [x](03_x.ipynb) | |\n'
