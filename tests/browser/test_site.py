@@ -342,6 +342,23 @@ def test_a_cell_is_edited_and_run_and_kept(page):
 
 
 @limits
+def test_a_cell_that_never_ends_is_stopped(page):
+    cell = cell_with(page, 'panel.settle()')
+    cell.get_by_role('button', name='Edit the code of this cell').click()
+    editor = cell.get_by_role('textbox', name='The code of this cell')
+    editor.fill('while True:\n    pass')
+    editor.press('Shift+Enter')
+    stop = page.get_by_role('button', name='Stop it')
+    expect(stop).to_be_visible()
+    assert check_page(page) == []
+    stop.click()
+    expect(stop).to_be_hidden()
+    expect(editor).to_have_value('while True:\n    pass')
+    type_into(page, 'low_c', '25')
+    expect(message(page, 'low_c')).to_have_text('Rejected: 25 is not below 22')
+
+
+@limits
 def test_the_readers_code_reaches_no_network(page):
     cell = cell_with(page, 'panel.settle()')
     cell.get_by_role('button', name='Edit the code of this cell').click()

@@ -56,6 +56,12 @@ def test_it_says_what_it_is_and_has_no_shell(run):
     assert unknown == 'There is no shell in a web page, so this cell does not run here.\n'
 
 
+def test_a_command_after_an_exclamation_mark_says_why_it_does_not_run(run):
+    (direct, _), (assigned, _) = run(*(
+        f'try:\n    {line}\nexcept Exception as error:\n    print(error)' for line in ('!ls', 'found = !ls')))
+    assert direct == assigned == "there is no shell in a web page, so 'ls' does not run here\n"
+
+
 CLOCK = '''
 import asyncio
 import param_tutorial

@@ -67,6 +67,8 @@ def check_page(page):
     too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
     undrawn = page.evaluate('''() => [...document.querySelectorAll('.live-view')]
         .filter(each => !each.getBoundingClientRect().height).map(each => each.dataset.cell)''')
+    found += page.evaluate('''() => [...document.querySelectorAll('.node-says')].filter(
+        each => each.textContent.startsWith('asking')).map(() => 'a node is said to be still asked')''')
     lost = page.evaluate('''() => [...document.querySelectorAll('a[href^="#"]')].filter(each => each.hash.length > 1
         && !document.getElementById(decodeURIComponent(each.hash.slice(1)))).map(each => each.hash)''')
     found += [f'a link leads to {each}, which is not on the page' for each in lost]

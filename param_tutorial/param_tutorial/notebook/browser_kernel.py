@@ -9,13 +9,16 @@ import json
 import os
 import sys
 from pathlib import Path
+from typing import NoReturn
 
 from IPython.core.interactiveshell import InteractiveShell
 
+from param_tools.errors import NoProcessError
 from param_tools.rcl_in_python import install
 from param_tools.ros import turns
 from param_tutorial.learner import progress
 from param_tutorial.notebook import stored
+from param_tutorial.notebook.shell import NO_SHELL
 
 # Where JupyterLab's own files are seen by the kernel.
 _FILES = Path('/drive')
@@ -36,9 +39,15 @@ def load_ipython_extension(shell: InteractiveShell) -> None:
     os.environ[progress.VARIABLE] = str(_FILES / progress.FILE)
     cells = Path(__file__).parents[3] / STORED
     stored.offer(json.loads(cells.read_text(encoding='utf-8')))
+    shell.system = shell.getoutput = _run_no_command
     host = turns.install()
     shell.events.register('pre_run_cell', lambda _: host.settle())
     _tasks.add(asyncio.ensure_future(_live(host)))
+
+
+def _run_no_command(command: str, **_: object) -> NoReturn:
+    """Say what ``!`` would need."""
+    raise NoProcessError(f'{NO_SHELL}, so {command!r} does not run here')
 
 
 async def _live(host: turns.Turns) -> None:

@@ -11,6 +11,9 @@ import {digest, WIDGET} from './kernel.js';
 import {add, draw} from './outputs.js';
 import {View} from './widgets.js';
 
+// Of the lessons' own cells, none takes so long on a machine with nothing else to do.
+const PATIENCE_MS = 10_000;
+
 /**
  * What the page knows of a cell: its code in the lesson, a digest of its outputs, the names of the widgets that it shows,
  * and the states of all within them.
@@ -65,6 +68,8 @@ export class Page {
   /** The first cell that the kernel was not yet told to run. */
   next = 0;
   running = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  timer;
 
   /** @param {CellFacts[]} facts */
   constructor(facts) {
@@ -181,12 +186,21 @@ export class Page {
       return;
     }
     const cell = this.byId.get(said.cell);
+    if (said.is === 'begin') this.timer = setTimeout(() => this.offerStop(), PATIENCE_MS);
     if (said.is === 'widget') this.hearOfWidget(said);
     else if (said.is === 'update') this.replace(said);
     else if (said.is === 'solved') this.keepSolved(said.numbers);
     else if (said.is === 'begin' || said.is === 'clear') cell?.outputs.splice(0);
     else if (cell && said.is === 'output') this.hearOutput(cell, said.output);
     else if (cell && said.is === 'ran') this.end(cell);
+  }
+
+  /** Offer to end a cell that may never end by itself; what the reader set and typed is there again afterward. */
+  offerStop() {
+    const stop = make('button', {type: 'button'}, 'Stop it, and load the page again');
+    stop.addEventListener('click', () => location.reload());
+    this.say('awake', 'A cell is still running. ');
+    this.notice.append(stop);
   }
 
   /** @param {any} said */
@@ -238,6 +252,7 @@ export class Page {
 
   /** @param {Cell} cell */
   end(cell) {
+    clearTimeout(this.timer);
     this.running -= 1;
     cell.element?.removeAttribute('aria-busy');
     if (cell.isAsked || digest(cell.outputs) !== cell.facts.digest) cell.show();

@@ -28,7 +28,7 @@ EXPLAINED = {
         "exercises.check('2a', lines)": 'its check builds a package, and says why it cannot',
         "exercises.check('2b', setup)": 'its check builds a package, and says why it cannot',
     },
-    '05_1_from_the_command_line': {'%ros2_terminal': 'no terminal finds the nodes of a page, and the cell says so'},
+    '05_1_from_the_command_line': {'%ros2_terminal': 'no terminal finds the nodes of a page'},
     '07_1_saving': {
         '%ros2 param dump /simple_param_node > config/': 'a missing file has error number 44 in WebAssembly, and not 2',
     },

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import nbformat
@@ -11,7 +11,7 @@ from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.notebook.stored import WIDGET
-from param_tutorial.site.live.running import LiveCell, LiveChapter
+from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.links import LAB, NOTEBOOKS, Links
@@ -38,7 +38,7 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: 
     """
     notebook: nbformat.NotebookNode = nbformat.read(path, as_version=4)
     links = Links(path, notebook, pages, is_alone=alone is not None, address=address)
-    _draw_views(notebook, live)
+    _draw_views(notebook, live, EXPLAINED.get(path.stem, {}))
     _draw_predictions(notebook, links)
     for cell in notebook.cells:
         for output in cell.get('outputs', ()):
@@ -60,8 +60,11 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: 
     return notebook
 
 
-def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None:
-    """Put the first picture of each view in the place of its widget, and a name on each cell that runs."""
+def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter, explained: Mapping[str, str]) -> None:
+    """Put the first picture of each view in the place of its widget, and a name on each cell that runs.
+
+    :param explained: By a cell's source: why its view shows something else here than in a notebook.
+    """
     ran = {each.id: each for each in live.cells}
     for cell in notebook.cells:
         if cell.id not in ran:
@@ -70,7 +73,9 @@ def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter) -> None:
         shown = [output for output in cell.outputs
                  if WIDGET in output.get('data', {}) and MIME_TYPE not in output.data]
         for root, output in zip(ran[cell.id].roots, shown, strict=True):
-            output.data = nbformat.from_dict({'text/html': still(ran[cell.id], root)})
+            why = explained.get(cell.source)
+            note = f'<p class="live-why">So it is in a web page: {why}.</p>' if why else ''
+            output.data = nbformat.from_dict({'text/html': still(ran[cell.id], root) + note})
 
 
 def live_cells(cells: Sequence[LiveCell]) -> str:
