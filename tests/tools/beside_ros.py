@@ -1,8 +1,8 @@
 """Run the chapters as on an engineer's machine: a genuine ``ros2`` on the PATH, a workspace sourced, ROS variables set.
 
-ROS itself is not on PyPI, so a stand-in (``ros2_stand_in``) takes the place of its command. It answers as the genuine one
-does, also where the embedded command has other words, and knows nothing of the course's nodes. The workspace holds an
-older build of the course's package, which no chapter may run.
+ROS itself is not on PyPI, so a stand-in (``ros2_stand_in``) takes the place of its command. It answers as the genuine
+one does, also where the embedded command has other words, and knows nothing of the course's nodes. The workspace holds
+an older build of the course's package, which no chapter may run.
 """
 
 import os

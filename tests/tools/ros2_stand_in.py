@@ -19,6 +19,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import psutil
+
 RECORDED = Path(__file__).parents[1] / 'cli' / 'transcripts' / 'transcripts.json'
 SETUP = """from setuptools import find_packages, setup
 
@@ -71,16 +73,21 @@ def rewrite_setup(folder: Path) -> None:
 
 def launch(command: list[str]) -> int:
     """Run the embedded launch as the genuine one would show it."""
-    print('[INFO] [launch]: All log files can be found below /tmp/ros/log', flush=True)
-    child = subprocess.Popen(command)
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
 
     def pass_on(number: int, _frame: object) -> None:
-        child.send_signal(number)
-        if not sys.stdin.isatty():
-            subprocess.run(['pkill', '-INT', '-P', str(child.pid)], check=False)
+        if number == signal.SIGTERM:
+            child.send_signal(number)
+        elif not sys.stdin.isatty():  # the nodes have had Ctrl+C once, from the launch
+            for node in psutil.Process(child.pid).children():
+                node.send_signal(number)
 
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, pass_on)
+    for line in child.stdout or ():
+        if line.startswith('[INFO] [launch]: Default logging'):
+            print('[INFO] [launch]: All log files can be found below /tmp/ros/log')
+        print(line, end='', flush=True)
     return child.wait()
 
 
