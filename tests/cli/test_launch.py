@@ -534,6 +534,27 @@ def test_a_program_that_ignores_signals_is_killed_in_the_end(launch_file, monkey
 
 
 @pytest.mark.slow
+def test_programs_start_late_and_again_and_one_ends_the_others(tmp_path, capfd):
+    def shell(name, text, **options):
+        return Program(['sh', '-c', text], name, True, True, **options)
+
+    runs = tmp_path / 'runs'
+    to_end(Launcher(sys.stdout).run([
+        shell('late', 'echo late', delay_sec=0.3),
+        shell('first', 'echo "$TRY in $PWD"', environment={**os.environ, 'TRY': 'here'}, folder=tmp_path),
+        shell('again', f'echo x >> {runs}; test $(wc -l < {runs}) -lt 3 || sleep 60', respawn_sec=0.1),
+        shell('required', f'until test -e {runs} && test $(wc -l < {runs}) -ge 3; do sleep 0.1; done; sleep 1',
+              ends_all=True)]))
+    shown = capfd.readouterr().out
+    assert f'[first-2] here in {tmp_path}\n' in shown
+    assert shown.index('here in') < shown.index('[late-1] late')
+    assert len(runs.read_text().split()) == 3
+    assert shown.count('[INFO] [again-3]: process started with pid') == 3
+    was_required = '[INFO] [launch]: process[required-4] was required: shutting down launched system'
+    assert shown.index(was_required) < shown.index('[ERROR] [again-3]: process has died')
+
+
+@pytest.mark.slow
 def test_a_program_that_dies_is_reported_and_ends_the_launch(launch_file):
     path = launch_file("""        Node(package='param_tutorial', executable='simple_param_node', output='screen',
              parameters=[{'max_speed_rpm': 'fast'}])""")

@@ -1,8 +1,8 @@
 """Run the chapters as on an engineer's machine: a genuine ``ros2`` on the PATH, a workspace sourced, ROS variables set.
 
-ROS itself is not on PyPI, so a stand-in takes the place of its command. It answers as the genuine one does and, like
-it, knows nothing of the course's nodes. The workspace holds an older build of the course's package, which no chapter
-may run.
+ROS itself is not on PyPI, so a stand-in (``ros2_stand_in``) takes the place of its command. It answers as the genuine
+one does, also where the embedded command has other words, and knows nothing of the course's nodes. The workspace holds
+an older build of the course's package, which no chapter may run.
 """
 
 import os
@@ -17,7 +17,7 @@ from tests.support.paths import ROOT, ROS_PACKAGE
 
 # What the user has sourced stays on PYTHONPATH, as the nodes of a workspace need it.
 ROS2 = """#!/bin/sh
-PARAM_TOOLS_PROVIDED=0 exec {command} "$@"
+exec {python} {stand_in} {command} -- "$@"
 """
 OLD_BUILD = """#!/bin/sh
 echo 'this is the old build, for another Python'
@@ -37,7 +37,9 @@ def make_executable(path: Path, text: str) -> None:
 def machine(folder: Path) -> dict[str, str]:
     """Create what such a machine has, and return its environment."""
     ros, workspace = folder / 'opt' / 'ros', folder / 'ros2_ws' / 'install'
-    make_executable(ros / 'bin' / 'ros2', ROS2.format(command=shlex.join(genuine.embedded_words())))
+    make_executable(ros / 'bin' / 'ros2', ROS2.format(
+        python=shlex.quote(sys.executable), stand_in=shlex.quote(str(ROOT / 'tests' / 'tools' / 'ros2_stand_in.py')),
+        command=shlex.join(genuine.embedded_words())))
     # There, PYTHONPATH has rclpy for it.
     make_executable(ros / 'bin' / 'python3', f'#!/bin/sh\nexec {shlex.quote(sys.executable)} "$@"\n')
     (ros / 'local_setup.bash').touch()  # colcon looks for it

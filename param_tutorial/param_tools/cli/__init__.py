@@ -12,8 +12,9 @@ byte, as 61 recordings in tests/cli/transcripts have it, the others as its sourc
 - ``run`` and ``launch`` find provided packages (``ros.environment``) without a build, and a notebook's cell rejects a
   command that would keep it busy. ``run`` passes SIGTERM on to its program.
 - ``pkg create`` writes Python packages only, and no LICENSE.
-- ``launch`` reads Python files, with the actions and substitutions that ``launch/reading.py`` lists, and rejects all
-  others by their names. It works out everything before it starts the first program, and keeps no log files.
+- ``launch`` reads files in Python, XML and YAML, with what ``launch/reading.py`` and ``launch/markup.py`` list, and
+  rejects the use of anything else by its name: components and event handlers, for two. It works out everything before
+  it starts the first program, timers included, and keeps no log files.
 - The commands that the genuine one has not (``genuine.OWN_COMMANDS``) follow its conventions, and extend it where it
   is.
 - Of other commands, verbs and options, a usage error says that the genuine ros2 has more.

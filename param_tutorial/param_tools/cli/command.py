@@ -82,5 +82,6 @@ def steps(argv: Sequence[str], session: Session) -> Steps:
         if error.name not in _PACKAGES_OF_ROS:
             raise
         session.complain(f'This needs ROS, and Python finds no {error.name}: source a ROS installation, or install '
-                         f'the tools with their extra `ros`. `check` needs ROS only to ask running nodes')
+                         f'the tools with their extra `ros`. `check` needs ROS only to ask running nodes and for '
+                         f'`--launch`')
         return 2
