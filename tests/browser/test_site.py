@@ -407,6 +407,7 @@ def test_an_exercise_is_solved_in_its_cell_and_remembered(page):
     exercise, check = (page.locator(f'.tag_live-{name}-7-3a') for name in ('exercise', 'check'))
     check.get_by_role('button', name='Run this cell').click()
     expect(check.locator('.param-check')).to_contain_text('Exercise 7.3a: not yet, 0 of 2 done', timeout=60_000)
+    wait_for_the_node(page)
     check.get_by_role('link', name='“Two sources”').first.click()
     expect(page.get_by_role('heading', name='Two sources')).to_be_in_viewport()
     expect(page).to_have_url(re.compile('#two-sources$'))
