@@ -104,6 +104,14 @@ ROBOT = (
     "robot.set_parameters([rclpy.Parameter('robot_name', value='Rex')])\nview",
     'A picture:',
     "LinePlot({'a line': [(0, 0), (1, 2)]}, x='time in s', y='speed in m/s')",
+    'A picture that is drawn anew:',
+    "import ipywidgets\n\nscene = ipywidgets.HTML('<div class=\"motion-scene\"><svg viewBox=\"0 0 720 60\">'\n"
+    "                        '<text x=\"100\" y=\"30\">the first</text></svg></div>')\nscene",
+    "scene.value = scene.value.replace('first', 'second')",
+    'A text with a shape, and a sentence:',
+    "print('/heater:\\n  ros__parameters:\\n    label: ' + 'a long name ' * 9)",
+    "print('A sentence goes on' + ' and on' * 20)",
+    '## Two sources\n\nThe later one wins.',
     '## 7.3a · Put three sources in order',
     "sources = [\n    '-p speed:=400',\n    '--params-file slow.yaml',\n    '--params-file fast.yaml',\n]",
     "from param_tutorial import exercises\n\nexercises.check('7.3a', sources)",
@@ -453,6 +461,10 @@ def test_an_exercise_is_solved_in_its_cell_and_remembered(page):
     exercise, check = (page.locator(f'.tag_live-{name}-7-3a') for name in ('exercise', 'check'))
     check.get_by_role('button', name='Run this cell').click()
     expect(check.locator('.param-check')).to_contain_text('Exercise 7.3a: not yet, 0 of 2 done', timeout=60_000)
+    wait_for_the_node(page)
+    check.get_by_role('link', name='“Two sources”').first.click()
+    expect(page.get_by_role('heading', name='Two sources')).to_be_in_viewport()
+    expect(page).to_have_url(re.compile('#two-sources$'))
     expect(page.locator('.lesson-mark')).to_have_count(0)
     exercise.get_by_role('button', name='Edit the code of this cell').click()
     exercise.get_by_role('textbox', name='The code of this cell').fill(SOLVED)
@@ -478,7 +490,8 @@ def test_an_output_below_a_prediction_is_folded_until_one_commits_or_looks(page)
     # What is too wide is scrolled by keyboard; the theme's script could not know, for what is hidden has no width.
     shown.evaluate('''each => {
         each.tabIndex = -1;
-        each.style.cssText = 'width: 3em; white-space: pre; overflow: auto' }''')
+        each.classList.remove('lesson-sentences');
+        each.style.width = '3em' }''')
     look.press('Enter')
     expect(shown).to_be_visible()
     expect(shown).to_have_attribute('tabindex', '0')
@@ -486,14 +499,16 @@ def test_an_output_below_a_prediction_is_folded_until_one_commits_or_looks(page)
     expect(look).to_have_attribute('aria-expanded', 'true')
     look.press('Enter')
     expect(shown).to_be_hidden()
-    page.emulate_media(media='print')
-    expect(shown).to_be_visible()
-    expect(look).to_be_hidden()
-    page.emulate_media(media='screen')
     form.get_by_label('Your number').fill('4')
     form.get_by_label('Your number').press('Enter')
     expect(shown).to_be_visible()
     expect(look).to_be_hidden()
+    # Paper asks only.
+    page.emulate_media(media='print')
+    for answer in (shown, told, form.get_by_role('status')):
+        expect(answer).to_be_hidden()
+    page.emulate_media(media='screen')
+    expect(shown).to_be_visible()
     page.reload()
     expect(shown).to_be_visible()
 
@@ -504,6 +519,8 @@ def test_without_a_script_nothing_is_folded(made, browser):
     page.goto((made.target / '1_limits.html').as_uri())
     expect(page.get_by_text('-20, -15, 0, 50 and 52', exact=True)).to_be_visible()
     expect(page.locator('.lesson-look, .lesson-term')).to_have_count(0)
+    # The theme has colors for a light page and for a dark one, and none for a page that is neither.
+    expect(page.locator('html')).to_have_attribute('data-theme', 'light')
     context.close()
 
 
@@ -619,6 +636,12 @@ def test_paper_is_white_and_all_code_is_on_it(page):
     announced = page.get_by_text('Two predictions, one to choose').evaluate('each => getComputedStyle(each).breakAfter')
     assert announced == 'avoid'
     expect(page.get_by_role('button', name='Commit')).to_have_count(0)
+    # Of a flexible box Chromium prints no more than would fit if no page came to an end.
+    assert page.locator('.bd-article').evaluate('''each => {
+        const kinds = new Set();
+        for (; each; each = each.parentElement) kinds.add(getComputedStyle(each).display);
+        return [...kinds] }''') == ['block']
+    assert '@bottom-left { content: "1 · Limits"' in page.content()
 
 
 @pytest.mark.parametrize('way', ['file', 'server'])
@@ -703,7 +726,38 @@ def test_what_the_search_does_not_give_away(made):
 @pytest.mark.parametrize('name', ['index', '1_limits', '2_robot', 'search'])
 def test_nothing_that_axe_finds(made, browser, scheme, name):
     with open_page(browser, (made.target / f'{name}.html').as_uri(), scheme=scheme, width=390) as page:
+        expect(page.locator('html')).to_have_attribute('data-theme', scheme)
         assert check_page(page) == []
+
+
+@pytest.fixture
+def phone(made, browser):
+    """Return the robot's page on a narrow screen."""
+    with open_page(browser, (made.target / '2_robot.html').as_uri(), width=390) as page:
+        yield page
+
+
+def test_on_a_phone_a_text_keeps_its_shape_and_a_sentence_wraps(phone):
+    shaped, sentence = (cell_with(phone, code) for code in ('ros__parameters', 'A sentence goes on'))
+    for _ in ('as stored', 'as run'):
+        expect(shaped.locator('.cell_output pre')).to_have_css('white-space', 'pre')
+        expect(shaped.locator('.cell_output pre')).to_have_attribute('tabindex', '0')
+        expect(sentence.locator('.cell_output pre')).to_have_css('white-space', 'pre-wrap')
+        for cell in (shaped, sentence):
+            cell.get_by_role('button', name='Run this cell').click()
+        wait_for_the_node(phone)
+
+
+def test_on_a_phone_a_picture_scrolls_and_stays_there_when_it_is_drawn_anew(phone):
+    plot = phone.get_by_role('group', name='A picture as wide as its letters need').filter(has_text='time in s')
+    plot.focus()
+    phone.keyboard.press('ArrowRight')
+    phone.wait_for_function('each => each.scrollLeft > 0', arg=plot.element_handle())
+    scene = phone.locator('.motion-scene')
+    scene.evaluate('each => { each.scrollLeft = 100 }')
+    cell_with(phone, 'scene.value.replace').get_by_role('button', name='Run this cell').click()
+    expect(scene).to_have_text('the second', timeout=60_000)
+    assert scene.evaluate('each => each.scrollLeft') == 100
 
 
 def test_search_engines_and_messengers_learn_what_a_page_is(made):

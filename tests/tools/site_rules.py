@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 
 from tests.support.lab import chromium
 
@@ -17,10 +18,31 @@ AXE_OPTIONS = {'runOnly': {'type': 'tag', 'values': WCAG}, 'resultTypes': ['viol
 MAX_LESSON_BYTES = 3_000_000
 # Up to here web.dev calls a page good: https://web.dev/articles/cls.
 MAX_LAYOUT_SHIFT = 0.1
+MIN_LETTERS_PX = 11
 _SUM_UP_LAYOUT_SHIFTS = '''
     window.layoutShift = 0;
     new PerformanceObserver(list => { for (const each of list.getEntries()) window.layoutShift += each.value; })
         .observe({type: 'layout-shift', buffered: true});'''
+
+# The sizes of all letters that are drawn, each with the words; those of a picture are as large as its scale makes them.
+_SIZES_OF_LETTERS = '''() => {
+    const found = [];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    while (walker.nextNode()) {
+        const words = walker.currentNode.data.trim();
+        const element = walker.currentNode.parentElement;
+        if (!words || !element.checkVisibility() || !element.getClientRects().length) continue;
+        const scale = element.ownerSVGElement ? element.getScreenCTM() : {a: 1, b: 0};
+        found.push([parseFloat(getComputedStyle(element).fontSize) * Math.hypot(scale.a, scale.b), words]);
+    }
+    return found }'''
+
+# Texts and pictures that scroll sideways, and don't show it at their edge or can't be reached by the keyboard.
+_SCROLLS_UNNOTICED = '''() => [...document.querySelectorAll('.bd-article :is(pre, :has(> svg))')].filter(each => {
+    const {backgroundImage, maskImage, overflowX} = getComputedStyle(each);
+    return overflowX === 'auto' && each.scrollWidth > each.clientWidth
+        && (each.tabIndex !== 0 || !`${backgroundImage}${maskImage}`.includes('gradient')) })
+    .map(each => each.outerHTML.slice(0, 100))'''
 
 # Puts answers and sizes among what the browser keeps, each with its key: see progress.js.
 KEEP = """async ([answers, sizes]) => {
@@ -62,8 +84,15 @@ def check_page(page):
     # What is closed would not be looked at.
     page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
     page.evaluate("document.querySelectorAll('.lesson-look [aria-expanded=false]').forEach(each => each.click())")
+    # Who may scroll is told in the next frame, and by the theme's script in 300 ms.
+    with contextlib.suppress(PlaywrightTimeoutError):
+        page.wait_for_function(f'!({_SCROLLS_UNNOTICED})().length', timeout=5000)
+    unnoticed = page.evaluate(_SCROLLS_UNNOTICED)
+    # Axe judges no colors before a gradient, and one lies behind all code: the sign that it scrolls.
+    page.add_style_tag(content='.bd-article * { background-image: none !important; }')
     found = [f'{rule["id"]}: {node["html"][:200]}'
              for rule in Axe().run(page, options=AXE_OPTIONS).response['violations'] for node in rule['nodes']]
+    found += [f'{each} scrolls sideways without a sign, or out of the keyboard’s reach' for each in unnoticed]
     too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
     undrawn = page.evaluate('''() => [...document.querySelectorAll('.live-view')]
         .filter(each => !each.getBoundingClientRect().height).map(each => each.dataset.cell)''')
@@ -72,6 +101,8 @@ def check_page(page):
     lost = page.evaluate('''() => [...document.querySelectorAll('a[href^="#"]')].filter(each => each.hash.length > 1
         && !document.getElementById(decodeURIComponent(each.hash.slice(1)))).map(each => each.hash)''')
     found += [f'a link leads to {each}, which is not on the page' for each in lost]
+    found += [f'“{words[:60]}” has letters of {size:.1f} px' for size, words in page.evaluate(_SIZES_OF_LETTERS)
+              if size < MIN_LETTERS_PX]
     # It has its own width beside its curve, and no rule for curves applies to it.
     found += page.evaluate('''() => [...document.querySelectorAll('.step-wheel')].map(
         each => each.getBoundingClientRect().width).filter(width => width > 100)
@@ -89,12 +120,13 @@ def main(folder):
         for path in sorted(folder.glob('*.html')):
             if path.stat().st_size > MAX_LESSON_BYTES:
                 problems.append(f'{path.name}: {path.stat().st_size / 1e6:.1f} MB')
-            for scheme, width in (('light', 1280), ('dark', 390)):
+            # 320 px are a window of 1280 px at 400 %.
+            for scheme, width in (('light', 1280), ('dark', 390), ('light', 320)):
                 try:
                     with open_page(browser, path.absolute().as_uri(), scheme=scheme, width=width) as page:
-                        problems += [f'{path.name}, {scheme}: {each}' for each in check_page(page)]
+                        problems += [f'{path.name}, {scheme}, {width} px: {each}' for each in check_page(page)]
                 except AssertionError as error:
-                    problems.append(f'{path.name}, {scheme}: {error}')
+                    problems.append(f'{path.name}, {scheme}, {width} px: {error}')
             print(f'{path.name} checked', flush=True)
     print(*problems, sep='\n')
     print(f'{len(list(folder.glob("*.html")))} pages checked, {len(problems)} problems')

@@ -5,6 +5,7 @@
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
 import {answerTo, keepAnswer, progressFile} from '../scripts/progress.js';
+import {reachPictures, wrapSentences} from '../scripts/wide.js';
 import {followAddress, keepSettings} from './address.js';
 import {keepCode, keptCode} from './kept_code.js';
 import {digest, WIDGET} from './kernel.js';
@@ -54,6 +55,9 @@ class Cell {
     if (this.isOwn) return;
     const drawn = this.outputs.map(output => (output.view ? output.view.element : draw(output)));
     this.place?.replaceChildren(...drawn);
+    if (!this.place) return;
+    wrapSentences(this.place);
+    reachPictures(this.place);
   }
 }
 

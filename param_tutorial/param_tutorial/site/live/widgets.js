@@ -4,6 +4,7 @@
    as the kernel has run the cell, the same view is a view of the kernel's widgets, and what the hand did is done. */
 
 import {make} from '../../../param_tools/panel/dom.js';
+import {drawAnew} from '../scripts/wide.js';
 import {noteEntered} from './address.js';
 
 const PREFIX = 'IPY_MODEL_';
@@ -199,9 +200,7 @@ export class View {
     element.classList.add(...(model.get('_dom_classes') ?? []));
     if (kind === 'HTMLModel') {
       element.classList.add('widget-html');
-      const show = () => {
-        element.innerHTML = model.get('value');
-      };
+      const show = () => drawAnew(element, model.get('value'));
       show();
       model.on('change:value', show);
     } else if (/BoxModel$/.test(kind)) {

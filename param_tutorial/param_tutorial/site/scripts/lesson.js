@@ -4,6 +4,7 @@ import {all, make, one} from '../../../param_tools/panel/dom.js';
 import {copy} from './clipboard.js';
 import {askForPrediction, foldAnswers} from './predictions.js';
 import {beginProgress} from './progress.js';
+import {reachPictures, wrapSentences} from './wide.js';
 
 /** Put a button beside each cell's code that copies it. */
 function offerCopies() {
@@ -26,7 +27,8 @@ function offerCopies() {
 /** Bring the page to life. */
 export async function beginLesson() {
   arriving.disconnect();
-  foldAnswers();
+  layOut();
+  reachPictures(document);
   offerCopies();
   const remembered = beginProgress();
   for (const form of all(document, '.lesson-prediction', HTMLFormElement)) {
@@ -36,5 +38,11 @@ export async function beginLesson() {
   document.documentElement.dataset.lesson = 'ready';
 }
 
-const arriving = new MutationObserver(foldAnswers);
+/** Lay out what has arrived of the page, before it is drawn. */
+function layOut() {
+  wrapSentences(document);
+  foldAnswers();
+}
+
+const arriving = new MutationObserver(layOut);
 arriving.observe(document, {childList: true, subtree: true});

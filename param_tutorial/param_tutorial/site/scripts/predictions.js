@@ -39,6 +39,7 @@ class Fold {
   add(element) {
     if (this.answer.has(element)) return;
     this.answer.add(element);
+    element.classList.add('lesson-answer');
     element.classList.toggle('lesson-folded', !this.isShown);
   }
 
@@ -58,7 +59,7 @@ class Fold {
 /**
  * Hide what gives the answer to a prediction away, up to the next cell, until it is committed to or the reader looks.
  *
- * Only the screen hides it: see the style sheet. Called while the page is being loaded, so that nothing is drawn that
+ * On paper it stays hidden: see the style sheet. Called while the page is being loaded, so that nothing is drawn that
  * goes away again: what has come by then is folded.
  * @param {HTMLElement} form
  */

@@ -58,8 +58,8 @@ html_theme_options = {
     'pygments_light_style': 'a11y-high-contrast-light',
     'pygments_dark_style': 'a11y-high-contrast-dark',
 }
-# Without a word for it the theme's script complains on a reader's first visit.
-html_context = {'default_mode': 'auto'}
+# For pages without scripts: the others follow the reader's system, see layout.html.
+html_context = {'default_mode': 'light'}
 
 
 def describe(_: Sphinx, __: str, ___: str, context: dict[str, Any], page: nodes.document | None) -> None:
