@@ -299,7 +299,7 @@ class VisitsOfLearners(Visits):
 
     def _work_through(self, visit, chapter):
         assert visit.ask('import os; print(os.getcwd(), os.path.exists("index.md"))') == '/drive True'
-        panel, question = visit.cell(' ParameterPanel('), visit.cell(f"predict('{chapter.prediction}')")
+        panel, question = visit.cell('ParameterPanel('), visit.cell(f"predict('{chapter.prediction}')")
         done = -1
         for index, use in sorted([(panel, self._use_panel), (question, self._predict)], key=lambda each: each[0]):
             visit.run_between(done + 1, index)
