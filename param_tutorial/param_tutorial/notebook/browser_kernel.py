@@ -39,7 +39,8 @@ def load_ipython_extension(shell: InteractiveShell) -> None:
     os.environ[progress.VARIABLE] = str(_FILES / progress.FILE)
     cells = Path(__file__).parents[3] / STORED
     stored.offer(json.loads(cells.read_text(encoding='utf-8')))
-    shell.system = shell.getoutput = _run_no_command
+    for name in ('system', 'getoutput'):
+        setattr(shell, name, _run_no_command)
     host = turns.install()
     shell.events.register('pre_run_cell', lambda _: host.settle())
     _tasks.add(asyncio.ensure_future(_live(host)))
