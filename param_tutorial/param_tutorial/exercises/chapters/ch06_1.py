@@ -91,7 +91,7 @@ def own_descriptors(trial: Trial) -> None:
 
 describe = Exercise('6.1c', 'Say it in the descriptor', CHAPTER, NODE_CLASS, node_name='camera', hints=(
     'Each parameter needs one `ParameterDescriptor`. Begin with `exposure_us`, and ask the node: '
-    "`verdicts(Camera(), 'exposure_us', 100, 150, 20000)`.",
+    "`verdicts(Camera, 'exposure_us', 100, 150, 20000)`.",
     'The fields are `integer_range` and `floating_point_range`. The range stands in brackets, and each of the two '
     'fields belongs to one type of default.',
     'For the second parameter: `ParameterDescriptor(floating_point_range=[FloatingPointRange(from_value=0.0, '
