@@ -67,8 +67,8 @@ def test_programs_of_timers_wait_and_have_the_environment_of_their_place(context
 
 @pytest.mark.parametrize(('text', 'why'), [
     ('<include/>', "Attribute 'file' not found in Entity 'include'"),
-    ('<node pkg="p" exec="e" colour="red"/>', r"found in `node`: 'colour'; .*environment/README.md"),
-    ('<node pkg="p" exec="e"><parm name="x" value="1"/></node>', "found in `node`: 'parm'"),
+    ('<node pkg="p" exec="e" tint="red"/>', r"found in `node`: 'tint'; .*environment/README.md"),
+    ('<node pkg="p" exec="e"><pram_x name="x" value="1"/></node>', "found in `node`: 'pram_x'"),
     ('<nod/>', 'has no action nod; it has arg, let, include, .*environment/README.md'),
     ('<group if="1" unless="1"/>', "can't be used simultaneously"),
     ('<node pkg="p" exec="e"><param name="x"/></node>', 'either a value attribute or nested params are needed'),

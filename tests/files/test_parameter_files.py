@@ -18,7 +18,7 @@ from rclpy.parameter import Parameter
 from param_tools import values
 from param_tools.errors import ParameterFileError
 from param_tools.files import parsing
-from param_tools.files.parameter_files import read, render
+from param_tools.files.parameter_files import parse, read, render
 from param_tools.files.rcl_parser import first_rejection
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -410,3 +410,16 @@ def test_a_bad_file_sets_nothing(ros, tmp_path):
     with pytest.raises(ParameterFileError, match='line 4'):
         client.load(tmp_path / 'bad.yaml')
     assert client.get_parameter('max_speed_rpm') == 100
+
+
+@pytest.mark.parametrize(('text', 'why'), [
+    ('/n:\n  ros__parameters:\n  rate: 1\n', "line 3: rate stands beside 'ros__parameters', not below it: .* Indent"),
+    ('/n:\n  ros__parameter:\n    rate: 1\n', "line 2: 'ros__parameter' should be 'ros__parameters'"),
+    ('/**:\n  ros__parameters:\n    a: 1\n  pump:\n    ros__parameters:\n      rate: 1\n', 'line 4: pump is a node'),
+    ('/n:\n  rate: 1\n', 'line 2: there is a value before ros__parameters'),
+])
+def test_a_header_in_the_wrong_place_is_named_wherever_a_file_is_read(tmp_path, text, why):
+    path = tmp_path / 'x.yaml'
+    path.write_text(text)
+    with pytest.raises(ParameterFileError, match=rf'x\.yaml, {why}'):
+        parse(path)

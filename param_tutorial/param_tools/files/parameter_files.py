@@ -22,6 +22,7 @@ import yaml
 
 from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterFileError
+from param_tools.files.headers import is_like_header, misplaced
 from param_tools.files.parsing import KEY, Entry, Parser, Rejected, effective, matches, typed
 
 _LINE_LENGTH = 100
@@ -73,8 +74,20 @@ def parse(path: str | Path) -> Parser:
     try:
         parser.parse(content)
     except Rejected as rejected:
-        raise ParameterFileError(f'{path}, line {rejected.place.line}: {rejected}') from None
+        line, reason = _cause(rejected, content)
+        raise ParameterFileError(f'{path}, line {line}: {reason}') from None
     return parser
+
+
+def _cause(rejected: Rejected, content: bytes) -> tuple[int, str]:
+    """Return the line and the reason of a rejection, as its author would name them: a header in the wrong place."""
+    for cause in misplaced(content):
+        if cause.is_certain or cause.explains(rejected.place):
+            return cause.place.line, cause.message
+    for name, place in rejected.keys:
+        if is_like_header(name):
+            return place.line, f'{name!r} should be {KEY!r}'
+    return rejected.place.line, str(rejected)
 
 
 def read_bytes(path: str | Path) -> bytes:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, Self
 
 from param_tools.cli.launch.conditions import Condition
-from param_tools.cli.launch.context import Context, LaunchFailed, refuse
+from param_tools.cli.launch.context import Context, LaunchFailed, reject
 from param_tools.cli.launch.importing import read, running
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.substitutions import as_bool, expect_string, is_list, perform
@@ -342,7 +342,7 @@ class TimerAction(Action):
         self.period = period
         self.actions = expect_actions(actions)
         if cancel_on_shutdown is not True:
-            refuse('keep a timer after a shutdown (cancel_on_shutdown)')
+            reject('keep a timer after a shutdown (cancel_on_shutdown)')
 
     def execute(self, context: Context) -> list[Program]:
         context.postponed.append((typed_float(self.period, context), self.actions))

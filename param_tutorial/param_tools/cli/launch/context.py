@@ -20,7 +20,7 @@ class LaunchFailed(CommandFailed):
     """A launch file asks for something that cannot be done."""
 
 
-def refuse(what: str) -> NoReturn:
+def reject(what: str) -> NoReturn:
     """Reject what only a full installation can do.
 
     :raises LaunchFailed: always.
@@ -125,4 +125,4 @@ class Context:
 
         :raises LaunchFailed: this is no rehearsal.
         """
-        refuse(what)
+        reject(what)

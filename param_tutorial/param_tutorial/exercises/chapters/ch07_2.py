@@ -94,7 +94,7 @@ def launch(trial: Trial, text: str, **arguments: str) -> Launched:
         short = {path: f'{position}.yaml' for position, path in enumerate(paths)}
         return Launched([short.get(word, word) for word in words],
                         {name: Path(path).read_text(encoding='utf-8') for path, name in short.items()},
-                        [each.name for each in description.declared_arguments()])
+                        [each.declaration.name for each in description.declared_arguments()])
 
 
 def _gaps(text: str) -> list[str]:
