@@ -584,6 +584,9 @@ def test_a_touch_runs_no_step_of_the_lesson_below_it(page):
     page.wait_for_function("location.search.includes('max_speed_rpm=120')", timeout=60_000)
     wait_for_the_node(page)
     expect(box(page, 'robot_name')).to_have_value('Clawbot')
+    cell_with(page, "value='Rex'").get_by_role('button', name='Run this cell').click()
+    expect(box(page, 'robot_name')).to_have_value('Rex')
+    assert 'Rex' not in page.url  # the lesson does it again
 
 
 @robot

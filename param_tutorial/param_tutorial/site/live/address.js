@@ -25,15 +25,15 @@ export function noteEntered(panel, content) {
 }
 
 /**
- * Keep what differs from the values with which a panel began.
+ * Keep what a hand has changed and differs from the values with which a panel began; a lesson's own cells make theirs anew.
  * @param {Handle} panel
  */
 export function keepSettings(panel) {
   /** @type {Record<string, {text: string, first?: string, is_busy?: boolean, is_gathered?: boolean}>} */
   const rows = panel.get('state').rows;
   for (const [name, {text, first, is_busy, is_gathered}] of Object.entries(rows)) {
-    if (is_busy || is_gathered) continue;
     const key = `${panel.place}:${name}`;
+    if (is_busy || is_gathered || !entered.has(key)) continue;
     if (first === undefined) settings.delete(key);
     else settings.set(key, text);
   }
@@ -57,6 +57,7 @@ export function followAddress(find) {
       continue;
     }
     settings.set(key, text);
+    entered.add(key);
     panel.send({do: 'enter', name, text, client: '', number: 0, grip: 0});
   }
   if (!isLost) return;
