@@ -67,7 +67,8 @@ def _in_map(tree: yaml.Node | None, node: str, seen: _Seen) -> Iterator[Misplace
         return
     seen.maps.add(id(tree))
     headers = [pair for pair in tree.value if _name(pair[0]).startswith(KEY)]
-    seen.empty += [_span((value, value)) for _, value in headers if isinstance(value, yaml.ScalarNode)]
+    seen.empty += [_span((value, value)) for _, value in headers
+                   if isinstance(value, yaml.ScalarNode) and not value.value]
     for _, parameters in headers:
         yield from _empty_maps(parameters, parameters.end_mark.index, seen)
     if len(headers) > 1:

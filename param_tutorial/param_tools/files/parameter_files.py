@@ -82,7 +82,8 @@ def parse(path: str | Path) -> Parser:
 def _cause(rejected: Rejected, content: bytes) -> tuple[int, str]:
     """Return the line and the reason of a rejection, as its author would name them: a header in the wrong place."""
     for cause in misplaced(content):
-        if cause.is_certain or cause.explains(rejected.place):
+        # rcl notices a header in the wrong place there or later.
+        if cause.explains(rejected.place) or (cause.is_certain and cause.place.line <= rejected.place.line):
             return cause.place.line, cause.message
     for name, place in rejected.keys:
         if is_like_header(name):
