@@ -13,6 +13,8 @@ from tests.support.answers import not_yet, solution
 
 pytestmark = pytest.mark.slow
 
+# Here the answer is a program that runs in a process, again and again: some twenty seconds each.
+PROGRAMS = ('3d', '5.2d', '5.3d', '8d', '11g')
 # In these, a requirement waits for something that never comes.
 WAITING = ('5.3a', '5.3b', '10.2b', '11c')
 
@@ -22,7 +24,8 @@ def pytest_generate_tests(metafunc):
     if metafunc.cls:
         answers, names = metafunc.function.cases
         metafunc.parametrize(names, [
-            pytest.param(number, *each, id=f'{number}-{position}', marks=() if position < 2 else pytest.mark.thorough)
+            pytest.param(number, *each, id=f'{number}-{position}',
+                         marks=() if position < 2 and number not in PROGRAMS else pytest.mark.thorough)
             for number, all_of_it in answers.items()
             if metafunc.cls.first <= int(EXERCISES[number].chapter[:2]) <= metafunc.cls.last
             for position, each in enumerate(all_of_it)])

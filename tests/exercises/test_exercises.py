@@ -229,6 +229,7 @@ def test_a_program_that_is_not_there_is_named(ros, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 def test_a_program_may_lose_a_race_that_is_rclpys_own_but_not_each_time(ros, tmp_path):
     """Rclpy's handler of signals can shut the context down in the middle of ``spin``, which then raises an RCLError."""
     lost = ('        pass', """        from pathlib import Path

@@ -15,10 +15,10 @@ PATHS = [
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.timeout(300)
 # How many there are at least: a selection that has become empty, or nearly so, would prove nothing.
-@pytest.mark.parametrize(('choice', 'at_least'), [
-    ('not slow', 750), pytest.param('slow', 35, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize(('choice', 'at_least'), [('not slow', 750), ('slow', 35)])
 def test_the_same_tests_pass_on_both_layers(choice, at_least):
     # Stops at the first that fails: of a broken layer, many would wait for a minute each.
     done = subprocess.run([sys.executable, '-m', 'pytest', '-p', 'tests.support.rcl_in_python', '-x', '-n', '2',

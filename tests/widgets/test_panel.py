@@ -375,6 +375,7 @@ def test_what_a_callback_changes_is_undone_with_it(ros):
 
 
 @pytest.mark.slow
+@pytest.mark.thorough
 @settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.sampled_from([
     ('enabled', 'true'), ('enabled', 'false'), ('tool', 'saw'), ('tool', 'drill'), ('offset', '1'), ('offset', '2.5'),
