@@ -8,7 +8,7 @@ import shlex
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple
 
 from param_tools.cli.launch.conditions import Condition
 from param_tools.cli.launch.context import Context, LaunchFailed, reject
@@ -463,7 +463,7 @@ class Event:
         self.actions = expect_actions(found if is_list(found) else [] if callable(found) else [found])
 
     @classmethod
-    def named(cls, name: str) -> type[Self]:
+    def named(cls, name: str) -> 'type[Event]':
         """Return a class with the name that launch files use."""
         return type(name, (cls,), {})
 
