@@ -171,8 +171,8 @@ def _expect_end(trial: Trial, exercise: Exercise, number: signal.Signals, start:
         with running(trial, exercise, start=start) as program:
             # In the middle of a callback, a signal lets `spin` return in peace, and no exception has to be caught.
             program.terminal.wait_until_idle(LATER_SEC)
-            # rclpy 7.1.6 goes on after one SIGTERM in twenty-five: its executor wakes before the context is shut down, and
-            # waits again. The next signal ends it.
+            # rclpy 7.1.6 goes on after one SIGTERM in twenty-five: its executor wakes before the context is shut down,
+            # and waits again. The next signal ends it.
             status = program.terminal.interrupt(END_SEC, number, times=2)
             expect(status != -signal.SIGKILL, f'{number.name} ends it', f'it was still running {END_SEC:g} s later')
             raised = _raised(program.terminal.text, _source_file(trial, exercise))
