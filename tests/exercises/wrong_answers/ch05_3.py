@@ -139,14 +139,6 @@ WRONG = {
     ],
     '5.3d': [
         ([('limit_rpm = self.get_parameter(', 'limit_rpm = 60 or self.get_parameter(')], 7, 'it holds 60, after'),
-        ([('        if self.getter.service_is_ready() and self.setter.service_is_ready():\n            future = '
-           "self.getter.call_async(GetParameters.Request(names=['max_speed_rpm']))\n            "
-           'future.add_done_callback(self.on_speed)', '        self.getter.wait_for_service()\n        future = '
-           "self.getter.call_async(GetParameters.Request(names=['max_speed_rpm']))\n        "
-           'future.add_done_callback(self.on_speed)'),
-          # At once: after half a second, a fast machine would have had its first answer.
-          ('self.create_timer(0.5, self.ask)', 'self.create_timer(0.001, self.ask)')],
-         0, 'Does a callback wait, or loop forever?'),
         ([('        self.create_timer(0.5, self.ask)', '        self.getter.wait_for_service()\n        '
            'self.create_timer(0.5, self.ask)')], 0, 'Does a callback wait, or loop forever?'),
         ([('integer_value > limit_rpm', 'integer_value != limit_rpm')], 7, 'the guard has set `max_speed_rpm` to 60'),
