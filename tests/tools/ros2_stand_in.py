@@ -3,7 +3,6 @@
 A chapter that needs words of the embedded command fails beside it, as it would on an engineer's machine:
 
 - A command whose recording (tests/cli/transcripts) has other words gets the recorded answer.
-- ``pkg create`` leaves the setup.py that ros2pkg 0.32.2 makes of its template (resource/ament_python/setup.py.em).
 - ``launch`` begins with the line about its log files and, where its input is no terminal, passes Ctrl+C on twice, as
   launch 3.4.3 does (``--noninteractive``).
 
@@ -12,7 +11,6 @@ It takes the words of the embedded command up to ``--``, and after it what follo
 
 import json
 import os
-import re
 import shlex
 import signal
 import subprocess
@@ -22,32 +20,6 @@ from pathlib import Path
 import psutil
 
 RECORDED = Path(__file__).parents[1] / 'cli' / 'transcripts' / 'transcripts.json'
-SETUP = """from setuptools import find_packages, setup
-
-package_name = '{package}'
-
-setup(
-    name=package_name,
-    version='0.0.0',
-    packages=find_packages(exclude=['test']),
-    data_files=[
-        ('share/ament_index/resource_index/packages',
-            ['resource/' + package_name]),
-        ('share/' + package_name, ['package.xml']),
-    ],
-    install_requires=['setuptools'],
-    zip_safe=True,
-    maintainer='{maintainer}',
-    maintainer_email='{email}',
-    description='{description}',
-    license='{license}',
-    tests_require=['pytest'],
-    entry_points={{
-        'console_scripts': [
-{scripts}        ],
-    }},
-)
-"""
 
 
 def recorded(words: list[str]) -> 'dict[str, object] | None':
@@ -55,20 +27,6 @@ def recorded(words: list[str]) -> 'dict[str, object] | None':
     steps = (step for each in json.loads(RECORDED.read_text())['scenarios'] for step in each['steps'])
     return next((step for step in steps if step['match'] == 'meaning' and not step['stderr'].startswith('(')
                  and step['command'] == shlex.join(['ros2', *words])), None)
-
-
-def rewrite_setup(folder: Path) -> None:
-    """Write the setup.py of a new package as the genuine command does."""
-    for path in folder.glob('*/setup.py'):
-        text = path.read_text()
-        named = {name: re.search(rf"\n {{4}}{name}='(.*)',", text) for name in (
-            'maintainer', 'maintainer_email', 'description', 'license')}
-        package = re.search("package_name = '(.*)'", text)
-        if package and all(named.values()):
-            maintainer, email, description, licensed = (each[1] for each in named.values())
-            path.write_text(SETUP.format(
-                package=package[1], maintainer=maintainer, email=email, description=description, license=licensed,
-                scripts=''.join(re.findall(r" {12}'\w+ = .*\n", text))))
 
 
 def launch(command: list[str]) -> int:
@@ -102,10 +60,6 @@ def main(arguments: list[str]) -> int:
     os.environ['PARAM_TOOLS_PROVIDED'] = '0'
     if words[:1] == ['launch'] and not {'-s', '--show-args', '--show-arguments'} & set(words):
         return launch([*embedded, *words])
-    if words[:2] == ['pkg', 'create'] and '--help' not in words:
-        status = subprocess.run([*embedded, *words], check=False).returncode
-        rewrite_setup(Path())
-        return status
     os.execv(embedded[0], [*embedded, *words])
 
 

@@ -18,7 +18,7 @@ from param_tools.descriptor import is_housekeeping
 from param_tools.errors import nearest
 from param_tools.files import common_parameters, rcl_parser
 from param_tools.files.descriptions import DescribedParameter, Descriptions, NodeDescription
-from param_tools.files.headers import is_like_header, misplaced
+from param_tools.files.headers import misplaced, misspelled
 from param_tools.files.node_names import flaw_of_block_name
 from param_tools.files.parameter_files import format_scalar, read_bytes
 from param_tools.files.parsing import (
@@ -176,9 +176,9 @@ class _Check:
 
     def _headless(self, rejected: Rejected) -> tuple[Place, str, str]:
         """Return place, kind and message for a value that stands before ros__parameters."""
-        for name, place in rejected.keys:
-            if is_like_header(name):
-                return place, 'no header', f'{name!r} should be {KEY!r}: rcl rejects the file'
+        if found := misspelled(rejected.keys):
+            place, message = found
+            return place, 'no header', f'{message}: rcl rejects the file'
         # Where the first keys lead to other nodes, too, the header is missing below a later one.
         leading = 0
         while leading < len(rejected.keys) - 2 and self._leads_to_a_node(rejected.keys[:leading + 1]):

@@ -5,7 +5,7 @@ that its indentation makes of it.
 """
 
 import difflib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 
@@ -53,8 +53,12 @@ def misplaced(content: bytes) -> list[Misplaced]:
         return []
 
 
-def is_like_header(name: str) -> bool:
-    """True if a name was probably meant to be ``ros__parameters``."""
+def misspelled(keys: Iterable[tuple[str, Place]]) -> tuple[Place, str] | None:
+    """Return where a key was probably meant to be ``ros__parameters``, and what to say of it."""
+    return next(((place, f'{name!r} should be {KEY!r}') for name, place in keys if _is_like_header(name)), None)
+
+
+def _is_like_header(name: str) -> bool:
     return name != KEY and difflib.SequenceMatcher(None, name.lower(), KEY).ratio() > 0.75
 
 
@@ -116,8 +120,8 @@ def _kind(pair: Pair, *, has_header: bool) -> str:
     if _holds_header(pair[1], set()):
         return 'node'
     is_map = isinstance(pair[1], yaml.MappingNode)
-    is_clear = (has_header or not is_map) and not is_like_header(name) and not (
-        is_map and any(is_like_header(_name(key)) for key, _ in pair[1].value))
+    is_clear = (has_header or not is_map) and not _is_like_header(name) and not (
+        is_map and any(_is_like_header(_name(key)) for key, _ in pair[1].value))
     return 'parameter' if is_clear else 'unclear'
 
 

@@ -22,7 +22,7 @@ import yaml
 
 from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterFileError
-from param_tools.files.headers import is_like_header, misplaced
+from param_tools.files.headers import misplaced, misspelled
 from param_tools.files.parsing import KEY, Entry, Parser, Rejected, effective, matches, typed
 
 _LINE_LENGTH = 100
@@ -85,10 +85,8 @@ def _cause(rejected: Rejected, content: bytes) -> tuple[int, str]:
         # rcl notices a header in the wrong place there or later.
         if cause.explains(rejected.place) or (cause.is_certain and cause.place.line <= rejected.place.line):
             return cause.place.line, cause.message
-    for name, place in rejected.keys:
-        if is_like_header(name):
-            return place.line, f'{name!r} should be {KEY!r}'
-    return rejected.place.line, str(rejected)
+    place, reason = misspelled(rejected.keys) or (rejected.place, str(rejected))
+    return place.line, reason
 
 
 def read_bytes(path: str | Path) -> bytes:

@@ -14,7 +14,7 @@ from param_tools.cli.launch.conditions import Condition
 from param_tools.cli.launch.context import Context, LaunchFailed, reject
 from param_tools.cli.launch.importing import read, running
 from param_tools.cli.launch.processes import Program
-from param_tools.cli.launch.substitutions import as_bool, expect_string, is_list, perform
+from param_tools.cli.launch.substitutions import expect_string, is_list, perform, typed_bool
 from param_tools.cli.session import CommandFailed
 
 # Where the two streams of a program go, for each word that output= takes. A program's log file is not kept here.
@@ -483,11 +483,6 @@ def carry_out(actions: Iterable[Action], context: Context) -> list[Program]:
             pending.sort(key=lambda each: each[0])
             context.postponed.clear()
     return programs
-
-
-def typed_bool(value: Any, context: Context) -> bool:
-    """Return a boolean, or the one that a substitution stands for."""
-    return value if isinstance(value, bool) else as_bool(perform(value, context))
 
 
 def typed_float(value: Any, context: Context) -> float:

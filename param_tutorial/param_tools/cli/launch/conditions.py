@@ -3,7 +3,7 @@
 from typing import Any
 
 from param_tools.cli.launch.context import Context, LaunchFailed
-from param_tools.cli.launch.substitutions import expect_string, perform
+from param_tools.cli.launch.substitutions import TRUTH, expect_string, perform
 
 
 class Condition:
@@ -23,7 +23,7 @@ class IfCondition(Condition):
 
     def evaluate(self, context: Context) -> bool:
         text = perform(self.predicate_expression, context)
-        found = {'true': True, '1': True, 'false': False, '0': False}.get(text.strip().lower())
+        found = TRUTH.get(text.strip().lower())
         if found is None:
             raise LaunchFailed(f"a condition expands to '{text}', and must be one of true, 1, false, 0")
         return found

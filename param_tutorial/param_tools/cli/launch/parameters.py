@@ -12,7 +12,7 @@ from typing import Any, get_args
 import yaml
 
 from param_tools.cli.launch.context import Context, LaunchFailed
-from param_tools.cli.launch.substitutions import as_bool, is_substitution, perform
+from param_tools.cli.launch.substitutions import is_substitution, perform, typed_bool
 from param_tools.cli.launch.text import parse_text
 
 _SCALARS = (bool, int, float, str)
@@ -98,8 +98,7 @@ class ParameterFile:
         :raises LaunchFailed: the file with substitutions cannot be read, or holds an unknown one.
         """
         path = self.param_file if isinstance(self.param_file, Path) else Path(perform(self.param_file, context))
-        allows = self.allow_substs
-        if not (allows if isinstance(allows, bool) else as_bool(perform(allows, context))):
+        if not typed_bool(self.allow_substs, context):
             return path
         try:
             text = path.read_text(encoding='utf-8')

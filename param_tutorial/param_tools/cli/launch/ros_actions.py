@@ -113,11 +113,7 @@ class Node(Process):
         """
         name, namespace = full_name(self.name, self.namespace, context)
         words = [*program, *(perform(word, context) for word in self.arguments or ()), '--ros-args',
-                 *(perform(word, context) for word in self.ros_arguments or ())]
-        if name is not None:
-            words += ['-r', f'__node:={name}']
-        if namespace is not None:
-            words += ['-r', f'__ns:={namespace}']
+                 *(perform(word, context) for word in self.ros_arguments or ()), *_name_words(name, namespace)]
         words += parameter_words(self.parameters, name, namespace, context)
         for old, new in context.launch_configurations.get('ros_remaps', []):
             words += ['-r', f'{old}:={new}']
@@ -156,12 +152,9 @@ class ComposableNode:
             return []
         plugin = perform(self.plugin, context)
         name, namespace = full_name(self.name, self.namespace, context)
-        words = [*context.find_program(perform(self.package, context), plugin), '--ros-args']
-        if name is not None:
-            words += ['-r', f'__node:={name}']
-        if namespace is not None:
-            words += ['-r', f'__ns:={namespace}']
-        return [Program([*words, *parameter_words(self.parameters, name, namespace, context)], plugin, False, False)]
+        words = [*context.find_program(perform(self.package, context), plugin), '--ros-args',
+                 *_name_words(name, namespace), *parameter_words(self.parameters, name, namespace, context)]
+        return [Program(words, plugin, False, False)]
 
 
 class ComposableNodeContainer(Node):
@@ -216,6 +209,12 @@ def full_name(name: Any, namespace: Any, context: Context) -> tuple[str | None, 
     if full is not None:
         _expect_valid('namespace', full, flaw_of_namespace(full))
     return performed, full
+
+
+def _name_words(name: str | None, namespace: str | None) -> list[str]:
+    """Return the words of a command line that name a node, as far as the launch file does."""
+    rules = {'__node': name, '__ns': namespace}
+    return [word for rule, value in rules.items() if value is not None for word in ('-r', f'{rule}:={value}')]
 
 
 def _full_namespace(namespace: str | None, context: Context) -> str | None:

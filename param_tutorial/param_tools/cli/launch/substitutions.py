@@ -19,6 +19,9 @@ import yaml
 from param_tools.cli import index
 from param_tools.cli.launch.context import Context, LaunchFailed
 
+TRUTH = {'true': True, '1': True, 'false': False, '0': False}
+"""What conditions and comparisons take as booleans, in small letters."""
+
 
 class Substitution:
     """A string that is known only when the launch file is carried out."""
@@ -339,7 +342,7 @@ class EqualsSubstitution(_Logical):
                            for value in (left, right)))
 
     def holds(self, texts: list[str]) -> bool:
-        booleans = [{'true': True, '1': True, 'false': False, '0': False}.get(text.lower()) for text in texts]
+        booleans = [TRUTH.get(text.lower()) for text in texts]
         if None not in booleans:
             return booleans[0] is booleans[1]
         try:
@@ -380,6 +383,11 @@ def as_bool(text: str) -> bool:
     if not isinstance(found, bool):
         raise LaunchFailed(f"Cannot convert value '{text}' to '{bool}'")
     return found
+
+
+def typed_bool(value: Any, context: Context) -> bool:
+    """Return a boolean, or the one that a substitution stands for."""
+    return value if isinstance(value, bool) else as_bool(perform(value, context))
 
 
 def is_list(value: Any) -> bool:
