@@ -141,6 +141,7 @@ def test_a_learner_and_a_terminal(open_notebook):
     expect(page.box('robot_serial_number')).to_be_disabled()
 
 
+@pytest.mark.thorough
 def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     """A slider may report its position, which is rounded, when it is drawn."""
     lab, page = open_lesson
@@ -164,6 +165,7 @@ def test_a_second_view_of_a_panel_changes_nothing(open_lesson):
     assert value(lab, 'max_acceleration_mps2') == 0.123456
 
 
+@pytest.mark.thorough
 def test_the_log_and_the_panel_after_running_all_cells_again(open_lesson):
     _, page = open_lesson
     page.box('robot_name').fill('Rex <b>')

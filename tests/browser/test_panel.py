@@ -13,7 +13,7 @@ from tests.support import lesson
 from tests.support.lab import Lab, LabPage, wait_for
 from tests.tools.site_rules import AXE_OPTIONS
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
 CELLS = (
     '# A planner\nWith many parameters:',

@@ -6,7 +6,7 @@ from playwright.sync_api import expect
 from tests.support import lesson
 from tests.support.lab import Lab, LabPage, wait_for
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
+pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
 CELLS = (
     '# A robot\nOn the stage:',
