@@ -6,6 +6,7 @@ node, ``ParameterPanel`` shows them as controls; these three are of the package 
 downward only (README.md one folder up says what each room is for, and a test holds both against the code):
 
     site
+    teacher
     exercises
     notebook
     views

@@ -53,6 +53,29 @@ def test_the_first_time_counts(file, monkeypatch):
     assert not progress.predicted['3-1'].right
 
 
+def test_what_a_check_missed_is_kept_until_the_exercise_is_solved(file):
+    for missed in ({'it stops': 'it drove on'}, {'it stops': 'it drove on'}, {'it stops': 'it never moved'}):
+        assert file.add_tried('3b', 2, missed) == ''
+    tried = file.read()[0].tried['3b']
+    assert (tried.met, tried.missed, tried.times) == (2, {'it stops': 'it never moved'}, 2)
+    file.add_solved('3b')
+    file.add_tried('3b', 0, {'it stops': 'it drove on'})
+    progress, _ = file.read()
+    assert (list(progress.solved), progress.tried) == (['3b'], {})
+
+
+def test_a_file_from_before_failed_checks_were_kept():
+    assert parse(b'{"version": 1, "solved": {}, "predicted": {}}').tried == {}
+
+
+@pytest.mark.parametrize('tried', [
+    '[]', '{"3b": {}}', '{"3b": {"met": "2", "missed": {}, "times": 1, "at": "2026-01-01"}}',
+    '{"3b": {"met": 2, "missed": {"it stops": 1}, "times": 1, "at": "2026-01-01"}}'])
+def test_a_failed_check_that_is_damaged(tried):
+    with pytest.raises(ProgressError):
+        parse(f'{{"version": 1, "solved": {{}}, "predicted": {{}}, "tried": {tried}}}'.encode())
+
+
 def add_many(path: Path, name: str) -> None:
     for number in range(EACH):
         ProgressFile(path).add_solved(f'{name}{number}')

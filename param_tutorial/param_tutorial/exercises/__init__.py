@@ -77,7 +77,12 @@ def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
         return exercise.without_work()
     result = exercise.check(work)
     file = own_progress()
-    if result.done and file is not None:
+    if file is None:
+        return result
+    if not result.done:
+        missed = {each.sentence: each.happened for each in result.findings if each.done is False}
+        result.text = f'{result.text} {file.add_tried(exercise.number, result.count, missed)}'.strip()
+    else:
         result.text = f'{result.text} {file.add_solved(exercise.number)}'.strip()
         remembered, _ = file.read()
         ticks.tick(file.path.parent, {chapter.name: [each.number for each in chapter.exercises]

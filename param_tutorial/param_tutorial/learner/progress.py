@@ -1,7 +1,8 @@
 """The file that remembers what a learner has solved and predicted.
 
-It is JSON: for each solved exercise when that was, and for each prediction what the learner committed to, whether it
-was right, and when. The first time counts; later ones change nothing. Nothing is remembered unless ``make lab`` has
+It is JSON: for each solved exercise when that was, for each one that was checked and is not solved yet what its last
+check missed, and for each prediction what the learner committed to, whether it was right, and when. The first solution
+and the first prediction count; later ones change nothing. Nothing is remembered unless ``make lab`` has
 named the file in an environment variable, so tests write nothing.
 """
 
@@ -48,12 +49,27 @@ class Committed:
     """When, as local time in ISO 8601."""
 
 
+@dataclass(frozen=True)
+class Tried:
+    """What the last check of an exercise has missed; no longer kept once it is solved."""
+
+    met: int
+    """How many requirements were met."""
+    missed: dict[str, str]
+    """The sentences of those that were not, and what happened instead."""
+    times: int
+    """How many checks have said something else than the one before: once for a blank that runs with all cells."""
+    at: str
+    """When, as local time in ISO 8601."""
+
+
 @dataclass
 class Progress:
     """What a learner has achieved, by the numbers of exercises and predictions."""
 
     solved: dict[str, str] = field(default_factory=dict)
     """When each was solved, as local time in ISO 8601."""
+    tried: dict[str, Tried] = field(default_factory=dict)
     predicted: dict[str, Committed] = field(default_factory=dict)
 
 
@@ -66,14 +82,21 @@ def parse(content: bytes) -> Progress:
         data = json.loads(content)
         if data['version'] != _VERSION:
             raise ProgressError(f'it is of version {data["version"]!r}, and this course knows version {_VERSION}')
-        progress = Progress(dict(data['solved']), {number: Committed(**each)
-                                                   for number, each in data['predicted'].items()})
-        times = [*progress.solved.values(), *(each.at for each in progress.predicted.values())]
+        # A file from before failed checks were kept has no 'tried'.
+        progress = Progress(dict(data['solved']),
+                            {number: Tried(**each) for number, each in data.get('tried', {}).items()},
+                            {number: Committed(**each) for number, each in data['predicted'].items()})
+        times = [*progress.solved.values(), *(each.at for each in progress.tried.values()),
+                 *(each.at for each in progress.predicted.values())]
         for at in times:
             datetime.datetime.fromisoformat(at)
         for each in progress.predicted.values():
             if not isinstance(each.choice, str) or not isinstance(each.right, bool):
                 raise ProgressError('a prediction in it is damaged')
+        for tried in progress.tried.values():
+            words = [*tried.missed.keys(), *tried.missed.values()]
+            if not isinstance(tried.met + tried.times, int) or not all(isinstance(word, str) for word in words):
+                raise ProgressError('a failed check in it is damaged')
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise ProgressError(f'it holds no progress ({type(error).__name__})') from None
     # The old numbers stay: an older version of the course may read the file next.
@@ -106,7 +129,20 @@ class ProgressFile:
 
         :return: What the learner should know, if anything went wrong; otherwise an empty text.
         """
-        return self._change(lambda progress: progress.solved.setdefault(number, _now()))
+        def add(progress: Progress) -> None:
+            progress.solved.setdefault(number, _now())
+            progress.tried.pop(number, None)
+
+        return self._change(add)
+
+    def add_tried(self, number: str, met: int, missed: dict[str, str]) -> str:
+        """Remember what a check has missed, unless the exercise was solved before; returns as ``add_solved`` does."""
+        def add(progress: Progress) -> None:
+            before = progress.tried.get(number)
+            if number not in progress.solved and (before is None or (before.met, before.missed) != (met, missed)):
+                progress.tried[number] = Tried(met, missed, 1 + (before.times if before else 0), _now())
+
+        return self._change(add)
 
     def add_prediction(self, number: str, choice: str, *, right: bool) -> str:
         """Remember what a learner has predicted; returns as ``add_solved`` does."""

@@ -1,13 +1,13 @@
-"""What a class has solved: all progress files below a folder, as one table."""
+"""The progress files of a class, and what each student has solved, as one table."""
 
 import csv
 import io
 from pathlib import Path
 from typing import NamedTuple
 
+from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.learner.copies import COPIES
 from param_tutorial.learner.progress import FILE, Progress, ProgressError, parse
-from param_tutorial.learner.syllabus import Lesson
 
 
 class Student(NamedTuple):
@@ -15,6 +15,11 @@ class Student(NamedTuple):
 
     name: str
     progress: Progress
+
+    @property
+    def has_begun(self) -> bool:
+        """True if an exercise was tried or a question answered."""
+        return bool(self.progress.solved or self.progress.tried or self.progress.predicted)
 
 
 def read_class(folder: Path) -> tuple[list[Student], list[str]]:
@@ -38,33 +43,33 @@ def read_class(folder: Path) -> tuple[list[Student], list[str]]:
     return sorted(students, key=lambda each: each.name.casefold()), bad
 
 
-def format_table(students: list[Student], lessons: list[Lesson]) -> str:
+def rows(students: list[Student]) -> list[list[str]]:
+    """Return the headings and a row for each student: exercises solved, by chapter and in all, and predictions made."""
+    questions = {**PREDICTIONS, **RECALLS}
+    table = [['student', *CHAPTERS, 'all', 'predicted', 'right']]
+    for name, progress in students:
+        solved = [sum(each.number in progress.solved for each in chapter.exercises) for chapter in CHAPTERS.values()]
+        totals = [len(chapter.exercises) for chapter in CHAPTERS.values()]
+        made = [each for number, each in progress.predicted.items() if number in questions]
+        pairs = [*zip(solved, totals), (sum(solved), len(EXERCISES)), (len(made), len(questions))]
+        table.append([name, *(f'{count}/{total}' for count, total in pairs), str(sum(each.right for each in made))])
+    return table
+
+
+def format_table(students: list[Student]) -> str:
     """Return a table for people, in columns."""
-    rows = _rows(students, lessons)
-    widths = [max(map(len, column)) for column in zip(*rows)]
+    table = rows(students)
+    widths = [max(map(len, column)) for column in zip(*table)]
     return '\n'.join('  '.join([row[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(
-        row[1:], widths[1:]))]) for row in rows)
+        row[1:], widths[1:]))]) for row in table)
 
 
-def format_csv(students: list[Student], lessons: list[Lesson]) -> str:
+def format_csv(students: list[Student]) -> str:
     """Return the table as comma-separated values, for a spreadsheet; counts only, which no program takes for dates."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator='\n')
-    writer.writerows([name, *(cell.partition('/')[0] for cell in cells)] for name, *cells in _rows(students, lessons))
+    writer.writerows([name, *(cell.partition('/')[0] for cell in cells)] for name, *cells in rows(students))
     return text.getvalue().rstrip('\n')
-
-
-def _rows(students: list[Student], lessons: list[Lesson]) -> list[list[str]]:
-    """Return the headings and a row for each student: exercises solved, by chapter and in all, and predictions made."""
-    questions = {number for lesson in lessons for number in lesson.questions}
-    rows = [['student', *(lesson.number for lesson in lessons), 'all', 'predicted', 'right']]
-    for name, progress in students:
-        solved = [sum(number in progress.solved for number in lesson.exercises) for lesson in lessons]
-        totals = [len(lesson.exercises) for lesson in lessons]
-        made = [each for number, each in progress.predicted.items() if number in questions]
-        pairs = [*zip(solved, totals), (sum(solved), sum(totals)), (len(made), len(questions))]
-        rows.append([name, *(f'{count}/{total}' for count, total in pairs), str(sum(each.right for each in made))])
-    return rows
 
 
 def _name_of(path: Path, folder: Path) -> str:

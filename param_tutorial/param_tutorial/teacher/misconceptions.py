@@ -1,0 +1,80 @@
+"""Which wrong answers a class has given, and at which requirements of an exercise its students are stuck."""
+
+from collections import defaultdict
+from typing import NamedTuple
+
+from param_tutorial.exercises import CHAPTERS
+from param_tutorial.exercises.prediction import Choice, Prediction
+from param_tutorial.teacher.classroom import Student
+
+
+class Answered(NamedTuple):
+    """A question that somebody in the class has answered wrongly."""
+
+    question: Prediction
+    by_choice: list[tuple[Choice, list[str]]]
+    """The answers given, wrong ones first and the most frequent before others, and the names of who gave each."""
+    wrong: int
+    """How many students answered wrongly."""
+    total: int
+    """How many students answered."""
+
+
+class Stuck(NamedTuple):
+    """An exercise that students have tried and not solved."""
+
+    number: str
+    title: str
+    by_requirement: list[tuple[str, dict[str, str]]]
+    """The sentences of the requirements missed, the most frequent first; for each student what happened instead."""
+    names: list[str]
+    """Who tried, and has not solved it."""
+    solved: int
+    """How many students have solved it."""
+
+
+def answers(students: list[Student]) -> list[Answered]:
+    """Return the questions that were answered wrongly; those with the most wrong answers come first."""
+    found = []
+    for chapter in CHAPTERS.values():
+        for question in (*chapter.recalls, *chapter.predictions):
+            given: dict[Choice, list[str]] = defaultdict(list)
+            for name, progress in students:
+                if committed := progress.predicted.get(question.number):
+                    given[_choice(question, committed.choice, is_right=committed.right)].append(name)
+            wrong = sum(len(names) for choice, names in given.items() if not choice.is_right)
+            if wrong:
+                by_choice = sorted(given.items(), key=lambda each: (each[0].is_right, -len(each[1])))
+                found.append(Answered(question, by_choice, wrong, sum(map(len, given.values()))))
+    return sorted(found, key=lambda each: -each.wrong)
+
+
+def stuck(students: list[Student]) -> list[Stuck]:
+    """Return the exercises at which students are stuck; those that stop the most students come first.
+
+    A blank that ran with all other cells has met nothing, and says the same each time. Who left it at that has not
+    begun with the exercise.
+    """
+    found = []
+    for chapter in CHAPTERS.values():
+        for exercise in chapter.exercises:
+            tried = {name: progress.tried[exercise.number] for name, progress in students
+                     if exercise.number in progress.tried}
+            begun = {name: each for name, each in tried.items() if each.met or each.times > 1}
+            missed: dict[str, dict[str, str]] = defaultdict(dict)
+            for name, each in begun.items():
+                for sentence, happened in each.missed.items():
+                    missed[sentence][name] = happened
+            if begun:
+                by_requirement = sorted(missed.items(), key=lambda each: -len(each[1]))
+                solved = sum(exercise.number in progress.solved for _, progress in students)
+                found.append(Stuck(exercise.number, exercise.title, by_requirement, list(begun), solved))
+    return sorted(found, key=lambda each: -len(each.names))
+
+
+def _choice(question: Prediction, text: str, *, is_right: bool) -> Choice:
+    """Return the choice that an answer of a file names; a choice of its own for one that the course no longer has."""
+    try:
+        return question.choice(text)
+    except KeyError:
+        return Choice(text, '', is_right)
