@@ -1,19 +1,36 @@
 """Two views as one: a picture, and beside it the panel that changes it."""
 
-import ipywidgets as widgets
+import time
 
+import ipywidgets as widgets
+import traitlets
+
+from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import style
 from param_tools.panel.close_with_cell import close_looks, close_with_cell
+from param_tools.panel.front import Front
 from param_tools.panel.view import View
 
 _STYLE = style('param_tutorial/views/side_by_side.css')
 
 
-class SideBySide(widgets.VBox):
-    """A picture and a panel, side by side where there is room for both, and the picture above the panel elsewhere.
+class _Offer(Front):
+    """What a notebook's page puts beside the text."""
 
-    The picture stays in sight while you scroll through a long panel. Show it as the last line of a cell, and the same
-    views again wherever you need them: closing it leaves them as they are.
+    _esm = bundle('param_tutorial/views/beside_text.js')
+    box = traitlets.Instance(widgets.HBox).tag(sync=True, **widgets.widget_serialization)
+    views = traitlets.Unicode().tag(sync=True)
+    """Which ones are in the box."""
+    at = traitlets.Float().tag(sync=True)
+    """When the cell ran, in seconds since 1970."""
+
+
+class SideBySide(widgets.VBox):
+    """A picture and a panel: beside the text of the notebook where JupyterLab has room for that, or else in the cell.
+
+    In a cell they are side by side where there is room for both, and the picture is above the panel elsewhere. The
+    picture stays in sight while you scroll through a long panel. Show it as the last line of a cell, and the same views
+    again wherever you need them: closing it leaves them as they are.
     """
 
     def __init__(self, picture: View, panel: View) -> None:
@@ -25,7 +42,8 @@ class SideBySide(widgets.VBox):
         self._box = widgets.HBox(self.parts)
         self._box.add_class('side-by-side-parts')
         self._style = widgets.HTML(_STYLE)
-        super().__init__([self._style, self._box])
+        self._offer = _Offer(box=self._box, views=' '.join(part.model_id for part in self.parts), at=time.time())
+        super().__init__([self._style, self._offer, self._box])
         self.add_class('side-by-side')
         self._stop_watching = [part.on_close(self._drop) for part in self.parts]
         close_with_cell(self)
@@ -41,7 +59,7 @@ class SideBySide(widgets.VBox):
         for stop in self._stop_watching:
             stop()
         self._box.children = self.children = ()
-        for widget in (self._style, self._box):
+        for widget in (self._style, self._offer, self._box):
             widget.close()
             close_looks(widget)
         super().close()

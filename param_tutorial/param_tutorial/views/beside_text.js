@@ -1,0 +1,139 @@
+/* In JupyterLab, two views beside the text of their notebook: in sight, and once, whatever cells show them again.
+
+   Each `SideBySide` offers its views. Beside the text stand those of the cell that ran last; in the cells that offer the
+   same ones, a button leads there. Where JupyterLab has no room, and everywhere else, the views stand in the cells. Each
+   widget has a copy of this script, so what they share is kept with the element that they share. */
+
+import {make} from '../../param_tools/panel/dom.js';
+import {initialize} from '../../param_tools/panel/front.js';
+
+/**
+ * What a cell offers.
+ * @typedef {object} Offer
+ * @property {Set<HTMLElement>} cells Where it is drawn in the notebook: nowhere yet if its cell is out of sight.
+ * @property {string} views Which ones.
+ * @property {number} at When the cell ran, in seconds.
+ * @property {() => Promise<any>} draw Draws them once more.
+ * @property {Place} [place]
+ */
+
+/** By the ids of the widgets. @type {Map<string, Offer>} */
+const offers = new Map();
+/** Of a notebook in JupyterLab, with its toolbar. */
+const PANEL = '.jp-NotebookPanel';
+/** Below this the text would have too little room. */
+const MIN_WIDTH_PX = 1000;
+
+/** The place beside the text of a notebook. */
+class Place {
+  /** @type {Set<Offer>} */
+  offers = new Set();
+  /** @type {Offer | undefined} */
+  shown;
+  /** What the shown offer has drawn. @type {any} */
+  view;
+  isWanted = true;
+  element = make('aside', {className: 'beside-text', tabIndex: -1});
+  body = make('div', {className: 'side-by-side'});
+
+  /** @param {HTMLElement} panel */
+  constructor(panel) {
+    this.panel = panel;
+    this.element.setAttribute('aria-label', 'Beside the text');
+    const back = make('button', {type: 'button', className: 'beside-button'}, 'Put into the cell');
+    back.addEventListener('click', () => this.want(false));
+    this.element.append(back, this.body);
+    panel.append(this.element);
+    this.resized = new ResizeObserver(() => this.update());
+    this.resized.observe(panel);
+  }
+
+  /** @param {boolean} isWanted */
+  want(isWanted) {
+    this.isWanted = isWanted;
+    this.update();
+    if (isWanted) this.element.focus();
+  }
+
+  /** Show what was offered last, if there is room, and say so in the cells. */
+  async update() {
+    const [last] = [...this.offers].sort((one, other) => other.at - one.at);
+    const isShown = Boolean(last) && this.isWanted && this.panel.clientWidth >= MIN_WIDTH_PX;
+    this.panel.toggleAttribute('data-beside-text', isShown);
+    for (const {cells, views} of this.offers) {
+      for (const cell of cells) {
+        cell.toggleAttribute('data-is-beside', isShown && views === last.views);
+        cell.toggleAttribute('data-has-room', this.panel.clientWidth >= MIN_WIDTH_PX);
+      }
+    }
+    if (this.shown && isShown && this.shown.views === last.views && this.offers.has(this.shown)) return;
+    this.view?.remove();
+    this.view = undefined;
+    this.shown = isShown ? last : undefined;
+    if (!this.shown) return;
+    const view = await this.shown.draw();
+    // Meanwhile another one may have taken the place.
+    if (this.shown !== last) view.remove();
+    else {
+      this.view = view;
+      view.luminoWidget.constructor.attach(view.luminoWidget, this.body);
+    }
+  }
+}
+
+/** @param {Offer} offer @param {Element | null} panel */
+function putBeside(offer, panel) {
+  if (!panel || offer.place) return;
+  const shared = /** @type {any} */ (panel);
+  shared.besideText ??= new Place(shared);
+  offer.place = /** @type {Place} */ (shared.besideText);
+  offer.place.offers.add(offer);
+}
+
+/** @param {import('@anywidget/types').InitializeProps<{own_id: string, box: string, views: string, at: number}>} props */
+async function offerViews(props) {
+  const {model} = props;
+  const manager = /** @type {any} */ (model.widget_manager);
+  /** @type {Offer} */
+  const offer = {
+    cells: new Set(),
+    views: model.get('views'),
+    at: model.get('at'),
+    draw: async () => manager.create_view(await manager.get_model(model.get('box').slice('IPY_MODEL_'.length))),
+  };
+  offers.set(model.get('own_id'), offer);
+  // JupyterLab draws a cell only once it is in sight. When a cell has run, its notebook is the one that is.
+  const panels = document.querySelectorAll(`${PANEL}:not(.lm-mod-hidden)`);
+  if (panels.length === 1) putBeside(offer, panels[0]);
+  offer.place?.update();
+  await initialize(props);
+  return () => {
+    offers.delete(model.get('own_id'));
+    offer.place?.offers.delete(offer);
+    offer.place?.update();
+  };
+}
+
+/** @param {import('@anywidget/types').RenderProps<{own_id: string}>} props */
+function render({model, el}) {
+  const offer = offers.get(model.get('own_id'));
+  if (!offer) return;
+  const cell = /** @type {HTMLElement} */ (el);
+  const button = make('button', {type: 'button', className: 'beside-button'});
+  cell.classList.add('beside-offer');
+  cell.append(button);
+  button.addEventListener('click', () => offer.place?.want(true));
+  offer.cells.add(cell);
+  // It is drawn before it is on the page.
+  const arrived = new ResizeObserver(() => {
+    putBeside(offer, cell.closest(PANEL));
+    offer.place?.update();
+  });
+  arrived.observe(cell);
+  return () => {
+    arrived.disconnect();
+    offer.cells.delete(cell);
+  };
+}
+
+export default {initialize: offerViews, render};
