@@ -58,6 +58,11 @@ HELP = '''window.test = {
     get cells() { return test.panel.content.widgets; },
     isCode: cell => cell.model.type === 'code',
     cell: text => test.cells.findIndex(cell => test.isCode(cell) && cell.model.sharedModel.source.includes(text)),
+    // What a cell shows may stand beside the text.
+    output: index => {
+        const {node} = test.cells[index];
+        return node.querySelector('[data-is-beside]') ? document.querySelector('.beside-text') : node;
+    },
     isReady: name => test.panel?.context?.path === name && test.kernel?.status === 'idle' && test.cells?.length > 1,
     close: async () => {
         const {panel} = test;
@@ -222,13 +227,13 @@ class Visit:
 
     def click(self, index, selector, nth=0):
         """Click something in a cell's output, once it is there."""
-        found = f'test.cells[{index}].node.querySelectorAll({json.dumps(selector)})[{nth}]'
+        found = f'test.output({index}).querySelectorAll({json.dumps(selector)})[{nth}]'
         self.page.wait_for(f'{found} && !{found}.disabled')
         self.page.evaluate(f'test.mark({found})')
         self.page.click('#marked')
 
     def wait_for_text(self, index, text):
-        self.page.wait_for(f'test.cells[{index}].outputArea.node.innerText.includes({json.dumps(text)})')
+        self.page.wait_for(f'test.output({index}).innerText.includes({json.dumps(text)})')
 
 
     def complaints(self):

@@ -276,9 +276,9 @@ class LabPage:
             'index => { window.jupyterapp.shell.currentWidget.content.activeCellIndex = index; }', index)
 
     def row(self, name: str) -> Locator:
-        """Find a parameter's row on the panel by its label."""
+        """Find a parameter's row on the panel that is seen, by its label."""
         label = self.page.locator(f'label:text-is("{name}")')
-        return self.page.locator('.param-row').filter(has=label).first
+        return self.page.locator('.param-row:visible').filter(has=label).first
 
     def box(self, name: str) -> Locator:
         """Find a parameter's text box, or check box, as a screen reader does: by its label."""

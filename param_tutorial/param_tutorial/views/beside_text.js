@@ -1,10 +1,10 @@
 /* In JupyterLab, two views beside the text of their notebook: in sight, and once, whatever cells show them again.
 
-   Each `SideBySide` offers its views. Beside the text stand those of the cell that ran last; in the cells that offer the
-   same ones, a button leads there. Where JupyterLab has no room, and everywhere else, the views stand in the cells. Each
-   widget has a copy of this script, so what they share is kept with the element that they share. */
+   Each `SideBySide` offers its views. Beside the text stand those of the cell that ran last, or that the reader chose; in
+   the cells that offer the same ones, a button leads there. Where JupyterLab has no room, and everywhere else, the views
+   stand in the cells. Each widget has a copy of this script, so what they share is kept with the notebook's element. */
 
-import {make} from '../../param_tools/panel/dom.js';
+import {make, one} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
 
 /**
@@ -12,7 +12,7 @@ import {initialize} from '../../param_tools/panel/front.js';
  * @typedef {object} Offer
  * @property {Set<HTMLElement>} cells Where it is drawn in the notebook: nowhere yet if its cell is out of sight.
  * @property {string} views Which ones.
- * @property {number} at When the cell ran, in seconds.
+ * @property {number} at When the cell ran, or the reader chose it, in seconds.
  * @property {() => Promise<any>} draw Draws them once more.
  * @property {Place} [place]
  */
@@ -55,14 +55,16 @@ class Place {
     if (isWanted) this.element.focus();
   }
 
-  /** Show what was offered last, if there is room, and say so in the cells. */
+  /** Show what was offered or chosen last, if there is room, and say so in the cells. */
   async update() {
     const [last] = [...this.offers].sort((one, other) => other.at - one.at);
     const isShown = Boolean(last) && this.isWanted && this.panel.clientWidth >= MIN_WIDTH_PX;
     this.panel.toggleAttribute('data-beside-text', isShown);
     for (const {cells, views} of this.offers) {
       for (const cell of cells) {
-        cell.toggleAttribute('data-is-beside', isShown && views === last.views);
+        const isBeside = isShown && views === last.views;
+        cell.toggleAttribute('data-is-beside', isBeside);
+        one(cell, 'button').textContent = isBeside ? 'Beside the text →' : 'Put beside the text';
         cell.toggleAttribute('data-has-room', this.panel.clientWidth >= MIN_WIDTH_PX);
       }
     }
@@ -122,7 +124,10 @@ function render({model, el}) {
   const button = make('button', {type: 'button', className: 'beside-button'});
   cell.classList.add('beside-offer');
   cell.append(button);
-  button.addEventListener('click', () => offer.place?.want(true));
+  button.addEventListener('click', () => {
+    offer.at = Date.now() / 1000;
+    offer.place?.want(true);
+  });
   offer.cells.add(cell);
   // It is drawn before it is on the page.
   const arrived = new ResizeObserver(() => {
