@@ -168,7 +168,7 @@ def test_a_file_is_saved_and_loaded_from_the_panel(planner):
     path = form.get_by_label('File')
     expect(path).to_be_focused()
     path.fill('config/planner.yaml')
-    expect(form.get_by_role('status')).to_contain_text('206 values of /planner will be written.')
+    expect(form.get_by_role('status')).to_contain_text('206 values of /planner will be written to ')
     form.get_by_role('button', name='Save').click()
     expect(form.get_by_role('status')).to_have_text('Saved to config/planner.yaml.')
     saved = (folder / 'config' / 'planner.yaml').read_text()

@@ -114,6 +114,33 @@ def test_the_page_shows_and_changes_a_node_and_ends_with_its_kernel(browser, arm
     page.close()
 
 
+def test_the_list_of_nodes_says_what_is_shown_of_their_parameters(browser, arm, page_process):
+    _, address = page_process()
+    page = browser.new_page(color_scheme='dark')
+    page.goto(address, timeout=120_000)
+    page.get_by_role('button', name='/arm', exact=True).click()
+    speed, note = page.get_by_label('speed', exact=True), page.locator('.param-help').first
+    expect(note).to_be_visible()
+    rows = page.locator('.param-row:visible')
+    every = rows.count()
+    page.get_by_role('button', name='Compact').click()
+    expect(note).to_be_hidden()
+    assert {round(each.bounding_box()['height']) for each in rows.all()} <= set(range(20, 31))
+    page.get_by_role('button', name='Only what has changed').click()
+    expect(rows).to_have_count(0)
+    page.get_by_role('button', name='Only what has changed').click()
+    expect(rows).to_have_count(every)
+    speed.fill('3.5')
+    speed.press('Enter')
+    page.get_by_role('button', name='Only what has changed').click()
+    expect(rows).to_have_count(1)
+    page.locator('body').press('/')
+    expect(page.get_by_role('searchbox', name='Search nodes and parameters')).to_be_focused()
+    # As dark as the system.
+    assert page.evaluate("getComputedStyle(document.querySelector('.param-panel')).backgroundColor") == 'rgb(33, 33, 33)'
+    page.close()
+
+
 def test_the_page_rejects_requests_without_the_token(page_process):
     process, address = page_process()
     root = address.partition('?')[0]

@@ -218,7 +218,7 @@ def test_the_form_says_what_saving_would_replace(arm):
     answer = ask_form(arm, 'look', is_save=True, path=path)
     assert (answer['can'], answer['button']) == (True, 'Replace')
     assert 'Its parameters for /other would be lost.' in answer['markup']
-    assert '20 values of /arm will be written.' in answer['markup']
+    assert '20 values of /arm will be written to ' in answer['markup']
     assert 'Left out: firmware, a parameter file has no byte arrays.' in answer['markup']
     for wrong, words in (('config', 'config is a folder'), ('no/a.yaml', 'there is no folder no')):
         answer = ask_form(arm, 'look', is_save=True, path=wrong)
@@ -229,6 +229,17 @@ def test_the_form_says_what_saving_would_replace(arm):
     assert 'Saved to config/new.yaml.' in ask_form(
         arm, 'act', is_save=True, path='config/new.yaml', changed_only=True)['said']
     assert parameter_files.read('config/new.yaml', NODE) == {'tool': 'saw'}
+
+
+def test_the_form_suggests_a_file_and_offers_nothing_but_parameter_files(arm):
+    write('.pre-commit.yaml', 'repos: []')
+    answer = ask_form(arm, 'look', is_save=True, path='')
+    assert (answer['suggested'], answer['offered']) == ('arm.yaml', [])
+    # Without an ending it would not be offered.
+    assert f'will be written to {Path("tuned.yaml").resolve()}.' in ask_form(
+        arm, 'look', is_save=True, path='tuned')['markup']
+    assert 'Saved to tuned.yaml.' in ask_form(arm, 'act', is_save=True, path='tuned')['said']
+    assert ask_form(arm, 'look', is_save=False, path='')['offered'] == ['tuned.yaml']
 
 
 @pytest.mark.parametrize('is_save', [True, False])

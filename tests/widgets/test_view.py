@@ -60,8 +60,8 @@ def test_text_from_a_node_is_not_taken_for_html(ros):
     panel.settle()
     wait_until(lambda: '&lt;img src=x' in texts(view), 'the log')
     assert panel['x'].message == evil
-    # Description, constraints and value; the script puts the reason in as text.
-    assert panel._front.markup.count('&lt;img src=x onerror=alert(1)&gt;') == 3
+    # Description, once more as a tooltip, constraints and value; the script puts the reason in as text.
+    assert panel._front.markup.count('&lt;img src=x onerror=alert(1)&gt;') == 4
     assert '<img' not in panel._front.markup + texts(view)
 
 

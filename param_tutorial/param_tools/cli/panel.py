@@ -27,13 +27,15 @@ _PORT = 8866
 _POLICY = ("default-src 'self' 'unsafe-inline' 'unsafe-eval' data: blob:; connect-src 'self' data: blob: "
            f"ws://{_HOST}:*; frame-ancestors 'none'")
 # Voilà's own page, without the icons that it fetches from another server. A panel of hundreds of parameters is many
-# windows long, so its head stays in sight, with the node's name, Undo and the search.
+# windows long, so its head stays in sight, with the node's name, Undo and the search. It is dark where the system is.
 _TEMPLATE = '''{%- extends 'voila/templates/lab/index.html.j2' -%}
 {% import 'spinner.macro.html.j2' as spinner %}
 {%- block notebook_css -%}
 {{ resources.include_js('static/voila-style.js') }}
 {{ spinner.css() }}
 {{ super.super() }}
+{{ resources.include_css('static/theme-dark.css') }}
+<script>document.currentScript.previousElementSibling.media = '(prefers-color-scheme: dark)'</script>
 <style>
 /* Between the head of a panel and what scrolls, nothing may cut it off. */
 .jp-Cell-outputWrapper :is(.lm-Widget, .jp-OutputArea, .jp-OutputArea-child) { overflow: visible; }
@@ -58,7 +60,6 @@ def add_to(commands: Commands) -> None:
     parser.add_argument('nodes', nargs='*', metavar='NODE', help='the nodes to open; by default a list of all nodes')
     parser.add_argument('--port', type=int, default=_PORT, help=f'where to listen, or near it; default: {_PORT}')
     parser.add_argument('--no-browser', action='store_true', help='only print the address')
-    parser.add_argument('--dark', action='store_true', help='a dark page')
     parser.set_defaults(verb=panel)
 
 
@@ -81,7 +82,7 @@ def panel(session: Session, args: argparse.Namespace) -> None:
                       'open_browser': not args.no_browser, 'notebook_path': str(folder / 'Parameters.ipynb'),
                       'connection_dir_root': str(folder),
                       'tornado_settings': {'ws_ping_timeout': 30_000, 'headers': {'Content-Security-Policy': _POLICY}}},
-            'VoilaConfiguration': {'template': 'panel', 'theme': 'dark' if args.dark else 'light',
+            'VoilaConfiguration': {'template': 'panel', 'theme': 'light',
                                    'allow_template_override': 'NO', 'allow_theme_override': 'NO',
                                    'show_tracebacks': True}}
         app = Voila(config=Config(config))

@@ -1,8 +1,9 @@
 /* The nodes of a robot: a list that follows them as they come and go, and a search over all their parameters.
 
-   What is opened stands below it, as panels of their own. */
+   What is opened stands below it, as panels of their own. The search filters them, too, and buttons say what is shown of
+   their rows; browser.css does that. */
 
-import {make, one} from './dom.js';
+import {all, make, one} from './dom.js';
 import {initialize} from './front.js';
 
 /**
@@ -12,18 +13,38 @@ import {initialize} from './front.js';
  * @typedef {{state: {nodes: ListedNode[], status: string}}} Traits
  */
 
+/** What is to be seen of the opened panels: attributes of all that is shown, and words. */
+const SHOWN = {
+  'data-compact': ['Compact', 'One line for each parameter; its description shows while the mouse rests on its name'],
+  'data-changed': ['Only what has changed', 'Only the parameters that are no longer as this page saw them first'],
+  'data-settable': ['Without read-only', 'Only the parameters that can be set'],
+};
+
 /** @param {RenderProps<Traits>} props */
 function render({model, el}) {
   const search = make('input', {
     className: 'param-search',
     type: 'search',
-    placeholder: 'Search nodes and parameters: names, descriptions, values',
+    placeholder: 'Search nodes and parameters: names, descriptions, values (key: /)',
   });
   search.setAttribute('aria-label', 'Search nodes and parameters');
   const status = make('span', {className: 'param-status'});
   status.setAttribute('role', 'status');
   const list = make('ul', {className: 'node-list'});
-  el.append(make('div', {className: 'param-head'}, make('span', {className: 'param-node'}, 'Nodes'), status, search));
+  const tools = make('span', {className: 'param-tools'});
+  tools.setAttribute('role', 'group');
+  tools.setAttribute('aria-label', 'What is shown of the parameters');
+  for (const [name, [word, title]] of Object.entries(SHOWN)) {
+    const button = make('button', {type: 'button', title}, word);
+    button.setAttribute('aria-pressed', 'false');
+    button.addEventListener('click', () => {
+      const isOn = el.closest('.param-browser')?.toggleAttribute(name);
+      button.setAttribute('aria-pressed', String(Boolean(isOn)));
+    });
+    tools.append(button);
+  }
+  const title = make('span', {className: 'param-node'}, 'Nodes');
+  el.append(make('div', {className: 'param-head'}, title, status, tools, search));
   el.append(list);
   /** @type {Map<string, HTMLElement>} */
   const lines = new Map();
@@ -32,7 +53,13 @@ function render({model, el}) {
   let timer;
   function find() {
     clearTimeout(timer);
-    timer = setTimeout(() => model.send({do: 'find', text: search.value}), 150);
+    timer = setTimeout(() => {
+      model.send({do: 'find', text: search.value});
+      for (const box of all(document, '.node-panels .param-search', HTMLInputElement)) {
+        box.value = search.value;
+        box.dispatchEvent(new Event('input'));
+      }
+    }, 150);
   }
   search.addEventListener('input', find);
   search.addEventListener('keydown', event => {
@@ -41,6 +68,17 @@ function render({model, el}) {
     search.value = '';
     find();
   });
+
+  // On a page of its own; in a notebook the key is JupyterLab's.
+  /** @param {KeyboardEvent} event */
+  function focusSearch(event) {
+    const isTyping =
+      event.target instanceof Element && event.target.matches('input:not([type=range], [type=checkbox]), textarea');
+    if (event.key !== '/' || isTyping || !document.body.dataset.voila) return;
+    event.preventDefault();
+    search.focus();
+  }
+  document.addEventListener('keydown', focusSearch);
 
   /** @param {string} name */
   function line(name) {
@@ -81,7 +119,10 @@ function render({model, el}) {
 
   show();
   model.on('change:state', show);
-  return () => model.off('change:state', show);
+  return () => {
+    document.removeEventListener('keydown', focusSearch);
+    model.off('change:state', show);
+  };
 }
 
 export default {initialize, render};

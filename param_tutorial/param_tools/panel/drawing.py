@@ -204,7 +204,8 @@ class _Drawing:
         off = ' disabled' if row.is_read_only or state.is_locked or self._is_locked else ''
         common = f'id="{name}" class="param-box" aria-describedby="{name}-help {name}-said"{off}'
         kinds = ''.join(f' param-{kind}' for kind, so in (
-            ('quiet', row.is_quiet), ('long', not row.is_number), ('changed', state.first is not None)) if so)
+            ('quiet', row.is_quiet), ('read-only', row.is_read_only), ('long', not row.is_number),
+            ('changed', state.first is not None)) if so)
         slider = ('' if row.last is None else
                   f'<input type="range" class="param-slider" autocomplete="off" min="0" max="{row.last}" '
                   f'value="{state.position or 0}" '
@@ -215,7 +216,8 @@ class _Drawing:
                  f'aria-label="Elements of {html.escape(label)}">Elements</button>')
         back = '' if row.is_read_only else '<button type="button" class="param-back" hidden></button>'
         return (f'<div class="param-row{kinds}" data-name="{html.escape(row.name)}" data-editor="{row.editor}">'
-                f'<div class="param-line"><label for="{name}">{html.escape(label)}</label>'
+                f'<div class="param-line"><label for="{name}" title="{html.escape(row.description)}">'
+                f'{html.escape(label)}</label>'
                 f'{_box(row, state, common)}{unit}{items}{slider}{back}</div>'
                 f'<div class="param-note param-help" id="{name}-help">{_help(row)}</div>'
                 f'<div class="param-note" id="{name}-said" data-role="said">{_message(state)}</div></div>')

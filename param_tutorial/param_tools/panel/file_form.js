@@ -10,7 +10,7 @@ import {make, one} from './dom.js';
  *
  * The answer to the wish whose number is `form`: what was done, as HTML; or which files there are, what would be done, as
  * HTML, the word on the button, and whether it can be done.
- * @typedef {{form: number, said?: string, offered: string[], markup: string, button: string, can: boolean}} Answer
+ * @typedef {{form: number, said?: string, offered: string[], suggested: string, markup: string, button: string, can: boolean}} Answer
  */
 
 export class FileForm {
@@ -21,6 +21,8 @@ export class FileForm {
   /** Whether what was looked at can be done. */
   can = false;
   hasLook = false;
+  /** Whether a name has been suggested or typed. */
+  isNamed = false;
   markup = '';
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   timer;
@@ -49,7 +51,10 @@ export class FileForm {
     this.changedOnly = one(this.element, '[type=checkbox]', HTMLInputElement);
     this.button = one(this.element, '.param-file-do', HTMLButtonElement);
     this.shown = one(this.element, '.param-file-look');
-    this.path.addEventListener('input', () => this.lookSoon());
+    this.path.addEventListener('input', () => {
+      this.isNamed = true;
+      this.lookSoon();
+    });
     this.changedOnly.addEventListener('change', () => this.look());
     one(this.element, '.param-file-close').addEventListener('click', () => this.close());
     this.element.addEventListener('submit', event => {
@@ -162,7 +167,7 @@ export class FileForm {
    * Show the kernel's answer, unless something newer has been asked.
    * @param {Answer} answer
    */
-  answer({form, said, offered, markup, button, can}) {
+  answer({form, said, offered, suggested, markup, button, can}) {
     if (form !== this.number) return;
     this.hasLook = said === undefined;
     if (said !== undefined) {
@@ -171,6 +176,13 @@ export class FileForm {
       this.shown.innerHTML = said;
       this.markup = said;
     } else {
+      if (this.isSave && !this.isNamed) {
+        this.isNamed = true;
+        this.path.value = suggested;
+        this.path.select();
+        this.look();
+        return;
+      }
       this.offered.replaceChildren(...offered.map(each => new Option('', each)));
       if (this.markup !== markup || !this.shown.firstChild) this.shown.innerHTML = markup;
       this.markup = markup;

@@ -22,8 +22,20 @@ _MOST_OFFERED = 100
 
 def offered_files() -> list[str]:
     """Return the parameter files that are nearby, relative to the current folder, those in config/ first."""
-    found = (str(path) for place in _PLACES for path in sorted(Path(place).glob('*.yaml')))
+    found = (str(path) for place in _PLACES for path in sorted(Path(place).glob('*.yaml')) if _is_parameter_file(path))
     return list(itertools.islice(found, _MOST_OFFERED))
+
+
+def suggested_file(node: str) -> str:
+    """Return the name of the file that a node's parameters may be saved to: its own, as ``ros2 param dump`` had it."""
+    return f'{node.strip("/").replace("/", "__")}.yaml'
+
+
+def _is_parameter_file(path: Path) -> bool:
+    try:
+        return b'ros__parameters' in path.read_bytes()
+    except OSError:
+        return False
 
 
 def look(panel: FilePanel, *, is_save: bool, path: str, changed_only: bool) -> dict[str, Any]:
@@ -41,8 +53,9 @@ def act(panel: FilePanel, *, is_save: bool, path: str, changed_only: bool) -> st
     """Save or load, and return what the form says then, as HTML."""
     try:
         if is_save:
-            left = panel.save(path, changed_only).left_out
-            return file_markup(f'Saved to {path}.', _reasons('Left out', left))
+            target = _with_ending(path)
+            left = panel.save(target, changed_only).left_out
+            return file_markup(f'Saved to {target}.', _reasons('Left out', left))
         loaded = panel.load(path)
         return file_markup(f'{format_count(len(loaded.names), "value")} of {path} '
                            f'{"gathered" if loaded.is_gathered else "loaded"}.', _reasons('Not loaded', loaded))
@@ -53,7 +66,7 @@ def act(panel: FilePanel, *, is_save: bool, path: str, changed_only: bool) -> st
 def _look_before_saving(panel: FilePanel, path: str, changed_only: bool) -> dict[str, Any]:
     dump = panel.dump(changed_only=changed_only)
     count = len(panel.changed if changed_only else panel.names) - len(dump.left_out)
-    target = parameter_files.as_path(path, is_typed=True)
+    target = parameter_files.as_path(_with_ending(path), is_typed=True)
     notes, word = _reasons('Left out', dump.left_out), 'Save'
     if target.is_dir():
         raise ParameterFileError(f'{path} is a folder; add the name of a file')
@@ -61,9 +74,14 @@ def _look_before_saving(panel: FilePanel, path: str, changed_only: bool) -> dict
         raise ParameterFileError(f'there is no folder {target.parent}')
     if target.exists():
         word = 'Replace'
-        notes.insert(0, f'{path} is there already, and will be replaced{_what_it_holds(target, panel.node)}.')
-    told = f'{format_count(count, "value")} of {panel.node} will be written.'
+        notes.insert(0, f'{target} is there already, and will be replaced{_what_it_holds(target, panel.node)}.')
+    told = f'{format_count(count, "value")} of {panel.node} will be written to {target.resolve()}.'
     return {'markup': file_markup(told, notes), 'button': word, 'can': True}
+
+
+def _with_ending(path: str) -> str:
+    """Return a path as it is saved: with an ending, or it would not be offered when a file is loaded."""
+    return path if Path(path).suffix or Path(path).is_dir() else f'{path}.yaml'
 
 
 def _what_it_holds(path: Path, node: str) -> str:

@@ -371,7 +371,8 @@ class ParameterPanel(ParameterView):
         wish = {'is_save': content['is_save'], 'path': content['path'].strip(), 'changed_only': content['changed_only']}
         answer: dict[str, Any] = {'client': content['client'], 'form': content['number']}
         if content['do'] == 'look':
-            answer |= {'offered': file_form.offered_files(), **file_form.look(self, **wish)}
+            answer |= {'offered': file_form.offered_files(), 'suggested': file_form.suggested_file(self.node),
+                       **file_form.look(self, **wish)}
         else:
             answer |= {'said': file_form.act(self, **wish)}
         with self._drawing:
