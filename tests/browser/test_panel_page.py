@@ -137,7 +137,7 @@ def test_the_list_of_nodes_says_what_is_shown_of_their_parameters(browser, arm, 
     page.locator('body').press('/')
     expect(page.get_by_role('searchbox', name='Search nodes and parameters')).to_be_focused()
     # As dark as the system.
-    assert page.evaluate("getComputedStyle(document.querySelector('.param-panel')).backgroundColor") == 'rgb(33, 33, 33)'
+    expect(page.locator('.param-panel').first).to_have_css('background-color', 'rgb(33, 33, 33)')
     page.close()
 
 

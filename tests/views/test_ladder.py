@@ -103,3 +103,21 @@ def test_a_value_climbs_down_the_ladder_or_returns_from_it(robot):
     assert 'an exception at pre-set callbacks, and the caller gets no answer' in LadderView(robot, 'speed', 'fast').text
     with pytest.raises(NodeNotFoundError, match='/nobody'):
         LadderView('nobody', 'speed', 1)
+
+
+def test_another_value_is_typed_below_the_ladder(ros, robot):
+    view = LadderView(robot, 'speed', 900)
+    *_, below = view.children
+
+    def ask(text):
+        below._handle_custom_msg({'do': 'ask', 'text': text}, [])
+        return view.text
+
+    assert (below.name, below.text) == ('speed', '900')
+    assert 'judge rejects: minus five; stored is 300' in ask('-5')
+    # With the type that `ros2 param set` would give it.
+    before = ask('fast')
+    assert 'an exception at pre-set callbacks' in before and below.said == ''
+    ros.remove(robot)
+    assert ask('7') == before
+    assert '/robot' in below.said

@@ -111,6 +111,16 @@ def test_the_number_line_of_a_node_that_leaves_and_comes_back(ros, robot):
     wait_for_text(view, 'stored is 20')
 
 
+def test_a_value_is_typed_below_the_number_line_where_it_follows_the_node(robot):
+    view = NumberLineView(robot, 'opening')
+    *_, below = view.children
+    below._handle_custom_msg({'do': 'ask', 'text': '45'}, [])
+    wait_for_text(view, 'opening = 45 is rejected; 40 stays.')
+    below._handle_custom_msg({'do': 'ask', 'text': '50'}, [])
+    wait_for_text(view, 'opening = 50 is stored.')
+    assert len(NumberLineView(robot, 'opening', 45).children) == len(view.children) - 1
+
+
 def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, client):
     asked, other = NumberLineView(client, 'opening', 45), NumberLineView(robot, 'opening')
     before = texts(asked)

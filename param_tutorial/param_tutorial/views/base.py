@@ -15,11 +15,12 @@ _STYLE = svg.STYLE + style('param_tutorial/views/base.css')
 class AnimatedView(View):
     """A picture that plays when it is put onto the page."""
 
-    def __init__(self) -> None:
+    def __init__(self, *below: widgets.Widget) -> None:
+        """:param below: What stands below the picture."""
         self._text = ''
         self._count = 0
         self._drawn = widgets.HTML()
-        super().__init__([widgets.HTML(_STYLE), self._drawn], 'motion-view')
+        super().__init__([widgets.HTML(_STYLE), self._drawn, *below], 'motion-view')
 
     @property
     def text(self) -> str:
@@ -37,9 +38,10 @@ class AnimatedView(View):
 class PictureView(AnimatedView):
     """A picture of what was measured before. It follows nothing, and plays anew when something is added to it."""
 
-    def __init__(self, picture: svg.AnimatedPicture) -> None:
+    def __init__(self, picture: svg.AnimatedPicture, *below: widgets.Widget) -> None:
+        """:param below: What stands below the picture."""
         self._picture = picture
-        super().__init__()
+        super().__init__(*below)
         self._draw()
         close_with_cell(self)
 

@@ -5,13 +5,17 @@ from typing import Any
 from rclpy.node import Node
 
 from param_tools.node.client import ParameterClient
+from param_tutorial.views.asking import Asking
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.ladder import Climb
 from param_tutorial.views.set_recorder import record_set
 
 
 class LadderView(PictureView):
-    """A value that climbs down the ladder of callbacks, or back from it. Show it as the last line of a cell."""
+    """A value that climbs down the ladder of callbacks, or back from it. Show it as the last line of a cell.
+
+    Below it, a reader types another value, and the node is asked for that.
+    """
 
     def __init__(self, node: str | Node | ParameterClient, name: str, value: Any) -> None:
         """Ask a node for a value, and show what comes of it.
@@ -21,5 +25,13 @@ class LadderView(PictureView):
         :raises NodeNotFoundError: the node is not running in this process.
         :raises InvalidValueError: no parameter can hold this value.
         """
-        record = record_set(node, name, value)
-        super().__init__(Climb(record.timeline.node, name, record.timeline.steps, record.objection))
+        self._name = name
+        super().__init__(self._climb(node, value), Asking(name, value, self._ask))
+
+    def _climb(self, node: str | Node | ParameterClient, value: Any) -> Climb:
+        record = record_set(node, self._name, value)
+        return Climb(record.timeline.node, self._name, record.timeline.steps, record.objection)
+
+    def _ask(self, value: Any) -> None:
+        self._picture = self._climb(self.node, value)
+        self._draw()

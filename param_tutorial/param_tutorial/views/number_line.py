@@ -13,6 +13,7 @@ from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
 from param_tools.panel.view import FollowingView, nothing
 from param_tools.ros.executor import BackgroundExecutor
+from param_tutorial.views.asking import Asking
 from param_tutorial.views.base import AnimatedView, name_of
 from param_tutorial.views.drawing import svg
 from param_tutorial.views.drawing.number_line import NumberLine, Request, Scale
@@ -23,7 +24,8 @@ class NumberLineView(AnimatedView, FollowingView):
     """A parameter that holds a number, on a line with its range and steps; a rejected value springs back.
 
     The picture plays anew whenever something happens, until the view is closed; it is sent to the page only then, and
-    the browser moves the rest. Show it as the last line of a cell.
+    the browser moves the rest. Show it as the last line of a cell. Below it, a reader types a value, and the node is
+    asked for that; but not where the picture stays as it is.
     """
 
     def __init__(self, node: str | Node | ParameterClient, name: str, value: Any = ...) -> None:
@@ -42,7 +44,7 @@ class NumberLineView(AnimatedView, FollowingView):
         self._latest: RecordedSet | None = None
         self._live: LiveParameters | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
-        super().__init__()
+        super().__init__(*[Asking(name, '', self._ask)] * (value is ...))
         self._begin()
         self._live = LiveParameters(self._subject, self._job.wake, names=[name])
         self._live.first_look()
@@ -62,6 +64,9 @@ class NumberLineView(AnimatedView, FollowingView):
     def node(self) -> str:
         """The fully qualified name of the node."""
         return self._subject
+
+    def _ask(self, value: Any) -> None:
+        record_set(self._subject, self._name, value)  # which the view follows
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
         stop_listening = executor.on_graph_change(self._on_graph_change)
