@@ -146,11 +146,14 @@ def _wait_for_node(trial: Trial, exercise: Exercise, terminal: Terminal, prefix:
 
 
 def require_program(exercise: Exercise, file: str, see: str) -> None:
-    """Add the requirement that the program starts."""
+    """Add the requirement that the program starts, and that an import of its file doesn't start it."""
     @exercise.require(f'`python3 {file}` starts a node that answers', see=see)
     def starts(trial: Trial) -> None:
         with running(trial, exercise):
             pass
+        if started := _started_by_import(_parsed(Path(trial.work))):
+            raise NotYet('another file can import it, and nothing starts', f'`{ast.unparse(started)}` in line '
+                         f"{started.lineno} starts the node then, too. `if __name__ == '__main__':` goes above it")
 
 
 def require_ends(exercise: Exercise, see: str, start: Start = start_file) -> None:
@@ -234,6 +237,17 @@ def _raised(text: str, file: Path) -> str:
 def _spins(tree: ast.AST) -> bool:
     return any((isinstance(each, ast.Attribute) and each.attr in _SPINS)
                or (isinstance(each, ast.Name) and each.id in _SPINS) for each in ast.walk(tree))
+
+
+def _started_by_import(tree: ast.Module) -> ast.stmt | None:
+    """Return the statement that spins a node in each file that imports this one, if there is one."""
+    spinning = {each.name for each in tree.body if isinstance(each, ast.FunctionDef) and _spins(each)}
+    for each in tree.body:
+        names = {part.id for part in ast.walk(each) if isinstance(part, ast.Name)}
+        is_definition = isinstance(each, (ast.FunctionDef, ast.ClassDef))
+        if not is_definition and '__name__' not in names and (_spins(each) or names & spinning):
+            return each
+    return None
 
 
 def _why_it_ends(tree: ast.Module) -> str:

@@ -78,6 +78,9 @@ WRONG = {
         ([('ExternalShutdownException):', 'ZeroDivisionError):')], 5, 'That is what SIGTERM raises'),
         ([('\n    main()', '\n    pass')], 0, 'Nothing calls `main()`'),
         ([("== '__main__'", "== 'main'")], 0, 'two underscores'),
+        ([("if __name__ == '__main__':\n    main()", 'main()')], 5, '`main()` in line 25 starts the node then, too'),
+        ([('def main():\n    try:', 'if True:\n    try:'), ("if __name__ == '__main__':\n    main()", '')], 5,
+         'starts the node then, too'),
         ([('        rclpy.init()\n', '')], 0, 'Call `rclpy.init()` before'),
         ([('rclpy.init()', 'rclpy.init(args=[])')], 0, 'Does `rclpy.init()` get arguments'),
         ([('rclpy.spin(Kettle())', 'kettle = Kettle()\n        while True:\n            pass')], 0,
@@ -136,7 +139,8 @@ RIGHT = {
         [('rclpy.spin(Kettle())', 'kettle = Kettle()\n        while rclpy.ok():\n            '
           'rclpy.spin_once(kettle, timeout_sec=0.1)')],
         # No function, and no class.
-        [('def main():\n    try:', 'if True:\n    try:'), ("if __name__ == '__main__':\n    main()", ''),
+        [('def main():\n    try:', "if __name__ == '__main__':\n    try:"),
+         ("\n\nif __name__ == '__main__':\n    main()", ''),
          ('class Kettle(Node):\n    def __init__(self):\n        super().__init__',
           'def Kettle():\n        self = Node'),
          (" degrees')", " degrees')\n        return self")],
