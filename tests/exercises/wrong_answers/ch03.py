@@ -94,7 +94,7 @@ WRONG = {
         ([('        pass', '        pass\n    finally:\n        rclpy.shutdown()')], 4, 'leave `rclpy.shutdown()` out'),
         ([('        pass', '        raise SystemExit(1)')], 4, 'its exit status is 1'),
         ([("self.get_logger().info(f'heating to {target_c} degrees')", 'pass')], 5, 'it prints nothing'),
-        ([('{target_c}', '80.0')], 5, 'heating to 80.0 degrees'),
+        ([('{target_c}', '80.0')], 5, '[kettle]: heating to 80.0 degrees'),
         ([("'target_c', 80.0", "'target_c', 80")], 4, 'type integer, value `80`'),
         ([('to_value=100.0', 'to_value=110.0')], 5, 'accepted target_c = 100.1'),
         ([('ParameterDescriptor(read_only=True)', "ParameterDescriptor(description='fixed')")], 5, '`read_only`'),
