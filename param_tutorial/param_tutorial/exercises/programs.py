@@ -202,6 +202,22 @@ def expect_no_start(trial: Trial, exercise: Exercise, words: str) -> None:
                  'declarations never sees the start values')
 
 
+def expect_said_late(trial: Trial, text: str) -> None:
+    """Expect no on-set callback to hold a text that the program logs once a value is stored.
+
+    Only the source can tell: a program is alone with its callbacks, so nothing else rejects what they have accepted.
+    """
+    tree = _parsed(Path(trial.work))
+    functions = {each.name: each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)}
+    judges = {name for call in ast.walk(tree) if isinstance(call, ast.Call)
+              and 'add_on_set_parameters_callback' in _names(call.func) for part in call.args for name in _names(part)}
+    called = {name for judge in judges & functions.keys() for name in _names(functions[judge])}
+    for name in (judges | called) & functions.keys():
+        texts = [part.value for part in ast.walk(functions[name]) if isinstance(part, ast.Constant)]
+        expect(not any(isinstance(value, str) and text in value for value in texts),
+               f'`{text} …` once the value is stored', f'`{name}` says it before: an on-set callback has only a proposal')
+
+
 # -- what a program says of itself ------------------------------------------------------------------------------------
 
 def _source_file(trial: Trial, exercise: Exercise) -> Path:
@@ -220,7 +236,9 @@ def describe_end(terminal: Terminal, file: Path) -> str:
     :param file: Its source.
     """
     status, lines = terminal.interrupt(), terminal.text.strip().splitlines()
-    why = _why_it_ends(_parsed(file)) if not status else f'. Its last line is `{lines[-1]}`' if lines else ''
+    why = f'. Its last line is `{lines[-1]}`' if lines else ''
+    if not status:
+        why = _why_it_ends(_parsed(file), file.name in terminal.command)
     return describe_exception(terminal.text, file) or f'it ended with exit status {status}{why}'
 
 
@@ -239,30 +257,38 @@ def describe_exception(text: str, file: Path) -> str:
     return f'it ended with `{raised}`{where}{remark}'
 
 
+def _names(tree: ast.AST) -> set[str]:
+    """Return each name and each attribute in a tree."""
+    return {each.attr if isinstance(each, ast.Attribute) else each.id
+            for each in ast.walk(tree) if isinstance(each, (ast.Attribute, ast.Name))}
+
+
 def _spins(tree: ast.AST) -> bool:
-    return any((isinstance(each, ast.Attribute) and each.attr in _SPINS)
-               or (isinstance(each, ast.Name) and each.id in _SPINS) for each in ast.walk(tree))
+    return bool(_names(tree) & _SPINS)
 
 
 def _started_by_import(tree: ast.Module) -> ast.stmt | None:
     """Return the statement that spins a node in each file that imports this one, if there is one."""
     spinning = {each.name for each in tree.body if isinstance(each, ast.FunctionDef) and _spins(each)}
     for each in tree.body:
-        names = {part.id for part in ast.walk(each) if isinstance(part, ast.Name)}
+        names = _names(each)
         is_definition = isinstance(each, (ast.FunctionDef, ast.ClassDef))
         if not is_definition and '__name__' not in names and (_spins(each) or names & spinning):
             return each
     return None
 
 
-def _why_it_ends(tree: ast.Module) -> str:
-    """Return what to think of when a program ends without an error and without a signal."""
+def _why_it_ends(tree: ast.Module, is_started_itself: bool) -> str:
+    """Return what to think of when a program ends without an error and without a signal.
+
+    :param is_started_itself: True for a file that Python runs; in a package, an entry point calls one of its functions.
+    """
     if not _spins(tree):
         return '. Nothing spins the node, so the program ends after its last line'
     used = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name)}
     texts = {each.value for each in ast.walk(tree) if isinstance(each, ast.Constant)}
     unused = [each.name for each in tree.body if isinstance(each, ast.FunctionDef) and each.name not in used]
-    if unused:
+    if unused and is_started_itself:
         return f'. Nothing calls `{unused[0]}()`'
     if '__name__' in used and '__main__' not in texts:
         return ". The name to compare with is `'__main__'`, with two underscores on each side"

@@ -48,6 +48,7 @@ WRONG = {
         ([('from rclpy.executors import ExternalShutdownException\n', '')], 5,
          "NameError: name 'ExternalShutdownException' is not defined"),
         ([('        rclpy.spin(Lift())', '        Lift()')], 5, 'Nothing spins the node'),
+        ([('rclpy.spin(Lift())', 'rclpy.spin_once(Lift(), timeout_sec=0.1)')], 5, 'it ended with exit status 0'),
         ([('        rclpy.init(args=args)\n', '')], 4, 'Call `rclpy.init()` before you make the node'),
         ([('(KeyboardInterrupt, ExternalShutdownException)', 'ExternalShutdownException')], 5, 'what Ctrl+C raises'),
         ([('        pass', '        raise SystemExit(3)')], 5, 'its exit status is 3'),

@@ -41,6 +41,8 @@ CRANE = f'{INDEX}/crane', 'lib/crane/hook', 'lib/crane/arm'
 # A slow machine takes a few seconds.
 BUILD_LIMIT_SEC = 8.0
 LINES_LIMIT_SEC = 6.0
+# A program that still waits after this long waits for Ctrl+C.
+STAYS_SEC = 1.0
 
 SETUP, SOURCE_FILE = 'setup.py', 'lift/lift_node.py'
 # The package of the first two exercises, apart from these two files.
@@ -131,7 +133,7 @@ def _run(program: str, install: Path, source: Path) -> Ran:
     try:
         wait(lambda: READY in terminal.text or not terminal.is_running, BUILD_LIMIT_SEC)
         terminal.wait_until_idle(LINES_LIMIT_SEC)
-        if not terminal.is_running:
+        if wait(lambda: not terminal.is_running, STAYS_SEC):
             return Ran(terminal.text, False, describe_end(terminal, source))
         status = terminal.interrupt(LINES_LIMIT_SEC)
         complaint = describe_exception(terminal.text, source)
