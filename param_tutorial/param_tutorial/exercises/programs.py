@@ -215,7 +215,8 @@ def expect_said_late(trial: Trial, text: str) -> None:
     for name in (judges | called) & functions.keys():
         texts = [part.value for part in ast.walk(functions[name]) if isinstance(part, ast.Constant)]
         expect(not any(isinstance(value, str) and text in value for value in texts),
-               f'`{text} …` once the value is stored', f'`{name}` says it before: an on-set callback has only a proposal')
+               f'`{text} …` once the value is stored',
+               f'`{name}` says it before: an on-set callback has only a proposal')
 
 
 # -- what a program says of itself ------------------------------------------------------------------------------------

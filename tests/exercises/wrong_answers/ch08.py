@@ -103,7 +103,8 @@ WRONG = {
         ([('        return SetParametersResult(successful', '        self.react(parameters)\n        return '
            'SetParametersResult(successful')], 7, 'an on-set callback has only a proposal'),
         # It logs no rejected speed, and still too early.
-        ([('        return SetParametersResult(successful', '        if not reason:\n            self.react(parameters)\n'
+        ([('        return SetParametersResult(successful',
+           '        if not reason:\n            self.react(parameters)\n'
            '        return SetParametersResult(successful'),
           ('        self.add_post_set_parameters_callback(self.react)\n', '')], 7, '`react` says it before'),
         ([('drum turns at', 'speed:')], 7, 'speed: 12.5 rpm'),
