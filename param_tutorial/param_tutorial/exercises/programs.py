@@ -109,14 +109,16 @@ def running(trial: Trial, exercise: Exercise, words: str = '', start: Start = st
     except NodeError as error:
         # What ended the program explains more than what came of it.
         if wait(lambda: not terminal.is_running, LATER_SEC):
-            raise NoUse('a program that goes on', _describe_end(terminal, file)) from None
+            raise NoUse('a program that goes on', describe_end(terminal, file)) from None
         remark = 'Does a callback wait, or loop forever?' if _spins(_parsed(file)) else 'Nothing spins it'
         raise NoUse('an answer', f'{error}. {remark}'.replace(namespace, '')) from None
     except NotYet as error:
-        raised = '' if terminal.is_running else _raised(terminal.text, file)
+        raised = '' if terminal.is_running else describe_exception(terminal.text, file)
         if raised and raised not in error.happened:
             raise NoUse('a program that goes on', raised) from None
-        raise type(error)(*(text.replace(namespace, '') for text in (error.expected, error.happened))) from None
+        logger = f'{CORNER[1:]}.{namespace[1:]}.'
+        raise type(error)(*(text.replace(namespace, '').replace(logger, '')
+                            for text in (error.expected, error.happened))) from None
     finally:
         terminal.interrupt(END_SEC)
 
@@ -135,7 +137,7 @@ def _wait_for_node(trial: Trial, exercise: Exercise, terminal: Terminal, prefix:
             wait_until(lambda: wanted in new() or not terminal.is_running, 'the node', LATER_SEC)
     if not terminal.is_running:
         raise NoUse('a program that goes on until a signal ends it',
-                    _describe_end(terminal, _source_file(trial, exercise)))
+                    describe_end(terminal, _source_file(trial, exercise)))
     found = new()
     if not found:
         raise NoUse('a node', f'none has come after {START_SEC:g} s, and the program still runs')
@@ -146,11 +148,14 @@ def _wait_for_node(trial: Trial, exercise: Exercise, terminal: Terminal, prefix:
 
 
 def require_program(exercise: Exercise, file: str, see: str) -> None:
-    """Add the requirement that the program starts."""
+    """Add the requirement that the program starts, and that an import of its file doesn't start it."""
     @exercise.require(f'`python3 {file}` starts a node that answers', see=see)
     def starts(trial: Trial) -> None:
         with running(trial, exercise):
             pass
+        if started := _started_by_import(_parsed(Path(trial.work))):
+            raise NotYet('another file can import it, and nothing starts', f'`{ast.unparse(started)}` in line '
+                         f"{started.lineno} starts the node then, too. `if __name__ == '__main__':` goes above it")
 
 
 def require_ends(exercise: Exercise, see: str, start: Start = start_file) -> None:
@@ -175,7 +180,7 @@ def _expect_end(trial: Trial, exercise: Exercise, number: signal.Signals, start:
             # and waits again. The next signal ends it.
             status = program.terminal.interrupt(END_SEC, number, times=2)
             expect(status != -signal.SIGKILL, f'{number.name} ends it', f'it was still running {END_SEC:g} s later')
-            raised = _raised(program.terminal.text, _source_file(trial, exercise))
+            raised = describe_exception(program.terminal.text, _source_file(trial, exercise))
             if not left or 'RCLError' not in raised:
                 expect(not raised, f'{number.name} ends it without a traceback', raised)
                 expect(status in (0, -number, 128 + number), f'{number.name} ends it with exit status 0',
@@ -197,6 +202,23 @@ def expect_no_start(trial: Trial, exercise: Exercise, words: str) -> None:
                  'declarations never sees the start values')
 
 
+def expect_said_late(trial: Trial, text: str) -> None:
+    """Expect no on-set callback to hold a text that the program logs once a value is stored.
+
+    Only the source can tell: a program is alone with its callbacks, so nothing else rejects what they have accepted.
+    """
+    tree = _parsed(Path(trial.work))
+    functions = {each.name: each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)}
+    judges = {name for call in ast.walk(tree) if isinstance(call, ast.Call)
+              and 'add_on_set_parameters_callback' in _names(call.func) for part in call.args for name in _names(part)}
+    called = {name for judge in judges & functions.keys() for name in _names(functions[judge])}
+    for name in (judges | called) & functions.keys():
+        texts = [part.value for part in ast.walk(functions[name]) if isinstance(part, ast.Constant)]
+        expect(not any(isinstance(value, str) and text in value for value in texts),
+               f'`{text} …` once the value is stored',
+               f'`{name}` says it before: an on-set callback has only a proposal')
+
+
 # -- what a program says of itself ------------------------------------------------------------------------------------
 
 def _source_file(trial: Trial, exercise: Exercise) -> Path:
@@ -209,14 +231,19 @@ def _parsed(file: Path) -> ast.Module:
     return ast.parse(file.read_text(encoding='utf-8')) if file.is_file() else ast.Module([], [])
 
 
-def _describe_end(terminal: Terminal, file: Path) -> str:
-    """Return how a program has ended without a signal."""
+def describe_end(terminal: Terminal, file: Path) -> str:
+    """Return how a program has ended without a signal.
+
+    :param file: Its source.
+    """
     status, lines = terminal.interrupt(), terminal.text.strip().splitlines()
-    why = _why_it_ends(_parsed(file)) if not status else f'. Its last line is `{lines[-1]}`' if lines else ''
-    return _raised(terminal.text, file) or f'it ended with exit status {status}{why}'
+    why = f'. Its last line is `{lines[-1]}`' if lines else ''
+    if not status:
+        why = _why_it_ends(_parsed(file), file.name in terminal.command)
+    return describe_exception(terminal.text, file) or f'it ended with exit status {status}{why}'
 
 
-def _raised(text: str, file: Path) -> str:
+def describe_exception(text: str, file: Path) -> str:
     """Return the exception that ended a program, with the line of its file; nothing if none did.
 
     :param text: What the program has printed.
@@ -231,18 +258,39 @@ def _raised(text: str, file: Path) -> str:
     return f'it ended with `{raised}`{where}{remark}'
 
 
+def _names(tree: ast.AST) -> set[str]:
+    """Return each name and each attribute in a tree."""
+    return {each.attr if isinstance(each, ast.Attribute) else each.id
+            for each in ast.walk(tree) if isinstance(each, (ast.Attribute, ast.Name))}
+
+
 def _spins(tree: ast.AST) -> bool:
-    return any((isinstance(each, ast.Attribute) and each.attr in _SPINS)
-               or (isinstance(each, ast.Name) and each.id in _SPINS) for each in ast.walk(tree))
+    return bool(_names(tree) & _SPINS)
 
 
-def _why_it_ends(tree: ast.Module) -> str:
-    """Return what to think of when a program ends without an error and without a signal."""
+def _started_by_import(tree: ast.Module) -> ast.stmt | None:
+    """Return the statement that spins a node in each file that imports this one, if there is one."""
+    spinning = {each.name for each in tree.body if isinstance(each, ast.FunctionDef) and _spins(each)}
+    for each in tree.body:
+        names = _names(each)
+        is_definition = isinstance(each, (ast.FunctionDef, ast.ClassDef))
+        if not is_definition and '__name__' not in names and (_spins(each) or names & spinning):
+            return each
+    return None
+
+
+def _why_it_ends(tree: ast.Module, is_started_itself: bool) -> str:
+    """Return what to think of when a program ends without an error and without a signal.
+
+    :param is_started_itself: True for a file that Python runs; in a package, an entry point calls one of its functions.
+    """
+    if not _spins(tree):
+        return '. Nothing spins the node, so the program ends after its last line'
     used = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name)}
     texts = {each.value for each in ast.walk(tree) if isinstance(each, ast.Constant)}
     unused = [each.name for each in tree.body if isinstance(each, ast.FunctionDef) and each.name not in used]
-    if unused:
+    if unused and is_started_itself:
         return f'. Nothing calls `{unused[0]}()`'
     if '__name__' in used and '__main__' not in texts:
         return ". The name to compare with is `'__main__'`, with two underscores on each side"
-    return '' if _spins(tree) else '. Nothing spins the node, so the program ends after its last line'
+    return ''

@@ -33,7 +33,7 @@ WRONG = {
         ([("        ('share/ament_index/resource_index/packages', ['resource/lift']),\n", '')], 2,
          'what is installed in `share` is `share/lift/package.xml`'),
         ([('resource_index/packages', 'resource_index')], 2, 'share/ament_index/resource_index/lift'),
-        ([("        ('share/lift', ['package.xml']),\n", '')], 4, 'it is not there'),
+        ([("        ('share/lift', ['package.xml']),\n", '')], 5, 'it is not there'),
         ([("'lift_node = ", "'lift = ")], 3, 'there is `lib/lift/lift`'),
         ([('lift.lift_node:main', 'lift:main')], 4, "has no attribute 'main'"),
         ([('lift.lift_node:main', 'lift_node:main')], 4, "No module named 'lift_node'"),
@@ -41,6 +41,19 @@ WRONG = {
         ([("'0.0.0',", "'0.0.0'")], 0, 'SyntaxError'),
         ([('\nsetup(', '\ndict(')], 0, 'does the file call `setup(...)`?'),
         ([('\nsetup(', '\nwhile True: pass\nsetup(')], 0, 'it is still running after 8 s'),
+        ([("'lift/lift_node.py': node", "'lift_node.py': node")], 0, 'there is `None`'),
+        # The node's file.
+        ([('def main(args=None)', 'def run(args=None)')], 4, "has no attribute 'main'"),
+        ([('import rclpy\n', '')], 4, "NameError: name 'rclpy' is not defined"),
+        ([('from rclpy.executors import ExternalShutdownException\n', '')], 5,
+         "NameError: name 'ExternalShutdownException' is not defined"),
+        ([('        rclpy.spin(Lift())', '        Lift()')], 5, 'Nothing spins the node'),
+        ([('rclpy.spin(Lift())', 'rclpy.spin_once(Lift(), timeout_sec=0.1)')], 5, 'it ended with exit status 0'),
+        ([('        rclpy.init(args=args)\n', '')], 4, 'Call `rclpy.init()` before you make the node'),
+        ([('(KeyboardInterrupt, ExternalShutdownException)', 'ExternalShutdownException')], 5, 'what Ctrl+C raises'),
+        ([('        pass', '        raise SystemExit(3)')], 5, 'its exit status is 3'),
+        ([("        self.get_logger().info('The lift is ready.')\n", '')], 4, 'it prints nothing'),
+        ([('The lift is ready.', 'The lift is read')], 4, 'The lift is read'),
     ],
     '2c': [
         ([("(prefix / 'share/ament_index/resource_index/packages' / package).exists()", 'True')], 3,
@@ -84,6 +97,15 @@ RIGHT = {
         [("['resource/lift']", "__import__('glob').glob('resource/*')")],
         [("['lift_node = lift.lift_node:main']", "['lift = lift.lift_node:main', 'lift_node=lift.lift_node:main']")],
         [("version='0.0.0',", "version='1.2.3', install_requires=['setuptools'], zip_safe=True,")],
+        # Another way to spin, with the exceptions one by one.
+        [('rclpy.spin(Lift())', 'executor = SingleThreadedExecutor()\n        executor.add_node(Lift())\n        '
+          'executor.spin()'), ('import ExternalShutdownException', 'import ExternalShutdownException, '
+                              'SingleThreadedExecutor'),
+         ('    except (KeyboardInterrupt, ExternalShutdownException):\n        pass',
+          '    except KeyboardInterrupt:\n        return\n    except ExternalShutdownException:\n        return')],
+        [('def main(args=None):\n    try:\n        rclpy.init(args=args)', 'def main():\n    rclpy.init()\n    try:'),
+         ("self.get_logger().info('The lift is ready.')", "print('The lift is ready.')"),
+         ('        pass\n', "        pass\n\n\nif __name__ == '__main__':\n    main()\n")],
     ],
     '2c': [
         [('return path if path.exists()', 'return str(path) if path.is_file()')],

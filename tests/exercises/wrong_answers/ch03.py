@@ -78,6 +78,9 @@ WRONG = {
         ([('ExternalShutdownException):', 'ZeroDivisionError):')], 5, 'That is what SIGTERM raises'),
         ([('\n    main()', '\n    pass')], 0, 'Nothing calls `main()`'),
         ([("== '__main__'", "== 'main'")], 0, 'two underscores'),
+        ([("if __name__ == '__main__':\n    main()", 'main()')], 5, '`main()` in line 25 starts the node then, too'),
+        ([('def main():\n    try:', 'if True:\n    try:'), ("if __name__ == '__main__':\n    main()", '')], 5,
+         'starts the node then, too'),
         ([('        rclpy.init()\n', '')], 0, 'Call `rclpy.init()` before'),
         ([('rclpy.init()', 'rclpy.init(args=[])')], 0, 'Does `rclpy.init()` get arguments'),
         ([('rclpy.spin(Kettle())', 'kettle = Kettle()\n        while True:\n            pass')], 0,
@@ -91,7 +94,7 @@ WRONG = {
         ([('        pass', '        pass\n    finally:\n        rclpy.shutdown()')], 4, 'leave `rclpy.shutdown()` out'),
         ([('        pass', '        raise SystemExit(1)')], 4, 'its exit status is 1'),
         ([("self.get_logger().info(f'heating to {target_c} degrees')", 'pass')], 5, 'it prints nothing'),
-        ([('{target_c}', '80.0')], 5, 'heating to 80.0 degrees'),
+        ([('{target_c}', '80.0')], 5, '[kettle]: heating to 80.0 degrees'),
         ([("'target_c', 80.0", "'target_c', 80")], 4, 'type integer, value `80`'),
         ([('to_value=100.0', 'to_value=110.0')], 5, 'accepted target_c = 100.1'),
         ([('ParameterDescriptor(read_only=True)', "ParameterDescriptor(description='fixed')")], 5, '`read_only`'),
@@ -136,7 +139,8 @@ RIGHT = {
         [('rclpy.spin(Kettle())', 'kettle = Kettle()\n        while rclpy.ok():\n            '
           'rclpy.spin_once(kettle, timeout_sec=0.1)')],
         # No function, and no class.
-        [('def main():\n    try:', 'if True:\n    try:'), ("if __name__ == '__main__':\n    main()", ''),
+        [('def main():\n    try:', "if __name__ == '__main__':\n    try:"),
+         ("\n\nif __name__ == '__main__':\n    main()", ''),
          ('class Kettle(Node):\n    def __init__(self):\n        super().__init__',
           'def Kettle():\n        self = Node'),
          (" degrees')", " degrees')\n        return self")],

@@ -131,6 +131,11 @@ WRONG = {
         ([("proposed.get('top_floor', self.get_parameter('top_floor').value)",
            "self.get_parameter('top_floor').value")], 5, 'it was accepted'),
         ([('        self.add_on_set_parameters_callback(self.validate)\n', '')], 4, 'it was accepted'),
+        # It logs no rejected floor, and still too early.
+        ([('        return SetParametersResult(successful',
+           '        if not reason:\n            self.get_logger().info("going to floor 3")\n'
+           '        return SetParametersResult(successful'),
+          ('        self.add_post_set_parameters_callback(self.react)\n', '')], 6, '`validate` says it before'),
         ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 6, 'it prints nothing'),
         ([('return SetParametersResult(successful=not reason, reason=reason)', 'return not reason')], 1,
          'An on-set callback has to return a `SetParametersResult`'),

@@ -102,6 +102,13 @@ WRONG = {
         ([('tilt_deg > 30.0', 'tilt_deg >= 30.0')], 7, 'A tilt of 30° is still allowed'),
         ([('        return SetParametersResult(successful', '        self.react(parameters)\n        return '
            'SetParametersResult(successful')], 7, 'an on-set callback has only a proposal'),
+        # It logs no rejected speed, and still too early.
+        ([('        return SetParametersResult(successful',
+           '        if not reason:\n            self.react(parameters)\n'
+           '        return SetParametersResult(successful'),
+          ('        self.add_post_set_parameters_callback(self.react)\n', '')], 7, '`react` says it before'),
+        ([('drum turns at', 'speed:')], 7, 'speed: 12.5 rpm'),
+        ([("if __name__ == '__main__':\n    main()", 'main()')], 7, 'starts the node then, too'),
         ([('        self.add_post_set_parameters_callback(self.react)\n', '')], 7, 'it prints nothing'),
         ([('(KeyboardInterrupt, ExternalShutdownException)', 'KeyboardInterrupt')], 7, 'That is what SIGTERM raises'),
         ([('        rclpy.init()\n', '')], 0, 'Call `rclpy.init()` before'),

@@ -86,6 +86,9 @@ RIGHT = {
         [(_COMPARE + _RESTORE, 'now = ParameterSet.of(client)\nrestore(client, then)\nchanged = compare(then, now)\n')],
         [(_RESTORE, 'client.set_parameters_atomically({name: then[name] for name in ("low_c", "high_c")})\n')],
         [('\n', '\n\n'), ('restore(client, then)', '# and back\nrestore(client, dict(then))')],
+        # By its name, as the chapter does.
+        [('ParameterSet.of(client)', "ParameterSet.of('/robot', 'then')"),
+         (_COMPARE, "changed = compare(then, '/robot')\n"), (_RESTORE, "restore('/robot', then)\n")],
         # Indented, all of them.
         [('\n', '\n    ')],
     ],

@@ -1,9 +1,11 @@
-"""Exercises of chapter 2: put the lines of a terminal in order, mend a setup.py that is really built, and find a
+"""Exercises of chapter 2: put the lines of a terminal in order, complete a package that is really built, and find a
 program as ``ros2 run`` does."""
 
 import functools
 import os
 import re
+import shlex
+import signal
 import subprocess
 import sys
 import tempfile
@@ -15,15 +17,18 @@ from param_tools.cli.run import find_program
 from param_tools.cli.session import CommandFailed
 from param_tools.errors import ParameterToolError
 from param_tools.ros import host
-from param_tools.ros.waiting import PATIENCE
-from param_tutorial.exercises.exercise import FUNCTION, TEXT, Exercise
+from param_tools.ros.waiting import PATIENCE, wait
+from param_tutorial.exercises.exercise import DICTIONARY, FUNCTION, TEXT, Exercise
+from param_tutorial.exercises.programs import describe_end, describe_exception
 from param_tutorial.exercises.trial import NotYet, NoUse, Trial, expect
 from param_tutorial.notebook.shell import NO_SHELL, Shell
+from param_tutorial.notebook.terminal import Terminal
 
 CHAPTER = '02_workspace'
 BUILD = 'Build it'
 SOURCE = 'Source it'
 OVERLAY = 'One workspace on top of another'
+NODE = 'A node, and its entry point'
 COPY = 'Break it: a `setup.py` to copy'
 ENTRY = 'Build it: one line, in the right place'
 
@@ -36,15 +41,27 @@ CRANE = f'{INDEX}/crane', 'lib/crane/hook', 'lib/crane/arm'
 # A slow machine takes a few seconds.
 BUILD_LIMIT_SEC = 8.0
 LINES_LIMIT_SEC = 6.0
+# A program that still waits after this long waits for Ctrl+C.
+STAYS_SEC = 1.0
 
-# The package of the first exercise, apart from its setup.py.
+SETUP, SOURCE_FILE = 'setup.py', 'lift/lift_node.py'
+# The package of the first two exercises, apart from these two files.
 LIFT = {
     'package.xml': '<package format="3"><name>lift</name><version>0.0.0</version></package>\n',
     'setup.cfg': '[develop]\nscript_dir=$base/lib/lift\n[install]\ninstall_scripts=$base/lib/lift\n',
     'resource/lift': '',
     'lift/__init__.py': '',
-    'lift/lift_node.py': f'def main():\n    print({READY!r})\n',
 }
+
+
+class Ran(NamedTuple):
+    """How the executable of a package ran, until Ctrl+C or its own end."""
+
+    printed: str
+    went_on: bool
+    """True if only Ctrl+C ended it."""
+    complaint: str
+    """What is wrong with its end; empty if nothing is."""
 
 
 class Built(NamedTuple):
@@ -54,39 +71,40 @@ class Built(NamedTuple):
     """The last line that the build printed, if it failed; else empty."""
     installed: frozenset[str]
     """Each file in the install space."""
-    printed: str
-    """What its program printed; or, if there is none, what ``ros2 run`` prints."""
+    ran: Ran
+
+
+NEVER_RAN = Ran('', False, '')
 
 
 @functools.lru_cache(maxsize=4)
-def build(setup: str) -> Built:
-    """Build the package with a setup.py, in a scratch workspace, and run its program.
+def build(setup: str, node: str) -> Built:
+    """Build the package with a setup.py and the file of its node, in a scratch workspace, and run its executable.
 
     setuptools gets the arguments that colcon gives it. colcon itself takes five seconds, and writes a missing marker.
     """
     with tempfile.TemporaryDirectory(prefix='param_tutorial_') as folder:
         root, install = Path(folder, 'src'), Path(folder, 'install')
-        for name, text in {**LIFT, 'setup.py': setup}.items():
+        for name, text in {**LIFT, SETUP: setup, SOURCE_FILE: node}.items():
             root.joinpath(name).parent.mkdir(parents=True, exist_ok=True)
             root.joinpath(name).write_text(text, encoding='utf-8')
         Path(folder, 'build').mkdir()
         # With --root, a `data_files` that begins with a slash stays in the scratch workspace, too.
-        status, printed = _run(['setup.py', '-q', 'egg_info', '--egg-base', '../build', 'build', '--build-base',
-                                '../build', 'install', '--root', folder, '--prefix', '/install', '--record',
-                                '../build/record', '--single-version-externally-managed'], root)
+        status, printed = _build(['setup.py', '-q', 'egg_info', '--egg-base', '../build', 'build', '--build-base',
+                                  '../build', 'install', '--root', folder, '--prefix', '/install', '--record',
+                                  '../build/record', '--single-version-externally-managed'], root)
         if status:
             last = printed.strip().splitlines()[-1:] or [f'exit status {status}']
-            return Built(last[0], frozenset(), '')
+            return Built(last[0], frozenset(), NEVER_RAN)
         installed = frozenset(str(path.relative_to(install)) for path in install.rglob('*') if path.is_file())
         try:
             program, = find_program('lift', 'lift_node', {'AMENT_PREFIX_PATH': str(install)})
-        except CommandFailed as failure:
-            return Built('', installed, str(failure))
-        modules = next(install.glob('lib/python*/site-packages'), install)
-        return Built('', installed, _run([program], root.parent, PYTHONPATH=str(modules))[1].strip())
+        except CommandFailed:
+            return Built('', installed, NEVER_RAN)
+        return Built('', installed, _run(program, install, root / SOURCE_FILE))
 
 
-def _run(words: list[str], folder: Path, **environment: str) -> tuple[int, str]:
+def _build(words: list[str], folder: Path) -> tuple[int, str]:
     """Run Python in a folder, and return its exit status and what it printed.
 
     :raises NoUse: it does not come to an end, or can't be started where there are no processes.
@@ -96,7 +114,7 @@ def _run(words: list[str], folder: Path, **environment: str) -> tuple[int, str]:
     passed_on = {name: value for name, value in os.environ.items() if not name.startswith('PYTHON')}
     with subprocess.Popen([sys.executable, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True,
-                          env={**passed_on, 'PYTHONWARNINGS': 'ignore', 'PYTHONUTF8': '1', **environment}) as process:
+                          env={**passed_on, 'PYTHONWARNINGS': 'ignore', 'PYTHONUTF8': '1'}) as process:
         try:
             printed, _ = process.communicate(timeout=BUILD_LIMIT_SEC * PATIENCE)
         except subprocess.TimeoutExpired:
@@ -108,28 +126,61 @@ def _run(words: list[str], folder: Path, **environment: str) -> tuple[int, str]:
     return process.returncode, printed
 
 
+def _run(program: str, install: Path, source: Path) -> Ran:
+    """Start a program as ``ros2 run`` does, and press Ctrl+C once it waits."""
+    modules = next(install.glob('lib/python*/site-packages'), install)
+    terminal = Terminal(shlex.quote(program), variables={'PYTHONPATH': str(modules)})
+    try:
+        wait(lambda: READY in terminal.text or not terminal.is_running, BUILD_LIMIT_SEC)
+        terminal.wait_until_idle(LINES_LIMIT_SEC)
+        if wait(lambda: not terminal.is_running, STAYS_SEC):
+            return Ran(terminal.text, False, describe_end(terminal, source))
+        status = terminal.interrupt(LINES_LIMIT_SEC)
+        complaint = describe_exception(terminal.text, source)
+        if not complaint and status not in (0, -signal.SIGINT, 128 + signal.SIGINT):
+            complaint = f'its exit status is {status}, which stands for an error'
+        return Ran(terminal.text, True, complaint)
+    finally:
+        terminal.interrupt(LINES_LIMIT_SEC)
+
+
+def texts(trial: Trial) -> tuple[str, str]:
+    """Return the learner's two files.
+
+    :raises NoUse: one is missing.
+    """
+    for name in (SETUP, SOURCE_FILE):
+        if not isinstance(trial.work.get(name), str):
+            raise NoUse(f'the text of `{name}` in the dictionary', f'there is `{trial.work.get(name)!r}`')
+        if not trial.work[name].strip():
+            raise NoUse(f'the text of `{name}`', 'it is empty')
+    return trial.work[SETUP], trial.work[SOURCE_FILE]
+
+
 def built(trial: Trial) -> Built:
-    """Build the package with the learner's setup.py.
+    """Build the package with the learner's files.
 
     :raises NoUse: it cannot be built.
     """
-    result = build(trial.work)
+    result = build(*texts(trial))
     if result.complaint:
         raise NoUse('a build without an error', result.complaint)
     return result
 
 
-mend = Exercise('2b', 'Mend a `setup.py`', CHAPTER, TEXT, hints=(
-    'Compare it, line by line, with the `setup.py` that `ros2 pkg create` writes: the section “Create it” shows one.',
+mend = Exercise('2b', 'Complete a package', CHAPTER, DICTIONARY, hints=(
+    'Compare the `setup.py`, line by line, with the one that `ros2 pkg create` writes: the section “Create it” shows '
+    'one. And compare the node with the one in the section “A node, and its entry point”.',
     '`data_files` is a list of pairs: a folder in the install space, and the files that go there. The marker goes to '
     '`share/ament_index/resource_index/packages`. In the source, it is in the folder `resource`.',
-    'An entry point is `name = package.module:function`. Here the module is `lift_node`, in the package `lift`.'))
+    'An entry point is `name = package.module:function`. Here the module is `lift_node`, in the package `lift`.',
+    '`main` has a `try:` with two lines in it, `rclpy.init(args=args)` and `rclpy.spin(Lift())`. It catches '
+    '`KeyboardInterrupt` and `ExternalShutdownException`. Both names need an import above the class: `rclpy`, and the '
+    'exception from `rclpy.executors`.'))
 
 
 @mend.require('the package builds', see=COPY)
 def builds(trial: Trial) -> None:
-    if not trial.work.strip():
-        raise NoUse('the text of a `setup.py`', 'it is empty')
     if not built(trial).installed:
         raise NoUse('the build installs something', 'it installs nothing: does the file call `setup(...)`?')
 
@@ -156,10 +207,19 @@ def executable(trial: Trial) -> None:
         raise NoUse(f'`{PROGRAM}`', 'there is ' + (', '.join(f'`{name}`' for name in programs) or 'none'))
 
 
-@mend.require('`ros2 run lift lift_node` starts it', see=ENTRY)
+@mend.require(f'`ros2 run lift lift_node` starts the node, which logs “{READY}”', see=NODE)
 def starts(trial: Trial) -> None:
-    printed = built(trial).printed
-    expect(printed == READY, f'it prints “{READY}”', printed.splitlines()[-1] if printed else 'it prints nothing')
+    ran = built(trial).ran
+    if READY not in ran.printed:
+        last = ran.printed.strip().splitlines()[-1:] or ['nothing']
+        raise NoUse(f'it logs “{READY}”', f'it prints {last[0]}' if ran.went_on else ran.complaint)
+
+
+@mend.require('the node stays until Ctrl+C, which ends it without a traceback', see=NODE)
+def stays(trial: Trial) -> None:
+    ran = built(trial).ran
+    expect(ran.went_on, 'a program that goes on until Ctrl+C', ran.complaint)
+    expect(not ran.complaint, 'Ctrl+C ends it without a traceback', ran.complaint)
 
 
 find = Exercise('2c', 'Be `ros2 run`', CHAPTER, FUNCTION, hints=(

@@ -1,6 +1,7 @@
 """Exercises of chapter 5.1: order the words of commands, spell values for the command line, and predict what
 becomes of them."""
 
+import itertools
 import re
 import shlex
 from collections.abc import Mapping
@@ -16,6 +17,7 @@ from param_tutorial.nodes.simple_param_node import SimpleParamNode
 CHAPTER = '05_1_from_the_command_line'
 SPELLING = 'Break it: which type did you mean?'
 REJECTIONS = 'Break it: rejections and mistakes'
+WAIT = 'Build it: wait for a node'
 
 
 class Gripper(Node):
@@ -139,7 +141,10 @@ require_foresight('robot_name 007', {
 
 order = Exercise('5.1a', 'Put the words in order', CHAPTER, TEXT, hints=(
     'Each command begins with `ros2 param`, and then says what to do: `get`, `set` or `describe`.',
-    'After the verb comes the node, then the parameter, and with `set` the value at the end.'))
+    'After the verb comes the node, then the parameter, and with `set` the value at the end.',
+    'For your own two: `list` has an option `--param-type`, and `set` has an option `--timeout`, with a number of '
+    'seconds after it. An option goes right after the verb.'))
+PATIENCE_SEC = 20
 
 
 class Typed(NamedTuple):
@@ -154,7 +159,7 @@ def typed(trial: Trial) -> tuple[Gripper, list[Typed]]:
     lines = [command for line in trial.work.replace('\\\n', ' ').strip().splitlines()
              for command in re.split(r'\s*(?:;|&&)\s*', line)]  # no quoted word of this exercise has one of these
     if not lines:
-        raise NoUse('three commands', 'there is none')
+        raise NoUse('five commands', 'there is none')
     gripper = trial.start(Gripper)
     result = []
     for line in lines:
@@ -198,7 +203,8 @@ def _complaint(lines: list[Typed], verb: str) -> str:
 def is_set(trial: Trial) -> None:
     gripper, lines = typed(trial)
     found = trial.client(gripper).get_parameter('retries')
-    expect(found == 5, '`retries` is `5`', f'it is `{found!r}`{_complaint(lines, "set")}')
+    own = [each for each in lines if 'label' not in each.line]
+    expect(found == 5, '`retries` is `5`', f'it is `{found!r}`{_complaint(own, "set")}')
 
 
 @order.require('the value of `mode` is printed', see='See it')
@@ -211,6 +217,28 @@ def is_read(trial: Trial) -> None:
 def is_described(trial: Trial) -> None:
     _, lines = typed(trial)
     expect_printed(lines, 'describe', r'speed_mps\s+Type: double', 'the description of `speed_mps` is printed')
+
+
+@order.require('all parameters of the gripper are listed, with their types', see='See it')
+def is_listed(trial: Trial) -> None:
+    _, lines = typed(trial)
+    if any(re.search(r'^ *weights$', each.printed, re.MULTILINE) for each in lines):
+        raise NotYet('a list of names, each with its type', 'the types are missing: an option of `list` adds them')
+    expect_printed(lines, 'list', r'label \(type: string\)[^/]*weights \(type: double array\)',
+                   'a list of all names, each with its type')
+
+
+@order.require(f'`label` becomes `ready`, and the gripper may take {PATIENCE_SEC} s to start', see=WAIT)
+def is_set_with_patience(trial: Trial) -> None:
+    gripper, lines = typed(trial)
+    found = trial.client(gripper).get_parameter('label')
+    own = [each for each in lines if 'label' in each.line]
+    why = _complaint(own, 'set') if own else '; none of your lines sets it'
+    expect(found == 'ready', "`label` is `'ready'`", f'it is `{found!r}`{why}')
+    words = [word for each in own for word in split(each.line.replace('=', ' '))]
+    given = next((after for word, after in itertools.pairwise(words) if word == '--timeout'), '0')
+    expect(float(given) >= PATIENCE_SEC, f'the command waits up to {PATIENCE_SEC} s for the gripper',
+           f'it waits {given} s' if float(given) else 'it has no option for that, and waits one second')
 
 
 EXERCISES = (order, spell, foresee)

@@ -20,7 +20,14 @@ from param_tutorial.exercises.expectations import (
     expect_start_value,
     take_type_for_granted,
 )
-from param_tutorial.exercises.programs import PROGRAM, expect_no_start, require_ends, require_program, running
+from param_tutorial.exercises.programs import (
+    PROGRAM,
+    expect_no_start,
+    expect_said_late,
+    require_ends,
+    require_program,
+    running,
+)
 from param_tutorial.exercises.trial import NoStart, NotYet, NoUse, Trial, describe_error, expect
 
 CHAPTER = '05_2_with_a_callback'
@@ -335,6 +342,7 @@ def logs_floor(trial: Trial) -> None:
         elevator.expect_line('going to floor 3', 'once `floor = 3` is stored')
         expect('going to floor 77' not in elevator.terminal.text, 'no line about floor 77, which is rejected',
                'it logs `going to floor 77`: an on-set callback has only a proposal')
+    expect_said_late(trial, 'going to floor')
 
 
 require_ends(program, ELEVATOR)

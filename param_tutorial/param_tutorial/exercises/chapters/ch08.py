@@ -27,7 +27,14 @@ from param_tutorial.exercises.expectations import (
     format_found,
     take_type_for_granted,
 )
-from param_tutorial.exercises.programs import PROGRAM, expect_no_start, require_ends, require_program, running
+from param_tutorial.exercises.programs import (
+    PROGRAM,
+    expect_no_start,
+    expect_said_late,
+    require_ends,
+    require_program,
+    running,
+)
 from param_tutorial.exercises.trial import NoStart, NotTried, NotYet, NoUse, Trial, expect, take_for_granted
 
 CHAPTER = '08_best_practices'
@@ -394,9 +401,10 @@ def mixer_acts_late(trial: Trial) -> None:
         expect_accepted(trial, mixer.node, {TILT: 40.0})
         expect_rejected(trial, mixer.node, {TURNS: 27.5})
         expect_accepted(trial, mixer.node, {TURNS: 12.5})
-        mixer.expect_line('12.5', f'once `{TURNS} = 12.5` is stored')
+        mixer.expect_line('drum turns at 12.5 rpm', f'once `{TURNS} = 12.5` is stored')
         expect('drum turns at 27.5' not in mixer.terminal.text, 'no line about 27.5 rpm, which is rejected',
                'it logs it all the same: an on-set callback has only a proposal')
+    expect_said_late(trial, 'drum turns at')
 
 
 require_ends(program, MIXER)

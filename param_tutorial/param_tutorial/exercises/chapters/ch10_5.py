@@ -42,6 +42,23 @@ class Robot(Node):
         Rules(self).check(['low_c', 'high_c'], lambda low, high: low < high, 'low_c must be below high_c')
 
 
+def _asked(what: Any) -> Any:
+    """Return the client of a node in the corner for a name, and anything else as it is."""
+    return ClientInCorner(what) if isinstance(what, str) else what
+
+
+class SetInCorner(ParameterSet):
+    """What ParameterSet is for the learner, whose robot is in the corner during a check."""
+
+    @classmethod
+    def of(cls, node: Any, label: str = '') -> ParameterSet:
+        return super().of(_asked(node), label)
+
+
+# An AttributeError, for one, names the class as the learner knows it.
+SetInCorner.__name__ = ParameterSet.__name__
+
+
 # The lines have to work wherever the robot stands, and one end of a winter may be there already.
 STARTS: tuple[Sequence[str], ...] = ((), ('-p', 'low_c:=10', '-p', 'high_c:=20'))
 
@@ -51,8 +68,10 @@ def tried(trial: Trial, ros_args: Sequence[str]) -> tuple[Any, ParameterSet, Par
     robot = trial.start(Robot, ros_args=ros_args)
     client = trial.client(robot)
     before = ParameterSet.of(client)
-    space = run_lines(trial, ParameterClient=ClientInCorner, ParameterSet=ParameterSet, compare=compare,
-                      restore=restore)
+    space = run_lines(
+        trial, ParameterClient=ClientInCorner, ParameterSet=SetInCorner,
+        compare=lambda before, after, **options: compare(_asked(before), _asked(after), **options),
+        restore=lambda node, wanted, **options: restore(_asked(node), wanted, **options))
     return space.get('changed'), before, ParameterSet.of(client)
 
 

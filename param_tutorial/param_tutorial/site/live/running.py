@@ -26,7 +26,7 @@ EXPLAINED = {
     '02_workspace': {
         "ParameterPanel('/simple_param_node')": 'the node is one that only colcon could build',
         "exercises.check('2a', lines)": 'its check builds a package, and says why it cannot',
-        "exercises.check('2b', setup)": 'its check builds a package, and says why it cannot',
+        "exercises.check('2b', files)": 'its check builds a package, and says why it cannot',
     },
     '05_1_from_the_command_line': {'%ros2_terminal': 'no terminal finds the nodes of a page'},
     '07_1_saving': {
