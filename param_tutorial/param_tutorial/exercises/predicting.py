@@ -11,7 +11,6 @@ from collections.abc import Callable
 from typing import Any
 
 import traitlets
-from IPython.display import publish_display_data
 
 from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet, style
@@ -51,7 +50,7 @@ class PredictionView(Front):
         self._remember = remember
         self._note = ''
         self._next_cell_has_run = not prediction.is_decided_by_a_cell
-        self._decided_by = ''
+        self._decided_by: str | None = None
         super().__init__(markup=draw_form(prediction))
         answer_beside_cells(self)
         self.on_msg(self._on_message)
@@ -64,7 +63,8 @@ class PredictionView(Front):
         return self.prediction.text
 
     def _repr_mimebundle_(self, **arguments: Any) -> Any:
-        data, metadata = super()._repr_mimebundle_(**arguments)
+        bundle: Any = super()._repr_mimebundle_(**arguments)
+        data, metadata = bundle
         return {**data, 'text/plain': repr(self), MIME_TYPE: {'number': self.prediction.number}}, metadata
 
     def close(self) -> None:
@@ -76,13 +76,12 @@ class PredictionView(Front):
         """Lock the answer in, and say what became of it as soon as it can be known; ask again for a number."""
         # A cell that decides may end in one thread while the learner commits in another.
         with self.drawing:
-            given = self.answer.strip()
-            if self.is_committed or not given:
+            if self.is_committed or not self.answer.strip():
                 return
-            if not self.prediction.can_read(given):
+            if not self.prediction.can_read(self.answer):
                 self.said = with_code(ASK_AGAIN)
                 return
-            choice = self.prediction.choice(given)
+            choice = self.prediction.choice(self.answer)
             self._note = self._remember(self.prediction.number, choice.text, choice.is_right)
             self._lock()
 
@@ -90,19 +89,24 @@ class PredictionView(Front):
         """Show what is veiled; the learner may still commit."""
         veil.lift(self.prediction.number)
 
-    def on_cell_end(self, cell: str | None) -> None:
-        """Take notice that a later cell has run, and say below its output what it decides, if it does.
+    def on_cell_end(self, cell: str | None) -> dict[str, str]:
+        """Take notice that a later cell has run.
 
         :param cell: Its id; None where it has none.
+        :return: What to show below its output, where the learner looks: the verdict, if this cell decides it.
         """
         with self.drawing:
-            if self._next_cell_has_run and (cell is None or cell != self._decided_by):
-                return
             if not self._next_cell_has_run:
-                self._next_cell_has_run, self._decided_by = True, cell or ''
+                self._next_cell_has_run, self._decided_by = True, cell
                 self._say()
-            if self.is_committed:
-                _show_below(self.prediction, self.answer, self._verdict())
+            elif cell is None or cell != self._decided_by:
+                return {}
+            if not self.is_committed:
+                return {}
+            choice = self.prediction.choice(self.answer)
+            return {'text/html': f'{STYLE}<div class="param-predict"><p>You predicted: '
+                                 f'<q>{with_code(self.answer)}</q></p><p>{verdict(self.prediction, choice)}</p></div>',
+                    'text/plain': f'You predicted: {self.answer}\n{choice.word} {choice.sentence}'}
 
     def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
         if content.get('do') == 'commit':
@@ -131,14 +135,12 @@ class PredictionView(Front):
         if not self.is_committed:
             return
         if not self._next_cell_has_run:
-            self.said = 'Wait for the cell that is running.' if _watch.is_running_for(self) else 'Now run the next cell.'
+            is_running = _watch.is_running_for(self)
+            self.said = 'Wait for the cell that is running.' if is_running else 'Now run the next cell.'
             return
         with self.hold_sync():
             self.right = next(each.text for each in self.prediction.choices if each.is_right)
-            self.said = f'{self._verdict()} {with_code(self._note)}'
-
-    def _verdict(self) -> str:
-        return verdict(self.prediction, self.prediction.choice(self.answer.strip()))
+            self.said = f'{verdict(self.prediction, self.prediction.choice(self.answer))} {with_code(self._note)}'
 
 
 def draw_form(prediction: Prediction) -> str:
@@ -164,17 +166,8 @@ def draw_question(prediction: Prediction) -> str:
 
 def verdict(prediction: Prediction, choice: Choice) -> str:
     """Return what is said to an answer, as HTML."""
-    css_class, word = ('param-predict-right', '✓ Right.') if choice.is_right else ('param-predict-wrong', '✗ Not so.')
-    return f'<b class="{css_class}">{word}</b> {with_code(f"{choice.sentence} {prediction.pointer}".strip())}'
-
-
-def _show_below(prediction: Prediction, answer: str, said: str) -> None:
-    """Show a verdict below the output of the cell that runs: the learner looks there, and not at the question."""
-    choice = prediction.choice(answer.strip())
-    publish_display_data({
-        'text/html': f'{STYLE}<div class="param-predict"><p>You predicted: <q>{with_code(answer)}</q></p>'
-                     f'<p>{said}</p></div>',
-        'text/plain': f'You predicted: {answer}\n{"Right." if choice.is_right else "Not so."} {choice.sentence}'})
+    css_class = 'param-predict-right' if choice.is_right else 'param-predict-wrong'
+    return f'<b class="{css_class}">{choice.word}</b> {with_code(f"{choice.sentence} {prediction.pointer}".strip())}'
 
 
 class _Watch:
@@ -211,7 +204,8 @@ class _Watch:
     def _on_end(self, _: Any) -> None:
         cell, _ = this_cell()
         for view in self._before or ():
-            view.on_cell_end(cell)
+            if shown := view.on_cell_end(cell):
+                self._shell.display_pub.publish(shown)
         self._before = None
 
 
