@@ -9,6 +9,7 @@ import {initialize} from '../../param_tools/panel/front.js';
 const ASKED = /^\s*exercises\.predict\('([^']+)'\)/m;
 const FENCED = /^(```|~~~).*?^\1/gms;
 const HEADING = /^#{1,6} /m;
+const ENDED = ['restarting', 'autorestarting', 'terminating', 'dead'];
 const MARKS = ['param-veiled', 'param-veils'];
 
 /**
@@ -40,6 +41,8 @@ async function begin(props) {
   const context = widget.widget_manager.context;
   const shell = /** @type {any} */ (window).jupyterapp?.shell;
   if (!context?.model?.cells || !shell) return;
+  const sessions = context.sessionContext;
+  const ownKernel = sessions.session?.kernel?.id;
 
   /** @param {(cells: any[]) => string[]} marks */
   function mark(marks) {
@@ -52,10 +55,15 @@ async function begin(props) {
       });
     }
   }
+  // A kernel that has ended could lift nothing, and the next one has a veil of its own.
+  let hasEnded = false;
   function show() {
+    if (hasEnded) return;
+    const kernel = sessions.session?.kernel;
+    hasEnded = kernel?.id !== ownKernel || ENDED.includes(kernel.status);
     mark(cells => {
       const known = cells.map(({model: {type, sharedModel}}) => ({type, source: sharedModel.getSource()}));
-      return marksOf(known, model.get('lifted'));
+      return hasEnded ? known.map(() => '') : marksOf(known, model.get('lifted'));
     });
   }
   // Many changes come together, and some before JupyterLab has the cells for them.
@@ -70,14 +78,10 @@ async function begin(props) {
     show();
     window.dispatchEvent(new Event('resize')); // what was hidden had no size when it was drawn
   });
+  sessions.statusChanged.connect(show);
+  sessions.kernelChanged.connect(show);
   context.model.contentChanged.connect(showSoon);
   shell.currentChanged.connect(showSoon); // to another view of the same notebook
-  return () => {
-    context.model?.contentChanged.disconnect(showSoon);
-    shell.currentChanged.disconnect(showSoon);
-    cancelAnimationFrame(frame);
-    mark(cells => cells.map(() => ''));
-  };
 }
 
 export default {initialize: begin};
