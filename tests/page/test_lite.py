@@ -304,6 +304,9 @@ class VisitsOfLearners(Visits):
 
     def _use_panel(self, visit, index, chapter):
         before = self._value(visit, chapter)
+        # A prediction that was not committed to hides what follows it.
+        skips = "document.querySelectorAll('.param-veils .param-predict-skip')"
+        visit.page.evaluate(f'{skips}.forEach(each => each.click())')
         visit.click(index, f'.param-row[data-name="{chapter.parameter}"] input:is([type=range], [type=checkbox])')
         lab.wait_for(lambda: self._value(visit, chapter) != before, 'the node to have what its control says')
         if chapter is FIRST:
