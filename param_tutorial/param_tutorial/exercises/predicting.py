@@ -21,8 +21,7 @@ from param_tools.panel.front import Front
 from param_tutorial.exercises.prediction import ASK_AGAIN, MIME_TYPE, Choice, Prediction
 from param_tutorial.notebook import veil
 
-_SHEET = 'param_tutorial/exercises/prediction.css'
-STYLE = style(_SHEET)
+STYLE = style('param_tutorial/exercises/prediction.css')
 
 Remember = Callable[[str, str, bool], str]
 
@@ -31,7 +30,7 @@ class PredictionView(Front):
     """A question, its choices or a box for a value, and a button that commits."""
 
     _esm = bundle('param_tutorial/exercises/prediction_widget.js')
-    _css = sheet(_SHEET)
+    _css = sheet('param_tutorial/exercises/prediction.css')
     markup = traitlets.Unicode().tag(sync=True)
     answer = traitlets.Unicode().tag(sync=True)
     """The choice, or what is typed."""
