@@ -80,7 +80,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         lab_page.run_all()
         second = page.locator('form.param-predict').nth(1)
         second.get_by_role('textbox').fill('5')
-        second.get_by_role('button', name='Commit').click()
+        second.get_by_role('textbox').press('Enter')
         expect(second).to_contain_text('Right. -20, -15')
         expect(page.locator('.param-progress').first).to_contain_text('1 of 7 predictions made, 0 of them right')
         expect(page.locator('.param-praise')).to_have_count(1)

@@ -28,6 +28,11 @@ function render({model, el}) {
     event.preventDefault();
     if (given()) model.send({do: 'commit', answer: given()});
   });
+  fields.addEventListener('keydown', event => {
+    if (event.key !== 'Enter') return;
+    event.preventDefault();
+    form.requestSubmit(); // JupyterLab keeps the browser from it
+  });
   one(form, '.param-predict-skip').addEventListener('click', () => model.send({do: 'skip'}));
 
   function show() {
