@@ -35,6 +35,12 @@ def expect_shown(page, *, shown=(), hidden=()):
         expect(cells.get_by_text(text, exact=True)).to_be_hidden()
 
 
+def run_all_again(lab_page):
+    """Run all cells, and wait until each has run anew."""
+    lab_page.command('notebook:clear-all-cell-outputs')
+    lab_page.run_all()
+
+
 def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
     lab = CourseLab(tmp_path / 'lab', [])
     lesson.write(lab.course / 'notebooks' / CHAPTER, CELLS)
@@ -124,24 +130,25 @@ def test_what_follows_is_veiled_until_one_commits_or_skips(tmp_path):
         first.get_by_role('button', name='Commit').click()
         expect_shown(page, shown=OF_FIRST + OF_SECOND)
         expect(first.get_by_role('button', name='Skip')).to_be_hidden()
-        lab_page.run_all()
+        run_all_again(lab_page)
         lab_page.reload()
         expect_shown(page, shown=OF_FIRST + OF_SECOND)
 
+        # Later JupyterLab complains about what a restart has interrupted.
+        assert lab_page.strange_errors() == []
+
         # The next kernel knows what was committed to. The one that has ended hides nothing.
-        lab_page.select_cell(7)
-        lab_page.command('notebook:insert-cell-above')
-        page.evaluate('jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
-        lab_page.run_all()
+        restart = 'jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()'
+        page.evaluate(restart)
+        run_all_again(lab_page)
         expect_shown(page, shown=OF_FIRST, hidden=OF_SECOND)
-        page.evaluate('jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
+        page.evaluate(restart)
         expect_shown(page, shown=OF_FIRST + OF_SECOND)
-        lab_page.run_all()
+        run_all_again(lab_page)
         expect_shown(page, hidden=OF_SECOND)
-        lab_page.select_cell(9)
+        lab_page.select_cell(8)
         lab_page.command('notebook:delete-cell')
         expect_shown(page, shown=OF_SECOND)
-        assert lab_page.strange_errors() == []
 
     lab.set_environment(PARAM_TUTORIAL_VEIL='off')
     (lab.copies / 'progress.json').unlink()
