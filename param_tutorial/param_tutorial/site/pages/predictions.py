@@ -25,7 +25,8 @@ def draw_prediction(prediction: Prediction, linked: Callable[[str], str] = str) 
             f'data-number="{prediction.number}" '
             # A recall comes again; the first page links to it then.
             f'{"data-decided" if prediction.is_decided_by_a_cell else f"id=recall-{prediction.number}"}>'
-            f'{draw_question(prediction)}<button type="submit" class="lesson-commit param-predict-commit" disabled>Commit</button>'
+            f'{draw_question(prediction)}'
+            f'<button type="submit" class="lesson-commit param-predict-commit" disabled>Commit</button>'
             f'<p class="lesson-says" role="status"></p>'
             f'<button type="button" class="lesson-again" hidden>Answer again</button>'
             f'<script type="application/json">{facts}</script></form>')
