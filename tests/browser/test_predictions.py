@@ -19,6 +19,27 @@ CELLS = ('# 3\nA question:', "from param_tutorial import exercises\n\nexercises.
          "for number in ('3a', '3b', '3c', '3d'):\n    own_progress().add_solved(number)",
          "exercises.progress('3')")
 
+VEILED = ('# 3\nThe first cell:', '%load_ext param_tutorial\nfrom param_tutorial import exercises',
+          'A question:', "exercises.predict('3-1')", "print('decided')", 'What it means:', "print('later')",
+          'Still veiled:\n\n## The next part\n\nAnother question:', "exercises.predict('3-2')", "print('second')",
+          'What the second means:')
+OF_FIRST = ('decided', 'What it means:', 'later', 'Still veiled:')
+OF_SECOND = ('second', 'What the second means:')
+
+
+def expect_shown(page, *, shown=(), hidden=()):
+    cells = page.locator('.jp-RenderedMarkdown, .jp-OutputArea-output')
+    for text in shown:
+        expect(cells.get_by_text(text, exact=True)).to_be_visible()
+    for text in hidden:
+        expect(cells.get_by_text(text, exact=True)).to_be_hidden()
+
+
+def run_all_again(lab_page):
+    """Run all cells, and wait until each has run anew."""
+    lab_page.command('notebook:clear-all-cell-outputs')
+    lab_page.run_all()
+
 
 def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
     lab = CourseLab(tmp_path / 'lab', [])
@@ -31,31 +52,41 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         page = lab_page.page
         lab_page.select_cell(1)
         lab_page.command('notebook:run-cell')
-        first = page.locator('.param-predict')
+        first = page.locator('form.param-predict').first
         commit = first.get_by_role('button', name='Commit')
         expect(commit).to_be_disabled()
 
-        # By keyboard: choose, go on to the button, press it.
-        first.get_by_role('radio').first.focus()
+        # By keyboard: choose with the arrow keys, which JupyterLab leaves to the group; go on to the button; press it.
+        choices = first.get_by_role('radio')
+        choices.first.focus()
         page.keyboard.press('Space')
-        expect(commit).to_be_enabled()
-        # JupyterLab keeps the arrow keys and Enter for itself.
-        for _ in range(3):
-            page.keyboard.press('Tab')
+        for chosen in (1, 2, 0):
+            page.keyboard.press('ArrowDown')
+            expect(choices.nth(chosen)).to_be_focused()
+            expect(choices.nth(chosen)).to_be_checked()
+        page.keyboard.press('Tab')
+        expect(commit).to_be_focused()
         page.keyboard.press('Space')
         expect(first).to_contain_text('Now run the next cell.')
-        expect(first.get_by_role('radio').first).to_be_disabled()
+        expect(choices.first).to_be_disabled()
+        assert first.locator('[data-mark]').count() == 0
         # From there Shift+Enter runs the same cell again, and then the one that gives the answer.
         page.keyboard.press('Shift+Enter')
         expect(first).to_contain_text('Now run the next cell.')
         page.keyboard.press('Shift+Enter')
-        expect(first).to_contain_text('Not so. A parameter that is not declared')
+        told = 'Not so. A parameter that is not declared'
+        expect(first).to_contain_text(told)
+        assert [each.get_attribute('data-mark') for each in first.locator('label').all()] == ['wrong', 'right', None]
+        # JupyterLab scrolls to the next cell; what it was about stands above that.
+        below = page.locator('.jp-Cell').nth(2).locator('.param-predict')
+        expect(below).to_contain_text(f'✗ {told}')
+        expect(below).to_be_in_viewport(ratio=1)
 
         # After Run All the verdict comes at once, and nothing was held up.
         lab_page.run_all()
-        second = page.locator('.param-predict').nth(1)
+        second = page.locator('form.param-predict').nth(1)
         second.get_by_role('textbox').fill('5')
-        second.get_by_role('button', name='Commit').click()
+        second.get_by_role('textbox').press('Enter')
         expect(second).to_contain_text('Right. -20, -15')
         expect(page.locator('.param-progress').first).to_contain_text('1 of 7 predictions made, 0 of them right')
         expect(page.locator('.param-praise')).to_have_count(1)
@@ -70,3 +101,59 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
         page.goto(f'{lab.url}?token={lab.token}')
         expect(page.get_by_role('row', name='3 ✓ Declaring')).to_be_visible()
     assert json.loads((lab.copies / 'progress.json').read_text()) == remembered
+
+
+def test_what_follows_is_veiled_until_one_commits_or_skips(tmp_path):
+    lab = CourseLab(tmp_path / 'lab', [])
+    lesson.write(lab.course / 'notebooks' / CHAPTER, VEILED)
+    with lab, chromium() as browser:
+        lab_page = LabPage(lab, browser, CHAPTER)
+        page = lab_page.page
+        expect_shown(page, shown=['What it means:', 'Still veiled:', 'What the second means:'])
+        lab_page.run_all()
+        first, second = (page.locator('form.param-predict').nth(number) for number in (0, 1))
+        expect_shown(page, hidden=OF_FIRST + OF_SECOND, shown=['Another question:'])
+        expect(page.get_by_role('heading', name='The next part')).to_be_visible()
+        # A screen reader hears that something is hidden, and not what.
+        heard = page.locator('.jp-Notebook').aria_snapshot()
+        assert heard.count('Hidden until you commit to an answer, or skip.') == len(OF_FIRST + OF_SECOND)
+        assert not any(text in heard for text in ('What it means', 'Still veiled', 'What the second means'))
+        page.emulate_media(media='print')
+        expect_shown(page, shown=OF_FIRST + OF_SECOND)
+        page.emulate_media(media='screen')
+        expect_shown(page, hidden=OF_FIRST + OF_SECOND)
+
+        second.get_by_role('button', name='Skip').press('Enter')
+        expect_shown(page, shown=OF_SECOND, hidden=OF_FIRST)
+        expect(second.get_by_role('button', name='Skip')).to_be_focused()
+        first.get_by_role('radio').first.check()
+        first.get_by_role('button', name='Commit').click()
+        expect_shown(page, shown=OF_FIRST + OF_SECOND)
+        expect(first.get_by_role('button', name='Skip')).to_be_hidden()
+        run_all_again(lab_page)
+        lab_page.reload()
+        expect_shown(page, shown=OF_FIRST + OF_SECOND)
+
+        # Later JupyterLab complains about what a restart has interrupted.
+        assert lab_page.strange_errors() == []
+
+        # The next kernel knows what was committed to. The one that has ended hides nothing.
+        restart = 'jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()'
+        page.evaluate(restart)
+        run_all_again(lab_page)
+        expect_shown(page, shown=OF_FIRST, hidden=OF_SECOND)
+        page.evaluate(restart)
+        expect_shown(page, shown=OF_FIRST + OF_SECOND)
+        run_all_again(lab_page)
+        expect_shown(page, hidden=OF_SECOND)
+        lab_page.select_cell(8)
+        lab_page.command('notebook:delete-cell')
+        expect_shown(page, shown=OF_SECOND)
+
+    lab.set_environment(PARAM_TUTORIAL_VEIL='off')
+    (lab.copies / 'progress.json').unlink()
+    with lab, chromium() as browser:
+        lab_page = LabPage(lab, browser, CHAPTER)
+        lab_page.run_all()
+        expect_shown(lab_page.page, shown=OF_FIRST)
+        expect(lab_page.page.get_by_role('button', name='Skip')).to_have_count(0)

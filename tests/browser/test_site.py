@@ -397,6 +397,7 @@ def test_a_prediction_by_keyboard(page):
     page.keyboard.press('Enter')
     expect(form.get_by_role('status')).to_contain_text('Right. 85 is off the step too')
     expect(form.get_by_role('radio').first).to_be_disabled()
+    assert [each.get_attribute('data-mark') for each in form.locator('label').all()] == [None, 'right', None, None]
     expect(commit).to_be_hidden()
     expect(page.get_by_text("exercises.predict('6.1-1')")).to_have_count(0)
 

@@ -480,10 +480,10 @@ def test_a_recall_says_at_once_whether_it_is_right_and_where_it_was_learned(monk
     assert sum(each.is_right for each in question.choices) == 1
     for each in question.choices:
         view = exercises.recall(number)
-        view.answer.value = each.text
-        view.button.click()
+        view.answer = each.text
+        view.commit()
         for text in ('Right.' if each.is_right else 'Not so.', f'in chapter {question.chapter}, '):
-            assert text in view.said.value
+            assert text in view.said
     made = own_progress().read()[0].predicted[number]
     assert (made.choice, made.right) == (question.choices[0].text, question.choices[0].is_right)  # the first counts
     assert f'{number} {"✓" if made.right else "✗"}' in repr(exercises.progress(number.partition('-')[0]))

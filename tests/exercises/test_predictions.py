@@ -35,10 +35,10 @@ def run(shell, source='1'):
 
 
 def answered(view, text):
-    """Choose or type an answer, and press the button."""
-    view.answer.value = text
-    view.button.click()
-    return view.said.value
+    """Choose or type an answer, and commit to it."""
+    view.answer = text
+    view.commit()
+    return view.said
 
 
 # -- the data --------------------------------------------------------------------------------------------------
@@ -130,7 +130,7 @@ def test_a_word_is_asked_again_and_does_not_count():
     given = []
     view = PredictionView(TYPED, lambda *arguments: given.append(arguments) or '')
     assert 'answer with a number' in answered(view, 'ninety')
-    assert not view.answer.disabled and given == []
+    assert not view.is_committed and given == []
     assert 'Yes.' in answered(view, '150 rpm')
     assert given == [('1-2', '150', True)]
 
@@ -147,9 +147,9 @@ def test_a_choice_that_does_not_exist_is_an_error():
 @pytest.mark.parametrize('prediction', [CHOICE, TYPED])
 def test_the_text_in_its_place_does_not_give_the_answer_away(prediction):
     view = PredictionView(prediction, remember_nothing)
-    before = view._repr_mimebundle_()
+    before, _ = view._repr_mimebundle_()
     answered(view, prediction.choices[0].text)
-    after = view._repr_mimebundle_()
+    after, _ = view._repr_mimebundle_()
     assert before['text/plain'] == after['text/plain'] == repr(view)
     assert not any(each.sentence in before['text/plain'] for each in prediction.choices)
     assert before[MIME_TYPE] == {'number': prediction.number}
@@ -175,21 +175,24 @@ def test_a_committed_answer_is_locked():
     given = []
     view = PredictionView(CHOICE, lambda *arguments: given.append(arguments) or '')
     answered(view, 'a number')
-    assert view.answer.disabled and view.button.description == 'Committed'
-    view.button.click()
+    view.answer = 'a text'
     view.commit()
     assert given == [('1-1', 'a number', True)]
 
 
-def test_the_button_waits_for_an_answer():
+def test_nothing_is_committed_without_an_answer():
     view = PredictionView(TYPED, remember_nothing)
-    assert view.button.disabled
-    view.answer.value = '  '
-    assert view.button.disabled
+    view.answer = '  '
     view.commit()
-    assert view.said.value == ''
-    view.answer.value = '150'
-    assert not view.button.disabled
+    assert not view.is_committed and view.said == ''
+
+
+def test_the_right_choice_is_told_with_the_verdict_and_not_before(bare_ipython):
+    view = PredictionView(CHOICE, remember_nothing)
+    answered(view, 'a text')
+    assert view.right == '' and 'a number' not in view.said
+    run(bare_ipython)
+    assert view.right == 'a number'
 
 
 def test_the_verdict_waits_for_the_next_cell(bare_ipython):
@@ -199,25 +202,40 @@ def test_the_verdict_waits_for_the_next_cell(bare_ipython):
     view, = bare_ipython.user_ns['views']
     assert 'Now run the next cell' in answered(view, 'a number')
     run(bare_ipython, '1 / 0')
-    assert 'Right.' in view.said.value
+    assert 'Right.' in view.said
+
+
+def test_the_verdict_stands_below_the_output_that_decides_and_no_other(bare_ipython, monkeypatch, capsys):
+    cell = ['decides']
+    monkeypatch.setattr(predicting, 'this_cell', lambda: (cell[0], ''))
+    answered(PredictionView(CHOICE, remember_nothing), 'a text')
+    run(bare_ipython, 'print("the output")')
+    told = 'the output\nYou predicted: a text\n✗ Not so. It is a `number`.\n'
+    assert capsys.readouterr().out == told
+    cell[0] = 'another'
+    run(bare_ipython, 'pass')
+    assert capsys.readouterr().out == ''
+    cell[0] = 'decides'
+    run(bare_ipython, 'print("the output")')
+    assert capsys.readouterr().out == told
 
 
 def test_one_committed_while_a_cell_runs_is_decided_when_that_cell_ends(bare_ipython):
     bare_ipython.user_ns['view'] = view = PredictionView(CHOICE, remember_nothing)
-    run(bare_ipython, "view.answer.value = 'a number'; view.commit(); said = view.said.value")
+    run(bare_ipython, "view.answer = 'a number'; view.commit(); said = view.said")
     assert 'Wait for the cell that is running' in bare_ipython.user_ns['said']
-    assert 'Right.' in view.said.value
+    assert 'Right.' in view.said
     # A cell that ended earlier does not count for the next prediction.
     later = PredictionView(TYPED, remember_nothing)
     assert 'Now run the next cell' in answered(later, '150')
     run(bare_ipython)
-    assert 'Yes.' in later.said.value
+    assert 'Yes.' in later.said
 
 
 def test_after_run_all_the_verdict_comes_at_once(bare_ipython):
     view = PredictionView(CHOICE, remember_nothing)
     run(bare_ipython)
-    assert view.said.value == ''
+    assert view.said == ''
     assert 'Right.' in answered(view, 'a number')
 
 
@@ -226,9 +244,9 @@ def test_a_cell_that_shows_another_prediction_decides_nothing(bare_ipython):
     first = PredictionView(CHOICE, remember_nothing)
     answered(first, 'a number')
     run(bare_ipython, 'another = show()')
-    assert 'Now run the next cell' in first.said.value
+    assert 'Now run the next cell' in first.said
     run(bare_ipython)
-    assert 'Right.' in first.said.value
+    assert 'Right.' in first.said
     assert 'Not so.' in answered(bare_ipython.user_ns['another'], '7')
 
 
@@ -240,14 +258,14 @@ def test_a_cell_that_runs_again_goes_on_with_what_was_committed(bare_ipython):
     answered(bare_ipython.user_ns['view'], 'a number')
     run(bare_ipython, 'view = show()')
     again = bare_ipython.user_ns['view']
-    assert again.answer.value == 'a number' and again.answer.disabled
-    assert 'Now run the next cell' in again.said.value
+    assert again.answer == 'a number' and again.is_committed
+    assert 'Now run the next cell' in again.said
     run(bare_ipython)
-    assert 'Right.' in again.said.value and 'A note.' in again.said.value
+    assert 'Right.' in again.said and 'A note.' in again.said
     assert len(given) == 1
     # A prediction that has been answered can be tried again.
     run(bare_ipython, 'view = show()')
-    assert bare_ipython.user_ns['view'].answer.value is None
+    assert bare_ipython.user_ns['view'].answer == ''
 
 
 def test_an_answer_that_could_not_be_saved_is_reported():

@@ -148,15 +148,11 @@ class Server:
 
 @pytest.fixture(scope='module')
 def built(tmp_path_factory):
-    """Return the folder of the built site; its JupyterLab can be reached by scripts."""
+    """Return the folder of the built site."""
     folder = tmp_path_factory.mktemp('lite') / 'site'
     lite.WORK.mkdir(parents=True, exist_ok=True)
     with only_one(lite.WORK):
         lite.build(folder)
-    configuration = folder / 'jupyter-lite.json'
-    content = json.loads(configuration.read_text())
-    content['jupyter-config-data']['exposeAppInBrowser'] = True
-    configuration.write_text(json.dumps(content))
     return folder
 
 
@@ -313,6 +309,9 @@ class VisitsOfLearners(Visits):
 
     def _use_panel(self, visit, index, chapter):
         before = self._value(visit, chapter)
+        # A prediction that was not committed to hides what follows it.
+        skips = "document.querySelectorAll('.param-veils .param-predict-skip')"
+        visit.page.evaluate(f'{skips}.forEach(each => each.click())')
         visit.click(index, f'.param-row[data-name="{chapter.parameter}"] input:is([type=range], [type=checkbox])')
         lab.wait_for(lambda: self._value(visit, chapter) != before, 'the node to have what its control says')
         if chapter is FIRST:
@@ -327,6 +326,8 @@ class VisitsOfLearners(Visits):
     def _predict(self, visit, index, chapter):
         prediction = PREDICTIONS[chapter.prediction]
         right = next(position for position, each in enumerate(prediction.choices) if each.is_right)
+        is_veiled = f'test.cells[{index + 1}].hasClass("param-veiled")'
+        assert visit.page.evaluate(is_veiled)
         if prediction.is_typed:
             visit.click(index, 'input[type=text]')
             visit.page.press(*prediction.choices[right].text)
@@ -334,6 +335,7 @@ class VisitsOfLearners(Visits):
             visit.click(index, 'input[type=radio]', right)
         visit.click(index, 'button')
         visit.wait_for_text(index, 'Now run the next cell.')
+        visit.page.wait_for(f'!{is_veiled}')
         after = visit.page.evaluate(
             f'test.cells.findIndex((cell, index) => index > {index} && test.isCode(cell))')
         visit.run(after)

@@ -11,6 +11,7 @@ from ipykernel.comm.comm import BaseComm
 
 from param_tools.ros import domain
 from param_tutorial import wait_until
+from param_tutorial.exercises import PREDICTIONS
 from tests.support.kernels import DEADLINE_SEC, Kernel
 
 pytestmark = pytest.mark.slow
@@ -355,16 +356,16 @@ import param_tutorial
 from pathlib import Path
 from param_tutorial import exercises
 view = exercises.predict('3-1')
-view.answer.value = view.answer.options[0]
-print(view.button.model_id)
+print(view.model_id)
 """).strip()
     page = Page(kernel)
-    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'event': 'click'}))
+    answer = PREDICTIONS['3-1'].choices[0].text
+    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'do': 'commit', 'answer': answer}))
     text = kernel.run(f"Path('{tmp_path}/waits').touch()\n"
-                      "param_tutorial.wait_until(lambda: view.said.value, 'the hand', 30)\nview.said.value")
+                      "param_tutorial.wait_until(lambda: view.said, 'the hand', 30)\nview.said")
     hand.join()
     assert 'Wait for the cell that is running' in text
-    assert 'Not so.' in kernel.run('view.said.value')
+    assert 'Not so.' in kernel.run('view.said')
 
 
 def test_a_shell_cell_says_what_is_wrong_with_its_name(kernel):

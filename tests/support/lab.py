@@ -99,8 +99,7 @@ class Lab:
 
     def _options(self) -> list[str]:
         """Return what a test needs and a learner doesn't."""
-        return ['--no-browser', '--ip=127.0.0.1', '--port=0', f'--IdentityProvider.token={self.token}',
-                '--LabApp.expose_app_in_browser=True']
+        return ['--no-browser', '--ip=127.0.0.1', '--port=0', f'--IdentityProvider.token={self.token}']
 
     def __enter__(self) -> 'Lab':
         self._log = (self._folder / 'server.log').open('w')

@@ -17,7 +17,7 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
     results         the answer, as text and as HTML
     questions       the predictions and recalls, as data
     prediction      what a prediction is
-    predicting      the widget that asks for one
+    predicting      the widget that asks for one, and what it says afterwards
     achievements    a chapter's ticks, and the certificate
 
 How an answer gets its verdict. ``check`` finds the exercise by its number. ``Exercise.check`` borrows the stage, and

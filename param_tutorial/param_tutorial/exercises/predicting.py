@@ -1,30 +1,44 @@
 """The widget in which a learner commits to a prediction, and then sees what became of it.
 
 It never holds up a cell. What is right it says only after another cell has run, which is the one that decides; a
-learner who has run that cell already is told at once, and so is one who recalls an earlier chapter.
+learner who has run that cell already is told at once, and so is one who recalls an earlier chapter. What gives the
+answer away is veiled by ``notebook.veil`` until then.
 """
 
-import threading
+import html
 import weakref
 from collections.abc import Callable
 from typing import Any
 
-import ipywidgets as widgets
+import traitlets
 
-from param_tools.markup.styles import style
+from param_tools.markup.scripts import bundle
+from param_tools.markup.styles import sheet, style
 from param_tools.markup.tables import with_code
 from param_tools.panel.beside_cells import answer_beside_cells
-from param_tools.panel.close_with_cell import close_looks, close_with_cell
+from param_tools.panel.close_with_cell import close_looks, close_with_cell, this_cell
+from param_tools.panel.front import Front
 from param_tutorial.exercises.prediction import ASK_AGAIN, MIME_TYPE, Choice, Prediction
+from param_tutorial.notebook import veil
 
 STYLE = style('param_tutorial/exercises/prediction.css')
-COMMIT, COMMITTED = 'Commit', 'Committed'
 
 Remember = Callable[[str, str, bool], str]
 
 
-class PredictionView(widgets.VBox):
+class PredictionView(Front):
     """A question, its choices or a box for a value, and a button that commits."""
+
+    _esm = bundle('param_tutorial/exercises/prediction_widget.js')
+    _css = sheet('param_tutorial/exercises/prediction.css')
+    markup = traitlets.Unicode().tag(sync=True)
+    answer = traitlets.Unicode().tag(sync=True)
+    """The choice, or what is typed."""
+    is_committed = traitlets.Bool().tag(sync=True)
+    said = traitlets.Unicode().tag(sync=True)
+    """What became of the answer, as HTML."""
+    right = traitlets.Unicode().tag(sync=True)
+    """The text of the right choice; empty until the verdict."""
 
     def __init__(self, prediction: Prediction, remember: Remember):
         """
@@ -33,24 +47,12 @@ class PredictionView(widgets.VBox):
         """
         self.prediction = prediction
         self._remember = remember
-        # A cell that decides may end in one thread while the learner commits in another.
-        self._deciding = threading.RLock()
-        self._committed = False
-        self._next_cell_has_run = not prediction.is_decided_by_a_cell
         self._note = ''
-        question = widgets.HTML(f'{STYLE}<p class="param-predict-question"><b>{prediction.word}</b> · '
-                                f'{with_code(prediction.question)}</p>')
-        self.answer: Any = (
-            widgets.Text(placeholder='your number', value='') if prediction.is_typed
-            else widgets.RadioButtons(options=[each.text for each in prediction.choices], value=None))
-        self.button = widgets.Button(description=COMMIT, disabled=True, tooltip='Commit to this answer')
-        self.said = widgets.HTML()
-        super().__init__([question, self.answer, self.button, self.said])
-        self.add_class('param-predict')
-        for widget in (self.answer, self.button):
-            answer_beside_cells(widget)
-        self.answer.observe(self._on_answer, 'value')
-        self.button.on_click(lambda _: self.commit())
+        self._next_cell_has_run = not prediction.is_decided_by_a_cell
+        self._decided_by: str | None = None
+        super().__init__(markup=draw_form(prediction))
+        answer_beside_cells(self)
+        self.on_msg(self._on_message)
         if prediction.is_decided_by_a_cell:
             _watch.add(self)
             self._go_on()
@@ -60,43 +62,61 @@ class PredictionView(widgets.VBox):
         return self.prediction.text
 
     def _repr_mimebundle_(self, **arguments: Any) -> Any:
-        bundle = super()._repr_mimebundle_(**arguments)
-        # ipywidgets shortens what stands in a widget's place.
-        bundle['text/plain'] = repr(self)
-        bundle[MIME_TYPE] = {'number': self.prediction.number}
-        return bundle
+        bundle: Any = super()._repr_mimebundle_(**arguments)
+        data, metadata = bundle
+        return {**data, 'text/plain': repr(self), MIME_TYPE: {'number': self.prediction.number}}, metadata
 
     def close(self) -> None:
-        """Close it with all its parts: ipywidgets keeps each that is not closed, in the kernel and in the browser."""
-        for part in (*self.children, self):
-            close_looks(part)
-        for child in self.children:
-            child.close()
+        """Close it with its layout, which ipywidgets keeps otherwise, in the kernel and in the browser."""
+        close_looks(self)
         super().close()
 
     def commit(self) -> None:
         """Lock the answer in, and say what became of it as soon as it can be known; ask again for a number."""
-        with self._deciding:
-            if self._committed or not self._given:
+        # A cell that decides may end in one thread while the learner commits in another.
+        with self.drawing:
+            if self.is_committed or not self.answer.strip():
                 return
-            if not self.prediction.can_read(self._given):
-                self.said.value = f'<p role="status">{with_code(ASK_AGAIN)}</p>'
+            if not self.prediction.can_read(self.answer):
+                self.said = with_code(ASK_AGAIN)
                 return
-            choice = self.prediction.choice(self._given)
+            choice = self.prediction.choice(self.answer)
             self._note = self._remember(self.prediction.number, choice.text, choice.is_right)
             self._lock()
 
-    def next_cell_has_run(self) -> None:
-        """Take notice that the cell that decides has run."""
-        with self._deciding:
+    def skip(self) -> None:
+        """Show what is veiled; the learner may still commit."""
+        veil.lift(self.prediction.number)
+
+    def on_cell_end(self, cell: str | None) -> dict[str, str]:
+        """Take notice that a later cell has run.
+
+        :param cell: Its id; None where it has none.
+        :return: What to show below its output, where the learner looks: the verdict, if this cell decides it.
+        """
+        with self.drawing:
             if not self._next_cell_has_run:
-                self._next_cell_has_run = True
+                self._next_cell_has_run, self._decided_by = True, cell
                 self._say()
+            elif cell is None or cell != self._decided_by:
+                return {}
+            if not self.is_committed:
+                return {}
+            choice = self.prediction.choice(self.answer)
+            return {'text/html': f'{STYLE}<div class="param-predict"><p>You predicted: '
+                                 f'<q>{with_code(self.answer)}</q></p><p>{verdict(self.prediction, choice)}</p></div>',
+                    'text/plain': f'You predicted: {self.answer}\n{choice.word} {choice.sentence}'}
+
+    def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
+        if content.get('do') == 'commit':
+            self.answer = str(content.get('answer', ''))
+            self.commit()
+        elif content.get('do') == 'skip':
+            self.skip()
 
     def _lock(self) -> None:
-        self._committed = self.answer.disabled = True
-        # Neither gone nor disabled: it has the focus, from which the learner goes on by keyboard.
-        self.button.description = COMMITTED
+        self.is_committed = True
+        veil.lift(self.prediction.number)
         self._say()
 
     def _go_on(self) -> None:
@@ -106,32 +126,47 @@ class PredictionView(widgets.VBox):
         """
         earlier = _latest.get(self.prediction.number)
         _latest[self.prediction.number] = self
-        if earlier is not None and earlier._committed and not earlier._next_cell_has_run:
-            self.answer.value, self._note = earlier.answer.value, earlier._note
+        if earlier is not None and earlier.is_committed and not earlier._next_cell_has_run:
+            self.answer, self._note = earlier.answer, earlier._note
             self._lock()
 
-    @property
-    def _given(self) -> str:
-        return (self.answer.value or '').strip()
-
-    def _on_answer(self, _: Any) -> None:
-        self.button.disabled = self._committed or not self._given
-
     def _say(self) -> None:
-        if not self._committed:
+        if not self.is_committed:
             return
         if not self._next_cell_has_run:
-            said = 'Wait for the cell that is running.' if _watch.is_running_for(self) else 'Now run the next cell.'
-            self.said.value = f'<p role="status">{said}</p>'
+            is_running = _watch.is_running_for(self)
+            self.said = 'Wait for the cell that is running.' if is_running else 'Now run the next cell.'
             return
-        said = verdict(self.prediction, self.prediction.choice(self._given))
-        self.said.value = f'<p role="status">{said} {with_code(self._note)}</p>'
+        with self.hold_sync():
+            self.right = next(each.text for each in self.prediction.choices if each.is_right)
+            self.said = f'{verdict(self.prediction, self.prediction.choice(self.answer))} {with_code(self._note)}'
+
+
+def draw_form(prediction: Prediction) -> str:
+    """Return the HTML of a question with its choices, or a box for a value, and a button."""
+    return (f'<form class="param-predict" autocomplete="off">{draw_question(prediction)}'
+            f'<p class="param-predict-buttons"><button type="submit" class="param-predict-commit">Commit</button>'
+            f'<button type="button" class="param-predict-skip">Skip</button></p>'
+            f'<p class="param-predict-says" role="status"></p></form>')
+
+
+def draw_question(prediction: Prediction) -> str:
+    """Return the HTML of a question with its choices, or a box for a value: what stands in a form."""
+    # Or JupyterLab takes the arrow keys for itself, and selects another cell.
+    common = 'name="answer" autocomplete="off" data-lm-suppress-shortcuts="true"'
+    if prediction.is_typed:
+        answers = f'<input type="text" {common} placeholder="your number" aria-label="Your number">'
+    else:
+        answers = ''.join(f'<label><input type="radio" {common} value="{html.escape(each.text)}">'
+                          f'<span>{with_code(each.text)}</span></label>' for each in prediction.choices)
+    return (f'<fieldset><legend class="param-predict-question"><b>{prediction.word}</b> · '
+            f'{with_code(prediction.question)}</legend>{answers}</fieldset>')
 
 
 def verdict(prediction: Prediction, choice: Choice) -> str:
     """Return what is said to an answer, as HTML."""
-    css_class, word = ('param-predict-right', 'Right.') if choice.is_right else ('param-predict-wrong', 'Not so.')
-    return f'<b class="{css_class}">{word}</b> {with_code(f"{choice.sentence} {prediction.pointer}".strip())}'
+    css_class = 'param-predict-right' if choice.is_right else 'param-predict-wrong'
+    return f'<b class="{css_class}">{choice.word}</b> {with_code(f"{choice.sentence} {prediction.pointer}".strip())}'
 
 
 class _Watch:
@@ -139,7 +174,7 @@ class _Watch:
 
     def __init__(self) -> None:
         self._shell: Any = None
-        self._waiting: weakref.WeakSet[PredictionView] = weakref.WeakSet()
+        self._views: weakref.WeakSet[PredictionView] = weakref.WeakSet()
         # The views that were on the page when the running cell began; None if it shows a prediction itself.
         self._before: list[PredictionView] | None = None
 
@@ -149,26 +184,27 @@ class _Watch:
 
         shell = get_ipython()
         if shell is None:
-            view.next_cell_has_run()
+            view.on_cell_end(None)
             return
         if shell is not self._shell:
             self._shell = shell
             shell.events.register('pre_run_cell', self._on_begin)
             shell.events.register('post_run_cell', self._on_end)
         self._before = None
-        self._waiting.add(view)
+        self._views.add(view)
 
     def is_running_for(self, view: PredictionView) -> bool:
         """True if a cell is running that was started when the view was on the page."""
         return view in (self._before or ())
 
     def _on_begin(self, _: Any) -> None:
-        self._before = list(self._waiting)
+        self._before = [each for each in self._views if each.comm is not None]
 
     def _on_end(self, _: Any) -> None:
+        cell, _ = this_cell()
         for view in self._before or ():
-            self._waiting.discard(view)
-            view.next_cell_has_run()
+            if shown := view.on_cell_end(cell):
+                self._shell.display_pub.publish(shown)
         self._before = None
 
 

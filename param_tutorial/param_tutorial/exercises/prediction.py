@@ -29,6 +29,11 @@ class Choice(NamedTuple):
     """What the next cell shows about this answer."""
     is_right: bool
 
+    @property
+    def word(self) -> str:
+        """The verdict in short."""
+        return '✓ Right.' if self.is_right else '✗ Not so.'
+
 
 def right(text: str, sentence: str) -> Choice:
     """Return the answer that is true."""

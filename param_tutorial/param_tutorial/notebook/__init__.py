@@ -1,1 +1,1 @@
-"""What a notebook adds to Python: magics, a shell, terminals beside the notebook, the glossary of all chapters."""
+"""What a notebook adds to Python: magics, a shell, terminals beside it, the glossary of all chapters, the veil."""

@@ -52,8 +52,13 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
     ipython.events.register('pre_run_cell', _before_cell)
     if not host.host.has_processes:
         stored.install(ipython)
-    if hasattr(ipython, 'kernel') and _await_shell not in ipython.input_transformers_post:
-        ipython.input_transformers_post.append(_await_shell)
+    if hasattr(ipython, 'kernel'):
+        # Imported here: a shell without a page needs no widgets.
+        from param_tutorial.notebook import veil
+
+        veil.begin()
+        if _await_shell not in ipython.input_transformers_post:
+            ipython.input_transformers_post.append(_await_shell)
 
 
 def unload_ipython_extension(ipython: InteractiveShell) -> None:

@@ -10,6 +10,8 @@ from param_tutorial.teacher import misconceptions
 from param_tutorial.teacher.classroom import Student, rows
 from param_tutorial.teacher.misconceptions import Answered, Stuck
 
+_STYLE = style('param_tutorial/teacher/page.css')
+
 
 def document(title: str, content: str) -> str:
     """Return a whole page for a browser.
@@ -18,7 +20,7 @@ def document(title: str, content: str) -> str:
     """
     return ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width"><title>{html.escape(title)}</title>'
-            f'{style("param_tutorial/teacher/page.css")}</head>\n<body><h1>{html.escape(title)}</h1>\n{content}</body></html>\n')
+            f'{_STYLE}</head>\n<body><h1>{html.escape(title)}</h1>\n{content}</body></html>\n')
 
 
 def class_page(students: list[Student]) -> str:

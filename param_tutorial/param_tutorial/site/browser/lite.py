@@ -107,6 +107,7 @@ def _configuration() -> dict[str, object]:
     page = json.loads((_SETTINGS / 'page_config.json').read_text(encoding='utf-8'))
     return {'jupyter-lite-schema-version': 0, 'jupyter-config-data': {
         'appName': 'Mastering ROS 2 Parameters',
+        'exposeAppInBrowser': True,  # for notebook.veil, as in environment/jupyter
         'disabledExtensions': [name for name, is_disabled in page['disabledExtensions'].items() if is_disabled],
         'litePluginSettings': {f'{_KERNEL}:kernel': {
             'disablePyPIFallback': True, 'pipliteUrls': [], 'pyodideUrl': f'./{PYODIDE}/pyodide.mjs',

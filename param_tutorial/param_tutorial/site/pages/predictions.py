@@ -1,11 +1,10 @@
 """Draws a prediction as a form of the page, which answers without a kernel: ``site/scripts/predictions.js``."""
 
-import html
 import json
 from collections.abc import Callable
 
 from param_tools.markup.tables import with_code
-from param_tutorial.exercises.predicting import STYLE, verdict
+from param_tutorial.exercises.predicting import STYLE, draw_question, verdict
 from param_tutorial.exercises.prediction import ASK_AGAIN, NUMBER, Prediction, wrong
 
 
@@ -14,12 +13,6 @@ def draw_prediction(prediction: Prediction, linked: Callable[[str], str] = str) 
 
     :param linked: Returns a verdict with the page's links in it.
     """
-    if prediction.is_typed:
-        answers = '<input type="text" name="answer" autocomplete="off" aria-label="Your number">'
-    else:
-        answers = ''.join(f'<label><input type="radio" autocomplete="off" name="answer" '
-                          f'value="{html.escape(each.text)}">'
-                          f'<span>{with_code(each.text)}</span></label>' for each in prediction.choices)
     facts = json.dumps({
         'choices': {prediction.plain(each.text): linked(verdict(prediction, each)) for each in prediction.choices},
         'right': [prediction.plain(each.text) for each in prediction.choices if each.is_right],
@@ -31,10 +24,9 @@ def draw_prediction(prediction: Prediction, linked: Callable[[str], str] = str) 
     return (f'{STYLE}<form class="lesson-prediction param-predict" autocomplete="off" '
             f'data-number="{prediction.number}" '
             # A recall comes again; the first page links to it then.
-            f'{"data-decided" if prediction.is_decided_by_a_cell else f"id=recall-{prediction.number}"}><fieldset>'
-            f'<legend class="param-predict-question"><b>{prediction.word}</b> · '
-            f'{with_code(prediction.question)}</legend>'
-            f'{answers}<button type="submit" class="lesson-commit" disabled>Commit</button></fieldset>'
+            f'{"data-decided" if prediction.is_decided_by_a_cell else f"id=recall-{prediction.number}"}>'
+            f'{draw_question(prediction)}'
+            f'<button type="submit" class="lesson-commit param-predict-commit" disabled>Commit</button>'
             f'<p class="lesson-says" role="status"></p>'
             f'<button type="button" class="lesson-again" hidden>Answer again</button>'
             f'<script type="application/json">{facts}</script></form>')

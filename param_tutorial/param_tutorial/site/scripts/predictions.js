@@ -1,6 +1,7 @@
 /* The predictions of a lesson: a reader commits to an answer before the page shows what happens. */
 
 import {all, make, one} from '../../../param_tools/panel/dom.js';
+import {markChoices} from '../../exercises/marks.js';
 import {choiceOf, parseNumber} from './answers.js';
 import {answerTo, forgetAnswer, isDue, keepAnswer} from './progress.js';
 
@@ -119,6 +120,12 @@ export function askForPrediction(form, facts) {
     return Boolean(verdict);
   }
 
+  /** Mark the choices once there is a verdict. */
+  function mark() {
+    const right = boxes.find(each => facts.right.includes(choiceOf(each.value, facts) ?? ''));
+    markChoices(form, fields.disabled && right ? right.value : '');
+  }
+
   function comeBack() {
     const kept = answerTo(number);
     if (kept === undefined || isDue(number) || !again.hidden) return;
@@ -127,6 +134,7 @@ export function askForPrediction(form, facts) {
     if (!box || !lock(kept)) return;
     if (box.type === 'text') box.value = kept;
     else box.checked = true;
+    mark();
   }
 
   form.addEventListener('input', () => {
@@ -138,11 +146,13 @@ export function askForPrediction(form, facts) {
     if (!answer) return;
     if (lock(answer)) keepAnswer(number, answer, facts.right.includes(choiceOf(answer, facts) ?? ''));
     else said.innerHTML = facts.typed?.askAgain ?? '';
+    mark();
   });
   again.addEventListener('click', () => {
     forgetAnswer(number);
     fields.disabled = false;
     form.reset();
+    mark();
     said.textContent = '';
     again.hidden = true;
     button.hidden = false;
