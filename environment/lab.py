@@ -76,6 +76,7 @@ def prepare() -> list[str]:
         f'--NotebookNotary.data_dir={copies.trust}',
         f'--LabApp.default_url=/lab/tree/{START_PAGE}',
         '--LabApp.extension_manager=readonly',
+        f'--LabApp.extra_labextensions_path={ROOT / "environment" / "jupyter" / "labextensions"}',
         *([f'--ServerApp.terminado_settings=shell_command={shell}'] if shell else []),
         *as_root,
     ]
