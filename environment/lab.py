@@ -7,6 +7,7 @@ so a lesson looks the same for everybody and leaves no trace.
 """
 
 import contextlib
+import json
 import os
 import shlex
 import shutil
@@ -34,6 +35,8 @@ Start JupyterLab on your own copies of the chapters, in my_lessons/. The options
 # hands on, which is not meant for a `make` that the learner runs in a terminal.
 FOREIGN = ('JUPYTER_PATH', 'JUPYTERLAB_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTERLAB_WORKSPACES_DIR',
            'MAKEFLAGS', 'MAKELEVEL', 'MFLAGS', 'MAKEOVERRIDES', 'ARGS')
+# What IPython reads when a kernel starts.
+KERNEL = {'InteractiveShellApp': {'extensions': ['param_tutorial.notebook.cells_above']}}
 
 
 def prepare() -> list[str]:
@@ -71,6 +74,9 @@ def prepare() -> list[str]:
     # The chapters' commands are bash's, whichever shell the learner has, and its start-up file puts `python` right.
     bash = shutil.which('bash')
     shell = shlex.join([bash, '--rcfile', str(TERMINAL), '-i']) if bash else None
+    profile = STATE / 'ipython' / 'profile_default'
+    profile.mkdir(parents=True, exist_ok=True)
+    (profile / 'ipython_kernel_config.json').write_text(json.dumps(KERNEL))
     return [
         f'--ServerApp.root_dir={copies.folder}',
         f'--NotebookNotary.data_dir={copies.trust}',
