@@ -134,7 +134,7 @@ def _head(node: str, count: int, status: str) -> str:
                '<button type="button" class="param-undo" disabled>Undo</button>'
                '<button type="button" class="param-redo" disabled>Redo</button>'
                '<button type="button" class="param-reset" disabled '
-               'title="Bring every parameter back to what this panel saw first">Reset</button></span>'
+               'title="Bring every parameter back to its first value">Reset</button></span>'
                '<span class="param-tools" role="group" aria-label="Parameter file">'
                '<button type="button" class="param-save" aria-expanded="false">Save…</button>'
                '<button type="button" class="param-load" aria-expanded="false">Load…</button></span>')
