@@ -25,6 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # Where the course is installed, or for many to read, .venv is not the learner's.
 STATE = Path(os.environ[LESSONS], '.jupyter') if os.environ.get(LESSONS) else Path(sys.prefix) / 'jupyter'
 TERMINAL = ROOT / 'environment' / 'jupyter' / 'terminal.bash'
+OWN_ROS2 = str(ROOT / 'environment' / 'jupyter' / 'bin')
 START_PAGE = 'index.md'
 HELP = """\
 usage: make lab [ARGS="options"], or python -m param_tutorial lab [options]
@@ -35,8 +36,9 @@ Start JupyterLab on your own copies of the chapters, in my_lessons/. The options
 # hands on, which is not meant for a `make` that the learner runs in a terminal.
 FOREIGN = ('JUPYTER_PATH', 'JUPYTERLAB_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTERLAB_WORKSPACES_DIR',
            'MAKEFLAGS', 'MAKELEVEL', 'MFLAGS', 'MAKEOVERRIDES', 'ARGS')
-# What IPython reads when a kernel starts.
-KERNEL = {'InteractiveShellApp': {'extensions': ['param_tutorial.notebook.cells_above']}}
+# What IPython reads when a kernel starts. Its warnings would stand in the terminal of `make lab`.
+KERNEL = {'InteractiveShellApp': {'extensions': ['param_tutorial.notebook.kernel_start']},
+          'IPKernelApp': {'log_level': 'ERROR'}}
 
 
 def prepare() -> list[str]:
@@ -57,9 +59,11 @@ def prepare() -> list[str]:
     for name in FOREIGN:
         os.environ.pop(name, None)
     os.environ |= {
-        # So that `!python` in a cell, and `python` in one of JupyterLab's terminals, mean this Python.
-        'PATH': os.pathsep.join([programs, os.environ.get('PATH', os.defpath)]),
+        # So that `!python` in a cell, and `python` in one of JupyterLab's terminals, mean this Python; and `ros2` the
+        # course's own, unless there is a genuine one.
+        'PATH': os.pathsep.join([programs, os.environ.get('PATH', os.defpath), OWN_ROS2]),
         'PARAM_TUTORIAL_PROGRAMS': programs,
+        'PARAM_TOOLS_STAND_IN': OWN_ROS2,
         'VIRTUAL_ENV': sys.prefix,
         # What the learner solves is remembered there; without the variable nothing is remembered.
         VARIABLE: str(copies.progress.path),

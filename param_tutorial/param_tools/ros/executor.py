@@ -17,7 +17,7 @@ import traceback
 from collections import deque
 from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import rclpy
 from rcl_interfaces.msg import Log, ParameterEvent, ParameterValue
@@ -25,6 +25,7 @@ from rclpy import executors, task, utilities
 from rclpy.client import Client
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 from rclpy.parameter_service import ParameterService
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
 from rclpy.service import Service
@@ -235,8 +236,8 @@ class BackgroundExecutor:
                 raise
         # The learner may call it, in any thread.
         node.destroy_node = functools.partial(self._destroy, node, node.destroy_node)  # type: ignore[method-assign]
-        self._first_values[name] = {each: parameter.get_parameter_value()
-                                    for each, parameter in node.get_parameters_by_prefix('').items()}
+        parameters = cast(dict[str, Parameter], node.get_parameters_by_prefix(''))  # rclpy says that these are values
+        self._first_values[name] = {each: parameter.get_parameter_value() for each, parameter in parameters.items()}
         # Known before it is spun: its first callback, and listeners to the graph, may look for it.
         self._nodes.append(node)
         self.run(lambda: self._executor.add_node(node), f'add {name}')

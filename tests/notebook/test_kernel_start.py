@@ -1,7 +1,9 @@
-"""What stands below an error about a name that a cell above would have defined."""
+"""What a kernel of `make lab` has before its first cell: a sentence below an error about a name of a cell above."""
 
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
+
+from param_tutorial.notebook import kernel_start
 
 ABOVE = 'Run → Run All Above Selected Cell.'
 
@@ -9,7 +11,7 @@ ABOVE = 'Run → Run All Above Selected Cell.'
 @pytest.fixture
 def shell():
     shell = InteractiveShell()
-    shell.extension_manager.load_extension('param_tutorial.notebook.cells_above')
+    shell.events.register('post_run_cell', kernel_start.after_cell)
     return shell
 
 
