@@ -1,4 +1,4 @@
-"""``ros2`` in a terminal of JupyterLab, where no ROS is installed: the course's own, in the domain of the newest kernel.
+"""The ROS domain of the newest kernel, for the course's own ``ros2`` in a terminal of JupyterLab.
 
 Each kernel that ``make lab`` starts notes its domain in JupyterLab's folder of what runs, in a file that ends with the
 kernel's process number.
@@ -11,7 +11,6 @@ import os
 import sys
 from pathlib import Path
 
-from param_tools.__main__ import main as run_ros2
 from param_tools.ros import domain
 
 # Jupyter's own name for the folder.
@@ -37,18 +36,20 @@ def _newest_domain(folder: Path) -> dict[str, str] | None:
     return None
 
 
-def main() -> int:
-    """Run the command that the process's arguments say, and say in which domain if that is new to this terminal."""
+def join() -> None:
+    """Let this process be in the domain of the newest kernel, and say so if it is new to this terminal.
+
+    A cell's commands, and a terminal that has joined another domain, are in one already.
+    """
+    if os.environ.get('ROS_DOMAIN_ID') or _FOLDER not in os.environ:
+        return
     folder = Path(os.environ[_FOLDER])
-    # A cell's commands, and a terminal that has joined another domain, have one already.
-    if not os.environ.get('ROS_DOMAIN_ID'):
-        settings = _newest_domain(folder)
-        os.environ.update(settings or {})
-        _say_once(folder / f'ros2-told-{os.getppid()}', (
-            f"This is the course's own ros2, in the ROS domain of the notebook started last "
-            f"({settings['ROS_DOMAIN_ID']}). A notebook's %ros2_terminal shows a line to join another one's."
-        ) if settings else 'No notebook is running whose nodes this command could find.')
-    return run_ros2()
+    settings = _newest_domain(folder)
+    os.environ.update(settings or {})
+    _say_once(folder / f'ros2-told-{os.getppid()}', (
+        f"This is the course's own ros2, in the ROS domain of the notebook started last "
+        f"({settings['ROS_DOMAIN_ID']}). A notebook's %ros2_terminal shows a line to join another one's."
+    ) if settings else 'No notebook is running whose nodes this command could find.')
 
 
 def _say_once(told: Path, words: str) -> None:
@@ -58,7 +59,3 @@ def _say_once(told: Path, words: str) -> None:
     print(words, file=sys.stderr, flush=True)
     with contextlib.suppress(OSError):
         told.write_text(words, encoding='utf-8')
-
-
-if __name__ == '__main__':
-    sys.exit(main())
