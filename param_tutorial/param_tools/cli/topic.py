@@ -33,7 +33,8 @@ def add_to(commands: Commands) -> None:
     echoing = verbs.add_parser('echo', help='print the messages of a topic')
     add_discovery_options(echoing)
     echoing.add_argument('topic_name', help='name of the topic')
-    echoing.add_argument('message_type', nargs='?', help='its type, such as std_msgs/msg/String (default: ask the graph)')
+    echoing.add_argument('message_type', nargs='?',
+                         help='its type, such as std_msgs/msg/String (default: what the graph says)')
     echoing.add_argument('--once', action='store_true', help='end after one message')
     echoing.add_argument('-f', '--full-length', action='store_true',
                          help=f'print arrays and texts in full (default: {_SHOWN_LENGTH} elements or characters)')
@@ -51,7 +52,8 @@ def list_topics(session: Session, args: argparse.Namespace) -> None:
 def echo(session: Session, args: argparse.Namespace) -> Steps:
     """Print messages until somebody ends it."""
     if session.in_notebook and not args.once:
-        raise CommandFailed(f'{session.instead_of(["topic", "echo", args.topic_name])} Or end after one message: --once')
+        instead = session.instead_of(['topic', 'echo', args.topic_name])
+        raise CommandFailed(f'{instead} Or end after one message: --once')
     session.wait_for_graph(args)
     executor, node = session.executor, session.executor.tool_node
     topic = f'/{args.topic_name.lstrip("/")}'
