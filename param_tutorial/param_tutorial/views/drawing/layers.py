@@ -23,7 +23,8 @@ class _Entry:
 
     def words(self, between: str) -> str:
         """Return the source and its value; a source that ends with the value, like ``-p speed:=400``, says both."""
-        return self.source if self.source.endswith((f' {self.value}', f'={self.value}')) else f'{self.source}{between}{self.value}'
+        says_both = self.source.endswith((f' {self.value}', f'={self.value}'))
+        return self.source if says_both else f'{self.source}{between}{self.value}'
 
 
 class Layers(svg.AnimatedPicture):
