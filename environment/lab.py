@@ -7,6 +7,7 @@ so a lesson looks the same for everybody and leaves no trace.
 """
 
 import contextlib
+import json
 import os
 import shlex
 import shutil
@@ -24,6 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # Where the course is installed, or for many to read, .venv is not the learner's.
 STATE = Path(os.environ[LESSONS], '.jupyter') if os.environ.get(LESSONS) else Path(sys.prefix) / 'jupyter'
 TERMINAL = ROOT / 'environment' / 'jupyter' / 'terminal.bash'
+OWN_ROS2 = str(ROOT / 'environment' / 'jupyter' / 'bin')
 START_PAGE = 'index.md'
 HELP = """\
 usage: make lab [ARGS="options"], or python -m param_tutorial lab [options]
@@ -34,6 +36,9 @@ Start JupyterLab on your own copies of the chapters, in my_lessons/. The options
 # hands on, which is not meant for a `make` that the learner runs in a terminal.
 FOREIGN = ('JUPYTER_PATH', 'JUPYTERLAB_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTERLAB_WORKSPACES_DIR',
            'MAKEFLAGS', 'MAKELEVEL', 'MFLAGS', 'MAKEOVERRIDES', 'ARGS')
+# What IPython reads when a kernel starts. Its warnings would stand in the terminal of `make lab`.
+KERNEL = {'InteractiveShellApp': {'extensions': ['param_tutorial.notebook.kernel_start']},
+          'IPKernelApp': {'log_level': 'ERROR'}}
 
 
 def prepare() -> list[str]:
@@ -54,9 +59,11 @@ def prepare() -> list[str]:
     for name in FOREIGN:
         os.environ.pop(name, None)
     os.environ |= {
-        # So that `!python` in a cell, and `python` in one of JupyterLab's terminals, mean this Python.
-        'PATH': os.pathsep.join([programs, os.environ.get('PATH', os.defpath)]),
+        # So that `!python` in a cell, and `python` in one of JupyterLab's terminals, mean this Python; and `ros2` the
+        # course's own, unless there is a genuine one.
+        'PATH': os.pathsep.join([programs, os.environ.get('PATH', os.defpath), OWN_ROS2]),
         'PARAM_TUTORIAL_PROGRAMS': programs,
+        'PARAM_TOOLS_STAND_IN': OWN_ROS2,
         'VIRTUAL_ENV': sys.prefix,
         # What the learner solves is remembered there; without the variable nothing is remembered.
         VARIABLE: str(copies.progress.path),
@@ -71,11 +78,15 @@ def prepare() -> list[str]:
     # The chapters' commands are bash's, whichever shell the learner has, and its start-up file puts `python` right.
     bash = shutil.which('bash')
     shell = shlex.join([bash, '--rcfile', str(TERMINAL), '-i']) if bash else None
+    profile = STATE / 'ipython' / 'profile_default'
+    profile.mkdir(parents=True, exist_ok=True)
+    (profile / 'ipython_kernel_config.json').write_text(json.dumps(KERNEL))
     return [
         f'--ServerApp.root_dir={copies.folder}',
         f'--NotebookNotary.data_dir={copies.trust}',
         f'--LabApp.default_url=/lab/tree/{START_PAGE}',
         '--LabApp.extension_manager=readonly',
+        f'--LabApp.extra_labextensions_path={ROOT / "environment" / "jupyter" / "labextensions"}',
         *([f'--ServerApp.terminado_settings=shell_command={shell}'] if shell else []),
         *as_root,
     ]

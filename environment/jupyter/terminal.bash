@@ -1,11 +1,11 @@
 # What bash reads when a terminal opens in JupyterLab: first the learner's own start-up file, and then what makes
-# `python` the course's, whatever that file does to the PATH, or calls `python`.
+# `python` the course's, whatever that file does to the PATH, or calls `python`, and `ros2` where ROS is not installed.
 if [ -f ~/.bashrc ]; then
     . ~/.bashrc
 fi
 unalias python python3 pip 2>/dev/null
 unset -f python python3 pip
-export PATH="$PARAM_TUTORIAL_PROGRAMS:$PATH"
+export PATH="$PARAM_TUTORIAL_PROGRAMS:$PATH:$PARAM_TOOLS_STAND_IN"
 case $PARAM_TUTORIAL_PROGRAMS in
 *[[:space:]]*)
     # A program that is built starts with the path of the Python that built it, which Linux ends at the first space.

@@ -3,6 +3,7 @@
 Any other word goes to the embedded ``ros2``, as after ``python -m param_tools``.
 """
 
+import os
 import sys
 
 from param_tools.__main__ import main as run_embedded
@@ -14,6 +15,11 @@ def main() -> int:
         from param_tutorial.learner.command import open_lab
 
         open_lab(sys.argv[2:])
+    # In a terminal of JupyterLab, `ros2` is this command.
+    if 'PARAM_TOOLS_STAND_IN' in os.environ:
+        from param_tutorial.notebook import newest_kernel
+
+        newest_kernel.join()
     status = run_embedded()
     if sys.argv[1:2] in ([], ['-h'], ['--help']):
         print('\n`python -m param_tutorial lab` starts JupyterLab on your own copies of the chapters.')

@@ -236,8 +236,8 @@ def test_nothing_on_the_panel_keeps_anybody_from_using_it(planner):
     button(page, 'Load…').click()
     page.page.get_by_label('File', exact=True).fill('none.yaml')
     expect(page.page.locator('.param-file-look')).to_contain_text('there is no file none.yaml')
-    for theme in ('JupyterLab Light', 'JupyterLab Dark'):
-        page.command('apputils:change-theme', theme=theme)
+    for scheme, theme in (('light', 'JupyterLab Light'), ('dark', 'JupyterLab Dark')):
+        page.page.emulate_media(color_scheme=scheme)  # which JupyterLab follows
         expect(page.page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
         found = Axe().run(page.page, context='.param-panel', options=AXE_OPTIONS).response['violations']
         assert [f'{theme}, {rule["id"]}: {node["html"][:200]} {node["failureSummary"]}' for rule in found
@@ -248,7 +248,7 @@ def test_nothing_on_the_panel_keeps_anybody_from_using_it(planner):
             const [box, panel] = [each, each.closest('.param-panel')].map(one => one.getBoundingClientRect());
             return box.width && box.right > panel.right + 1; })
             .map(each => each.outerHTML.slice(0, 120)) }""") == []
-    page.command('apputils:change-theme', theme='JupyterLab Light')
+    page.page.emulate_media(color_scheme='light')
 
 
 def test_what_is_being_typed_outlives_whatever_else_happens(planner):

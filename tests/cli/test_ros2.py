@@ -2,6 +2,7 @@
 
 import io
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.qos import DurabilityPolicy, QoSProfile
 
 from param_tools.cli import command, session
 from param_tools.cli.run import node_programs
@@ -101,7 +103,7 @@ def test_a_usage_error_says_what_is_wrong_and_starts_nothing(words, complaint):
     assert complaint in stderr
 
 
-@pytest.mark.parametrize('words', [['interface', 'show', 'x'], ['topic', 'echo', '/parameter_events'],
+@pytest.mark.parametrize('words', [['interface', 'show', 'x'], ['topic', 'pub', '/parameter_events'],
                                    ['topic', 'list', '-v'], ['launch', 'param_tutorial', 'x_launch.py', '--debug']])
 def test_what_only_the_genuine_one_has_is_said_to_be_there(words):
     assert 'The genuine ros2 has more: environment/README.md' in run(*words)[1]
@@ -356,6 +358,74 @@ def test_topics_are_listed(ros):
     assert run('topic', 'list', '-c') == ('4\n', '', 0)
     assert '/lab/ear [rcl_interfaces/msg/Parameter]\n' in run('topic', 'list', '-t')[0]
     assert '/lab/_secret\n' in run('topic', 'list', '--include-hidden-topics')[0]
+
+
+CHANGE = """stamp:
+  sec: 0
+  nanosec: 0
+node: /simple_param_node
+new_parameters: []
+changed_parameters:
+- name: robot_name
+  value:
+    type: 4
+    bool_value: false
+    integer_value: 0
+    double_value: 0.0
+    string_value: Größe 2
+    byte_array_value: []
+    bool_array_value: []
+    integer_array_value: []
+    double_array_value: []
+    string_array_value: []
+deleted_parameters: []
+---
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('more', [[], ['rcl_interfaces/msg/ParameterEvent']], ids=['type of the graph', 'type named'])
+def test_echo_prints_each_message_as_yaml(ros, start_process, more):
+    ros.add(SimpleParamNode)
+    heard_by = ros.tool_node.count_subscribers('/parameter_events')
+    process = start_process(*EMBEDDED, 'topic', 'echo', 'parameter_events', *more, stdout=subprocess.PIPE)
+    # Its own node listens to the events, and its command listens once more.
+    wait_until(lambda: ros.tool_node.count_subscribers('/parameter_events') == heard_by + 2, 'echo to listen', 30)
+    assert run('param', 'set', '/simple_param_node', 'robot_name', 'Größe 2')[2] == 0
+    printed = ''
+    while not printed.endswith('---\n'):
+        printed += process.stdout.readline()
+    assert re.sub(r'sec: \d+', 'sec: 0', printed) == CHANGE
+    os.killpg(process.pid, signal.SIGINT)
+    assert process.communicate(timeout=30)[0] == ''
+    assert process.returncode == signal.SIGINT
+
+
+class Once(Node):
+    """Publishes one long message before anybody listens."""
+
+    def __init__(self):
+        super().__init__('once')
+        qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.create_publisher(ParameterMessage, 'kept', qos).publish(
+            ParameterMessage(name='n' * 200, value=Parameter('n', value=list(range(200))).get_parameter_value()))
+
+
+def test_echo_in_a_cell_ends_after_one_message_and_shortens_it(ros):
+    ros.add(Once)
+    stdout, stderr, status = run('topic', 'echo', '--once', '/kept')
+    assert (stderr, status) == ('', 0)
+    assert f"name: {'n' * 128}...\n" in stdout and "- 127\n  - '...'\n" in stdout
+    assert '- 199\n' in run('topic', 'echo', '--once', '-f', '/kept')[0]
+    assert 'This would keep the cell busy' in run('topic', 'echo', '/kept')[1]
+
+
+def test_echo_names_a_topic_without_a_type_and_a_type_that_is_none(ros):
+    assert run('topic', 'echo', '--once', '/nothing') == (
+        'WARNING: topic [/nothing] does not appear to be published yet\n',
+        'Could not determine the type for the passed topic\n', 1)
+    for kind in ('no_such/msg/Type', 'rcl_interfaces/msg/NoSuch', 'x'):
+        assert run('topic', 'echo', '--once', '/nothing', kind) == ('', f"The message type '{kind}' is invalid\n", 1)
 
 
 def test_services_are_listed(ros):

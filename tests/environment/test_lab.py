@@ -99,8 +99,43 @@ def test_where_nothing_that_is_built_could_be_started_colcon_says_so(tmp_path):
 
 
 def test_a_terminal_has_the_learners_own_settings_otherwise(terminal, lab):
-    assert terminal.run('echo $PATH').endswith(':/usr/local/bin:/usr/bin:/bin')
+    assert ':/usr/local/bin:/usr/bin:/bin:' in terminal.run('echo $PATH')
     assert terminal.run('pwd') == str(lab.copies)
+
+
+@pytest.fixture
+def node(lab):
+    """Start a node in a kernel, and yield its name."""
+    request = urllib.request.Request(f'{lab.url}api/kernels?token={lab.token}', method='POST', data=b'{}')
+    urllib.request.urlopen(request, timeout=TIMEOUT_SEC).close()
+    lab.ask_kernel("__import__('param_tutorial').start().add(__import__('rclpy').node.Node, 'of_a_notebook')")
+    yield '/of_a_notebook'
+    lab.end_kernels()
+
+
+def test_ros2_in_a_terminal_is_the_courses_in_the_domain_of_the_newest_kernel_and_says_so_once(terminal, lab, node):
+    domain = lab.ask_kernel("__import__('os').environ['ROS_DOMAIN_ID']").strip("'")
+    first, second = (terminal.run('ros2 node list') for _ in range(2))
+    assert first == (f"This is the course's own ros2, in the ROS domain of the notebook started last ({domain}). "
+                     f"A notebook's %ros2_terminal shows a line to join another one's.\n{node}")
+    assert second == node
+
+
+def test_ros2_in_a_terminal_says_that_no_notebook_runs(terminal):
+    assert terminal.run('ros2 node list') == 'No notebook is running whose nodes this command could find.'
+
+
+def test_ros2_after_an_exclamation_mark_finds_the_kernels_own_nodes(lab, node):
+    assert lab.ask_kernel("get_ipython().getoutput('ros2 node list').n") == repr(node)
+    # Which is no genuine one.
+    assert lab.ask_kernel("__import__('param_tools.cli.genuine').cli.genuine.path()") == 'None'
+
+
+def test_a_genuine_ros2_on_the_path_stays_the_one(terminal, tmp_path):
+    genuine = tmp_path / 'ros2'
+    genuine.write_text('#!/bin/sh\necho genuine')
+    genuine.chmod(0o755)
+    assert terminal.run(f'export PATH="{tmp_path}:$PATH"; ros2 node list') == 'genuine'
 
 
 def test_a_make_in_a_terminal_is_not_the_make_that_started_jupyterlab(terminal):

@@ -29,10 +29,11 @@ def test_what_the_layers_do_not_explain_is_said():
     assert 'on top' in words(layers) and 'on top: this counts' not in words(layers)
 
 
-def test_a_source_that_ends_with_its_value_says_it_once():
-    layers = Layers('speed', [('default', 100), ('-p 400', 400)])
-    assert layers.text == 'Layers of speed, from the top: -p 400; default 100. speed = 400, from -p 400.'
-    assert {'-p 400', 'default: 100'} < set(words(layers))
+@pytest.mark.parametrize('source', ['-p 400', '-p robot:speed:=400'])
+def test_a_source_that_ends_with_its_value_says_it_once(source):
+    layers = Layers('speed', [('default', 100), (source, 400)])
+    assert layers.text == f'Layers of speed, from the top: {source}; default 100. speed = 400, from {source}.'
+    assert {source, 'default: 100'} < set(words(layers))
 
 
 def test_layers_of_nothing_are_rejected():

@@ -5,6 +5,7 @@ from ipywidgets.widgets.widget import _instances as widget_registry
 
 from param_tools.panel import close_with_cell
 from param_tools.panel.panel import ParameterPanel
+from param_tutorial.nodes.clawbot_node import ClawbotNode
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.magics import terminal_hint
 from param_tutorial.views import SideBySide
@@ -32,6 +33,35 @@ def test_a_cell_that_runs_again_closes_what_it_made(ros, run):
     assert repr(first) == '<ParameterPanel: /simple_param_node, closed>'
     assert second.comm is third.comm is None
     assert repr(elsewhere) == '<ParameterPanel: /simple_param_node, 9 parameters>'
+
+
+def test_what_another_cell_shows_stays_until_that_one_runs_again(ros, run):
+    ros.add(ClawbotNode, real_time=False)
+
+    def run_cell(cell, number):
+        run[0] = (cell, f'run {number}')
+
+    view, panel = RobotView('/clawbot_node'), ParameterPanel('/clawbot_node', names=['max_speed_rpm'])
+    run_cell('cell 2', 2)
+    both = SideBySide(view, panel)
+    run_cell('cell 3', 3)
+    panel._repr_mimebundle_()
+    run_cell('cell 1', 4)
+    new_view, _ = RobotView('/clawbot_node'), ParameterPanel('/clawbot_node', names=['max_speed_rpm'])
+    assert both._box.children == (view, panel) and view.comm and panel.comm
+    # The panel is still in the third cell, and the robot nowhere else.
+    run_cell('cell 2', 5)
+    SideBySide(new_view, panel)
+    assert both.comm is view.comm is None and panel.comm and new_view.comm
+    run_cell('cell 3', 6)
+    panel._repr_mimebundle_()
+    assert panel.comm
+    run_cell('cell 2', 7)
+    LogView()
+    assert panel.comm and new_view.comm
+    run_cell('cell 3', 8)
+    LogView()
+    assert panel.comm is None
 
 
 @pytest.mark.parametrize('make', [

@@ -70,7 +70,7 @@ def test_what_is_saved_comes_back(arm):
 
 
 def test_only_what_has_changed_is_saved_on_request(arm):
-    with pytest.raises(ParameterFileError, match='nothing of /arm differs from what the panel first saw'):
+    with pytest.raises(ParameterFileError, match='no parameter of /arm differs from its first value'):
         arm.save('config/arm.yaml', changed_only=True)
     assert not Path('config/arm.yaml').exists()
     enter(arm, 'gains.kp', '0.6')  # still on its way

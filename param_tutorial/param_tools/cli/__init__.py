@@ -24,7 +24,7 @@ byte, as 61 recordings in tests/cli/transcripts have it, the others as its sourc
     node              node list, info
     run               run: the nodes of provided packages, and the programs of packages that colcon has built
     service           service list
-    topic             topic list
+    topic             topic list, echo
     pkg               pkg create: a new Python package; executables, list, prefix
     launch            launch: what a launch file describes
     check             check and describe: parameter files against what nodes declare

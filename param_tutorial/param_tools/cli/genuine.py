@@ -26,8 +26,12 @@ OWN_COMMANDS = ('check', 'describe', 'snapshot', 'diff', 'restore', 'watch', 'hi
 
 
 def path() -> str | None:
-    """Return the path of the genuine command; None if there is none, or the environment forbids it."""
-    return None if os.environ.get('PARAM_TOOLS_ROS2') == 'embedded' else shutil.which('ros2')
+    """Return the path of the genuine command; None if there is none, or the environment forbids it.
+
+    In the folder PARAM_TOOLS_STAND_IN stands a ``ros2`` that is the embedded one.
+    """
+    found = None if os.environ.get('PARAM_TOOLS_ROS2') == 'embedded' else shutil.which('ros2')
+    return None if found and str(Path(found).parent) == os.environ.get('PARAM_TOOLS_STAND_IN') else found
 
 
 def path_for(words: Sequence[str]) -> str | None:

@@ -1,20 +1,44 @@
-"""ros2 topic list."""
+"""ros2 topic list and echo."""
 
 import argparse
+import importlib
+import queue
+import sys
+from typing import TYPE_CHECKING, Any
 
+import yaml
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
-from param_tools.cli.session import Commands, Session, add_discovery_options, add_verbs
+from param_tools.cli.session import CommandFailed, Commands, Session, add_discovery_options, add_verbs
+from param_tools.ros.waiting import Steps
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+# Of what is longer, the genuine one shows so much, too.
+_SHOWN_LENGTH = 128
+_DEPTH = 100
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``topic`` and its verb."""
-    listing = add_verbs(commands, 'topic', 'topics in the graph').add_parser('list', help='list the topics')
+    """Add the command ``topic`` and its verbs."""
+    verbs = add_verbs(commands, 'topic', 'topics in the graph')
+    listing = verbs.add_parser('list', help='list the topics')
     add_discovery_options(listing)
     listing.add_argument('-t', '--show-types', action='store_true', help='print the types, too')
     listing.add_argument('-c', '--count-topics', action='store_true', help='only how many there are')
     listing.add_argument('--include-hidden-topics', action='store_true', help='hidden topics, too')
     listing.set_defaults(verb=list_topics)
+    echoing = verbs.add_parser('echo', help='print the messages of a topic')
+    add_discovery_options(echoing)
+    echoing.add_argument('topic_name', help='name of the topic')
+    echoing.add_argument('message_type', nargs='?',
+                         help='its type, such as std_msgs/msg/String (default: what the graph says)')
+    echoing.add_argument('--once', action='store_true', help='end after one message')
+    echoing.add_argument('-f', '--full-length', action='store_true',
+                         help=f'print arrays and texts in full (default: {_SHOWN_LENGTH} elements or characters)')
+    echoing.set_defaults(verb=echo)
 
 
 def list_topics(session: Session, args: argparse.Namespace) -> None:
@@ -23,3 +47,79 @@ def list_topics(session: Session, args: argparse.Namespace) -> None:
     topics = [(name, types) for name, types in session.executor.tool_node.get_topic_names_and_types()
               if args.include_hidden_topics or not topic_or_service_is_hidden(name)]
     session.print_names_and_types(topics, only_count=args.count_topics, show_types=args.show_types)
+
+
+def echo(session: Session, args: argparse.Namespace) -> Steps:
+    """Print messages until somebody ends it."""
+    if session.in_notebook and not args.once:
+        instead = session.instead_of(['topic', 'echo', args.topic_name])
+        raise CommandFailed(f'{instead} Or end after one message: --once')
+    session.wait_for_graph(args)
+    executor, node = session.executor, session.executor.tool_node
+    topic = f'/{args.topic_name.lstrip("/")}'
+    message_class = _message_class(args.message_type or _type_of(session, topic))
+    heard: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    subscription = executor.run(
+        lambda: node.create_subscription(message_class, topic, heard.put, _matching_qos(node, topic)), f'hear {topic}')
+    try:
+        while True:
+            yield lambda: not heard.empty()
+            message = as_yaml(heard.get(), length=None if args.full_length else _SHOWN_LENGTH)
+            session.print(f'{message}---')
+            session.stdout.flush()
+            if args.once:
+                return 0
+    finally:
+        if executor.is_running:
+            executor.run(lambda: node.destroy_subscription(subscription), f'hear no more of {topic}')
+
+
+def _type_of(session: Session, topic: str) -> str:
+    types = dict(session.executor.tool_node.get_topic_names_and_types()).get(topic)
+    if types is None:
+        session.print(f'WARNING: topic [{topic}] does not appear to be published yet')
+        raise CommandFailed('Could not determine the type for the passed topic')
+    if len(types) > 1:
+        raise CommandFailed(f"Cannot echo topic '{topic}', as it contains more than one type: [{', '.join(types)}]")
+    return types[0]
+
+
+def _message_class(name: str) -> Any:
+    package, _, kind = name.partition('/')
+    try:
+        return getattr(importlib.import_module(f'{package}.msg'), kind.removeprefix('msg/'))
+    except (ImportError, AttributeError, ValueError):
+        raise CommandFailed(f"The message type '{name}' is invalid") from None
+
+
+def _matching_qos(node: 'Node', topic: str) -> QoSProfile:
+    """Return the strictest profile with which all publishers are heard."""
+    offered = [each.qos_profile for each in node.get_publishers_info_by_topic(topic)]
+    is_reliable = all(each.reliability == ReliabilityPolicy.RELIABLE for each in offered)
+    is_kept = bool(offered) and all(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in offered)
+    return QoSProfile(depth=_DEPTH,
+                      reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
+                      durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE)
+
+
+def as_yaml(message: Any, length: int | None = None) -> str:
+    """Return a message as the genuine command prints it.
+
+    :param length: How many elements of an array, or characters of a text, are shown; None for all.
+    """
+    return yaml.dump(_plain(message, length), allow_unicode=True, width=sys.maxsize, default_flow_style=False,
+                     sort_keys=False)
+
+
+def _plain(value: Any, length: int | None) -> Any:
+    if isinstance(value, bytes):
+        value = value.decode('latin-1')
+    if isinstance(value, (bool, int, float)):
+        return value
+    if isinstance(value, str):
+        return value if length is None or len(value) <= length else f'{value[:length]}...'
+    if hasattr(value, 'get_fields_and_field_types'):
+        return {name: _plain(getattr(value, name), length) for name in value.get_fields_and_field_types()}
+    items = value.tolist() if hasattr(value, 'tolist') else list(value)
+    shown = [_plain(each, length) for each in items[:length]]
+    return shown if len(shown) == len(items) else [*shown, '...']

@@ -1,15 +1,15 @@
-"""What a notebook's cell made last time goes when the cell runs again."""
+"""What a notebook's cell made last time goes when the cell runs again, and no other cell shows it."""
 
 from typing import Any
 
-# For each cell, which of its runs made the widgets, and these.
+# For each cell, which of its runs made or showed the widgets, and these.
 _made: dict[str, tuple[str, list[Any]]] = {}
 
 
 def close_with_cell(widget: Any) -> None:
-    """Close a widget when the cell that is running now runs again.
+    """Close a widget when the cell that is running now runs again, unless another cell still shows it.
 
-    Running a cell again replaces its output, so nobody can see the old widget; but ipywidgets keeps it, and it
+    Running a cell again replaces its output, so nobody can see the old widget there; but ipywidgets keeps it, and it
     would go on following its node. Front ends tell a cell's identity with each run; where none does (a console,
     nbval) nothing is closed.
     """
@@ -17,11 +17,21 @@ def close_with_cell(widget: Any) -> None:
     if cell is None:
         return
     earlier_run, widgets = _made.get(cell, ('', []))
-    if earlier_run != run:
-        for earlier in widgets:
-            earlier.close()
-        widgets = []
-    _made[cell] = run, [*widgets, widget]
+    if earlier_run == run:
+        _made[cell] = run, [*(each for each in widgets if each is not widget), widget]
+        return
+    _made[cell] = run, [widget]
+    for earlier in widgets:
+        _close_unless_shown(earlier)
+
+
+def _close_unless_shown(widget: Any) -> None:
+    """Close a widget, and the views in it, but for what is shown elsewhere."""
+    shown = [part for _, widgets in _made.values() for each in widgets for part in (each, *getattr(each, 'parts', ()))]
+    if not any(each is widget for each in shown):
+        widget.close()
+        for part in getattr(widget, 'parts', ()):
+            _close_unless_shown(part)
 
 
 def close_looks(widget: Any) -> None:

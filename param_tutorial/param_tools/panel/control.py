@@ -28,7 +28,7 @@ class Control:
         self._live, self.parameter = live, parameter
         self._take = take
         self.first = parameter.value
-        """What it had when the panel first saw it."""
+        """What it had when its node was added to the stage, or for any other node, when the panel first saw it."""
         self._shape: Any = None
         self._row: PanelRow
         self._scale: Scale | None = None
@@ -130,7 +130,7 @@ class Control:
 
     @property
     def is_changed(self) -> bool:
-        """True if it can be brought back to another value, which it had when the panel first saw it."""
+        """True if it can be brought back to another value, its first one."""
         return not (self.descriptor.read_only or self.first is None or values.same(self.first, self.value))
 
     def _position(self, value: Any) -> int | None:

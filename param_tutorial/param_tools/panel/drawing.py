@@ -118,7 +118,7 @@ def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowSt
     :param status: Why nothing can be changed now; empty if it can.
     :param in_order: True if the rows stay as they stand, with a heading wherever another group begins.
     """
-    draw = _Drawing(states, is_locked=bool(status))
+    draw = _Drawing(states, is_locked=bool(status), has_units=any(row.unit for row in rows))
     body = draw.runs(rows) if in_order else draw.content(_tree(rows), '')
     return f'{_head(node, len(rows), status)}<div class="param-rows">{body}</div>'
 
@@ -134,7 +134,7 @@ def _head(node: str, count: int, status: str) -> str:
                '<button type="button" class="param-undo" disabled>Undo</button>'
                '<button type="button" class="param-redo" disabled>Redo</button>'
                '<button type="button" class="param-reset" disabled '
-               'title="Bring every parameter back to what this panel saw first">Reset</button></span>'
+               'title="Bring every parameter back to its first value">Reset</button></span>'
                '<span class="param-tools" role="group" aria-label="Parameter file">'
                '<button type="button" class="param-save" aria-expanded="false">Save…</button>'
                '<button type="button" class="param-load" aria-expanded="false">Load…</button></span>')
@@ -166,8 +166,8 @@ def file_markup(summary: str, notes: Sequence[str] = (), columns: Sequence[str] 
 class _Drawing:
     """Draws rows and groups, and counts the ids."""
 
-    def __init__(self, states: Mapping[str, RowState], *, is_locked: bool):
-        self._states, self._is_locked = states, is_locked
+    def __init__(self, states: Mapping[str, RowState], *, is_locked: bool, has_units: bool):
+        self._states, self._is_locked, self._has_units = states, is_locked, has_units
         self._count = 0
 
     def runs(self, rows: Iterable[PanelRow]) -> str:
@@ -210,7 +210,9 @@ class _Drawing:
                   f'<input type="range" class="param-slider" autocomplete="off" min="0" max="{row.last}" '
                   f'value="{state.position or 0}" '
                   f'aria-label="{html.escape(label)}, slider" aria-valuetext="{html.escape(state.text)}"{off}>')
-        unit = f'<span class="param-unit">{html.escape(row.unit)}</span>' if row.unit else ''
+        # Where others have a unit, there is room for one, so that the sliders stand one below the other.
+        has_room = slider and self._has_units
+        unit = f'<span class="param-unit">{html.escape(row.unit)}</span>' if row.unit or has_room else ''
         items = ('' if state.items is None else
                  f'<button type="button" class="param-items" aria-expanded="false" hidden '
                  f'aria-label="Elements of {html.escape(label)}">Elements</button>')

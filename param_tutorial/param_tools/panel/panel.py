@@ -19,10 +19,12 @@ from typing import TYPE_CHECKING, Any
 
 import ipywidgets as widgets
 import traitlets
+from rcl_interfaces.msg import ParameterValue
 from rclpy.node import Node
 
 from param_tools import values
 from param_tools.errors import (
+    ExecutorError,
     ParameterFileError,
     ParameterNotDeclaredError,
     ParameterToolError,
@@ -42,7 +44,7 @@ from param_tools.panel.drawing import PanelRow, arrange, panel_markup
 from param_tools.panel.edits import Edits, State
 from param_tools.panel.front import Front
 from param_tools.panel.view import FollowingView, ParameterView
-from param_tools.ros import host
+from param_tools.ros import host, stage
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC
 from param_tools.systems.catalog import Catalog, CatalogNode
@@ -100,6 +102,7 @@ class ParameterPanel(ParameterView):
         self._acting = threading.RLock()
         self._followed: list[tuple[str, ParameterState]] = []
         self._rows: list[PanelRow] | None = None
+        self._first_values: dict[str, ParameterValue] | None = None
         # What is wanted together, by name; None if each change is sent at once.
         self._gathered: State | None = None
         self._is_code_gathered = False
@@ -148,7 +151,7 @@ class ParameterPanel(ParameterView):
 
     @property
     def changed(self) -> dict[str, Any]:
-        """What differs from what the panel first saw: the values that it saw, by the parameters' names."""
+        """What differs from its first values: these, by the parameters' names."""
         return {name: control.first for name, control in self._controls.items() if control.is_changed}
 
     @property
@@ -194,13 +197,13 @@ class ParameterPanel(ParameterView):
     def dump(self, *, changed_only: bool = False) -> Dump:
         """Return the values that the panel shows as a parameter file.
 
-        :param changed_only: Only what differs from what the panel first saw.
+        :param changed_only: Only what differs from its first value.
         :raises ParameterFileError: there is nothing to write.
         """
         present = {name: control.value for name, control in self._controls.items()
                    if control.is_changed or not changed_only}
         if not present:
-            raise ParameterFileError(f'nothing of {self.node} differs from what the panel first saw' if self._controls
+            raise ParameterFileError(f'no parameter of {self.node} differs from its first value' if self._controls
                                      else f'no parameter of {self.node} is known: {self.status}')
         return render(self.node, present)
 
@@ -208,7 +211,7 @@ class ParameterPanel(ParameterView):
         """Write what the node has now, as far as it is on the panel, to a parameter file.
 
         :param path: An existing file is replaced as a whole, or not at all.
-        :param changed_only: Only what differs from what the panel first saw.
+        :param changed_only: Only what differs from its first value.
         :return: The text, and which parameters no file can hold (``left_out``), with the reason.
         :raises ParameterFileError: there is nothing to write, or no such path.
         :raises OSError: the file cannot be written.
@@ -300,7 +303,7 @@ class ParameterPanel(ParameterView):
             self._not_restored = self._edits.redo()
 
     def reset(self, *names: str) -> None:
-        """Set parameters back to what the panel first saw, and wait until the node has it; see ``not_restored``.
+        """Set parameters back to their first values, and wait until the node has it; see ``not_restored``.
 
         A value that the node rejects stays as it is, and the panel shows the reason.
 
@@ -386,6 +389,7 @@ class ParameterPanel(ParameterView):
             live = self._live
             if list(live.parameters.items()) != self._followed:
                 self._rebuild(live.parameters)
+            self._learn_first_values()
             if not live.is_busy:
                 self._edits.end()
             gathered = self._gathered or {}
@@ -429,6 +433,21 @@ class ParameterPanel(ParameterView):
         self._note = ''
         self._show()
 
+    def _learn_first_values(self) -> None:
+        """Let each control of a node on the stage go back to what the node began with.
+
+        The panel may have been made again since, by a cell that ran again.
+        """
+        try:
+            first_values = stage.current().first_values(self.node)
+        except ExecutorError:
+            return
+        if first_values is not None and first_values is not self._first_values:
+            self._first_values = first_values
+            for name, control in self._controls.items():
+                if name in first_values:
+                    control.first = values.to_python_or_none(first_values[name])
+
     def _rebuild(self, parameters: dict[str, ParameterState]) -> None:
         """Make the controls that are missing and drop those whose parameter is gone; keep all others as they are."""
         self._followed = list(parameters.items())
@@ -440,6 +459,7 @@ class ParameterPanel(ParameterView):
                 if name in old:
                     control.first = old[name].first
             controls[name] = control
+        self._first_values = None
         rows = [control.row for control in controls.values()]
         self._controls = {row.name: controls[row.name] for row in (rows if self._in_order else arrange(rows))}
 

@@ -6,6 +6,7 @@ What each of them shows is in ``panel``, ``robot``, ``step_response``, ``events`
 import html
 import threading
 from collections.abc import Callable, Iterable
+from typing import Any
 
 import ipywidgets as widgets
 
@@ -48,6 +49,11 @@ class View(widgets.VBox):
     def node(self) -> str:
         """The fully qualified name of the node that it shows, or what it says in the place of one."""
         raise NotImplementedError
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        """Be shown by the cell that runs, as ipywidgets has it, and stay as long as that cell shows the view."""
+        close_with_cell(self)
+        return super()._repr_mimebundle_(**options)
 
     def on_close(self, listener: Callable[['View'], object]) -> Callable[[], None]:
         """Call a listener with the view when it is about to be closed.

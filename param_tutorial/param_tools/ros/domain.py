@@ -57,6 +57,12 @@ def is_claimed() -> bool:
     return _claim is not None and os.environ.get('ROS_DOMAIN_ID') == str(_claim[0])
 
 
+def settings() -> dict[str, str]:
+    """Return what lets another process join the ROS domain of this one: variables of the environment."""
+    names = ('ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'FASTRTPS_DEFAULT_PROFILES_FILE')
+    return {name: os.environ[name] for name in names if name in os.environ}
+
+
 def environment_without_domain() -> dict[str, str]:
     """Return the environment of this process for one that is to choose a ROS domain of its own."""
     return {name: value for name, value in os.environ.items() if name != 'ROS_DOMAIN_ID'}

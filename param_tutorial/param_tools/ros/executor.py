@@ -17,14 +17,15 @@ import traceback
 from collections import deque
 from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import rclpy
-from rcl_interfaces.msg import Log, ParameterEvent
+from rcl_interfaces.msg import Log, ParameterEvent, ParameterValue
 from rclpy import executors, task, utilities
 from rclpy.client import Client
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 from rclpy.parameter_service import ParameterService
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
 from rclpy.service import Service
@@ -153,6 +154,7 @@ class BackgroundExecutor:
         self.failures: deque[Failure] = deque(maxlen=100)
         """The exceptions that callbacks raised, oldest first; those that repeat are counted in one."""
         self._nodes: list[Node] = []
+        self._first_values: dict[str, dict[str, ParameterValue]] = {}
         self._event_listeners: Listeners[[ParameterEvent]] = Listeners()
         self._graph_listeners: Listeners[[]] = Listeners()
         self._tick_listeners: Listeners[[]] = Listeners()
@@ -234,12 +236,18 @@ class BackgroundExecutor:
                 raise
         # The learner may call it, in any thread.
         node.destroy_node = functools.partial(self._destroy, node, node.destroy_node)  # type: ignore[method-assign]
+        parameters = cast(dict[str, Parameter], node.get_parameters_by_prefix(''))  # rclpy says that these are values
+        self._first_values[name] = {each: parameter.get_parameter_value() for each, parameter in parameters.items()}
         # Known before it is spun: its first callback, and listeners to the graph, may look for it.
         self._nodes.append(node)
         self.run(lambda: self._executor.add_node(node), f'add {name}')
         if self.is_running:
             self.run(self._tell_of_nodes, 'look at the graph')
         return node
+
+    def first_values(self, name: str) -> dict[str, ParameterValue] | None:
+        """Return what the parameters of a node had when it was added; None if no node of this name is here."""
+        return self._first_values.get(name)
 
     def _make_room(self, ros_args: Sequence[str], node_name: str, options: dict[str, Any]) -> None:
         """Destroy the node whose name a node is about to get, and pass that one its ros_args.
@@ -294,6 +302,7 @@ class BackgroundExecutor:
             end_service = rclpy_private.keep_type_description_service(node)
             if node in self._nodes:
                 self._nodes.remove(node)
+                self._first_values.pop(_full_name(node), None)
             self._executor.remove_node(node)
             destroy()
             return end_service

@@ -17,7 +17,7 @@ from param_tools.errors import NoProcessError
 from param_tools.rcl_in_python import install
 from param_tools.ros import turns
 from param_tutorial.learner import progress
-from param_tutorial.notebook import stored
+from param_tutorial.notebook import kernel_start, stored
 from param_tutorial.notebook.shell import NO_SHELL
 
 # Where JupyterLab's own files are seen by the kernel.
@@ -43,6 +43,7 @@ def load_ipython_extension(shell: InteractiveShell) -> None:
         setattr(shell, name, _run_no_command)
     host = turns.install()
     shell.events.register('pre_run_cell', lambda _: host.settle())
+    shell.events.register('post_run_cell', kernel_start.after_cell)
     _tasks.add(asyncio.ensure_future(_live(host)))
 
 

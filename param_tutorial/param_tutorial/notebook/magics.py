@@ -338,8 +338,7 @@ def terminal_hint() -> 'PersonalLine':
 def terminal_line() -> str:
     """Return the line of shell that makes a terminal join the ROS domain of this process."""
     domain.choose()
-    names = ('ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'FASTRTPS_DEFAULT_PROFILES_FILE')
-    settings = ' '.join(f'{name}={shlex.quote(os.environ[name])}' for name in names if name in os.environ)
+    settings = ' '.join(f'{name}={shlex.quote(value)}' for name, value in domain.settings().items())
     if genuine.path() is not None:
         return f'export {settings}'
     embedded = shlex.join([sys.executable, '-m', 'param_tutorial'])

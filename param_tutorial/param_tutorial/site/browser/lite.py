@@ -28,6 +28,7 @@ _POLICY = "default-src 'self' blob: data: 'unsafe-inline' 'unsafe-eval'"
 PYODIDE = 'pyodide'
 _KERNEL = '@jupyterlite/pyodide-kernel-extension'
 _SETTINGS = ROOT / 'environment' / 'jupyter' / 'labconfig'
+_OUR_EXTENSION = ROOT / 'environment' / 'jupyter' / 'labextensions' / 'param-tutorial'
 # The end of the start page says where a learner's work is kept. In a browser it ends like this.
 _WHERE_WORK_IS = 'Your changes are saved as you work.'
 _WORK_IN_BROWSER = f'''{_WHERE_WORK_IS} They are kept in this browser and nowhere else; a private window forgets them
@@ -58,7 +59,7 @@ def build(target: Path) -> None:
         page_python.gather(Path(folder, PYODIDE), WORK)
         (lite / 'jupyter-lite.json').write_text(json.dumps(_configuration()), encoding='utf-8')
         (lite / 'jupyter_lite_config.json').write_text(json.dumps({'LiteBuildConfig': {
-            'federated_extensions': [str(page_python.kernel_wheel(WORK))]}}), encoding='utf-8')
+            'federated_extensions': [str(page_python.kernel_wheel(WORK)), str(_OUR_EXTENSION)]}}), encoding='utf-8')
         (lite / 'overrides.json').write_text(json.dumps(_settings()), encoding='utf-8')
         subprocess.run([sys.executable, '-W', 'ignore', '-m', 'jupyterlite_core', 'build', '--log-level', 'ERROR',
                         '--lite-dir', lite, '--contents', files, '--output-dir', site, '--apps', 'lab',

@@ -220,6 +220,11 @@ def replay(vehicle: Vehicle) -> str:
     return f'{STYLE}<div class="robot-view">{picture}</div>'
 
 
+# A file has no page around it whose colors it could take, but it may ask the system.
+_DARK = ('@media (prefers-color-scheme: dark) { .robot-stage { --jp-layout-color1: #111; --jp-layout-color2: #333; '
+         '--jp-ui-font-color1: #eee; --jp-border-color2: #616161; --jp-brand-color1: #64b5f6; } }')
+
+
 def poster(vehicle: Vehicle, *, times: int, pause_sec: float) -> str:
     """Return an SVG file in which a motion is shown several times.
 
@@ -229,8 +234,8 @@ def poster(vehicle: Vehicle, *, times: int, pause_sec: float) -> str:
     animation = _Animation('robot', vehicle, times=times, pause_sec=pause_sec)
     end = vehicle.at(math.inf)
     return (f'<svg xmlns="http://www.w3.org/2000/svg" class="robot-stage" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
-            f'aria-label="{html.escape(end.text)}">\n<style>\n{sheet("param_tutorial/views/drawing/track.css")}</style>\n'
-            f'{animation.keyframes()}\n{_layers(end, animation)}</svg>\n')
+            f'aria-label="{html.escape(end.text)}">\n<style>\n{sheet("param_tutorial/views/drawing/track.css")}{_DARK}\n'
+            f'</style>\n{animation.keyframes()}\n{_layers(end, animation)}</svg>\n')
 
 
 def paint(name: str) -> int:

@@ -22,8 +22,9 @@ class _Entry:
     begin_sec: float
 
     def words(self, between: str) -> str:
-        """Return the source and its value; a source that ends with the value, like ``-p 400``, says both."""
-        return self.source if self.source.endswith(f' {self.value}') else f'{self.source}{between}{self.value}'
+        """Return the source and its value; a source that ends with the value, like ``-p speed:=400``, says both."""
+        says_both = self.source.endswith((f' {self.value}', f'={self.value}'))
+        return self.source if says_both else f'{self.source}{between}{self.value}'
 
 
 class Layers(svg.AnimatedPicture):

@@ -1,0 +1,42 @@
+/* What the course adds to JupyterLab: a widget whose kernel has ended says so, and a click on it runs its cell again.
+
+   JupyterLab marks each widget of a kernel that was restarted with a broken link, and leaves its buttons to look alive.
+   In a notebook that is opened again, it shows an error in the widget's place. */
+
+const WORDS = 'The kernel is new. Click here to run this cell, after all cells above it.';
+const RESTARTED = '.jp-OutputArea-output > .jupyter-widgets-disconnected';
+// JupyterLab's own error is the only text that stands here without an element around it.
+const REOPENED = '.jp-OutputArea-output.jupyter-widgets:not(:has(*))';
+const STYLE = `
+.jupyter-widgets-disconnected::before { content: none !important; }
+${RESTARTED}::before, ${REOPENED}::before {
+  content: '${WORDS}' !important; display: block; margin: 4px 0; padding: 4px 12px; text-align: left; white-space: normal;
+  border-left: 4px solid var(--jp-warn-color1); background: var(--jp-layout-color2); color: var(--jp-ui-font-color1);
+  font: var(--jp-content-font-size1) / 1.5 var(--jp-content-font-family); }
+${REOPENED} { font-size: 0; }
+:is(${RESTARTED}, ${REOPENED}) { cursor: pointer; }
+${RESTARTED} > * { filter: grayscale(1); opacity: 0.55; pointer-events: none; interactivity: inert; }
+@media print { ${RESTARTED}::before, ${REOPENED}::before { content: none !important; } }
+`;
+
+/** @param {any} app JupyterLab. */
+function activate(app) {
+  const style = document.createElement('style');
+  style.textContent = STYLE;
+  document.head.append(style);
+  document.addEventListener('click', async event => {
+    const stale = /** @type {Element} */ (event.target).closest(`${RESTARTED}, ${REOPENED}`);
+    const cells = app.shell.currentWidget?.content?.widgets ?? [];
+    const index = stale ? cells.findIndex((/** @type {any} */ cell) => cell.node.contains(stale)) : -1;
+    if (index < 0) return;
+    app.shell.currentWidget.content.activeCellIndex = index;
+    await app.commands.execute('notebook:run-all-above');
+    await app.commands.execute('notebook:run-cell');
+  });
+}
+
+// What webpack would write around it: JupyterLab asks for the module that package.json names.
+const plugin = {id: 'param-tutorial:new-kernel', autoStart: true, activate};
+const host = /** @type {any} */ (window);
+host._JUPYTERLAB = host._JUPYTERLAB ?? {};
+host._JUPYTERLAB['param-tutorial'] = {init() {}, get: async () => () => ({__esModule: true, default: plugin})};

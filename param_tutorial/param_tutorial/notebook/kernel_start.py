@@ -1,0 +1,29 @@
+"""What a kernel of ``make lab`` has before its first cell, which makes the rest of the course known.
+
+An error about a name that a cell above would have defined says so, and terminals can find the kernel's nodes.
+"""
+
+import re
+import sys
+
+from IPython.core.error import UsageError
+from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
+
+from param_tutorial.notebook import newest_kernel
+
+
+def load_ipython_extension(shell: InteractiveShell) -> None:
+    """Let the kernel begin so; IPython calls this when it starts, as ``environment/lab.py`` tells it."""
+    shell.events.register('post_run_cell', after_cell)
+    newest_kernel.note_domain()
+
+
+def after_cell(result: ExecutionResult) -> None:
+    """Say below an error which cells to run first, if that may be the reason."""
+    error = result.error_in_exec
+    if type(error) is NameError:
+        print(f'If a cell above defines {error.name}, run it first: Run → Run All Above Selected Cell.',
+              file=sys.stderr)
+    elif isinstance(error, UsageError) and (magic := re.search('`(%%?(ros2|shell)[^`]*)` not found', str(error))):
+        print(f'The first cell of the notebook makes {magic[1]} known; run it first: '
+              'Run → Run All Above Selected Cell.', file=sys.stderr)

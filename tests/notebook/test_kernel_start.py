@@ -1,0 +1,31 @@
+"""What a kernel of `make lab` has before its first cell: a sentence below an error about a name of a cell above."""
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+
+from param_tutorial.notebook import kernel_start
+
+ABOVE = 'Run → Run All Above Selected Cell.'
+
+
+@pytest.fixture
+def shell():
+    shell = InteractiveShell()
+    shell.events.register('post_run_cell', kernel_start.after_cell)
+    return shell
+
+
+@pytest.mark.parametrize(('cell', 'words'), [
+    ('panel.reset()', f'If a cell above defines panel, run it first: {ABOVE}\n'),
+    ('%ros2 param list', f'The first cell of the notebook makes %ros2 known; run it first: {ABOVE}\n'),
+    ('%%shell first\nls', f'The first cell of the notebook makes %%shell known; run it first: {ABOVE}\n'),
+    ('1 / 0', ''),
+    ('def f():\n    print(x)\n    x = 1\nf()', ''),
+    ('%unheard_of', ''),
+    ('1 + 1', ''),
+])
+def test_what_a_cell_says_on_standard_error(shell, capsys, cell, words):
+    shell.run_cell(cell)
+    said = capsys.readouterr().err
+    # IPython says itself which magic there is not.
+    assert said.endswith(words) and (ABOVE in said) == bool(words)
