@@ -34,18 +34,31 @@ const SETTLE = `
 `;
 
 /**
- * Put packed files where Python finds them: names and lengths as JSON on the first line, and then all contents.
- * @param {any} python
- * @param {Uint8Array} packed
+ * Return files that are in one, by their names: names and lengths as JSON on the first line, and then all contents.
+ * @param {Uint8Array<ArrayBuffer>} joined
  */
-export function unpackFiles(python, packed) {
-  const end = packed.indexOf(10);
+export function filesIn(joined) {
+  const end = joined.indexOf(10);
   let at = end + 1;
-  for (const [name, length] of JSON.parse(new TextDecoder().decode(packed.subarray(0, end)))) {
+  /** @type {Record<string, Uint8Array<ArrayBuffer>>} */
+  const files = {};
+  for (const [name, length] of JSON.parse(new TextDecoder().decode(joined.subarray(0, end)))) {
+    files[name] = joined.subarray(at, at + length);
+    at += length;
+  }
+  return files;
+}
+
+/**
+ * Put packages where Python finds them.
+ * @param {any} python
+ * @param {Uint8Array<ArrayBuffer>} packages
+ */
+export function install(python, packages) {
+  for (const [name, content] of Object.entries(filesIn(packages))) {
     const path = name.startsWith('/') ? name : SITE + name;
     python.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-    python.FS.writeFile(path, packed.subarray(at, at + length));
-    at += length;
+    python.FS.writeFile(path, content);
   }
 }
 
