@@ -18,14 +18,20 @@ export const WIDGET = 'application/vnd.jupyter.widget-view+json';
 /** The file in which the course keeps what the learner has solved. */
 export const PROGRESS = '/drive/progress.json';
 const SITE = '/lib/python3.14/site-packages/';
-// Nobody types into a terminal here, and what IPython would load for one takes a second.
+// Nobody types into a terminal here, and what IPython would load for one takes a second. Nothing waits for an answer, either.
 const PREPARE = `
-  import os, sys, types
+  import builtins, os, sys, types
   embed = sys.modules['IPython.terminal.embed'] = types.ModuleType('IPython.terminal.embed')
   embed.embed = None
   os.makedirs('/drive', exist_ok=True)
   os.chdir('/drive')
   import pyodide_kernel
+  from IPython.core.error import StdinNotImplementedError
+
+  def no_input(*_):
+      raise StdinNotImplementedError("input() can't ask in a web page: write the answer into the cell, answer = 'yes'")
+
+  builtins.input = no_input
 `;
 
 const SETTLE = `

@@ -47,8 +47,6 @@ class Live:
         page_python.gather(pyodide, page_python.WORK)
         packed = python_files.packages(pyodide, paths[0].parent)
         (self.work / 'packages').write_bytes(packed)
-        everything = python_files.everything(pyodide, packed)
-        self._python = self._kept('python', everything, lambda: python_files.script(everything))
         surroundings = packed + b''.join((_HERE / name).read_bytes() for name in _RUNS)
         # Most of a run is waiting for what moves.
         with concurrent.futures.ThreadPoolExecutor(2 * processes) as pool:
@@ -57,6 +55,9 @@ class Live:
                 run.result()
                 say(f'[{number}/{len(paths)}] {runs[run].stem}: ran in its page as stored')
         self.chapters = {path: run.result() for run, path in runs.items()}
+        say('Packing the Python of the pages')
+        everything = python_files.everything(pyodide, packed)
+        self._python = self._kept('python', everything, lambda: python_files.script(everything))
 
     def _run(self, path: Path, pyodide: Path, surroundings: bytes) -> LiveChapter:
         key = path.read_bytes() + surroundings + repr(EXPLAINED).encode()

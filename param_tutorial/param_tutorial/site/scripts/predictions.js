@@ -136,8 +136,13 @@ export function askForPrediction(form, facts) {
     event.preventDefault();
     const answer = given();
     if (!answer) return;
-    if (lock(answer)) keepAnswer(number, answer, facts.right.includes(choiceOf(answer, facts) ?? ''));
-    else said.innerHTML = facts.typed?.askAgain ?? '';
+    if (!lock(answer)) {
+      said.innerHTML = facts.typed?.askAgain ?? '';
+      return;
+    }
+    keepAnswer(number, answer, facts.right.includes(choiceOf(answer, facts) ?? ''));
+    // The button that was pressed is gone, and the keyboard goes on from the one that came in its place.
+    again.focus();
   });
   again.addEventListener('click', () => {
     forgetAnswer(number);
