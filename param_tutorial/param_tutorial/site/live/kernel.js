@@ -29,7 +29,7 @@ const PREPARE = `
   from IPython.core.error import StdinNotImplementedError
 
   def no_input(*_):
-      raise StdinNotImplementedError("input() can't ask in a web page: write the answer into the cell, answer = 'yes'")
+      raise StdinNotImplementedError("input() can't ask in a web page: write the answer into the cell, e.g. answer = 'yes'")
 
   builtins.input = no_input
 `;
