@@ -112,9 +112,12 @@ export function askForPrediction(form, facts) {
     const choice = choiceOf(answer, facts);
     const verdict = choice === undefined ? other(answer) : facts.choices[choice];
     said.innerHTML = verdict;
+    // The keyboard goes on from the button that takes this one's place.
+    const isAtButton = document.activeElement === button;
     fields.disabled = Boolean(verdict);
     button.hidden = Boolean(verdict);
     again.hidden = !verdict;
+    if (isAtButton) again.focus();
     if (verdict) form.dispatchEvent(new Event('lesson-committed'));
     return Boolean(verdict);
   }
@@ -136,13 +139,8 @@ export function askForPrediction(form, facts) {
     event.preventDefault();
     const answer = given();
     if (!answer) return;
-    if (!lock(answer)) {
-      said.innerHTML = facts.typed?.askAgain ?? '';
-      return;
-    }
-    keepAnswer(number, answer, facts.right.includes(choiceOf(answer, facts) ?? ''));
-    // The button that was pressed is gone, and the keyboard goes on from the one that came in its place.
-    again.focus();
+    if (lock(answer)) keepAnswer(number, answer, facts.right.includes(choiceOf(answer, facts) ?? ''));
+    else said.innerHTML = facts.typed?.askAgain ?? '';
   });
   again.addEventListener('click', () => {
     forgetAnswer(number);
