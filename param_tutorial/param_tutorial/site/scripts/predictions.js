@@ -112,12 +112,12 @@ export function askForPrediction(form, facts) {
     const choice = choiceOf(answer, facts);
     const verdict = choice === undefined ? other(answer) : facts.choices[choice];
     said.innerHTML = verdict;
-    // The keyboard goes on from the button that takes this one's place.
-    const isAtButton = document.activeElement === button;
+    // What has the keyboard goes, and the button that comes in its place takes over.
+    const isHere = form.contains(document.activeElement);
     fields.disabled = Boolean(verdict);
     button.hidden = Boolean(verdict);
     again.hidden = !verdict;
-    if (isAtButton) again.focus();
+    if (verdict && isHere) again.focus();
     if (verdict) form.dispatchEvent(new Event('lesson-committed'));
     return Boolean(verdict);
   }
