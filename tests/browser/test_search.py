@@ -63,6 +63,7 @@ def test_a_word_with_a_hyphen_is_a_word(search):
     assert '6.2' in pages_of(hits)[:2] and '4' not in pages_of(hits)
     assert all(marked and set(marked) == {'read-only'} for _, _, marked in hits)
     assert all('read-only' not in marked for _, _, marked in search('read', 10))
+    assert [hit[:2] for hit in search('read only')] == [hit[:2] for hit in hits[:3]]
 
 
 @pytest.mark.parametrize('words, page', [

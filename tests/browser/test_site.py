@@ -292,6 +292,25 @@ def test_settings_stand_in_the_address_and_a_reload_brings_them_back(page):
 
 
 @limits
+def test_what_a_file_has_set_stands_in_the_address(page):
+    own = cell_with(page, 'the end')
+    own.get_by_role('button', name='Edit the code of this cell').click()
+    editor = own.get_by_role('textbox', name='The code of this cell')
+    editor.fill("from pathlib import Path\n"
+                "Path('mine.yaml').write_text('/heater: {ros__parameters: {power_w: 150}}')\nprint('written')")
+    editor.press('Shift+Enter')
+    expect(own.locator('.cell_output')).to_have_text('written', timeout=60_000)
+    page.get_by_role('button', name='Load…').first.click()
+    form = page.locator('.param-file').first
+    form.get_by_role('combobox').fill('mine.yaml')
+    expect(form).to_contain_text('1 value will change')
+    form.locator('.param-file-do').click()
+    page.wait_for_function("location.search.includes('power_w=150')")
+    page.reload()
+    expect(box(page, 'power_w')).to_have_value('150', timeout=60_000)
+
+
+@limits
 def test_an_address_names_only_what_is_there_when_it_is_followed(page):
     cell_with(page, "ParameterPanel('/heater')").get_by_role('button', name='Run this cell').click()
     wait_for_the_node(page)
@@ -399,6 +418,7 @@ def test_a_prediction_by_keyboard(page):
     expect(form.get_by_role('radio').first).to_be_disabled()
     assert [each.get_attribute('data-mark') for each in form.locator('label').all()] == [None, 'right', None, None]
     expect(commit).to_be_hidden()
+    expect(form.locator('.lesson-again')).to_be_focused()
     expect(page.get_by_text("exercises.predict('6.1-1')")).to_have_count(0)
 
 

@@ -57,6 +57,19 @@ test('a hyphen between letters is part of a word, and one at the beginning of an
   assert.deepEqual(marks('be', 'maybe'), []);
 });
 
+test('words that are typed apart find those that a hyphen joins', () => {
+  const one = {page: '06', title: '', lesson: true, sections: [section('Locks', 'A read-only value stays.')]};
+  const other = {page: '04', title: '', lesson: true, sections: [section('Others', 'Read it. Only then set it.')]};
+  const {hits} = find(sectionsOf([other, one]), 'read only');
+  assert.deepEqual(
+    hits.map(hit => [hit.section.anchor, hit.isWhole]),
+    [
+      ['Locks', true],
+      ['Others', true],
+    ],
+  );
+});
+
 test('a section with the word in its heading comes first, and what is no lesson last', () => {
   assert.deepEqual(search('declare'), {isAll: true, found: ['Declaring', 'Errors', 'Claims']});
 });

@@ -62,6 +62,11 @@ def test_a_command_after_an_exclamation_mark_says_why_it_does_not_run(run):
     assert direct == assigned == "there is no shell in a web page, so 'ls' does not run here\n"
 
 
+def test_input_says_what_to_do_without_it(run):
+    (said, _), = run("try:\n    input('Speed? ')\nexcept NotImplementedError as error:\n    print(error)")
+    assert said == "input() can't ask in a web page: write the answer into the cell, e.g. answer = 'yes'\n"
+
+
 CLOCK = '''
 import asyncio
 import param_tutorial

@@ -32,6 +32,8 @@ PYODIDE_VERSION = json.loads((ROOT / 'package-lock.json').read_text(encoding='ut
 _PYODIDE_FILES = ('pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide.mjs')
 # Compiled, it brings Python into a page in a third of the time.
 _STDLIB = 'python_stdlib.zip'
+# What no page can use: mail and servers, since it has no connections, and what stands in for modules that are compiled.
+_STDLIB_LEFT_OUT = ('ftplib', 'imaplib', 'mailbox', 'poplib', 'smtplib', 'wsgiref/', 'xmlrpc/', '_pydatetime', '_pyio')
 _LOCK = ROOT / 'environment' / 'requirements-page.lock'
 _COMPILE = Path(__file__).with_name('compile.mjs')
 # In place of the kernel's own, which would import micropip.
@@ -73,7 +75,8 @@ def gather(target: Path, work: Path) -> None:
     for name in _PYODIDE_FILES:
         shutil.copy(PYODIDE / name, target / name)
     with zipfile.ZipFile(PYODIDE / _STDLIB) as stdlib:
-        files = {name: stdlib.read(name) for name in stdlib.namelist() if not name.endswith('/')}
+        files = {name: stdlib.read(name) for name in stdlib.namelist()
+                 if not name.endswith('/') and not name.startswith(_STDLIB_LEFT_OUT)}
     shutil.copy(_made('stdlib', files, work, _only_compiled), target / _STDLIB)
     lock = json.loads((PYODIDE / 'pyodide-lock.json').read_text(encoding='utf-8'))
     lock['packages'] = {name: _make_wheel(name, files, target, work) for name, files in _wheels(work).items()}
@@ -162,7 +165,7 @@ def _files_in(folder: Path, name: str) -> Iterator[tuple[str, bytes]]:
     :param name: Of the folder.
     """
     for path in sorted(folder.rglob('*')):
-        if path.is_file() and path.suffix not in ('.so', '.pyc'):
+        if path.is_file() and path.suffix not in ('.so', '.c', '.pyc'):
             yield f'{name}/{path.relative_to(folder)}', path.read_bytes()
 
 

@@ -8,8 +8,8 @@ run the chapter, in the Python that `browser.page_python` gathers for JupyterLit
 the cells put out with what is stored in the notebook, and notes the states of the widgets that each cell shows.
 ``stills`` draws these states as HTML: the first picture. ``site`` puts all together.
 
-**The Python comes as scripts** (``python_files``), each one part of Pyodide or all packages, deflated and in base64,
-because a page on a disk can load scripts and nothing else. Over the web the same files serve. So a page never
+**The Python comes as a script** (``python_files``), Pyodide and all packages, packed by xz as one and written as text,
+because a page on a disk can load scripts and nothing else. Over the web the same script serves. So a page never
 fetches, and its content-security policy forbids it to: `connect-src` names no server, not even its own, and a worker
 made from memory inherits that. What a reader, or somebody's link, puts into a cell can reach no other machine.
 

@@ -18,10 +18,13 @@ const entered = new Set();
  * @param {any} content
  */
 export function noteEntered(panel, content) {
-  if (content?.do !== 'enter') return;
-  const key = `${panel.place}:${content.name}`;
-  entered.delete(key);
-  entered.add(key);
+  let names = content?.do === 'enter' ? [content.name] : [];
+  if (content?.do === 'act' && !content.is_save) names = Object.keys(panel.get('state').rows); // a file may set them all
+  for (const name of names) {
+    const key = `${panel.place}:${name}`;
+    entered.delete(key);
+    entered.add(key);
+  }
 }
 
 /**

@@ -18,14 +18,20 @@ export const WIDGET = 'application/vnd.jupyter.widget-view+json';
 /** The file in which the course keeps what the learner has solved. */
 export const PROGRESS = '/drive/progress.json';
 const SITE = '/lib/python3.14/site-packages/';
-// Nobody types into a terminal here, and what IPython would load for one takes a second.
+// Nobody types into a terminal here, and what IPython would load for one takes a second. Nothing waits for an answer, either.
 const PREPARE = `
-  import os, sys, types
+  import builtins, os, sys, types
   embed = sys.modules['IPython.terminal.embed'] = types.ModuleType('IPython.terminal.embed')
   embed.embed = None
   os.makedirs('/drive', exist_ok=True)
   os.chdir('/drive')
   import pyodide_kernel
+  from IPython.core.error import StdinNotImplementedError
+
+  def no_input(*_):
+      raise StdinNotImplementedError("input() can't ask in a web page: write the answer into the cell, e.g. answer = 'yes'")
+
+  builtins.input = no_input
 `;
 
 const SETTLE = `
@@ -34,18 +40,31 @@ const SETTLE = `
 `;
 
 /**
- * Put packed files where Python finds them: names and lengths as JSON on the first line, and then all contents.
- * @param {any} python
- * @param {Uint8Array} packed
+ * Return files that are in one, by their names: names and lengths as JSON on the first line, and then all contents.
+ * @param {Uint8Array<ArrayBuffer>} joined
  */
-export function unpackFiles(python, packed) {
-  const end = packed.indexOf(10);
+export function filesIn(joined) {
+  const end = joined.indexOf(10);
   let at = end + 1;
-  for (const [name, length] of JSON.parse(new TextDecoder().decode(packed.subarray(0, end)))) {
+  /** @type {Record<string, Uint8Array<ArrayBuffer>>} */
+  const files = {};
+  for (const [name, length] of JSON.parse(new TextDecoder().decode(joined.subarray(0, end)))) {
+    files[name] = joined.subarray(at, at + length);
+    at += length;
+  }
+  return files;
+}
+
+/**
+ * Put packages where Python finds them.
+ * @param {any} python
+ * @param {Uint8Array<ArrayBuffer>} packages
+ */
+export function install(python, packages) {
+  for (const [name, content] of Object.entries(filesIn(packages))) {
     const path = name.startsWith('/') ? name : SITE + name;
     python.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-    python.FS.writeFile(path, packed.subarray(at, at + length));
-    at += length;
+    python.FS.writeFile(path, content);
   }
 }
 

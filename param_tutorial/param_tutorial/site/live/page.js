@@ -105,7 +105,6 @@ export class Page {
   /** Let the worker begin; once for the page. */
   async begin() {
     if (this.worker) return;
-    const scripts = all(document, 'script[data-live-python]');
     const code = /** @type {any} */ (self).lessonWorker;
     const address = URL.createObjectURL(new Blob([code], {type: 'text/javascript'}));
     this.worker = new Worker(address);
@@ -113,12 +112,12 @@ export class Page {
     this.worker.addEventListener('error', event => this.die(event.message));
     performance.mark('live-begin');
     try {
-      await Promise.all(scripts.map(loadPart));
+      await loadPython(one(document, 'script[data-live-python]'));
     } catch (error) {
       this.die(String(error));
       return;
     }
-    this.worker.postMessage({parts: /** @type {any} */ (self).lessonPython, progress: progressFile()});
+    this.worker.postMessage({python: /** @type {any} */ (self).lessonPython, progress: progressFile()});
     delete (/** @type {any} */ (self).lessonPython);
   }
 
@@ -273,13 +272,13 @@ export class Page {
 }
 
 /**
- * Load a part of the Python: a script that stands beside the page, or, in a lesson that is one file, in it.
- * @param {HTMLElement} part
+ * Load Python: a script that stands beside the page, or, in a lesson that is one file, in it.
+ * @param {HTMLElement} python
  */
-function loadPart(part) {
-  const source = part.dataset.livePython ?? '';
+function loadPython(python) {
+  const source = python.dataset.livePython ?? '';
   return new Promise((resolve, reject) => {
-    const script = source ? make('script', {src: source, async: true}) : make('script', {}, part.textContent ?? '');
+    const script = source ? make('script', {src: source, async: true}) : make('script', {}, python.textContent ?? '');
     script.addEventListener('load', () => resolve(script.remove()));
     script.addEventListener('error', () => reject(new Error(`${source} can't be loaded`)));
     document.head.append(script);

@@ -1,15 +1,14 @@
-"""The Python of a lesson page as scripts, which a page on a disk can load, too: deflated, in base64.
+"""The Python of a lesson page as a script, which a page on a disk can load, too: packed by xz, and written as text.
 
-Each script adds one part to a list of the page. Over the web the same files serve: one way to load them is enough, and
-a page that never fetches may be forbidden to.
+Over the web the same script serves: one way to load it is enough, and a page that never fetches may be forbidden to.
 """
 
-import base64
+import io
 import json
+import lzma
 import re
 import zipfile
-import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 # What JupyterLab's kernel needs and no lesson page: completion, a terminal, packages from elsewhere, widgets' own
@@ -24,17 +23,24 @@ _KEPT = re.compile(r'IPython/(terminal|testing)/(__init__|skipdoctest|pt_inputho
 _WITH_SOURCE = re.compile(r'rclpy/|/etc/|course/config/|course/\w+/launch/|.*/param_tutorial/nodes/')
 _COMPILED = re.compile(r'(.*/)?__pycache__/(\w+)\.cpython-\d+\.pyc')
 _ROOT = re.compile(r'[\w.-]+\.data/data(/.*)')
-PACKAGES = 'packages'
-_PYODIDE = ('pyodide.mjs', 'pyodide.asm.mjs', 'pyodide.asm.wasm', 'python_stdlib.zip', 'pyodide-lock.json')
+_PYODIDE = ('pyodide.mjs', 'pyodide.asm.mjs', 'pyodide.asm.wasm', 'pyodide-lock.json')
+_STDLIB = 'python_stdlib.zip'
+# All of ASCII that is printed but for what means something between the quotes of a script in a page. That leaves 91
+# letters, and two of them have 8,281 values, of which 13 bits take 8,192.
+_LETTERS = [chr(code) for code in range(ord('!'), ord('~') + 1) if chr(code) not in '"<\\']
+_PAIRS = [first + second for first in _LETTERS for second in _LETTERS]
 
 
 def packages(pyodide: Path, notebooks: Path) -> bytes:
-    """Return all packages in one, as ``unpackFiles`` of ``kernel.js`` reads them.
+    """Return all packages in one, as ``filesIn`` of ``kernel.js`` reads them.
 
     :param pyodide: The folder that ``browser.page_python`` has filled.
     :param notebooks: The chapters, which stand beside the one that runs, as a notebook's neighbors do.
     """
-    files = {**dict(_package_files(pyodide)), **_texts_of(notebooks)}
+    return _joined({**dict(_package_files(pyodide)), **_texts_of(notebooks)})
+
+
+def _joined(files: Mapping[str, bytes]) -> bytes:
     names = json.dumps([[name, len(content)] for name, content in files.items()], separators=(',', ':'))
     return b'\n'.join([names.encode(), b''.join(files.values())])
 
@@ -77,16 +83,33 @@ def _compiled_of(name: str) -> str:
     return str(path.parent / '__pycache__' / f'{path.stem}.cpython-314.pyc')
 
 
-def scripts(pyodide: Path, packed: bytes) -> dict[str, str]:
-    """Return the scripts by their names, and in them all that a page's worker needs to begin."""
+def everything(pyodide: Path, packed: bytes) -> bytes:
+    """Return all that a page's worker needs to begin, in one as well.
+
+    :param packed: What ``packages`` returns.
+    """
     parts = {name: (pyodide / name).read_bytes() for name in _PYODIDE}
     lock = json.loads(parts['pyodide-lock.json'])
     parts['pyodide-lock.json'] = json.dumps({**lock, 'packages': {}}).encode()
-    parts[PACKAGES] = packed
-    return {f'python-{number}.js': _script(name, content) for number, (name, content) in enumerate(parts.items(), 1)}
+    return _joined({**parts, _STDLIB: _not_deflated(pyodide / _STDLIB), 'packages': packed})
 
 
-def _script(name: str, content: bytes) -> str:
-    deflate = zlib.compressobj(9, wbits=-15)
-    text = base64.b64encode(deflate.compress(content) + deflate.flush()).decode()
-    return f'(self.lessonPython ??= {{}})[{json.dumps(name)}] = "{text}";\n'
+def script(content: bytes) -> str:
+    """Return the script that brings ``everything`` into a page: two thirds of what each file deflated would take."""
+    # A window of 32 MB, which holds nearly all.
+    return f'self.lessonPython = "{_as_text(lzma.compress(content, preset=8))}";\n'
+
+
+def _not_deflated(archive: Path) -> bytes:
+    """Return an archive with its files as they are: only so is what they have in common seen when all is packed."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(archive) as source, zipfile.ZipFile(content, 'w') as target:
+        for each in source.infolist():
+            target.writestr(zipfile.ZipInfo(each.filename), source.read(each))
+    return content.getvalue()
+
+
+def _as_text(content: bytes) -> str:
+    """Return bytes as text, 13 bits as two letters: 1.23 letters a byte, where base64 has 1.33. Zeros fill the end."""
+    blocks = (int.from_bytes(content[at:at + 13].ljust(13, b'\0'), 'big') for at in range(0, len(content), 13))
+    return ''.join(_PAIRS[block >> shift & 0x1fff] for block in blocks for shift in range(91, -1, -13))

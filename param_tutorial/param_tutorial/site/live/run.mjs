@@ -1,6 +1,6 @@
 // Runs the code cells of a notebook in the kernel of a page, in Node.js, and prints what it says to each as JSON:
 //     node run.mjs PYODIDE PACKAGES KERNEL NOTEBOOK [rest]
-// KERNEL is kernel.js as a module by itself, and PACKAGES what it unpacks. With `rest` it waits after each cell until what
+// KERNEL is kernel.js as a module by itself, and PACKAGES what it installs. With `rest` it waits after each cell until what
 // moves has come to rest.
 import fs from "node:fs";
 import path from "node:path";
@@ -10,9 +10,9 @@ const isToRest = process.argv[6] === "rest";
 // Its parent process is gone.
 process.stdin.resume().on("end", () => process.exit(1));
 const { loadPyodide } = await import(path.join(pyodide, "pyodide.mjs"));
-const { digest, Kernel, unpackFiles, WIDGET } = await import(kernel);
+const { digest, install, Kernel, WIDGET } = await import(kernel);
 const python = await loadPyodide({ indexURL: pyodide, stdout: console.error, stderr: console.error });
-unpackFiles(python, new Uint8Array(fs.readFileSync(packages)));
+install(python, new Uint8Array(fs.readFileSync(packages)));
 
 let said = [];
 let heardAt = 0;

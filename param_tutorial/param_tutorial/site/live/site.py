@@ -3,10 +3,12 @@
 import concurrent.futures
 import hashlib
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from param_tools.markup.scripts import bundle
+from param_tutorial.site.archive import ROOT
 from param_tutorial.site.browser import page_python
 from param_tutorial.site.console import say
 from param_tutorial.site.live import python_files
@@ -17,6 +19,8 @@ from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter, r
 POLICY = ("default-src 'self' data: blob: 'unsafe-inline'; connect-src data: blob:; worker-src blob:; "
           "script-src 'self' blob: 'unsafe-inline' 'unsafe-eval'; form-action 'self'")
 _HERE = Path(__file__).parent
+_PYTHON = 'python.js'
+_UNPACKER = ROOT / 'node_modules' / 'xz-decompress' / 'dist' / 'package' / 'xz-decompress.min.js'
 # What a chapter's run depends on, beside the packages.
 _RUNS = ('kernel.js', 'run.mjs', 'running.py')
 
@@ -28,7 +32,7 @@ class Live:
         """:param work: What is kept from one build to the next."""
         self.work = work
         self.chapters: dict[Path, LiveChapter] = {}
-        self._python: dict[str, str] = {}
+        self._python = ''
 
     def run(self, paths: list[Path], processes: int) -> None:
         """Run all chapters, several at a time.
@@ -43,7 +47,6 @@ class Live:
         page_python.gather(pyodide, page_python.WORK)
         packed = python_files.packages(pyodide, paths[0].parent)
         (self.work / 'packages').write_bytes(packed)
-        self._python = python_files.scripts(pyodide, packed)
         surroundings = packed + b''.join((_HERE / name).read_bytes() for name in _RUNS)
         # Most of a run is waiting for what moves.
         with concurrent.futures.ThreadPoolExecutor(2 * processes) as pool:
@@ -52,26 +55,35 @@ class Live:
                 run.result()
                 say(f'[{number}/{len(paths)}] {runs[run].stem}: ran in its page as stored')
         self.chapters = {path: run.result() for run, path in runs.items()}
+        say('Packing the Python of the pages')
+        everything = python_files.everything(pyodide, packed)
+        self._python = self._kept('python', everything, lambda: python_files.script(everything))
 
     def _run(self, path: Path, pyodide: Path, surroundings: bytes) -> LiveChapter:
-        key = hashlib.sha256(path.read_bytes() + surroundings + repr(EXPLAINED).encode()).hexdigest()
-        kept = self.work / f'{path.stem}-{key[:16]}.json'
-        if not kept.exists():
-            for old in self.work.glob(f'{path.stem}-{16 * "?"}.json'):
-                old.unlink()
-            chapter = run_chapter(path, pyodide, self.work / 'packages')
-            kept.write_text(json.dumps(chapter), encoding='utf-8')
-        cells, shared = json.loads(kept.read_text(encoding='utf-8'))
+        key = path.read_bytes() + surroundings + repr(EXPLAINED).encode()
+        chapter = self._kept(path.stem, key, lambda: json.dumps(run_chapter(path, pyodide, self.work / 'packages')))
+        cells, shared = json.loads(chapter)
         return LiveChapter([LiveCell(*each) for each in cells], shared)
+
+    def _kept(self, name: str, key: bytes, make: Callable[[], str]) -> str:
+        """Return a text, which is made anew only if what it depends on has changed."""
+        kept = self.work / f'{name}-{hashlib.sha256(key).hexdigest()[:16]}.text'
+        if not kept.exists():
+            for old in self.work.glob(f'{name}-{16 * "?"}.*'):
+                old.unlink()
+            beside = kept.with_suffix('.new')
+            beside.write_text(make(), encoding='utf-8')
+            beside.rename(kept)
+        return kept.read_text(encoding='utf-8')
 
     def scripts(self) -> dict[str, str]:
         """Return the scripts of the pages, by name: the Python, the worker's, and those that widgets bring along."""
         shared = {name: text for chapter in self.chapters.values() for name, text in chapter.shared.items()}
-        worker = bundle('param_tutorial/site/live/worker.js')
+        worker = _UNPACKER.read_text(encoding='utf-8') + bundle('param_tutorial/site/live/worker.js')
         fronts = f'self.lessonFronts = {json.dumps(shared)};\nself.lessonWorker = {json.dumps(worker)};\n'
-        return {**self._python, 'fronts.js': fronts}
+        return {_PYTHON: self._python, 'fronts.js': fronts}
 
     def settings(self) -> dict[str, Any]:
         """Return Sphinx's settings for live pages."""
-        return {'html_context.live_policy': POLICY, 'html_context.live_python': list(self._python),
+        return {'html_context.live_policy': POLICY, 'html_context.live_python': _PYTHON,
                 'html_js_files': ['fronts.js', 'lessons.js']}

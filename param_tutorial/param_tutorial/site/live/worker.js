@@ -2,23 +2,38 @@
 
    Nothing is fetched: a page on a disk may not, and a page on the web must not, since it runs what its reader typed. */
 
-import {Kernel, PROGRESS, unpackFiles} from './kernel.js';
+import {filesIn, install, Kernel, PROGRESS} from './kernel.js';
 
 const worker = /** @type {any} */ (self);
+// As python_files.py has them.
+const LETTERS = Array.from({length: 94}, (_, at) => String.fromCharCode(33 + at)).filter(each => !/["<\\]/.test(each));
 
-/** @param {string} text */
+/**
+ * Return the bytes that python_files.py wrote as text, 13 bits as two letters.
+ * @param {string} text
+ */
 function bytesOf(text) {
-  if ('fromBase64' in Uint8Array) return /** @type {any} */ (Uint8Array).fromBase64(text);
-  return Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+  const values = new Uint8Array(128);
+  for (const [value, letter] of LETTERS.entries()) values[letter.charCodeAt(0)] = value;
+  const bytes = new Uint8Array((text.length / 16) * 13);
+  let bits = 0;
+  let count = 0;
+  let at = 0;
+  for (let i = 0; i < text.length; i += 2) {
+    bits = (bits << 13) | (values[text.charCodeAt(i)] * LETTERS.length + values[text.charCodeAt(i + 1)]);
+    for (count += 13; count >= 8; count -= 8) bytes[at++] = bits >> (count - 8);
+  }
+  // What xz packs ends with a letter; zeros after that fill the last block.
+  return bytes.subarray(0, bytes.findLastIndex(Boolean) + 1);
 }
 
 /**
- * Return the content of a part of Pyodide or of the packages, which comes deflated, as text.
+ * Return the files that are packed in a text. Browsers unpack nothing that is as dense as xz.
  * @param {string} text
  */
 async function unpack(text) {
-  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  const stream = new worker['xz-decompress'].XzReadableStream(new Blob([bytesOf(text)]).stream());
+  return filesIn(new Uint8Array(await new Response(stream).arrayBuffer()));
 }
 
 /**
@@ -31,17 +46,15 @@ async function load(code) {
 }
 
 /**
- * @param {Record<string, string>} parts
+ * @param {string} packed Pyodide and the packages.
  * @param {string} progress What the browser has kept, as the course writes it into a file.
  */
-async function begin(parts, progress) {
+async function begin(packed, progress) {
   // Pyodide asks by this whether the worker is a classic one, which it rejects; all that it needs works in one, too.
   worker.importScripts = () => {
     throw new TypeError('this page loads no scripts');
   };
-  const names = Object.keys(parts);
-  const contents = await Promise.all(names.map(name => unpack(parts[name])));
-  const part = Object.fromEntries(names.map((name, at) => [name, contents[at]]));
+  const part = await unpack(packed);
   const [{loadPyodide}, {default: createPyodideModule}] = await Promise.all([
     load(part['pyodide.mjs']),
     load(part['pyodide.asm.mjs']),
@@ -59,12 +72,12 @@ async function begin(parts, progress) {
     stdLibURL: URL.createObjectURL(new Blob([part['python_stdlib.zip']])),
   });
   worker.fetch = fetchOfBrowser;
-  unpackFiles(python, part.packages);
+  install(python, part.packages);
   python.FS.writeFile(PROGRESS, progress);
   return new Kernel(python, said => worker.postMessage(said));
 }
 
-// The page may ask before all parts are here.
+// The page may ask before Python is here.
 /** @type {(kernel: Promise<Kernel>) => void} */
 let arrive;
 /** @type {Promise<Kernel>} */
@@ -79,8 +92,8 @@ kernel.then(
 let before = Promise.resolve();
 
 worker.onmessage = (/** @type {MessageEvent} */ {data}) => {
-  if (data.parts) {
-    arrive(begin(data.parts, data.progress));
+  if (data.python) {
+    arrive(begin(data.python, data.progress));
   } else if (data.run) {
     before = before.then(async () => (await kernel).run(data.run, data.code));
   } else {

@@ -124,6 +124,17 @@ export function find(sections, query) {
 }
 
 /**
+ * Return a text with spaces for the hyphens between words that were typed one after the other: "read only" finds read-only.
+ * @param {string} text
+ * @param {string[]} words
+ */
+function withoutHyphens(text, words) {
+  return words
+    .slice(1)
+    .reduce((loose, word, at) => loose.replaceAll(`${words[at]}-${word}`, `${words[at]} ${word}`), text);
+}
+
+/**
  * Return what a section has of some words.
  * @param {Section} section
  * @param {string[]} words
@@ -132,11 +143,12 @@ export function find(sections, query) {
 function look(section, words) {
   /** @type {Hit} */
   const hit = {section, score: 0, told: 0, count: 0, isWhole: true, matches: {}};
+  const texts = FIELDS.map(field => withoutHyphens(section.plain[field], words));
   for (const word of words) {
     let score = 0;
     let isWhole = false;
-    for (const field of FIELDS) {
-      const text = section.plain[field];
+    for (const [at, field] of FIELDS.entries()) {
+      const text = texts[at];
       const found = [...matchesOf(word, text)].map(each => ({...each, word}));
       if (!found.length) continue;
       hit.matches[field] = [...(hit.matches[field] ?? []), ...found];
@@ -152,7 +164,7 @@ function look(section, words) {
     hit.count += 1;
     hit.isWhole &&= isWhole;
   }
-  const isPhrase = FIELDS.some(field => field !== 'title' && section.plain[field].includes(words.join(' ')));
+  const isPhrase = FIELDS.some((field, at) => field !== 'title' && texts[at].includes(words.join(' ')));
   if (words.length > 1 && isPhrase) hit.score *= 1.5;
   return hit;
 }

@@ -113,9 +113,12 @@ export function askForPrediction(form, facts) {
     const choice = choiceOf(answer, facts);
     const verdict = choice === undefined ? other(answer) : facts.choices[choice];
     said.innerHTML = verdict;
+    // What has the keyboard goes, and the button that comes in its place takes over.
+    const isHere = form.contains(document.activeElement);
     fields.disabled = Boolean(verdict);
     button.hidden = Boolean(verdict);
     again.hidden = !verdict;
+    if (verdict && isHere) again.focus();
     if (verdict) form.dispatchEvent(new Event('lesson-committed'));
     return Boolean(verdict);
   }
