@@ -153,7 +153,7 @@ def test_whoever_wants_no_motion_gets_it_in_a_few_jumps(open_robot):
     assert front_m(page) == pytest.approx(3.8, abs=0.01)
 
 
-@pytest.mark.parametrize(('width', 'is_beside'), [(1280, True), (1000, False)])
+@pytest.mark.parametrize(('width', 'is_beside'), [(1280, True), (860, False)])
 def test_the_picture_stays_in_sight_while_one_works_with_a_long_panel(open_robot, width, is_beside):
     _, page = open_robot
     page.page.set_viewport_size({'width': width, 'height': 800})
