@@ -114,3 +114,12 @@ def test_a_reload_brings_it_back(page):
     page.reload()
     wait_for(lambda: beside(page).locator('.robot-view').count() == 1, 'the robot beside the text')
     expect(beside(page).get_by_label('max_speed_rpm', exact=True)).to_be_visible()
+
+
+def test_a_kernel_that_has_ended_leaves_nothing_beside_the_text(page):
+    page.page.evaluate('() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
+    expect(beside(page)).to_be_hidden()
+    page.select_cell(SETTINGS)
+    expect(page.page.locator('.jp-OutputArea-output .robot-view:visible').first).to_be_visible()
+    page.run_all()
+    expect(beside(page).get_by_label('robot_name', exact=True)).to_be_visible()

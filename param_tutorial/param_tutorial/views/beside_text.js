@@ -33,6 +33,8 @@ class Place {
   /** What the shown offer has drawn. @type {any} */
   view;
   isWanted = true;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  timer;
   element = make('aside', {className: 'beside-text', tabIndex: -1});
   body = make('div', {className: 'side-by-side'});
 
@@ -51,12 +53,18 @@ class Place {
   /** @param {boolean} isWanted */
   want(isWanted) {
     this.isWanted = isWanted;
-    this.update();
+    this.show();
     if (isWanted) this.element.focus();
   }
 
+  /** Show what there is now: when a kernel ends, all offers are withdrawn, one after the other. */
+  update() {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.show());
+  }
+
   /** Show what was offered or chosen last, if there is room, and say so in the cells. */
-  async update() {
+  async show() {
     const [last] = [...this.offers].sort((one, other) => other.at - one.at);
     const isShown = Boolean(last) && this.isWanted && this.panel.clientWidth >= MIN_WIDTH_PX;
     this.panel.toggleAttribute('data-beside-text', isShown);
@@ -108,12 +116,17 @@ async function offerViews(props) {
   const panels = document.querySelectorAll(`${PANEL}:not(.lm-mod-hidden)`);
   if (panels.length === 1) putBeside(offer, panels[0]);
   offer.place?.update();
-  await initialize(props);
-  return () => {
+  function withdraw() {
     offers.delete(model.get('own_id'));
     offer.place?.offers.delete(offer);
+    for (const cell of offer.cells) cell.removeAttribute('data-is-beside');
     offer.place?.update();
-  };
+  }
+  await initialize(props);
+  // What a kernel that has ended has left stands in the cells, where a click brings it back.
+  const widget = await manager.get_model(model.get('own_id'));
+  widget.on('comm_live_update', () => widget.comm_live || withdraw());
+  return withdraw;
 }
 
 /** @param {import('@anywidget/types').RenderProps<{own_id: string}>} props */
