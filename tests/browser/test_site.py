@@ -659,6 +659,7 @@ def test_a_lecture_has_pictures_and_questions_in_large_and_no_text(page):
     assert code.bounding_box()['height'] == before
 
 
+@limits
 def test_paper_is_white_and_all_code_is_on_it(page):
     page.evaluate("document.documentElement.dataset.theme = 'dark'")
     page.emulate_media(media='print')

@@ -44,7 +44,7 @@ class NumberLineView(AnimatedView, FollowingView):
         self._latest: RecordedSet | None = None
         self._live: LiveParameters | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
-        super().__init__(*[Asking(name, '', self._ask)] * (value is ...))
+        super().__init__(*([Asking(name, '', self._ask)] if value is ... else []))
         self._begin()
         self._live = LiveParameters(self._subject, self._job.wake, names=[name])
         self._live.first_look()
