@@ -576,6 +576,8 @@ def test_a_page_lives_where_the_browser_keeps_nothing(made, browser, fault):
     with open_page(browser, (made.target / '1_limits.html').as_uri()) as page:
         page.add_init_script(fault)
         page.reload()
+        # Until then the page is being laid out, and a click may miss.
+        page.wait_for_function("document.documentElement.dataset.lesson === 'ready'")
         form = page.locator('.lesson-prediction').first
         form.get_by_role('radio').first.check()
         form.get_by_role('button', name='Commit').click()
