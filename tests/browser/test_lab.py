@@ -84,8 +84,9 @@ def drag(page, slider):
 def test_a_learner_and_a_terminal(open_notebook):
     lab, page = open_notebook(CHAPTER)
     page.run_all()
+    # Until then the slider may be in its cell.
+    expect(page.page.get_by_role('complementary', name='Beside the text').get_by_role('slider').first).to_be_visible()
     slider, box = page.slider('max_acceleration_mps2'), page.box('max_acceleration_mps2')
-    expect(slider).to_be_visible()
     before = float(box.input_value())
 
     # The page may still be growing above the slider and push it from under the mouse: then the hand takes hold of it
