@@ -61,6 +61,8 @@ HELP = '''window.test = {
     // What a cell shows may stand beside the text.
     output: index => {
         const {node} = test.cells[index];
+        // It is on its way there.
+        if (node.querySelector('[data-has-room]:not([data-is-beside])')) return document.createElement('div');
         return node.querySelector('[data-is-beside]') ? document.querySelector('.beside-text') : node;
     },
     isReady: name => test.panel?.context?.path === name && test.kernel?.status === 'idle' && test.cells?.length > 1,
