@@ -102,7 +102,7 @@ def test_a_reader_puts_it_into_the_cell_and_that_of_another_cell_beside_the_text
 
 
 def test_a_narrow_window_has_it_in_the_cell(page):
-    page.page.set_viewport_size({'width': 900, 'height': 800})
+    page.page.set_viewport_size({'width': 800, 'height': 800})
     expect(beside(page)).to_be_hidden()
     expect(page.page.locator('.jp-OutputArea-output .robot-view:visible').first).to_be_visible()
     expect(page.page.get_by_role('button', name='Put beside the text')).to_have_count(0)

@@ -32,7 +32,7 @@ view""",
 def page(tmp_path, browser):
     with Lab(tmp_path / 'lab', [lesson.write(tmp_path / 'lesson.ipynb', CELLS)]) as lab:
         page = LabPage(lab, browser, 'lesson.ipynb')
-        page.page.set_viewport_size({'width': 1000, 'height': 900})  # too narrow for what stands beside the text
+        page.page.set_viewport_size({'width': 900, 'height': 900})  # too narrow for what stands beside the text
         page.run_all()
         yield page
         page.page.close()

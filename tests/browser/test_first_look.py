@@ -120,6 +120,7 @@ def test_on_a_laptop_a_panel_stands_beside_its_picture_and_its_sliders_below_eac
         expect(page.locator('.jp-DirListing-item').first).to_be_visible()
         wait_for_kernel(page)
         execute(page, 'notebook:run-all-cells')
+        page.get_by_role('button', name='Put into the cell').click()
         expect(page.locator('.param-back').nth(1)).to_be_visible()
 
         def box(selector: str, number: int = 0) -> dict[str, float]:
@@ -129,7 +130,6 @@ def test_on_a_laptop_a_panel_stands_beside_its_picture_and_its_sliders_below_eac
 
         assert box('.robot-view')['right'] < box('.side-by-side .param-panel')['x']
         page.set_viewport_size({'width': 2200, 'height': 800})
-        page.get_by_role('button', name='Put into the cell').click()
         page.wait_for_function("() => document.querySelector('.param-row').clientWidth > 600")
         assert len({box('.param-slider', number)['x'] for number in range(page.locator('.param-slider').count())}) == 1
         # What the row would cut off cannot be read.

@@ -51,7 +51,7 @@ def open_robot(opened):
     _, page = opened
     page.page.emulate_media(reduced_motion='no-preference')
     # Too narrow for what stands beside the text.
-    page.page.set_viewport_size({'width': 1000, 'height': 900})
+    page.page.set_viewport_size({'width': 900, 'height': 900})
     page.run_all()
     expect(word(page)).to_have_text('READY')
     page.page.locator('.robot-scene').first.evaluate(INTO_VIEW)

@@ -22,7 +22,7 @@ const offers = new Map();
 /** Of a notebook in JupyterLab, with its toolbar. */
 const PANEL = '.jp-NotebookPanel';
 /** Below this the text would have too little room. */
-const MIN_WIDTH_PX = 1000;
+const MIN_WIDTH_PX = 900;
 
 /** The place beside the text of a notebook. */
 class Place {
