@@ -142,7 +142,8 @@ function render({model, el}) {
     offer.place?.want(true);
   });
   offer.cells.add(cell);
-  // It is drawn before it is on the page.
+  // Before it is on the page, or it would be seen in the cell for a moment.
+  offer.place?.show();
   const arrived = new ResizeObserver(() => {
     putBeside(offer, cell.closest(PANEL));
     offer.place?.update();
