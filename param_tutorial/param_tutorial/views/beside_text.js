@@ -77,7 +77,8 @@ class Place {
       }
     }
     if (this.shown && isShown && this.shown.views === last.views && this.offers.has(this.shown)) return;
-    this.view?.remove();
+    // Once the notebook is closed there is nothing to take from the page.
+    if (this.view?.el.isConnected) this.view.remove();
     this.view = undefined;
     this.shown = isShown ? last : undefined;
     if (!this.shown) return;
