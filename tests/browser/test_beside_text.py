@@ -38,18 +38,10 @@ def page(opened):
     """Return the page, wide, with the cells run up to the second that shows the robot and its speed."""
     opened.page.set_viewport_size({'width': 1280, 'height': 800})
     opened.run_all()
-    run(opened, SETTINGS, AGAIN)
+    opened.run_cell(SETTINGS)
+    opened.run_cell(AGAIN)
     expect(beside(opened).get_by_label('max_speed_rpm', exact=True)).to_be_visible()
     return opened
-
-
-def run(page, *cells):
-    for index in cells:
-        page.select_cell(index)
-        page.command('notebook:run-cell')
-        page.page.wait_for_function(
-            'index => !["*", "running"].includes(window.jupyterapp.shell.currentWidget.content.widgets[index]'
-            '.model.executionState)', arg=index)
 
 
 def beside(page):
@@ -71,7 +63,7 @@ def test_it_is_drawn_once_and_stays_in_sight_at_the_end_of_the_text(page):
 
 
 def test_what_the_last_cell_shows_takes_the_place(page):
-    run(page, OTHER)
+    page.run_cell(OTHER)
     expect(beside(page).get_by_label('robot_name', exact=True)).to_be_visible()
     expect(beside(page).get_by_label('max_speed_rpm', exact=True)).to_have_count(0)
     # A cell whose output is out of sight has shown something, too.
@@ -81,9 +73,10 @@ def test_what_the_last_cell_shows_takes_the_place(page):
 
 
 def test_nothing_goes_blank_when_an_earlier_cell_runs_again(page):
-    run(page, SETTINGS)
+    page.run_cell(SETTINGS)
     expect(beside(page).get_by_label('max_speed_rpm', exact=True)).to_be_visible()
-    run(page, 1, SETTINGS)
+    page.run_cell(1)
+    page.run_cell(SETTINGS)
     expect(beside(page).locator('.robot-view')).to_have_count(1)
     expect(beside(page).locator('.robot-word')).to_have_text('READY')
     page.box('max_speed_rpm').fill('60')

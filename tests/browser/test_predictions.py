@@ -50,8 +50,7 @@ def test_a_prediction_is_committed_decided_and_remembered(tmp_path):
     with lab, chromium() as browser:
         lab_page = LabPage(lab, browser, CHAPTER)
         page = lab_page.page
-        lab_page.select_cell(1)
-        lab_page.command('notebook:run-cell')
+        lab_page.run_cell(1)
         first = page.locator('form.param-predict').first
         commit = first.get_by_role('button', name='Commit')
         expect(commit).to_be_disabled()

@@ -274,6 +274,14 @@ class LabPage:
         self.page.evaluate(
             'index => { window.jupyterapp.shell.currentWidget.content.activeCellIndex = index; }', index)
 
+    def run_cell(self, index: int) -> None:
+        """Run one cell, counted as in select_cell, and wait until it has another number."""
+        number = f'window.jupyterapp.shell.currentWidget.content.widgets[{index}].model.executionCount'
+        before = self.page.evaluate(number) or 0
+        self.select_cell(index)
+        self.command('notebook:run-cell')
+        self._wait_js(f'() => {number} > {before}')
+
     def row(self, name: str) -> Locator:
         """Find a parameter's row on the panel that is seen, by its label."""
         label = self.page.locator(f'label:text-is("{name}")')

@@ -3,6 +3,7 @@
 import os
 import re
 
+import nbformat
 import pytest
 
 from param_tutorial import exercises
@@ -84,12 +85,12 @@ def test_a_page_that_cannot_be_written_is_named(answered, capsys):
 
 @pytest.mark.parametrize('chapter', CHAPTERS.values(), ids=lambda each: each.number)
 def test_a_plan_adds_up_and_names_all_that_is_asked(chapter):
-    sections = plan.sections(NOTEBOOKS / f'{chapter.name}.ipynb')
+    sections = plan.sections(nbformat.read(NOTEBOOKS / f'{chapter.name}.ipynb', as_version=4))
     stated = re.search(r'\*([\d +]+) minutes', (NOTEBOOKS / f'{chapter.name}.ipynb').read_text())[1]
     assert round(sum(each.minutes for each in sections), 6) == sum(map(int, stated.split('+')))
     asked = [number for each in sections for number in each.numbers]
-    assert sorted(asked) == sorted(each.number for kind in (chapter.recalls, chapter.predictions, chapter.exercises)
-                                   for each in kind)
+    assert asked == [each.number for kind in (chapter.recalls, chapter.predictions, chapter.exercises)
+                     for each in kind]
 
 
 def test_the_plans_say_what_each_wrong_answer_means(tmp_path):

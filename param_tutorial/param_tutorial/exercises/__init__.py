@@ -79,11 +79,11 @@ def check(number: str = '', work: Any = _FORGOTTEN) -> Answer:
     file = own_progress()
     if file is None:
         return result
-    if not result.done:
-        missed = {each.sentence: each.happened for each in result.findings if each.done is False}
-        result.text = f'{result.text} {file.add_tried(exercise.number, result.count, missed)}'.strip()
-    else:
-        result.text = f'{result.text} {file.add_solved(exercise.number)}'.strip()
+    missed = {each.sentence: each.happened for each in result.findings if each.done is False}
+    note = (file.add_solved(exercise.number) if result.done
+            else file.add_tried(exercise.number, result.count, missed))
+    result.text = f'{result.text} {note}'.strip()
+    if result.done:
         remembered, _ = file.read()
         ticks.tick(file.path.parent, {chapter.name: [each.number for each in chapter.exercises]
                                       for chapter in CHAPTERS.values()}, remembered.solved)

@@ -76,7 +76,7 @@ class Copies:
     def tick(self) -> None:
         """Mark on the start page what the learner has solved."""
         progress, _ = self.progress.read()
-        ticks.tick(self.folder, {each.name: each.exercises for each in read_syllabus(self.chapters)}, progress.solved)
+        ticks.tick(self.folder, read_syllabus(self.chapters), progress.solved)
 
     def reset(self, chapter: str) -> str:
         """Make the copy of one chapter fresh again.

@@ -1,37 +1,20 @@
 """What there is to solve in each chapter, read from the chapters themselves.
 
-The room ``exercises`` knows the same, and a test compares the two; but importing that room loads rclpy, which neither
-``make lab`` nor ``make class`` needs.
+The room ``exercises`` knows the same, and a test compares the two; but importing that room loads rclpy, which
+``make lab`` doesn't need.
 """
 
 import re
 from pathlib import Path
-from typing import NamedTuple
 
-# The cell that checks an exercise, and the call that asks a question.
+# The cell that checks an exercise.
 _CHECK = re.compile(r'"id": "check-([\w-]+)"')
-_QUESTION = re.compile(r"exercises\.(?:predict|recall)\('([\w.-]+)'\)")
 
 
-class Lesson(NamedTuple):
-    """One chapter, and the numbers of what there is to solve in it."""
-
-    number: str
-    name: str
-    """Of its notebook, without the ending."""
-    exercises: list[str]
-    questions: list[str]
-    """Predictions, and questions about earlier chapters."""
-
-
-def read_syllabus(chapters: Path) -> list[Lesson]:
-    """Return the chapters in a folder, in order."""
-    lessons = []
-    for path in sorted(chapters.glob('[0-9]*.ipynb')):
-        text = path.read_text('utf-8', 'replace')
-        exercises = [number.replace('-', '.') for number in _CHECK.findall(text)]
-        lessons.append(Lesson(number_of(path.stem), path.stem, exercises, _QUESTION.findall(text)))
-    return lessons
+def read_syllabus(chapters: Path) -> dict[str, list[str]]:
+    """Return the chapters in a folder, in order: the numbers of the exercises, by the name without its ending."""
+    return {path.stem: [number.replace('-', '.') for number in _CHECK.findall(path.read_text('utf-8', 'replace'))]
+            for path in sorted(chapters.glob('[0-9]*.ipynb'))}
 
 
 def number_of(name: str) -> str:

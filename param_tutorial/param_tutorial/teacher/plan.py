@@ -42,9 +42,9 @@ def plans_page(chapters: Path) -> str:
                                                       for chapter in CHAPTERS.values()))
 
 
-def sections(path: Path) -> list[Section]:
+def sections(chapter: nbformat.NotebookNode) -> list[Section]:
     """Return the sections of a chapter with their minutes, which add up to those at its head, but for rounding."""
-    head, *cells = nbformat.read(path, as_version=4).cells
+    head, *cells = chapter.cells
     found = [Section('Questions about earlier chapters', 0, [], '')]
     weights = [0.0]
     is_later = False
@@ -73,11 +73,12 @@ def _weight(cell: nbformat.NotebookNode, asks: str) -> float:
 
 
 def _plan(chapter: Chapter, path: Path) -> str:
-    head = nbformat.read(path, as_version=4).cells[0].source
+    notebook = nbformat.read(path, as_version=4)
+    head = notebook.cells[0].source
     title = head.splitlines()[0].removeprefix('# ')
     goals = ''.join(f'<li>{with_code(each)}</li>' for each in re.findall(r'^- (.+)$', head, re.MULTILINE))
     lines = [(each.title + (f' ({each.later.lower()} more for a second sitting)' if each.later else ''),
-              f'{each.minutes:.0f}', ', '.join(each.numbers)) for each in sections(path)]
+              f'{each.minutes:.0f}', ', '.join(each.numbers)) for each in sections(notebook)]
     parts = [f'<section class="lesson"><h2>{with_code(title)}</h2>',
              f'<p>Afterwards they can</p><ul class="plain">{goals}</ul>',
              table(('Section', 'Minutes', 'Questions and exercises'), lines, row_headers=True)]

@@ -24,12 +24,9 @@ class Asking(Front):
     said = traitlets.Unicode().tag(sync=True)
     """Why the node could not be asked; empty if it was."""
 
-    def __init__(self, name: str, value: Any, ask: Callable[[Any], None]):
-        """
-        :param value: What the node was asked for before; an empty text if for nothing.
-        :param ask: Asks it for a value, which has the type that ``ros2 param set`` would give it.
-        """
-        super().__init__(name=name, text='' if value == '' else values.format_value(value))
+    def __init__(self, name: str, text: str, ask: Callable[[Any], None]):
+        """:param ask: Asks the node for a value, which has the type that ``ros2 param set`` would give it."""
+        super().__init__(name=name, text=text)
         self._ask = ask
         self.on_msg(self._on_message)
 

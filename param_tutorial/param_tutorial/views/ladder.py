@@ -4,6 +4,7 @@ from typing import Any
 
 from rclpy.node import Node
 
+from param_tools import values
 from param_tools.node.client import ParameterClient
 from param_tutorial.views.asking import Asking
 from param_tutorial.views.base import PictureView
@@ -26,7 +27,7 @@ class LadderView(PictureView):
         :raises InvalidValueError: no parameter can hold this value.
         """
         self._name = name
-        super().__init__(self._climb(node, value), Asking(name, value, self._ask))
+        super().__init__(self._climb(node, value), Asking(name, values.format_value(value), self._ask))
 
     def _climb(self, node: str | Node | ParameterClient, value: Any) -> Climb:
         record = record_set(node, self._name, value)
