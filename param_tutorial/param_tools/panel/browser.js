@@ -55,7 +55,8 @@ function render({model, el}) {
     clearTimeout(timer);
     timer = setTimeout(() => {
       model.send({do: 'find', text: search.value});
-      for (const box of all(document, '.node-panels .param-search', HTMLInputElement)) {
+      const panels = el.closest('.param-browser') ?? el;
+      for (const box of all(panels, '.node-panels .param-search', HTMLInputElement)) {
         box.value = search.value;
         box.dispatchEvent(new Event('input'));
       }
