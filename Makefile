@@ -60,10 +60,10 @@ $(JS_TOOLS): package.json package-lock.json | setup-all
 SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest --dist loadscope --no-loadscope-reorder --nbval
 
 # All but the tests marked `thorough`.
-test: setup-all  ## run the test suite before you commit: every notebook is a test
+test: setup-all  ## run the test suite before you commit: every chapter is a test
 	@$(SUITE) -n 8 -m "not thorough" $(ARGS) tests notebooks
 
-test-all: setup-all $(JS_TOOLS)  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, each answer; CI runs it
+test-all: setup-all $(JS_TOOLS)  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, the solutions, each answer; CI runs it
 	@$(SUITE) -n 5 $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
