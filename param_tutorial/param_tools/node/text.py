@@ -222,3 +222,25 @@ def choices_of(descriptor: Descriptor) -> list[Any]:
     """
     _, _, rest = descriptor.additional_constraints.partition(ONE_OF.capitalize())
     return [] if descriptor.type.is_array else read_values(rest)
+
+
+# A list in prose, as in "Options: 'legacy', 'none'." and "one of fast, slow": what stands after a colon or "one of", up
+# to the end of the sentence, the line or the brackets.
+_LIST_IN_PROSE = re.compile(r'(?::|\bone of)\s*[\[({]?([^:;()\[\]{}\n]+?)\s*(?:[;)\]}\n]|\.(?=\s|$)|$)')
+_BETWEEN_NAMES = re.compile(r',?\s+(?:or|and)\s+|\s*[,|]\s*')
+_NAME = re.compile(r'\w+(?:[-./]\w+)*')
+
+
+def choices_in_prose(descriptor: Descriptor, value: Any) -> list[str]:
+    """Return the texts that a parameter's description lists, as far as that can be told. No rule says so: the node may
+    accept others.
+
+    :param value: What the parameter has. A list without it is a list of something else.
+    """
+    if descriptor.type is not values.STRING or descriptor.dynamic_typing:
+        return []
+    for found in _LIST_IN_PROSE.finditer(f'{descriptor.additional_constraints}\n{descriptor.description}'):
+        names = [name.strip('\'"`') for name in _BETWEEN_NAMES.split(found[1].strip())]
+        if value in names and len(names) > 1 and all(map(_NAME.fullmatch, names)):
+            return names
+    return []

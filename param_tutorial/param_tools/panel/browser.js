@@ -43,7 +43,9 @@ function render({model, el}) {
     });
     tools.append(button);
   }
-  const title = make('span', {className: 'param-node'}, 'Nodes');
+  const title = make('span', {className: 'param-title'}, 'Parameters of all nodes');
+  title.setAttribute('role', 'heading');
+  title.setAttribute('aria-level', '3');
   el.append(make('div', {className: 'param-head'}, title, status, tools, search));
   el.append(list);
   /** @type {Map<string, HTMLElement>} */

@@ -159,21 +159,13 @@ class PanelRow {
     const {box, slider, panel} = this;
     if (this.editor === 'check') {
       box.addEventListener('change', () => this.enter({text: String(this.isChecked)}));
-    } else if (this.editor === 'choice') {
-      box.addEventListener('change', () => this.enter({text: box.value}));
+    } else if (box instanceof HTMLSelectElement) {
+      box.addEventListener('change', () => {
+        if (box.selectedOptions[0]?.dataset.other === undefined) this.enter({text: box.value});
+        else this.typeOther(box);
+      });
     } else {
-      box.addEventListener('input', () => {
-        this.isTyping = true;
-      });
-      box.addEventListener('blur', () => this.commit());
-      box.addEventListener('keydown', event => {
-        panel.keep(event);
-        if (event.key === 'Enter' && box.tagName === 'INPUT') this.commit();
-        if (event.key === 'Escape') {
-          this.isTyping = false;
-          this.draw();
-        }
-      });
+      this.listenToText(box);
     }
     if (slider) {
       for (const kind of ['pointerdown', 'keydown', 'focus']) {
@@ -185,6 +177,57 @@ class PanelRow {
       slider.addEventListener('input', () => this.enter({position: Number(slider.value)}));
     }
     this.back?.addEventListener('click', () => panel.wire.bringBack(this.name));
+  }
+
+  /** @param {Box} box */
+  listenToText(box) {
+    box.addEventListener('input', () => {
+      this.isTyping = true;
+    });
+    box.addEventListener('blur', () => this.commit());
+    box.addEventListener('keydown', event => {
+      this.panel.keep(event);
+      if (event.key === 'Enter' && box.tagName === 'INPUT') this.commit();
+      if (event.key === 'Escape') {
+        this.isTyping = false;
+        this.draw();
+      }
+    });
+  }
+
+  /**
+   * Take another text than those of a list, in a box that stands in the list's place until it is left.
+   * @param {HTMLSelectElement} list
+   */
+  typeOther(list) {
+    const box = make('input', {type: 'text', className: list.className, autocomplete: 'off', spellcheck: false});
+    box.id = list.id;
+    box.setAttribute('aria-describedby', list.getAttribute('aria-describedby') ?? '');
+    list.replaceWith(box);
+    this.box = box;
+    this.drawValue();
+    this.listenToText(box);
+    /** @param {boolean} isKey */
+    const leave = isKey => {
+      if (this.box !== box) return;
+      this.box = list;
+      for (const old of all(list, '[data-typed]')) old.remove();
+      if (![...list.options].some(each => each.value === box.value)) {
+        const typed = new Option(box.value);
+        typed.dataset.typed = '';
+        list.add(typed);
+      }
+      list.value = box.value;
+      box.replaceWith(list);
+      if (isKey) list.focus();
+      this.draw();
+    };
+    box.addEventListener('blur', () => leave(false));
+    box.addEventListener('keydown', event => {
+      if (event.key === 'Enter' || event.key === 'Escape') leave(true);
+    });
+    box.focus();
+    box.select();
   }
 
   commit() {
@@ -248,6 +291,7 @@ class PanelRow {
     if (this.editor === 'check') {
       /** @type {HTMLInputElement} */ (box).checked = text === 'true';
     } else if (!this.isTyping) {
+      if (box instanceof HTMLSelectElement) for (const typed of all(box, '[data-typed]')) typed.remove();
       if (box instanceof HTMLSelectElement && ![...box.options].some(each => each.value === text)) {
         box.add(new Option(text));
       }
