@@ -25,7 +25,7 @@ function render({model, el}) {
   const search = make('input', {
     className: 'param-search',
     type: 'search',
-    placeholder: 'Search nodes and parameters: names, descriptions, values (key: /)',
+    placeholder: 'Search nodes and parameters: names, descriptions, values',
   });
   search.setAttribute('aria-label', 'Search nodes and parameters');
   const status = make('span', {className: 'param-status'});
@@ -72,17 +72,6 @@ function render({model, el}) {
     find();
   });
 
-  // On a page of its own; in a notebook the key is JupyterLab's.
-  /** @param {KeyboardEvent} event */
-  function focusSearch(event) {
-    const isTyping =
-      event.target instanceof Element && event.target.matches('input:not([type=range], [type=checkbox]), textarea');
-    if (event.key !== '/' || isTyping || !document.body.dataset.voila) return;
-    event.preventDefault();
-    search.focus();
-  }
-  document.addEventListener('keydown', focusSearch);
-
   /** @param {string} name */
   function line(name) {
     const open = make('button', {type: 'button', className: 'node-open'}, name);
@@ -123,7 +112,6 @@ function render({model, el}) {
   show();
   model.on('change:state', show);
   return () => {
-    document.removeEventListener('keydown', focusSearch);
     model.off('change:state', show);
   };
 }

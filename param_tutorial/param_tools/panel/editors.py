@@ -69,8 +69,8 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
     return PanelRow(
         name=descriptor.name, editor=_editor_of(descriptor, value, choices), kind=descriptor.type.label,
         description=descriptor.description, constraints=descriptor.additional_constraints, facts=tuple(facts),
-        choices=choices, takes_others=bool(suggested), last=scale.last if scale else None, is_read_only=descriptor.read_only,
-        is_quiet=is_housekeeping(descriptor.name), unit=unit_of(descriptor))
+        choices=choices, takes_others=bool(suggested), last=scale.last if scale else None,
+        is_read_only=descriptor.read_only, is_quiet=is_housekeeping(descriptor.name), unit=unit_of(descriptor))
 
 
 def _editor_of(descriptor: Descriptor, value: Any, choices: tuple[str, ...]) -> str:

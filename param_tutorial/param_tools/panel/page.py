@@ -1,0 +1,30 @@
+"""What the page of the command ``panel`` shows: the panels of nodes, and the drawer below them."""
+
+from collections.abc import Sequence
+
+import ipywidgets as widgets
+
+from param_tools.panel.drawer import ParameterDrawer
+from param_tools.panel.panel import ParameterBrowser, ParameterPanel
+from param_tools.ros import graph, stage
+
+
+def show_page(nodes: Sequence[str], presets: str) -> widgets.Box:
+    """Return the panel of one node, or the list of all with the panels of some; and the drawer.
+
+    :param nodes: Which panels to open. Without any, that of the only node that is running.
+    :param presets: The folder of the presets.
+    """
+    shown: ParameterPanel | ParameterBrowser
+    if len(nodes) == 1:
+        shown = ParameterPanel(nodes[0])
+    else:
+        shown = ParameterBrowser()
+        for node in nodes:
+            shown.show(node)
+        if not nodes:
+            graph.wait_until_quiet(stage.current().tool_node, graph.JOINING_SEC)
+            shown.show_only()
+    page = widgets.VBox([shown, ParameterDrawer(nodes, folder=presets)])
+    page.add_class('param-page')
+    return page
