@@ -212,7 +212,8 @@ class Drawer {
     });
     this.look = new Look(wish => {
       const {source} = this;
-      if (wish.do !== 'apply') this.choose(undefined);
+      // It has no file of this name any more.
+      if (wish.do !== 'apply') this.leaveLine();
       this.send({...wish, ...source});
     });
     for (const [key, does] of KEYS) this.keys.append(make('div', {}, make('dt', {}, key), make('dd', {}, does)));
@@ -309,9 +310,14 @@ class Drawer {
     if (number !== this.number) return;
     if (markup !== undefined) this.look.tell(markup, Boolean(can) && !this.state.is_read_only);
     if (said === undefined) return;
+    this.leaveLine();
+    this.said.innerHTML = said;
+  }
+
+  /** Close the open line, and don't let the focus go with it. */
+  leaveLine() {
     const hadFocus = this.look.element.contains(focusedBeside(this.element));
     this.choose(undefined);
-    this.said.innerHTML = said;
     if (hadFocus) this.openers.find(each => each.name === this.tab)?.focus();
   }
 

@@ -1,12 +1,16 @@
 """What the page of the command ``panel`` shows: the panels of nodes, and the drawer below them."""
 
+import functools
 from collections.abc import Sequence
 
 import ipywidgets as widgets
 
 from param_tools.panel.drawer import ParameterDrawer
 from param_tools.panel.panel import ParameterBrowser, ParameterPanel
-from param_tools.ros import graph, stage
+from param_tools.ros import graph, host, stage, waiting
+
+# The process of the page has just joined, and on a busy machine it takes so long to hear of a node.
+_DISCOVERY_SEC = 5.0
 
 
 def show_page(nodes: Sequence[str], presets: str) -> widgets.Box:
@@ -23,8 +27,14 @@ def show_page(nodes: Sequence[str], presets: str) -> widgets.Box:
         for node in nodes:
             shown.show(node)
         if not nodes:
-            graph.wait_until_quiet(stage.current().tool_node, graph.JOINING_SEC)
-            shown.show_only()
+            host.host.run(functools.partial(_open_the_only_node, shown), 'the only node')
     page = widgets.VBox([shown, ParameterDrawer(nodes, folder=presets)])
     page.add_class('param-page')
     return page
+
+
+def _open_the_only_node(browser: ParameterBrowser) -> None:
+    """Open the only node that was running when the page was opened, once it is known that there is no other."""
+    if waiting.wait(lambda: browser.nodes, _DISCOVERY_SEC):
+        graph.wait_until_quiet(stage.current().tool_node, graph.JOINING_SEC)
+        browser.show_only()

@@ -165,7 +165,18 @@ class PanelRow {
         else this.typeOther(box);
       });
     } else {
-      this.listenToText(box);
+      box.addEventListener('input', () => {
+        this.isTyping = true;
+      });
+      box.addEventListener('blur', () => this.commit());
+      box.addEventListener('keydown', event => {
+        panel.keep(event);
+        if (event.key === 'Enter' && box.tagName === 'INPUT') this.commit();
+        if (event.key === 'Escape') {
+          this.isTyping = false;
+          this.draw();
+        }
+      });
     }
     if (slider) {
       for (const kind of ['pointerdown', 'keydown', 'focus']) {
@@ -179,53 +190,41 @@ class PanelRow {
     this.back?.addEventListener('click', () => panel.wire.bringBack(this.name));
   }
 
-  /** @param {Box} box */
-  listenToText(box) {
-    box.addEventListener('input', () => {
-      this.isTyping = true;
-    });
-    box.addEventListener('blur', () => this.commit());
-    box.addEventListener('keydown', event => {
-      this.panel.keep(event);
-      if (event.key === 'Enter' && box.tagName === 'INPUT') this.commit();
-      if (event.key === 'Escape') {
-        this.isTyping = false;
-        this.draw();
-      }
-    });
-  }
-
   /**
    * Take another text than those of a list, in a box that stands in the list's place until it is left.
    * @param {HTMLSelectElement} list
    */
   typeOther(list) {
-    const box = make('input', {type: 'text', className: list.className, autocomplete: 'off', spellcheck: false});
-    box.id = list.id;
+    const before = this.state.text;
+    const box = make('input', {type: 'text', id: list.id, className: list.className, value: before});
+    Object.assign(box, {autocomplete: 'off', spellcheck: false});
     box.setAttribute('aria-describedby', list.getAttribute('aria-describedby') ?? '');
-    list.replaceWith(box);
-    this.box = box;
-    this.drawValue();
-    this.listenToText(box);
-    /** @param {boolean} isKey */
-    const leave = isKey => {
+    /** @param {boolean} isWanted */
+    const leave = isWanted => {
       if (this.box !== box) return;
       this.box = list;
-      for (const old of all(list, '[data-typed]')) old.remove();
-      if (![...list.options].some(each => each.value === box.value)) {
+      this.isTyping = false;
+      if (isWanted && box.value !== before) {
         const typed = new Option(box.value);
         typed.dataset.typed = '';
         list.add(typed);
+        list.value = box.value;
+        this.enter({text: box.value});
+      } else {
+        this.drawValue();
       }
-      list.value = box.value;
+      const hadFocus = box === focusedBeside(box);
       box.replaceWith(list);
-      if (isKey) list.focus();
-      this.draw();
+      if (hadFocus) list.focus();
     };
-    box.addEventListener('blur', () => leave(false));
+    box.addEventListener('blur', () => leave(true));
     box.addEventListener('keydown', event => {
-      if (event.key === 'Enter' || event.key === 'Escape') leave(true);
+      this.panel.keep(event);
+      if (event.key === 'Enter' || event.key === 'Escape') leave(event.key === 'Enter');
     });
+    this.box = box;
+    this.isTyping = true;
+    list.replaceWith(box);
     box.focus();
     box.select();
   }
