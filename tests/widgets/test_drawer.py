@@ -124,13 +124,15 @@ def test_what_is_beyond_the_log_is_the_beginning_of_the_history(drawer, arm, mon
     monkeypatch.setattr(module, '_MOST_KEPT', 30)
     monkeypatch.setattr(module, '_KEPT', 2)
     monkeypatch.setattr(module, '_ONE_PULL', module.datetime.timedelta())
+    arm.set_parameter('tool', 'saw')
     for value in range(12):
         arm.set_parameter('offset', float(value))
-    wait_until(lambda: lines(drawer)[0] == ('/arm offset', '10.0 → 11.0'), 'the changes')
+    arm.set_parameter('tool', 'drill')
+    wait_until(lambda: lines(drawer)[0] == ('/arm tool', "'saw' → 'drill'"), 'the changes')
     oldest = drawer._front.state['changes'][-1]
     assert oldest['whose'] == '/arm offset'
     ask(drawer, 'apply', time=oldest['time'])
-    assert arm.get_parameter('offset') == float(oldest['says'].split(' → ')[1])
+    assert arm.get_parameters(['offset', 'tool']) == {'offset': float(oldest['says'].split(' → ')[1]), 'tool': 'saw'}
 
 
 def test_a_drawer_of_some_nodes_leaves_the_others_alone(ros, arm, tmp_path):
