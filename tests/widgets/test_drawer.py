@@ -89,6 +89,18 @@ def test_a_preset_is_renamed_and_deleted(drawer, tmp_path):
     assert 'there is no preset tuned in' in ask(drawer, 'look', name='tuned')['said']
 
 
+def test_where_nothing_may_be_set_the_drawer_only_shows(ros, drawer, arm, tmp_path, monkeypatch):
+    ask(drawer, 'save', name='calm', node='/arm')
+    arm.set_parameter('tool', 'saw')
+    monkeypatch.setattr(ros.services, 'is_read_only', True, raising=False)
+    assert ask(drawer, 'look', name='calm')['can']
+    for do in ('apply', 'save', 'rename', 'delete'):
+        assert ask(drawer, do, name='calm', node='', to='x') == {}
+    assert drawer._front.state['is_read_only']
+    assert [path.name for path in tmp_path.iterdir()] == ['calm.yaml']
+    assert arm.get_parameter('tool') == 'saw'
+
+
 def test_the_history_goes_back_to_each_moment(drawer, arm):
     for value in (1.0, 1.5, 2.0):  # as a slider does
         arm.set_parameter('offset', value)
