@@ -96,7 +96,7 @@ def test_where_nothing_may_be_set_the_drawer_only_shows(ros, drawer, arm, tmp_pa
     assert ask(drawer, 'look', name='calm')['can']
     for do in ('apply', 'save', 'rename', 'delete'):
         assert ask(drawer, do, name='calm', node='', to='x') == {}
-    assert drawer._front.state['is_read_only']
+    wait_until(lambda: drawer._front.state['is_read_only'], 'the drawer to say so')
     assert [path.name for path in tmp_path.iterdir()] == ['calm.yaml']
     assert arm.get_parameter('tool') == 'saw'
 
