@@ -161,7 +161,7 @@ def test_the_drawer_saves_what_is_there_and_brings_it_back(browser, arm, page_pr
     speed, mode = page.get_by_label('speed', exact=True), page.get_by_label('mode', exact=True)
     press('Presets')
     expect(drawer.get_by_text(f'in {tmp_path / "presets"}')).to_be_visible()
-    expect(drawer.get_by_label('Save as')).to_have_value(re.compile(r'all_\d{4}-\d\d-\d\d_\d\d-\d\d'))
+    expect(drawer.get_by_label('Save as')).to_have_value(re.compile(r'arm_\d{4}-\d\d-\d\d_\d\d-\d\d'))
     drawer.get_by_label('Save as').fill('calm')
     press('Save')
     expect(drawer.get_by_text(re.compile(r'^Saved \d values of 1 node\.$'))).to_be_visible()

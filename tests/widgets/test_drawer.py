@@ -49,7 +49,7 @@ def lines(drawer):
     return [(each['whose'], each['says']) for each in drawer._front.state['changes']]
 
 
-BEGAN = ('', 'What the nodes had when this page began to watch')
+BEGAN = ('', 'What the nodes had at the beginning')
 
 
 def test_a_preset_says_what_it_would_change_before_it_does(drawer, arm, tmp_path):

@@ -58,6 +58,8 @@ function render({model, el}) {
 /** The form that saves a preset, with a name that it suggests until another one is typed. */
 class SaveForm {
   isNamed = false;
+  /** The node that was chosen, while it is there. */
+  chosen = '';
   /** @type {string[]} */
   presets = [];
 
@@ -82,6 +84,7 @@ class SaveForm {
       this.drawButton();
     });
     this.nodes.addEventListener('change', () => {
+      this.chosen = this.nodes.value;
       this.isNamed = false;
       this.suggest();
     });
@@ -96,11 +99,10 @@ class SaveForm {
   show({presets = [], nodes = [], folder = ''}) {
     this.presets = presets.map(each => each.name);
     this.folder.textContent = `in ${folder}`;
-    const offered = ['', ...nodes];
+    const offered = nodes.length === 1 ? nodes : ['', ...nodes];
     if ([...this.nodes.options].map(each => each.value).join() !== offered.join()) {
-      const chosen = this.nodes.value;
       this.nodes.replaceChildren(...offered.map(each => new Option(each || 'all nodes', each)));
-      this.nodes.value = offered.includes(chosen) ? chosen : '';
+      this.nodes.value = offered.includes(this.chosen) ? this.chosen : offered[0];
     }
     this.suggest();
   }

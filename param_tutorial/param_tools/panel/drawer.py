@@ -219,7 +219,7 @@ def _lines(log: Sequence[LoggedChange]) -> list[dict[str, Any]]:
 
 def _line(first: LoggedChange, last: LoggedChange, count: int) -> dict[str, Any]:
     old, new = values.format_change(first.old, last.new, _LETTERS)
-    says = {'begin': 'What the nodes had when this page began to watch', 'gone': 'has left',
+    says = {'begin': 'What the nodes had at the beginning', 'gone': 'has left',
             'declared': f'{new} (declared)', 'deleted': f'{old} → deleted'}.get(
         first.kind, f'{old} → {new}' + (f' in {count} changes' if count > 1 else ''))
     whose = '' if first.kind == 'begin' else f'{last.node} {last.name}'.strip()
