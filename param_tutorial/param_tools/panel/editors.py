@@ -64,7 +64,7 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
                      + (f' in steps of {descriptor.range.step}' if descriptor.range.step else ''))
     facts += ['any type'] * descriptor.dynamic_typing
     choices = tuple(format_value(descriptor, each) for each in choices_of(descriptor))
-    suggested = () if choices else tuple(choices_in_prose(descriptor, value))
+    suggested = () if choices else choices_in_prose(descriptor, value)
     choices = choices or suggested
     return PanelRow(
         name=descriptor.name, editor=_editor_of(descriptor, value, choices), kind=descriptor.type.label,
