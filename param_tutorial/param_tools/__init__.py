@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from param_tools.node.client import ParameterClient as ParameterClient
     from param_tools.node.declarations import check_declarations as check_declarations
     from param_tools.node.rules import Rules as Rules
+    from param_tools.panel.drawer import ParameterDrawer as ParameterDrawer
     from param_tools.panel.panel import ParameterBrowser as ParameterBrowser
     from param_tools.panel.panel import ParameterPanel as ParameterPanel
     from param_tools.ros.executor import BackgroundExecutor as BackgroundExecutor
@@ -75,6 +76,7 @@ _HOMES = {
     'ChangeLog': 'param_tools.systems.change_log',
     'ParameterBrowser': 'param_tools.panel.panel',
     'ParameterClient': 'param_tools.node.client',
+    'ParameterDrawer': 'param_tools.panel.drawer',
     'ParameterHistory': 'param_tools.systems.history',
     'ParameterPanel': 'param_tools.panel.panel',
     'ParameterSet': 'param_tools.systems.sets',

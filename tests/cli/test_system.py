@@ -26,12 +26,12 @@ def test_all_nodes_are_saved_changed_compared_and_restored(ros, tmp_path):
     ros.add(Camera, '/left')
     path, backup = tmp_path / 'monday.yaml', tmp_path / 'backup.yaml'
     assert run('snapshot', '--save', path) == (f'Saved 12 parameters of 2 nodes to {path}\n', '', 0)
-    assert run('diff', path, '/**') == (f'{path} → /**: 0 differences in 0 nodes, 2 the same\n', '', 0)
+    assert run('diff', path, '/**') == (f'{path} → /**: 0 differences in 0 nodes, 2 nodes the same\n', '', 0)
     ParameterClient('/left/camera').set_parameter('rate', 15)
     ParameterClient('/simple_param_node').set_parameter('robot_name', 'Berta')
     stdout, stderr, status = run('diff', path, '/**')
     assert stdout == f'''\
-{path} → /**: 2 differences in 2 nodes, 0 the same
+{path} → /**: 2 differences in 2 nodes, 0 nodes the same
 
 node                parameter   difference     {"before":9}  after
 /left/camera        rate        changed value  30         15

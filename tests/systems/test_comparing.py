@@ -97,7 +97,7 @@ def test_a_difference_of_systems_as_text_and_as_a_table():
         {'/arm': {'speed': 0.5, 'name': '<b>'}, '/gone': {}, '/same': {'a': 1}},
         {'/arm': {'speed': 0.75, 'name': '&'}, '/new': {}, '/same': {'a': 1}}, labels=('monday.yaml', 'now'))
     assert repr(difference) == '''\
-monday.yaml → now: 2 differences in 1 node, 1 the same, 1 node only in monday.yaml, 1 node only in now
+monday.yaml → now: 2 differences in 1 node, 1 node the same, 1 node only in monday.yaml, 1 node only in now
 
 node   parameter  difference           before  after
 /gone             only in monday.yaml

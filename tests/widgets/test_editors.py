@@ -184,6 +184,33 @@ INTEGERS = st.one_of(st.sampled_from([-2**63, -2**63 + 1, -2**53, -1, 0, 1, 2**5
 STEPS = st.one_of(st.sampled_from([0, 1, 2**53, 2**63, 2**64 - 1]), st.integers(0, 2**64 - 1))
 
 
+@pytest.mark.parametrize(('text', 'choices'), [
+    # As ros2_controllers, generate_parameter_library's documents, nodes and JSON schemas write it.
+    ("Specifies the strategy. Options: 'back_calculation', 'legacy' or 'none'. Note that 'legacy' is old.",
+     ('back_calculation', 'legacy', 'none')),
+    ('Must be one of the following: splines, none', ('splines', 'none')),
+    ("Allowed values: ['none', 'a/b']", ('none', 'a/b')),
+    ('{"type": "string", "enum": ["none", "all"]}', ('none', 'all')),
+    ('How it moves (one of fast, slow, or none).', ('fast', 'slow', 'none')),
+    # These are lists of something else, or none.
+    ('Options: splines, linear.', ()),
+    ('For a map: none.', ()),
+    ('One of none of these, or: see the manual, none.', ()),
+    ('', ()),
+])
+def test_choices_that_stand_in_prose_are_offered_and_others_can_be_typed(ros, text, choices):
+    node = ros.add(Node, 'mover')
+    node.declare_parameter('strategy', 'none', Describe(description=text))
+    panel = ParameterPanel(node)
+    row = panel['strategy'].row
+    assert (row.choices, row.takes_others) == (choices, bool(choices))
+    assert row.editor == ('choice' if choices else 'text')
+    # A node that takes another one shows that the prose is no list of what it takes.
+    enter(panel, 'strategy', 'other')
+    panel.settle()
+    assert (panel['strategy'].row.editor, shows(panel, 'strategy')) == ('text', ('other',))
+
+
 @pytest.mark.slow
 @given(st.one_of(st.tuples(st.just(values.DOUBLE), DOUBLES, DOUBLES, DOUBLES, DOUBLES),
                  st.tuples(st.just(values.INTEGER), INTEGERS, INTEGERS, INTEGERS, STEPS)))

@@ -49,6 +49,7 @@ _TEMPLATE = '''{%- extends 'voila/templates/lab/index.html.j2' -%}
 '''
 _CODE = '''import os
 import param_tools
+from param_tools.panel.page import show_page
 os.chdir({folder!r})
 param_tools.start()
 {show}'''
@@ -59,6 +60,8 @@ def add_to(commands: Commands) -> None:
     parser = commands.add_parser('panel', help='show and change parameters on a page in the browser')
     parser.add_argument('nodes', nargs='*', metavar='NODE', help='the nodes to open; by default a list of all nodes')
     parser.add_argument('--port', type=int, default=_PORT, help=f'where to listen, or near it; default: {_PORT}')
+    parser.add_argument('--presets', default='.', metavar='FOLDER',
+                        help='where the presets of the page are kept; default: the current folder')
     parser.add_argument('--no-browser', action='store_true', help='only print the address')
     parser.set_defaults(verb=panel)
 
@@ -76,7 +79,7 @@ def panel(session: Session, args: argparse.Namespace) -> None:
     from traitlets.config import Config
 
     token = secrets.token_urlsafe(24)
-    with _files(nodes) as folder:
+    with _files(nodes, args.presets) as folder:
         config: dict[str, Any] = {
             'Voila': {'ip': _HOST, 'port': args.port, 'token': token, 'log_level': 'ERROR',
                       'open_browser': not args.no_browser, 'notebook_path': str(folder / 'Parameters.ipynb'),
@@ -113,7 +116,7 @@ def _require_name(node: str) -> str:
 
 
 @contextlib.contextmanager
-def _files(nodes: Sequence[str]) -> Iterator[Path]:
+def _files(nodes: Sequence[str], presets: str) -> Iterator[Path]:
     """Make the notebook and the template in a folder that nobody else can read, and remove it afterwards."""
     with tempfile.TemporaryDirectory(prefix='param_tools_panel_') as name:
         folder = Path(name)
@@ -121,7 +124,7 @@ def _files(nodes: Sequence[str]) -> Iterator[Path]:
         template.mkdir(parents=True)
         (template / 'conf.json').write_text(json.dumps({'base_template': 'lab'}))
         (template / 'index.html.j2').write_text(_TEMPLATE)
-        (folder / 'Parameters.ipynb').write_text(json.dumps(_notebook(nodes)))
+        (folder / 'Parameters.ipynb').write_text(json.dumps(_notebook(nodes, presets)))
         # The kernel says at its start that it speaks to the server through loopback without encryption.
         profile = folder / 'ipython' / 'profile_default'
         profile.mkdir(parents=True)
@@ -135,13 +138,9 @@ def _files(nodes: Sequence[str]) -> Iterator[Path]:
         yield folder
 
 
-def _notebook(nodes: Sequence[str]) -> dict[str, Any]:
-    """Return a notebook that shows the panel of one node, or a list of nodes with the panels of several."""
-    if len(nodes) == 1:
-        show = f'param_tools.ParameterPanel({nodes[0]!r})'
-    else:
-        show = ''.join(['browser = param_tools.ParameterPanel()\n', *(f'browser.show({node!r})\n' for node in nodes),
-                        'browser'])
+def _notebook(nodes: Sequence[str], presets: str) -> dict[str, Any]:
+    """Return a notebook that shows the page."""
+    show = f'show_page({list(nodes)!r}, {presets!r})'
     # Relative paths in the panel's form for files are those of the shell.
     code = _CODE.format(folder=os.getcwd(), show=show)  # noqa: PTH109 - a text for the cell
     return {'nbformat': 4, 'nbformat_minor': 5,

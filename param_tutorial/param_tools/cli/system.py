@@ -17,12 +17,9 @@ from param_tools.cli.session import CommandFailed, Commands, CommandTable, Sessi
 from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions, parameter_files
 from param_tools.files.editing import update_file
-from param_tools.node.client import ParameterClient
 from param_tools.systems.comparing import compare_systems, defaults_of, of_robot
-from param_tools.systems.restoring import Preview, Restored, preview
-from param_tools.systems.restoring import restore as restore_node
-from param_tools.systems.sets import ParameterSet
-from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, ask_all, read_saved
+from param_tools.systems.restoring import Preview, preview_all, restore_all
+from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, read_saved
 
 
 def add_to(commands: Commands) -> None:
@@ -229,17 +226,13 @@ def _bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], args:
         present = all_parameters(wanted, timeout_sec=args.timeout, executor=session.executor)
         system_arguments.save(session, present.dump(), args.backup)
 
-    def bring(client: ParameterClient) -> Preview | Restored:
-        given = ParameterSet(wanted[client.node], args.file)
-        return preview(client, given) if args.dry_run else restore_node(
-            client, given, one_by_one=args.one_by_one, skip_read_only=args.skip_read_only)
-
-    outcomes, unanswered = ask_all(wanted, bring, timeout_sec=args.timeout, executor=session.executor)
-    result = (Preview if args.dry_run else Restored)(args.file, outcomes, unanswered)
-    if outcomes or len(wanted) > 1:  # the error says all there is to say of one node
+    graph = {'timeout_sec': args.timeout, 'executor': session.executor}
+    result = preview_all(wanted, args.file, **graph) if args.dry_run else restore_all(
+        wanted, args.file, one_by_one=args.one_by_one, skip_read_only=args.skip_read_only, **graph)
+    if result.nodes or len(wanted) > 1:  # the error says all there is to say of one node
         session.print(result)
-    system_arguments.report_unanswered(session, unanswered)
-    return 0 if (not unanswered if isinstance(result, Preview) else result.complete) else 1
+    system_arguments.report_unanswered(session, result.unanswered)
+    return 0 if (not result.unanswered if isinstance(result, Preview) else result.complete) else 1
 
 
 COMMANDS: CommandTable = {

@@ -4,6 +4,7 @@ Numbers are edited as text: JavaScript has no 64-bit integers, and no browser's 
 wrong with "1,5".
 """
 
+import functools
 import math
 import re
 from collections.abc import Callable, Sequence
@@ -222,3 +223,29 @@ def choices_of(descriptor: Descriptor) -> list[Any]:
     """
     _, _, rest = descriptor.additional_constraints.partition(ONE_OF.capitalize())
     return [] if descriptor.type.is_array else read_values(rest)
+
+
+# A list in prose, as in "Options: 'legacy', 'none'." and "one of fast, slow": what stands after a colon or "one of", up
+# to the end of the sentence, the line or the brackets.
+_LIST_IN_PROSE = re.compile(r'(?::|\bone of)\s*[\[({]?([^:;()\[\]{}\n]+?)\s*(?:[;)\]}\n]|\.(?=\s|$)|$)')
+_BETWEEN_NAMES = re.compile(r',?\s+(?:or|and)\s+|\s*[,|]\s*')
+_NAME = re.compile(r'\w+(?:[-./]\w+)*')
+
+
+def choices_in_prose(descriptor: Descriptor, value: Any) -> tuple[str, ...]:
+    """Return the texts that a parameter's description lists, as far as that can be told. No rule says so: the node may
+    accept others.
+
+    :param value: What the parameter has. A list without it is a list of something else.
+    """
+    if descriptor.type is not values.STRING or descriptor.dynamic_typing:
+        return ()
+    lists = _lists_in_prose(f'{descriptor.additional_constraints}\n{descriptor.description}')
+    return next((names for names in lists if value in names), ())
+
+
+@functools.lru_cache(maxsize=1000)  # a panel asks whenever it draws
+def _lists_in_prose(text: str) -> list[tuple[str, ...]]:
+    lists = (tuple(name.strip('\'"`') for name in _BETWEEN_NAMES.split(found[1].strip()))
+             for found in _LIST_IN_PROSE.finditer(text))
+    return [names for names in lists if len(names) > 1 and all(map(_NAME.fullmatch, names))]

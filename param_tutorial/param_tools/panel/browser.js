@@ -25,7 +25,7 @@ function render({model, el}) {
   const search = make('input', {
     className: 'param-search',
     type: 'search',
-    placeholder: 'Search nodes and parameters: names, descriptions, values (key: /)',
+    placeholder: 'Search nodes and parameters: names, descriptions, values',
   });
   search.setAttribute('aria-label', 'Search nodes and parameters');
   const status = make('span', {className: 'param-status'});
@@ -43,7 +43,9 @@ function render({model, el}) {
     });
     tools.append(button);
   }
-  const title = make('span', {className: 'param-node'}, 'Nodes');
+  const title = make('span', {className: 'param-title'}, 'Parameters of all nodes');
+  title.setAttribute('role', 'heading');
+  title.setAttribute('aria-level', '3');
   el.append(make('div', {className: 'param-head'}, title, status, tools, search));
   el.append(list);
   /** @type {Map<string, HTMLElement>} */
@@ -69,17 +71,6 @@ function render({model, el}) {
     search.value = '';
     find();
   });
-
-  // On a page of its own; in a notebook the key is JupyterLab's.
-  /** @param {KeyboardEvent} event */
-  function focusSearch(event) {
-    const isTyping =
-      event.target instanceof Element && event.target.matches('input:not([type=range], [type=checkbox]), textarea');
-    if (event.key !== '/' || isTyping || !document.body.dataset.voila) return;
-    event.preventDefault();
-    search.focus();
-  }
-  document.addEventListener('keydown', focusSearch);
 
   /** @param {string} name */
   function line(name) {
@@ -121,7 +112,6 @@ function render({model, el}) {
   show();
   model.on('change:state', show);
   return () => {
-    document.removeEventListener('keydown', focusSearch);
     model.off('change:state', show);
   };
 }

@@ -10,7 +10,7 @@ from param_tools.descriptor import Descriptor
 from param_tools.node.live import LiveParameters
 from param_tools.node.live_state import ParameterState
 from param_tools.node.locks import Condition, conditions_of, unmet
-from param_tools.node.text import fit, format_items, format_value, parse_items, parse_value
+from param_tools.node.text import choices_in_prose, fit, format_items, format_value, parse_items, parse_value
 from param_tools.panel.drawing import PanelRow, RowState
 from param_tools.panel.editors import Scale, row_of, scale_of
 
@@ -140,7 +140,8 @@ class Control:
     def _look(self) -> None:
         """Work out editor and scale anew where the node describes the parameter in another way."""
         descriptor, value = self.descriptor, self.value
-        shape = descriptor, value is None, isinstance(value, str) and ('\n' in value or '\r' in value)
+        shape = (descriptor, value is None, isinstance(value, str) and ('\n' in value or '\r' in value),
+                 choices_in_prose(descriptor, value))
         if shape != self._shape:
             self._shape = shape
             self._scale = scale_of(descriptor, value)

@@ -41,6 +41,8 @@ class PanelRow:
     facts: tuple[str, ...] = ()
     """What its descriptor says beside the type, e.g. its range."""
     choices: tuple[str, ...] = ()
+    takes_others: bool = False
+    """True if the choices are only a suggestion, and another text can be typed."""
     last: int | None = None
     """The last position of its slider, counted from 0; None if it has none."""
     is_read_only: bool = False
@@ -234,6 +236,8 @@ def _box(row: PanelRow, state: RowState, common: str) -> str:
     if row.editor == CHOICE:
         options = ''.join(f'<option{" selected" if each == state.text else ""}>{html.escape(each)}</option>'
                           for each in dict.fromkeys((*row.choices, state.text)))
+        if row.takes_others:
+            options += '<option data-other>Other…</option>'
         return f'<select autocomplete="off" {common}>{options}</select>'
     unset = '' if state.text else ' placeholder="not set"'
     return f'<input type="text" autocomplete="off" spellcheck="false" value="{text}"{unset} {common}>'

@@ -10,7 +10,7 @@ from typing import Any
 
 from param_tools import values
 from param_tools.descriptor import Descriptor, Range, is_housekeeping
-from param_tools.node.text import choices_of, format_value
+from param_tools.node.text import choices_in_prose, choices_of, format_value
 from param_tools.node.units import unit_of
 from param_tools.panel.drawing import CHECK, CHOICE, LINES, TEXT, PanelRow
 
@@ -64,11 +64,13 @@ def row_of(descriptor: Descriptor, value: Any, scale: Scale | None) -> PanelRow:
                      + (f' in steps of {descriptor.range.step}' if descriptor.range.step else ''))
     facts += ['any type'] * descriptor.dynamic_typing
     choices = tuple(format_value(descriptor, each) for each in choices_of(descriptor))
+    suggested = () if choices else choices_in_prose(descriptor, value)
+    choices = choices or suggested
     return PanelRow(
         name=descriptor.name, editor=_editor_of(descriptor, value, choices), kind=descriptor.type.label,
         description=descriptor.description, constraints=descriptor.additional_constraints, facts=tuple(facts),
-        choices=choices, last=scale.last if scale else None, is_read_only=descriptor.read_only,
-        is_quiet=is_housekeeping(descriptor.name), unit=unit_of(descriptor))
+        choices=choices, takes_others=bool(suggested), last=scale.last if scale else None,
+        is_read_only=descriptor.read_only, is_quiet=is_housekeeping(descriptor.name), unit=unit_of(descriptor))
 
 
 def _editor_of(descriptor: Descriptor, value: Any, choices: tuple[str, ...]) -> str:

@@ -46,7 +46,7 @@ def look(panel: FilePanel, *, is_save: bool, path: str, changed_only: bool) -> d
     try:
         return _look_before_saving(panel, path, changed_only) if is_save else _look_before_loading(panel, path)
     except (ParameterToolError, OSError, ValueError) as error:
-        return {'markup': file_markup(_sentence(error), is_bad=True), 'button': word, 'can': False}
+        return {'markup': file_markup(sentence(error), is_bad=True), 'button': word, 'can': False}
 
 
 def act(panel: FilePanel, *, is_save: bool, path: str, changed_only: bool) -> str:
@@ -55,19 +55,19 @@ def act(panel: FilePanel, *, is_save: bool, path: str, changed_only: bool) -> st
         if is_save:
             target = _with_ending(path)
             left = panel.save(target, changed_only).left_out
-            return file_markup(f'Saved to {target}.', _reasons('Left out', left))
+            return file_markup(f'Saved to {target}.', reasons('Left out', left))
         loaded = panel.load(path)
         return file_markup(f'{format_count(len(loaded.names), "value")} of {path} '
-                           f'{"gathered" if loaded.is_gathered else "loaded"}.', _reasons('Not loaded', loaded))
+                           f'{"gathered" if loaded.is_gathered else "loaded"}.', reasons('Not loaded', loaded))
     except (ParameterToolError, OSError, ValueError) as error:
-        return file_markup(_sentence(error), is_bad=True)
+        return file_markup(sentence(error), is_bad=True)
 
 
 def _look_before_saving(panel: FilePanel, path: str, changed_only: bool) -> dict[str, Any]:
     dump = panel.dump(changed_only=changed_only)
     count = len(panel.changed if changed_only else panel.names) - len(dump.left_out)
     target = parameter_files.as_path(_with_ending(path), is_typed=True)
-    notes, word = _reasons('Left out', dump.left_out), 'Save'
+    notes, word = reasons('Left out', dump.left_out), 'Save'
     if target.is_dir():
         raise ParameterFileError(f'{path} is a folder; add the name of a file')
     if not target.parent.is_dir():
@@ -106,11 +106,13 @@ def _look_before_loading(panel: FilePanel, path: str) -> dict[str, Any]:
             'button': 'Load', 'can': bool(preview.accepted)}
 
 
-def _reasons(word: str, left: Mapping[str, str]) -> list[str]:
+def reasons(word: str, left: Mapping[str, str]) -> list[str]:
+    """Return why parameters are left out, as sentences."""
     return [f'{word}: {name}, {reason}.' for name, reason in left.items()]
 
 
-def _sentence(error: Exception) -> str:
+def sentence(error: Exception) -> str:
+    """Return what is wrong, for a person who works with files."""
     if isinstance(error, OSError) and error.strerror:
         return f'{error.filename}: {error.strerror}'
     return describe_error(error)

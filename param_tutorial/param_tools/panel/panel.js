@@ -159,8 +159,11 @@ class PanelRow {
     const {box, slider, panel} = this;
     if (this.editor === 'check') {
       box.addEventListener('change', () => this.enter({text: String(this.isChecked)}));
-    } else if (this.editor === 'choice') {
-      box.addEventListener('change', () => this.enter({text: box.value}));
+    } else if (box instanceof HTMLSelectElement) {
+      box.addEventListener('change', () => {
+        if (box.selectedOptions[0]?.dataset.other === undefined) this.enter({text: box.value});
+        else this.typeOther(box);
+      });
     } else {
       box.addEventListener('input', () => {
         this.isTyping = true;
@@ -185,6 +188,45 @@ class PanelRow {
       slider.addEventListener('input', () => this.enter({position: Number(slider.value)}));
     }
     this.back?.addEventListener('click', () => panel.wire.bringBack(this.name));
+  }
+
+  /**
+   * Take another text than those of a list, in a box that stands in the list's place until it is left.
+   * @param {HTMLSelectElement} list
+   */
+  typeOther(list) {
+    const before = this.state.text;
+    const box = make('input', {type: 'text', id: list.id, className: list.className, value: before});
+    Object.assign(box, {autocomplete: 'off', spellcheck: false});
+    box.setAttribute('aria-describedby', list.getAttribute('aria-describedby') ?? '');
+    /** @param {boolean} isWanted */
+    const leave = isWanted => {
+      if (this.box !== box) return;
+      this.box = list;
+      this.isTyping = false;
+      if (isWanted && box.value !== before) {
+        const typed = new Option(box.value);
+        typed.dataset.typed = '';
+        list.add(typed);
+        list.value = box.value;
+        this.enter({text: box.value});
+      } else {
+        this.drawValue();
+      }
+      const hadFocus = box === focusedBeside(box);
+      box.replaceWith(list);
+      if (hadFocus) list.focus();
+    };
+    box.addEventListener('blur', () => leave(true));
+    box.addEventListener('keydown', event => {
+      this.panel.keep(event);
+      if (event.key === 'Enter' || event.key === 'Escape') leave(event.key === 'Enter');
+    });
+    this.box = box;
+    this.isTyping = true;
+    list.replaceWith(box);
+    box.focus();
+    box.select();
   }
 
   commit() {
@@ -248,6 +290,7 @@ class PanelRow {
     if (this.editor === 'check') {
       /** @type {HTMLInputElement} */ (box).checked = text === 'true';
     } else if (!this.isTyping) {
+      if (box instanceof HTMLSelectElement) for (const typed of all(box, '[data-typed]')) typed.remove();
       if (box instanceof HTMLSelectElement && ![...box.options].some(each => each.value === text)) {
         box.add(new Option(text));
       }

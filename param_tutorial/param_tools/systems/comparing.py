@@ -52,12 +52,12 @@ class Difference(NodesTable[ChangedParameter]):
         self.equal = equal
         self._alone = (('removed', labels[0], only_before), ('added', labels[1], only_after))
         differing = sum(map(bool, self.nodes.values()))
-        where, same = ('', equal) if is_of_one else (
-            f' in {format_count(differing, "node")}', len(self.nodes) - differing)
+        where, same = ('', f'{equal} the same') if is_of_one else (
+            f' in {format_count(differing, "node")}', f'{format_count(len(self.nodes) - differing, "node")} the same')
         alone = ''.join(f', {format_count(len(names), "node")} only in {label}'
                         for _, label, names in self._alone if names)
         self.heading = (f'{labels[0]} → {labels[1]}: {format_count(len(self.records), "difference")}{where}, '
-                        f'{same} the same{alone}')
+                        f'{same}{alone}')
 
     def __len__(self) -> int:
         return len(self.records) + sum(len(nodes) for _, _, nodes in self._alone)

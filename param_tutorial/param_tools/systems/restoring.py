@@ -13,7 +13,10 @@ from param_tools.errors import NodeError, NodeGoneError, NodeNotFoundError
 from param_tools.files.descriptions import DescribedParameter
 from param_tools.markup.wording import format_count
 from param_tools.node.client import ParameterClient, ParameterValues
+from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.services import TIMEOUT_SEC
 from param_tools.systems.sets import NodeLike, ParameterSet, as_client, as_set
+from param_tools.systems.snapshot import ask_all
 from param_tools.systems.word_table import NodesTable
 
 MAY_BE_TAKEN = 'the node has not declared it, and no service tells whether it would take it all the same'
@@ -148,6 +151,37 @@ def preview(node: NodeLike, wanted: Mapping[str, Any]) -> Preview:
         return Outcome(name, present.get(name), value, *(obstacle or ('would be set', '')))
 
     return Preview(target.label, {client.node: [expected(*each) for each in differing.items()]})
+
+
+def preview_all(wanted: Mapping[str, Mapping[str, Any]], label: str, *, timeout_sec: float = TIMEOUT_SEC,
+                executor: BackgroundExecutor | None = None) -> Preview:
+    """Find out what ``restore_all`` would do, and change nothing.
+
+    :param wanted: As for ``restore_all``.
+    """
+    outcomes, unanswered = ask_all(wanted, lambda client: preview(client, ParameterSet(wanted[client.node], label)),
+                                   timeout_sec=timeout_sec, executor=executor)
+    return Preview(label, _joined(outcomes), unanswered)
+
+
+def restore_all(wanted: Mapping[str, Mapping[str, Any]], label: str, *, one_by_one: bool = False,
+                skip_read_only: bool = False, timeout_sec: float = TIMEOUT_SEC,
+                executor: BackgroundExecutor | None = None) -> Restored:
+    """Give many nodes values, all nodes at the same time, and each as ``restore`` does.
+
+    :param wanted: The values for each node, such as a Snapshot.
+    :param label: Says where the values come from.
+    :param timeout_sec: How long a node may take for each answer. A node that takes longer is in ``unanswered``.
+    :raises ExecutorError: no executor is running, or this is called from a callback.
+    """
+    outcomes, unanswered = ask_all(
+        wanted, lambda client: restore(client, ParameterSet(wanted[client.node], label), one_by_one=one_by_one,
+                                       skip_read_only=skip_read_only), timeout_sec=timeout_sec, executor=executor)
+    return Restored(label, _joined(outcomes), unanswered)
+
+
+def _joined(outcomes: Mapping[str, _Outcomes]) -> dict[str, tuple[Outcome, ...]]:
+    return {node: each.records for node, each in outcomes.items()}
 
 
 # A word of an Outcome, and its reason.

@@ -103,6 +103,17 @@ def read_saved(path: str | Path, nodes: Iterable[str] = ()) -> dict[str, dict[st
     return found
 
 
+def read_heading(path: Path) -> tuple[str, datetime.datetime] | None:
+    """Return what a saved snapshot says at its head: how many nodes it holds, in words, and when it was taken.
+
+    :return: None if the file is no snapshot.
+    """
+    with contextlib.suppress(OSError, ValueError), path.open(encoding='utf-8') as file:
+        words, comma, taken = file.readline(200).removeprefix(FIRST_WORDS).strip().partition(', ')
+        return (words, datetime.datetime.fromisoformat(taken)) if comma else None
+    return None
+
+
 def _empty_arrays(path: str | Path, number: int, text: str) -> dict[str, list[str]]:
     with contextlib.suppress(ValueError, RecursionError):
         content = json.loads(text)
