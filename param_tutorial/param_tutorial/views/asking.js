@@ -2,33 +2,23 @@
 
 import {make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
+import {attach} from './handle.js';
 
-/** @param {import('@anywidget/types').RenderProps<{name: string, text: string, said: string}>} props */
-function render({model, el}) {
+/** @param {import('@anywidget/types').RenderProps<{name: string, text: string}>} props */
+function render(props) {
+  const {model} = props;
   const box = make('input', {type: 'text', value: model.get('text'), autocomplete: 'off', spellcheck: false});
-  const button = make('button', {type: 'submit'}, 'Ask the node');
-  const said = make('span');
-  said.setAttribute('role', 'status');
   const form = make(
     'form',
-    {className: 'motion-asking'},
-    make('label', {}, `${model.get('name')} = `, box),
-    button,
-    said,
+    {},
+    make('label', {className: 'motion-code'}, `${model.get('name')} = `, box),
+    make('button', {type: 'submit'}, 'Ask the node'),
   );
   form.addEventListener('submit', event => {
     event.preventDefault();
-    model.send({do: 'ask', text: box.value});
+    model.send({chosen: box.value});
   });
-  // JupyterLab has meanings of its own for keys.
-  form.addEventListener('keydown', event => event.stopPropagation());
-  el.append(form);
-  const show = () => {
-    said.textContent = model.get('said');
-  };
-  show();
-  model.on('change:said', show);
-  return () => model.off('change:said', show);
+  return attach(props, form, [], () => {});
 }
 
 export default {initialize, render};
