@@ -26,7 +26,7 @@ function render(props) {
       choice.addEventListener('change', () => model.send({chosen: [thing, property, choice.value]}));
       return choice;
     });
-    return make('div', {}, make('span', {className: 'motion-code'}, thing), ...choices);
+    return make('div', {}, make('span', {className: 'motion-code'}, thing), make('span', {}, ...choices));
   }
 
   return attach(props, whole, ['things'], () => {

@@ -25,8 +25,8 @@ _ARRIVAL_SEC = 2.0
 class MessageView(PictureView):
     """A message on /parameter_events that travels from the node that has changed to each that listens.
 
-    Show it as the last line of a cell. Below it, a reader chooses the QoS with which the nodes on the stage listen; they
-    subscribe again with that, and the node is asked for the value once more.
+    Show it as the last line of a cell. Below it, a reader chooses the QoS with which the nodes on the stage listen: a
+    listener subscribes again with that, and the node is asked for the value once more.
     """
 
     def __init__(self, node: str | Node | ParameterClient, name: str, value: Any) -> None:
@@ -77,7 +77,7 @@ class MessageView(PictureView):
                 for each in (heard[0] if heard else ())]
         if told:
             listens |= {name: replace(listens[name], problem='it did not arrive') for name in hoped - arrived}
-        self._choosing.things = {name: qos_words(each.qos_profile) for name, (_, each) in here.items()}
+        self._choosing.things = {name: qos_words(each.qos_profile) for name, (_, each) in sorted(here.items())}
         return MessageTraffic(tells, listens, sender if told else '', told, offers=offers)
 
     def _subscribe_again(self, chosen: tuple[str, str, str]) -> str:
