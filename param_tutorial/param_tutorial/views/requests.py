@@ -9,7 +9,6 @@ from rclpy.node import Node
 from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError
 from param_tools.node.client import ParameterClient, SetResult
-from param_tools.systems.restoring import restore
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.requests import Request, Requests
 from param_tutorial.views.ordering import Ordering
@@ -26,6 +25,12 @@ class _Side:
     pairs: list[tuple[str, Any]]
     is_one: bool
     note: Callable[[], str] | None = None
+
+    def bring_back(self) -> None:
+        """Give the node what it had at first."""
+        now = self.client.get_parameters()
+        if changed := {name: value for name, value in self.before.items() if now.get(name) != value}:
+            self.client.set_parameters_atomically(changed)
 
     def send(self, requests: Requests) -> None:
         """Send the requests, and add what came of them to a picture."""
@@ -117,7 +122,7 @@ class RequestsView(PictureView):
         """Send the requests of all sides in another order, each to a node that has what it had at first."""
         requests = Requests(self._requests.subject)
         for side in self._sides:
-            restore(side.client, side.before)
+            side.bring_back()
             side.pairs.sort(key=lambda pair: order.index(pair[0]))
             side.send(requests)
         self._requests = self._picture = requests
