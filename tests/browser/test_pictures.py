@@ -3,7 +3,6 @@
 import pytest
 
 from param_tutorial.views.drawing import svg
-from tests.support.lab import chromium
 from tests.views.test_svg import PICTURES
 
 NARROW = {'ladder', 'layers', 'messages', 'number line', 'requests'}
@@ -24,12 +23,6 @@ LOOK = '''name => {
     scene.scrollWidth > scene.clientWidth,
   ];
 }'''
-
-
-@pytest.fixture(scope='module')
-def browser():
-    with chromium() as browser:
-        yield browser
 
 
 @pytest.mark.parametrize('width', [320, 390, 728, 1280, 1920])

@@ -1,7 +1,8 @@
-/* A line below a picture: type a value, and the kernel asks the node for it. */
+/* A line below a picture: type a value, or drag the picture's marker to one, and the kernel asks the node for it. */
 
 import {make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
+import {dragMarker} from './dragging.js';
 import {attach} from './handle.js';
 
 /** @param {import('@anywidget/types').RenderProps<{name: string, text: string}>} props */
@@ -18,7 +19,15 @@ function render(props) {
     event.preventDefault();
     model.send({chosen: box.value});
   });
-  return attach(props, form, [], () => {});
+  const detach = attach(props, form, [], () => {});
+  const endDragging = dragMarker(form, text => {
+    box.value = text;
+    model.send({chosen: text});
+  });
+  return () => {
+    endDragging();
+    detach();
+  };
 }
 
 export default {initialize, render};

@@ -10,7 +10,13 @@ function render(props) {
   const list = make('ol', {ariaLabel: model.get('caption')});
   const line = make('div', {}, make('span', {ariaHidden: 'true'}, model.get('caption')), list);
   const order = () => all(list, 'li').map(each => each.dataset.item ?? '');
-  const send = () => model.send({chosen: order()});
+  // What was sent and not answered: the reader goes on meanwhile, and an older answer takes nothing back.
+  /** @type {string[]} */
+  let sent = [];
+  const send = () => {
+    sent.push(order().join('\n'));
+    model.send({chosen: order()});
+  };
 
   /**
    * @param {string} name
@@ -82,8 +88,10 @@ function render(props) {
   });
 
   return attach(props, line, ['items'], () => {
+    const items = model.get('items').join('\n');
+    sent = model.get('said') ? [] : sent.slice(sent.indexOf(items) + 1);
     // A line that is drawn anew would take the keyboard away.
-    if (order().join('\n') !== model.get('items').join('\n')) draw(model.get('items'));
+    if (!sent.length && order().join('\n') !== items) draw(model.get('items'));
   });
 }
 

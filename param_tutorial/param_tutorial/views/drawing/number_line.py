@@ -192,7 +192,7 @@ class NumberLine(svg.AnimatedPicture):
         before_x = stored_x if self._before is None else self._x(self._before)
         landed_sec = asks_sec + _DROP_SEC
         if self._before is not None:
-            yield svg.group(self._pin(self._before), animation.shown(0, landed_sec - .5 * _DROP_SEC))
+            yield svg.group(self._pin(self._before, kind=''), animation.shown(0, landed_sec - .5 * _DROP_SEC))
         yield svg.group(self._pin(stored), animation.shown(landed_sec))
         yield svg.group(svg.token(svg.cut(request.shown, _TOKEN_LETTERS)), animation.travel(
             [(0, before_x, _ASKED_Y), (_GO_SEC, asked_x, _ASKED_Y), (asks_sec, asked_x, _ASKED_Y),
@@ -219,8 +219,8 @@ class NumberLine(svg.AnimatedPicture):
         trace.append(self._words(f'rejected: {request.objection}', 'bold'))
         yield svg.group(trace, animation.appear(up_sec))
 
-    def _pin(self, stored: float, style_of_lock: str = '') -> str:
-        """Return the marker of the stored value, which is locked if the parameter is."""
+    def _pin(self, stored: float, style_of_lock: str = '', *, kind: str = 'pin') -> str:
+        """Return the marker of the stored value, which is locked if the parameter is, and is dragged if it is a pin."""
         x, value = self._x(stored), svg.cut(_number(stored), _TOKEN_LETTERS)
         parts = [svg.path(f'M{x:.1f} {_LINE_Y - 4}l-8 -17h16z', 'fill'),
                  _at(x, _PIN_Y, svg.token(value, 'blank'))]
@@ -229,7 +229,10 @@ class NumberLine(svg.AnimatedPicture):
             parts.append(svg.group([svg.path(f'M{lock_x - 5:.1f} {_PIN_Y - 3}v-5a5 5 0 0 1 10 0v5'),
                                     svg.box(lock_x - 8, _PIN_Y - 3, 16, 13, 'fill', rounding=2)],
                                    style_of_lock, 'lock'))
-        return svg.group(parts)
+        # For the script that lets a reader drag it: two values, and where they stand.
+        low, high = self._scale.low, self._scale.high
+        axis = f' data-axis="{low} {self._x(low):.1f} {high} {self._x(high):.1f}"'
+        return svg.group(parts, axis + ' data-whole=""' * isinstance(stored, int), kind)
 
 
 def _at(x: float, y: float, part: str) -> str:
