@@ -4,7 +4,7 @@ import {all, make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
 import {attach} from './handle.js';
 
-/** @param {import('@anywidget/types').RenderProps<{caption: string, items: string[]}>} props */
+/** @param {import('@anywidget/types').RenderProps<{caption: string, items: string[], said: string}>} props */
 function render(props) {
   const {model} = props;
   const list = make('ol', {ariaLabel: model.get('caption')});
