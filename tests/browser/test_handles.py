@@ -45,9 +45,9 @@ LayersView('speed', [('default', 100), ('speed:=400', '/**', 400), ('robot:speed
     "NumberLineView('/robot', 'opening')",
     "MessageView('/robot', 'speed', 5)",
     "LadderView('/robot', 'speed', 7)",
-    "requests = RequestsView('both')\nrequests.send('one by one', '/robot', {'speed': 1, 'opening': 20})\nrequests",
+    "RequestsView('nothing yet')",
 )
-LAYERS, LINE, MESSAGES, *_ = range(len(CELLS))
+LAYERS, LINE, MESSAGES, _, REQUESTS = range(len(CELLS))
 
 
 @pytest.fixture(scope='module')
@@ -120,6 +120,12 @@ def test_listeners_get_the_message_as_the_chosen_qos_allows(opened):
     picture.get_by_label('durability of /hopeful').select_option('transient local')
     expect(told(page, MESSAGES)).to_contain_text(
         '/hopeful (asks for reliable, transient local) subscribes and gets nothing: incompatible QoS')
+
+
+def test_there_is_no_line_as_long_as_there_is_nothing_to_put_in_order(opened):
+    _, page = opened
+    expect(view(page, REQUESTS).locator('.motion-head')).to_be_visible()
+    expect(view(page, REQUESTS).locator('.motion-handle')).to_be_hidden()
 
 
 def test_nothing_that_axe_finds_in_the_pictures(opened):

@@ -53,7 +53,6 @@ function render(props) {
         return item;
       }),
     );
-    line.hidden = items.length < 2;
   }
 
   list.addEventListener('pointerdown', event => {
@@ -89,6 +88,7 @@ function render(props) {
 
   return attach(props, line, ['items'], () => {
     const items = model.get('items').join('\n');
+    line.hidden = model.get('items').length < 2;
     sent = model.get('said') ? [] : sent.slice(sent.indexOf(items) + 1);
     // A line that is drawn anew would take the keyboard away.
     if (!sent.length && order().join('\n') !== items) draw(model.get('items'));
