@@ -8,20 +8,10 @@ from param_tutorial.views.drawing.svg import AnimatedPicture, Animation
 
 def drawn(picture: AnimatedPicture) -> ElementTree.Element:
     """Return an animated picture as it stands at the end, without its drawing for a narrow page."""
-    return _still(picture, 'class', 'motion-narrow')
-
-
-def drawn_narrow(picture: AnimatedPicture) -> ElementTree.Element:
-    """Return an animated picture as it stands at the end on a narrow page."""
-    return _still(picture, 'viewBox', '0 0 720')
-
-
-def _still(picture: AnimatedPicture, attribute: str, unwanted: str) -> ElementTree.Element:
     root = ElementTree.fromstring(picture.html(Animation('one', is_still=True)))
     scene = root.find('div[@class="motion-scene"]')
-    for drawing in list(scene):
-        if drawing.get(attribute, '').startswith(unwanted):
-            scene.remove(drawing)
+    for narrow in scene.findall('svg[@class="motion-narrow"]'):
+        scene.remove(narrow)
     return root
 
 
