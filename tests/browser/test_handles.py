@@ -1,5 +1,7 @@
 """What a reader drags, orders and chooses below a picture, with mouse and keyboard, and what real nodes say to it."""
 
+import re
+
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect
@@ -46,8 +48,9 @@ LayersView('speed', [('default', 100), ('speed:=400', '/**', 400), ('robot:speed
     "MessageView('/robot', 'speed', 5)",
     "LadderView('/robot', 'speed', 7)",
     "RequestsView('nothing yet')",
+    "import os\nimport time\n\nwhile os.path.exists('busy'):\n    time.sleep(0.05)",
 )
-LAYERS, LINE, MESSAGES, _, REQUESTS = range(len(CELLS))
+LAYERS, LINE, MESSAGES, LADDER, REQUESTS, BUSY = range(len(CELLS))
 
 
 @pytest.fixture(scope='module')
@@ -120,6 +123,22 @@ def test_listeners_get_the_message_as_the_chosen_qos_allows(opened):
     picture.get_by_label('durability of /hopeful').select_option('transient local')
     expect(told(page, MESSAGES)).to_contain_text(
         '/hopeful (asks for reliable, transient local) subscribes and gets nothing: incompatible QoS')
+
+
+def test_as_long_as_the_kernel_does_not_answer_the_line_says_so(opened):
+    lab, page = opened
+    line = view(page, LADDER).locator('.motion-handle')
+    (lab.folder / 'busy').touch()
+    try:
+        page.select_cell(BUSY)
+        page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-cell') }")  # it ends later
+        line.get_by_role('textbox').fill('8')
+        line.get_by_role('textbox').press('Enter')
+        expect(line).to_have_class(re.compile('motion-waiting'))
+    finally:
+        (lab.folder / 'busy').unlink()
+    expect(line).not_to_have_class(re.compile('motion-waiting'))
+    expect(told(page, LADDER)).to_have_text('speed = 8 is accepted.')
 
 
 def test_there_is_no_line_as_long_as_there_is_nothing_to_put_in_order(opened):

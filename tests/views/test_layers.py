@@ -65,5 +65,5 @@ def test_sources_are_put_into_another_order_and_a_node_is_started_with_them(ros)
     assert below.told == view.text and view.text.endswith('speed = 400, from speed:=400.')
     param_tutorial.stop()
     below._handle_custom_msg({'chosen': ['speed:=400', 'robot:speed:=500']}, [])
-    assert 'start()' in below.said and below.items == ['robot:speed:=500', 'speed:=400']
+    assert 'start()' in below.said and below.items == ['robot:speed:=500', 'speed:=400'] and below.answered == 2
     assert len(LayersView('speed', [('default', 100), ('file', 2)]).children) == len(view.children) - 1

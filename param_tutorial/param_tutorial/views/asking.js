@@ -3,7 +3,7 @@
 import {make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
 import {dragMarker} from './dragging.js';
-import {attach} from './handle.js';
+import {ask, attach} from './handle.js';
 
 /** @param {import('@anywidget/types').RenderProps<{name: string, text: string}>} props */
 function render(props) {
@@ -17,12 +17,12 @@ function render(props) {
   );
   form.addEventListener('submit', event => {
     event.preventDefault();
-    model.send({chosen: box.value});
+    ask(props, box.value);
   });
   const detach = attach(props, form, [], () => {});
   const endDragging = dragMarker(form, text => {
     box.value = text;
-    model.send({chosen: text});
+    ask(props, text);
   });
   return () => {
     endDragging();

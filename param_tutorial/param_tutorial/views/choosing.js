@@ -2,7 +2,7 @@
 
 import {all, make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
-import {attach} from './handle.js';
+import {ask, attach} from './handle.js';
 
 /**
  * @typedef {Record<string, Record<string, string>>} Things
@@ -23,7 +23,7 @@ function render(props) {
         {ariaLabel: `${property} of ${thing}`, name: `${thing} ${property}`},
         ...values.map(each => make('option', {value: each}, each)),
       );
-      choice.addEventListener('change', () => model.send({chosen: [thing, property, choice.value]}));
+      choice.addEventListener('change', () => ask(props, [thing, property, choice.value]));
       return choice;
     });
     return make('div', {}, make('span', {className: 'motion-code'}, thing), make('span', {}, ...choices));

@@ -3,6 +3,16 @@
 import {make} from '../../param_tools/panel/dom.js';
 
 /**
+ * Ask the node for what a reader has chosen. In a page whose kernel is not awake yet, the answer takes its time.
+ * @param {import('@anywidget/types').RenderProps<any>} props
+ * @param {unknown} chosen
+ */
+export function ask({model, el}, chosen) {
+  el.querySelector('.motion-handle')?.classList.add('motion-waiting');
+  model.send({chosen});
+}
+
+/**
  * Put a line on the page.
  * @param {import('@anywidget/types').RenderProps<any>} props
  * @param {HTMLElement} line
@@ -26,7 +36,12 @@ export function attach({model, el}, line, traits, draw) {
     draw();
   };
   show();
+  const stopWaiting = () => line.classList.remove('motion-waiting');
+  model.on('change:answered', stopWaiting);
   const changes = ['said', 'told', ...traits].map(each => `change:${each}`).join(' ');
   model.on(changes, show);
-  return () => model.off(changes, show);
+  return () => {
+    model.off(changes, show);
+    model.off('change:answered', stopWaiting);
+  };
 }

@@ -19,6 +19,9 @@ class Handle(Front):
     told = traitlets.Unicode().tag(sync=True)
     """What came of it, for screen readers: everybody else sees the picture."""
 
+    answered = traitlets.Int().tag(sync=True)
+    """How often what was chosen has been answered, whatever the answer."""
+
     def __init__(self, ask: Callable[[Any], str], **state: Any) -> None:
         """
         :param ask: Asks the node for what was chosen, and returns what came of it, in a sentence.
@@ -38,3 +41,5 @@ class Handle(Front):
             self.told = self._ask(self._chosen(content))
         except ParameterToolError as error:
             self.said = f'{describe_error(error)}.'
+        finally:
+            self.answered += 1

@@ -2,7 +2,7 @@
 
 import {all, make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
-import {attach} from './handle.js';
+import {ask, attach} from './handle.js';
 
 /** @param {import('@anywidget/types').RenderProps<{caption: string, items: string[], said: string}>} props */
 function render(props) {
@@ -15,7 +15,7 @@ function render(props) {
   let sent = [];
   const send = () => {
     sent.push(order().join('\n'));
-    model.send({chosen: order()});
+    ask(props, order());
   };
 
   /**
