@@ -105,7 +105,8 @@ ROBOT = (
     'A picture:',
     "LinePlot({'a line': [(0, 0), (1, 2)]}, x='time in s', y='speed in m/s')",
     'A picture that is drawn anew:',
-    "import ipywidgets\n\nscene = ipywidgets.HTML('<div class=\"motion-scene\"><svg viewBox=\"0 0 720 60\">'\n"
+    "import ipywidgets\n\nscene = ipywidgets.HTML('<div class=\"motion-scene\" style=\"overflow-x: auto\">'\n"
+    "                        '<svg viewBox=\"0 0 720 60\" style=\"min-width: 690px\">'\n"
     "                        '<text x=\"100\" y=\"30\">the first</text></svg></div>')\nscene",
     "scene.value = scene.value.replace('first', 'second')",
     'A text with a shape, and a sentence:',

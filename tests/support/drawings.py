@@ -7,8 +7,12 @@ from param_tutorial.views.drawing.svg import AnimatedPicture, Animation
 
 
 def drawn(picture: AnimatedPicture) -> ElementTree.Element:
-    """Return an animated picture as it stands at the end."""
-    return ElementTree.fromstring(picture.html(Animation('one', is_still=True)))
+    """Return an animated picture as it stands at the end, without its drawing for a narrow page."""
+    root = ElementTree.fromstring(picture.html(Animation('one', is_still=True)))
+    scene = root.find('div[@class="motion-scene"]')
+    for narrow in scene.findall('svg[@class="motion-narrow"]'):
+        scene.remove(narrow)
+    return root
 
 
 def kinds(picture: AnimatedPicture) -> list[str]:

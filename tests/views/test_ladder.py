@@ -110,7 +110,7 @@ def test_another_value_is_typed_below_the_ladder(ros, robot):
     *_, below = view.children
 
     def ask(text):
-        below._handle_custom_msg({'do': 'ask', 'text': text}, [])
+        below._handle_custom_msg({'chosen': text}, [])
         return view.text
 
     assert (below.name, below.text) == ('speed', '900')

@@ -1,7 +1,10 @@
 """Layers of a value: which one is on top, what a later source changes below, and that a wrong story is noticed."""
 
 import pytest
+from rclpy.node import Node
 
+import param_tutorial
+from param_tutorial import ParameterClient
 from param_tutorial.views import LayersView
 from param_tutorial.views.drawing.layers import Layers
 from tests.support.drawings import words
@@ -39,3 +42,28 @@ def test_a_source_that_ends_with_its_value_says_it_once(source):
 def test_layers_of_nothing_are_rejected():
     with pytest.raises(ValueError, match='one source'):
         LayersView('speed', [])
+
+
+# -- the view ------------------------------------------------------------------------------------------------
+
+def test_sources_are_put_into_another_order_and_a_node_is_started_with_them(ros):
+    class Robot(Node):
+        def __init__(self, **options):
+            super().__init__('robot', **options)
+            self.declare_parameter('speed', 100)
+
+    def start(*options):
+        words = [word for option in options for word in ('-p', option)]
+        return ros.add(Robot, ros_args=words).get_parameter('speed').value
+
+    view = LayersView('speed', [('default', 100), ('speed:=400', '/**', 400), ('robot:speed:=500', 'robot', 500)],
+                      start=start)
+    *_, below = view.children
+    assert 'speed = 500, from robot:speed:=500' in view.text and below.items == ['speed:=400', 'robot:speed:=500']
+    below._handle_custom_msg({'chosen': ['robot:speed:=500', 'speed:=400']}, [])
+    assert ParameterClient('/robot').get_parameter('speed') == 400
+    assert below.told == view.text and view.text.endswith('speed = 400, from speed:=400.')
+    param_tutorial.stop()
+    below._handle_custom_msg({'chosen': ['speed:=400', 'robot:speed:=500']}, [])
+    assert 'start()' in below.said and below.items == ['robot:speed:=500', 'speed:=400'] and below.answered == 2
+    assert len(LayersView('speed', [('default', 100), ('file', 2)]).children) == len(view.children) - 1

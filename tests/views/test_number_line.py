@@ -114,9 +114,9 @@ def test_the_number_line_of_a_node_that_leaves_and_comes_back(ros, robot):
 def test_a_value_is_typed_below_the_number_line_where_it_follows_the_node(robot):
     view = NumberLineView(robot, 'opening')
     *_, below = view.children
-    below._handle_custom_msg({'do': 'ask', 'text': '45'}, [])
+    below._handle_custom_msg({'chosen': '45'}, [])
     wait_for_text(view, 'opening = 45 is rejected; 40 stays.')
-    below._handle_custom_msg({'do': 'ask', 'text': '50'}, [])
+    below._handle_custom_msg({'chosen': '50'}, [])
     wait_for_text(view, 'opening = 50 is stored.')
     assert len(NumberLineView(robot, 'opening', 45).children) == len(view.children) - 1
 

@@ -114,3 +114,35 @@ def test_a_lenient_world_takes_everything_and_a_third_side_sends_nothing(weather
     with pytest.raises(ValueError, match='room for 2 sides'):
         view.send('ROS 2', weather, {'high_c': 20})
     assert ParameterClient(weather).get_parameter('high_c') == 40
+
+
+def test_requests_are_put_into_another_order_and_sent_again_from_the_same_beginning(weather):
+    client = ParameterClient(weather)
+    has, wanted = {'low_c': -30, 'high_c': -10}, {'low_c': -5, 'high_c': 40}
+    view = RequestsView('back')
+    *_, below = view.children
+    for title, as_one in (('one by one', False), ('as one', True)):
+        client.set_parameters_atomically(has)
+        view.send(title, client, wanted, atomically=as_one)
+        view.conclude(lambda: f'low_c is {client.get_parameter("low_c")}')
+    assert view._picture.sentence == 'one by one: 1 of 2 accepted; as one: 2 of 2 accepted.'
+    assert below.items == ['low_c', 'high_c'] and 'low_c is -30. as one' in view.text
+    below._handle_custom_msg({'chosen': ['high_c', 'low_c']}, [])
+    assert view._picture.sentence == 'one by one: 2 of 2 accepted; as one: 2 of 2 accepted.'
+    assert 'one by one, high_c = 40 is accepted' in view.text and 'low_c is -5. as one' in view.text
+    assert (below.items, below.told) == (['high_c', 'low_c'], view.text) and client.get_parameter('low_c') == -5
+    client.set_parameters_atomically({'low_c': 0, 'high_c': 1})
+    below._handle_custom_msg({'chosen': ['low_c', 'high_c']}, [])
+    assert view._picture.sentence == 'one by one: 1 of 2 accepted; as one: 2 of 2 accepted.'
+
+
+def test_nothing_is_put_into_order_where_a_side_has_sent_nothing_or_a_name_twice(weather):
+    view = RequestsView('high_c')
+    *_, below = view.children
+    view.send('ROS 2', weather, {'high_c': 20, 'low_c': 1})
+    assert below.items
+    view.add_lenient('ROS 1', '/weather', {'high_c': 40}, [('high_c', 'hot')], server='master')
+    assert not below.items
+    twice = RequestsView('high_c')
+    twice.send('ROS 2', weather, [('high_c', 20), ('low_c', 1), ('high_c', 2)])
+    assert not twice.children[-1].items

@@ -10,7 +10,7 @@ from param_tutorial.views.drawing.checks import Checks
 from param_tutorial.views.drawing.ladder import Climb
 from param_tutorial.views.drawing.layers import Layers
 from param_tutorial.views.drawing.lifts import Lifts
-from param_tutorial.views.drawing.messages import MessageTraffic
+from param_tutorial.views.drawing.messages import Listener, MessageTraffic
 from param_tutorial.views.drawing.number_line import NumberLine, Request, Scale
 from param_tutorial.views.drawing.plane import Plane
 from param_tutorial.views.drawing.requests import Request as Sent
@@ -63,7 +63,7 @@ PICTURES = {
     'ladder': Climb(EVIL, EVIL, STEPS, EVIL),
     'layers': Layers(EVIL, [(EVIL, 1), (EVIL, EVIL, 2), ('-p', EVIL, 3)]),
     'lifts': Lifts({EVIL: [(0, 0.0), (1, 1.0)], 'b': [(0, 0.0), (1, .5)]}, {0.5: EVIL}),
-    'messages': MessageTraffic([EVIL], {EVIL: True, '/deaf': False}, EVIL, [EVIL]),
+    'messages': MessageTraffic([EVIL], {EVIL: Listener(EVIL), '/deaf': Listener('', EVIL)}, EVIL, [EVIL], offers=EVIL),
     'number line': NumberLine(EVIL, EVIL, Scale(0, 85, 10), 40, request=Request(45, EVIL, EVIL), is_locked=True),
     'plane': make_plane(), 'requests': make_requests(), 'trail': make_trail(), 'worlds': make_worlds()}
 

@@ -1,34 +1,33 @@
-/* A line below a picture: type a value, and the kernel asks the node for it. */
+/* A line below a picture: type a value, or drag the picture's marker to one, and the kernel asks the node for it. */
 
 import {make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
+import {dragMarker} from './dragging.js';
+import {ask, attach} from './handle.js';
 
-/** @param {import('@anywidget/types').RenderProps<{name: string, text: string, said: string}>} props */
-function render({model, el}) {
+/** @param {import('@anywidget/types').RenderProps<{name: string, text: string}>} props */
+function render(props) {
+  const {model} = props;
   const box = make('input', {type: 'text', value: model.get('text'), autocomplete: 'off', spellcheck: false});
-  const button = make('button', {type: 'submit'}, 'Ask the node');
-  const said = make('span');
-  said.setAttribute('role', 'status');
   const form = make(
     'form',
-    {className: 'motion-asking'},
-    make('label', {}, `${model.get('name')} = `, box),
-    button,
-    said,
+    {},
+    make('label', {className: 'motion-code'}, `${model.get('name')} = `, box),
+    make('button', {type: 'submit'}, 'Ask the node'),
   );
   form.addEventListener('submit', event => {
     event.preventDefault();
-    model.send({do: 'ask', text: box.value});
+    ask(props, box.value);
   });
-  // JupyterLab has meanings of its own for keys.
-  form.addEventListener('keydown', event => event.stopPropagation());
-  el.append(form);
-  const show = () => {
-    said.textContent = model.get('said');
+  const detach = attach(props, form, [], () => {});
+  const endDragging = dragMarker(form, text => {
+    box.value = text;
+    ask(props, text);
+  });
+  return () => {
+    endDragging();
+    detach();
   };
-  show();
-  model.on('change:said', show);
-  return () => model.off('change:said', show);
 }
 
 export default {initialize, render};

@@ -27,12 +27,13 @@ class LadderView(PictureView):
         :raises InvalidValueError: no parameter can hold this value.
         """
         self._name = name
-        super().__init__(self._climb(node, value), Asking(name, values.format_value(value), self._ask))
+        super().__init__(self._climb(node, value), Asking(self._ask, name=name, text=values.format_value(value)))
 
     def _climb(self, node: str | Node | ParameterClient, value: Any) -> Climb:
         record = record_set(node, self._name, value)
         return Climb(record.timeline.node, self._name, record.timeline.steps, record.objection)
 
-    def _ask(self, value: Any) -> None:
+    def _ask(self, value: Any) -> str:
         self._picture = self._climb(self.node, value)
         self._draw()
+        return self._picture.sentence

@@ -1,22 +1,47 @@
 """LayersView: where a value comes from, as layers that cover each other."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.layers import Layers
+from param_tutorial.views.ordering import Ordering
+
+Source = tuple[str, Any] | tuple[str, str, Any]
+"""Its name and the value, with the name of the layer in between if several sources go into one."""
 
 
 class LayersView(PictureView):
-    """The sources of one parameter's value, as layers that cover each other. Show it as the last line of a cell."""
+    """The sources of one parameter's value, as layers that cover each other. Show it as the last line of a cell.
 
-    def __init__(self, name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, Any]], *, has: Any = ...) -> None:
+    Below it, a reader puts the sources into another order, and a node is started with them; if the view can start one.
+    """
+
+    def __init__(self, name: str, sources: Iterable[Source], *, has: Any = ...,
+                 start: Callable[..., Any] | None = None) -> None:
         """
         :param name: The parameter.
         :param sources: In the order in which they are given to the node: a source and its value, or a source, the
             name of the layer into which it goes, and its value. A layer that is there already is changed where it
             lies; a new one, and a source without such a name, comes on top.
         :param has: What the node has in the end, if it was asked.
+        :param start: Starts a node with the sources of these names, in their order, and returns what it has. The first
+            source is the default, which no start gets; of the others, each is there once.
         :raises ValueError: there is no source.
         """
-        super().__init__(Layers(name, sources, has=has))
+        sources = list(sources)
+        by_name = {source[0]: source for source in sources[1:]}
+
+        def layers(order: Iterable[str]) -> Layers:
+            if start is None:
+                return Layers(name, sources, has=has)
+            return Layers(name, [*sources[:1], *(by_name[each] for each in order)], has=start(*order))
+
+        self._layers = layers
+        super().__init__(layers(by_name), *(
+            [] if start is None else [Ordering('Drag into another order:', list(by_name), self._ask)]))
+
+    def _ask(self, order: list[str]) -> str:
+        self._picture = self._layers(order)
+        self._draw()
+        return self._picture.text

@@ -1,24 +1,32 @@
 """MessageView: a message on /parameter_events, from the node that has changed to each that listens."""
 
+from dataclasses import replace
 from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
 from rclpy.node import Node
 
 from param_tools import values
+from param_tools.errors import NodeNotFoundError
 from param_tools.node.client import ParameterClient
 from param_tools.ros import stage
-from param_tools.ros.waiting import wait_until
+from param_tools.ros.waiting import wait, wait_until
 from param_tutorial.views.base import PictureView
+from param_tutorial.views.choosing import Choosing
 from param_tutorial.views.drawing.messages import MessageTraffic
 from param_tutorial.views.events import EventRow, changes_in
+from param_tutorial.views.listeners import POLICIES, arrivals, qos_words, subscribe_again, subscriptions
 from param_tutorial.views.ros_graph import ends_of_parameter_events
+
+# A message that takes longer does not arrive.
+_ARRIVAL_SEC = 2.0
 
 
 class MessageView(PictureView):
     """A message on /parameter_events that travels from the node that has changed to each that listens.
 
-    Show it as the last line of a cell.
+    Show it as the last line of a cell. Below it, a reader chooses the QoS with which the nodes on the stage listen: a
+    listener subscribes again with that, and the node is asked for the value once more.
     """
 
     def __init__(self, node: str | Node | ParameterClient, name: str, value: Any) -> None:
@@ -28,25 +36,11 @@ class MessageView(PictureView):
         :param name: The parameter.
         :raises NodeNotFoundError: there is no such node.
         """
-        client, ros = node if isinstance(node, ParameterClient) else ParameterClient(node), stage.current()
-        heard: list[list[EventRow]] = []
-
-        def hear(event: ParameterEvent) -> None:
-            changes = changes_in(event)
-            if event.node == client.node and name in {each.name for each in changes}:
-                heard.append(changes)
-
-        stop_listening = ros.on_parameter_event(hear)
-        try:
-            self._result = client.set_parameter(name, value)
-            if self._result.successful:
-                wait_until(lambda: heard, 'the message on /parameter_events')
-        finally:
-            stop_listening()
-        told = [f'{each.kind} {each.name}' + ('' if each.kind == 'deleted'
-                                              else f' = {values.format_value(each.value, 40)}')
-                for each in (heard[0] if heard else ())]
-        super().__init__(MessageTraffic(*ends_of_parameter_events(ros.tool_node), client.node if told else '', told))
+        self._client = node if isinstance(node, ParameterClient) else ParameterClient(node)
+        self._name, self._value = name, value
+        self._choosing = Choosing(self._subscribe_again, caption='Choose what each listener asks for:',
+                                  options={policy: list(words) for policy, words in POLICIES.items()})
+        super().__init__(self._ask_node(), self._choosing)
 
     def __repr__(self) -> str:
         return f'<MessageView: {self._result}{", closed" if self._closed else ""}>'
@@ -55,3 +49,44 @@ class MessageView(PictureView):
     def node(self) -> str:
         """The fully qualified name of the node."""
         return self._result.node
+
+    def _ask_node(self) -> MessageTraffic:
+        """Ask the node for the value, and return what becomes of its message."""
+        ros, sender = stage.current(), self._client.node
+        heard: list[list[EventRow]] = []
+
+        def hear(event: ParameterEvent) -> None:
+            changes = changes_in(event)
+            if event.node == sender and self._name in {each.name for each in changes}:
+                heard.append(changes)
+
+        tells, offers, listens = ends_of_parameter_events(ros.tool_node)
+        here = subscriptions(ros)
+        hoped = {name for name in here if name in listens and not listens[name].problem}
+        stop_listening = ros.on_parameter_event(hear)
+        try:
+            with arrivals(ros, sender) as arrived:
+                self._result = self._client.set_parameter(self._name, self._value)
+                if self._result.successful:
+                    wait_until(lambda: heard, 'the message on /parameter_events')
+                    wait(lambda: hoped <= arrived, _ARRIVAL_SEC)
+        finally:
+            stop_listening()
+        told = [f'{each.kind} {each.name}' + ('' if each.kind == 'deleted'
+                                              else f' = {values.format_value(each.value, 40)}')
+                for each in (heard[0] if heard else ())]
+        if told:
+            listens |= {name: replace(listens[name], problem='it did not arrive') for name in hoped - arrived}
+        self._choosing.things = {name: qos_words(each.qos_profile) for name, (_, each) in sorted(here.items())}
+        return MessageTraffic(tells, listens, sender if told else '', told, offers=offers)
+
+    def _subscribe_again(self, chosen: tuple[str, str, str]) -> str:
+        name, policy, word = chosen
+        ros = stage.current()
+        here = subscriptions(ros)
+        if name not in here:
+            raise NodeNotFoundError(name, list(here))
+        subscribe_again(ros, *here[name], policy, word)
+        self._picture = self._ask_node()
+        self._draw()
+        return self._picture.text

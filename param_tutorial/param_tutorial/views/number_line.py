@@ -44,7 +44,7 @@ class NumberLineView(AnimatedView, FollowingView):
         self._latest: RecordedSet | None = None
         self._live: LiveParameters | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
-        super().__init__(*([Asking(name, '', self._ask)] if value is ... else []))
+        super().__init__(*([Asking(self._ask, name=name)] if value is ... else []))
         self._begin()
         self._live = LiveParameters(self._subject, self._job.wake, names=[name])
         self._live.first_look()
@@ -65,8 +65,11 @@ class NumberLineView(AnimatedView, FollowingView):
         """The fully qualified name of the node."""
         return self._subject
 
-    def _ask(self, value: Any) -> None:
-        record_set(self._subject, self._name, value)  # which the view follows
+    def _ask(self, value: Any) -> str:
+        record = record_set(self._subject, self._name, value)  # which the view follows
+        if record.objection:
+            return f'{self._name} = {values.format_value(value)} is rejected: {record.objection}'
+        return f'{self._name} = {values.format_value(record.stored)} is stored.'
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], None]:
         stop_listening = executor.on_graph_change(self._on_graph_change)

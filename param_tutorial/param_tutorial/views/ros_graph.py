@@ -10,7 +10,9 @@ from rclpy.topic_endpoint_info import TopicEndpointInfo
 from param_tools.ros import stage
 from param_tools.ros.graph import name_of
 from param_tools.ros.service_types import SERVICE_TYPES
+from param_tutorial.views.drawing.messages import Listener
 from param_tutorial.views.drawing.ros_graph import NodeGraph
+from param_tutorial.views.listeners import TOPIC, qos_words
 
 _NOTEBOOK = 'this notebook'
 # The DDS topic on which the requests for a parameter service travel (https://design.ros2.org/articles/
@@ -39,25 +41,27 @@ def node_graph() -> NodeGraph:
             askers = _display_names(observer.get_publishers_info_by_topic(topic, no_mangle=True), observer)
             asks += [(asker, requests[1]) for asker in askers]
     return NodeGraph(serves=serves, asks=asks,
-                     tells=_display_names(observer.get_publishers_info_by_topic('/parameter_events'), observer),
-                     listens=_display_names(observer.get_subscriptions_info_by_topic('/parameter_events'), observer))
+                     tells=_display_names(observer.get_publishers_info_by_topic(TOPIC), observer),
+                     listens=_display_names(observer.get_subscriptions_info_by_topic(TOPIC), observer))
 
 
-def ends_of_parameter_events(observer: Node) -> tuple[list[str], dict[str, bool]]:
-    """Return who publishes on /parameter_events, and who subscribes to it.
+def ends_of_parameter_events(observer: Node) -> tuple[list[str], str, dict[str, Listener]]:
+    """Return who publishes on /parameter_events, the QoS that they offer, and who subscribes to it.
 
     :param observer: Whose view of the graph it is; it is called "this notebook".
-    :return: The publishers, and for each subscriber whether the messages reach it: they do not if its subscription
-        asks for more than the publishers offer.
+    :return: Of the subscribers, one that asks for more than the publishers offer gets nothing.
     """
-    publishers = observer.get_publishers_info_by_topic('/parameter_events')
-    listens: dict[str, bool] = {}
-    for subscription in observer.get_subscriptions_info_by_topic('/parameter_events'):
+    publishers = observer.get_publishers_info_by_topic(TOPIC)
+    offers = dict.fromkeys(', '.join(qos_words(each.qos_profile).values()) for each in publishers)
+    listens: dict[str, Listener] = {}
+    for subscription in observer.get_subscriptions_info_by_topic(TOPIC):
         reached = any(qos_check_compatible(each.qos_profile, subscription.qos_profile)[0] != QoSCompatibility.ERROR
                       for each in publishers)
+        asks = ', '.join(qos_words(subscription.qos_profile).values())
         for name in _display_names([subscription], observer):
-            listens[name] = listens.get(name, False) or reached
-    return sorted({*_display_names(publishers, observer)} - {_NOTEBOOK}), listens
+            if reached or name not in listens:
+                listens[name] = Listener(asks, '' if reached else 'incompatible QoS')
+    return sorted({*_display_names(publishers, observer)} - {_NOTEBOOK}), ' or '.join(offers), listens
 
 
 def _display_names(endpoints: list[TopicEndpointInfo], observer: Node) -> Iterator[str]:

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from param_tutorial.views.drawing import svg
 from param_tutorial.views.drawing.timeline import Step
 
-_ROW, _TOP, _BOTTOM = 44, 46, 16
-_NAME_X, _LADDER_X, _RAIL, _MARK_X, _WORDS_X, _STORED_X = 14, 206, 44, 272, 294, 700
-_LETTERS, _VALUE_LETTERS, _STORED_LETTERS = 44, 9, 14
+_TOP, _BOTTOM = 46, 16
+_NAME_X, _RAIL, _STORED_X = 14, 44, 700
+_VALUE_LETTERS, _STORED_LETTERS = 9, 14
 _CLIMB_SEC, _STAY_SEC, _RETURN_SEC = 0.45, 0.55, 0.7
 
 # From the top down: the word of the recorded step, and what stands beside the rung.
@@ -37,8 +37,24 @@ class _Rung:
     """'passed', 'rejected', 'idle' if there was nothing to pass, 'unreached'."""
 
 
+@dataclass(frozen=True)
+class _Layout:
+    """How high a rung is, and where things are beside it; on a narrow page, the rung's name stands above its words."""
+
+    row: float
+    ladder_x: float
+    mark_x: float
+    words_x: float
+    letters: int
+
+
+_WIDE, _NARROW = _Layout(44, 206, 272, 294, 44), _Layout(76, 56, 116, 132, 24)
+
+
 class Climb(svg.AnimatedPicture):
     """One set of a parameter as a value on the ladder; at rest the value is where it has got to, or back at the top."""
+
+    _has_narrow = True
 
     def __init__(self, node: str, name: str, steps: Sequence[Step], objection: str = '') -> None:
         """
@@ -72,36 +88,56 @@ class Climb(svg.AnimatedPicture):
         return f'The ladder of {self.subject}. {self.sentence} {". ".join(reached)}.'
 
     @property
+    def _layout(self) -> _Layout:
+        return _NARROW if self._is_narrow else _WIDE
+
+    def _y(self, index: int) -> float:
+        """Return where the middle of a rung is; the first is at the top."""
+        return _TOP + self._layout.row * index + 10.0
+
+    @property
     def _height(self) -> float:
-        return _y(len(_RUNGS) - 1) + _ROW / 2 + _BOTTOM
+        return self._y(len(_RUNGS) - 1) + self._layout.row / 2 + _BOTTOM
 
     def _parts(self, animation: svg.Animation) -> Iterator[str]:
-        left, right, foot = _LADDER_X - _RAIL, _LADDER_X + _RAIL, _y(len(_RUNGS) - 1) + _ROW / 2 + 4
+        layout = self._layout
+        left, right = layout.ladder_x - _RAIL, layout.ladder_x + _RAIL
+        foot = self._y(len(_RUNGS) - 1) + layout.row / 2 + 4
         yield svg.path(f'M{left} {foot}V{_TOP - 16}M{right} {foot}V{_TOP - 16}', 'thick')
-        yield svg.path(''.join(f'M{left} {_y(index) + 17}H{right}' for index in range(len(_RUNGS))))
+        yield svg.path(''.join(f'M{left} {self._y(index) + 17}H{right}' for index in range(len(_RUNGS))))
         # Below this line nobody can say no.
-        border = _y(_STORED) - _ROW / 2
-        yield svg.path(f'M{right + 8} {border}H{_STORED_X}', 'dashed')
-        yield svg.words(640, border + 15, 'too late to reject', 'faint', anchor='end')
-        yield svg.words(_STORED_X, 22, f'stored {svg.cut(self._name, 22)}', 'bold', anchor='end')
-        yield svg.words(_WORDS_X, 22, 'what happens', 'bold', anchor='start')
-        yield svg.words(_NAME_X, 22, 'rung', 'bold', anchor='start')
+        border, end, kind = self._y(_STORED) - layout.row / 2, _STORED_X, 'faint'
+        if self._is_narrow:
+            end, kind = self._width - 12, 'small'
+            yield svg.words(_NAME_X, 16, f'the value of {svg.cut(self._name, 26)}', 'bold', anchor='start')
+        else:
+            yield svg.words(_STORED_X, 22, f'stored {svg.cut(self._name, 22)}', 'bold', anchor='end')
+            yield svg.words(layout.words_x, 22, 'what happens', 'bold', anchor='start')
+            yield svg.words(_NAME_X, 22, 'rung', 'bold', anchor='start')
+        yield svg.path(f'M{right + 8} {border}H{end}', 'dashed')
+        yield svg.words(end if self._is_narrow else end - 60, border + 15, 'too late to reject', kind, anchor='end')
         arrivals = [index * (_CLIMB_SEC + _STAY_SEC) for index in range(len(_RUNGS))]
         for index, rung in enumerate(self._rungs):
-            kind = 'faint' if rung.mark in ('unreached', 'idle') else 'bold'
-            yield svg.paragraph(_NAME_X, _y(index) + 4, svg.in_two_lines(rung.title, 17), kind, anchor='start')
+            kind, y = 'faint' if rung.mark in ('unreached', 'idle') else 'bold', self._y(index)
+            yield svg.words(layout.words_x, y - 18, rung.title, kind, anchor='start') if self._is_narrow else \
+                svg.paragraph(_NAME_X, y + 4, svg.in_two_lines(rung.title, 17), kind, anchor='start')
             if rung in self._reached:
                 yield svg.group(self._beside(index, rung), animation.appear(arrivals[index] + .3 * _STAY_SEC))
         yield self._value(arrivals, animation)
 
     def _beside(self, index: int, rung: _Rung) -> Iterator[str]:
         """Yield what happens at a rung, and what is stored then."""
-        y, stored = _y(index), svg.cut(rung.stored, _STORED_LETTERS)
-        yield {'passed': svg.check(_MARK_X, y), 'rejected': svg.cross(_MARK_X, y)}.get(
-            rung.mark, svg.path(f'M{_MARK_X - 6} {y}h10', 'thin'))
-        yield svg.paragraph(_WORDS_X, y + 4.5, svg.in_two_lines(rung.words, _LETTERS),
-                            'bold' if rung.mark == 'rejected' else '', anchor='start')
+        layout, y, stored = self._layout, self._y(index), svg.cut(rung.stored, _STORED_LETTERS)
+        yield {'passed': svg.check(layout.mark_x, y), 'rejected': svg.cross(layout.mark_x, y)}.get(
+            rung.mark, svg.path(f'M{layout.mark_x - 6} {y}h10', 'thin'))
+        kind = 'small' if self._is_narrow else 'bold' * (rung.mark == 'rejected')
+        lines = svg.in_two_lines(rung.words, layout.letters)
         is_new = index > 0 and rung.stored != self._rungs[index - 1].stored
+        if self._is_narrow:
+            yield ''.join(svg.words(layout.words_x, y + 16 * number, line, kind, anchor='start')
+                          for number, line in enumerate([*lines, f'stored: {stored}'][:3]))
+            return
+        yield svg.paragraph(layout.words_x, y + 4.5, lines, kind, anchor='start')
         yield svg.words(_STORED_X, y + 4.5, stored, 'value' if is_new else 'faint', anchor='end')
         if is_new:
             width = svg.LETTER_WIDTH * len(stored) + 14
@@ -109,10 +145,10 @@ class Climb(svg.AnimatedPicture):
 
     def _value(self, arrivals: Sequence[float], animation: svg.Animation) -> str:
         """Return the value: it climbs down, may change on its way, and goes back from where it is rejected."""
-        asked, lowest, request = self._rungs[_REQUEST].value, len(self._reached) - 1, _y(_REQUEST)
+        asked, lowest, request = self._rungs[_REQUEST].value, len(self._reached) - 1, self._y(_REQUEST)
         stops = [(0.0, request)]
         for index in range(1, lowest + 1):
-            stops += [(arrivals[index] - _CLIMB_SEC, _y(index - 1)), (arrivals[index], _y(index))]
+            stops += [(arrivals[index] - _CLIMB_SEC, self._y(index - 1)), (arrivals[index], self._y(index))]
         # The values that it has on its way, each with the moment from which it has it.
         faces = [(0.0, asked, 'token')]
         faces += [(arrivals[index] + .5 * _STAY_SEC, rung.value, 'token') for index, rung in enumerate(self._reached)
@@ -121,12 +157,12 @@ class Climb(svg.AnimatedPicture):
             leaves_sec = arrivals[lowest] + _STAY_SEC
             faces.append((leaves_sec - .2, asked, 'token-bad'))
             if self._is_answered:  # otherwise nothing comes back to the caller
-                stops += [(leaves_sec, _y(lowest)), (leaves_sec + _RETURN_SEC, request)]
+                stops += [(leaves_sec, self._y(lowest)), (leaves_sec + _RETURN_SEC, request)]
         ends_sec = [*(from_sec for from_sec, _, _ in faces[1:]), None]
         return svg.group(
             (svg.group(svg.token(svg.cut(value, _VALUE_LETTERS), kind), animation.shown(from_sec, to_sec))
              for (from_sec, value, kind), to_sec in zip(faces, ends_sec)),
-            animation.travel((at_sec, _LADDER_X, y) for at_sec, y in stops))
+            animation.travel((at_sec, self._layout.ladder_x, y) for at_sec, y in stops))
 
 
 def _rungs(name: str, steps: Sequence[Step], objection: str) -> Iterator[_Rung]:
@@ -171,7 +207,3 @@ def _calls(steps: Sequence[Step]) -> str:
             told.append(f'{step.who} acts on {svg.cut(step.proposed, 20)}')
     return '; '.join(told) or 'there is none'
 
-
-def _y(index: int) -> float:
-    """Return where the middle of a rung is; the first is at the top."""
-    return _TOP + _ROW * index + 10.0

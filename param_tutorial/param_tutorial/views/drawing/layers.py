@@ -6,11 +6,8 @@ from typing import Any
 
 from param_tutorial.views.drawing import svg
 
-_TOP, _SLAB, _DEPTH, _BOTTOM = 92, 36, 14, 14
-_LEFT, _SLAB_WIDTH, _WORDS_X = 16, 500, 552
-_EYE_X, _EYE_Y = 266, 26
+_TOP, _DEPTH, _BOTTOM, _LEFT, _EYE_Y = 92, 14, 14, 16, 26
 _BEGIN_SEC, _EACH_SEC, _FALL_SEC = 0.4, 1.1, 0.5
-_LETTERS = 56
 
 
 @dataclass(frozen=True)
@@ -29,6 +26,8 @@ class _Entry:
 
 class Layers(svg.AnimatedPicture):
     """The sources of one parameter's value; at rest all layers lie on each other. LayersView explains the arguments."""
+
+    _has_narrow = True
 
     def __init__(self, name: str, sources: Iterable[tuple[str, Any] | tuple[str, str, Any]], *, has: Any = ...) -> None:
         self.subject = name
@@ -57,40 +56,55 @@ class Layers(svg.AnimatedPicture):
 
     @property
     def _height(self) -> float:
-        return _TOP + _DEPTH + len(self._layers) * _SLAB + _BOTTOM
+        return _TOP + _DEPTH + len(self._layers) * self._slab_height + _BOTTOM
+
+    @property
+    def _slab_height(self) -> int:
+        return 54 if self._is_narrow else 36
+
+    @property
+    def _right(self) -> int:
+        """Where the front of a layer ends."""
+        return self._width - 32 if self._is_narrow else 516
 
     def _parts(self, animation: svg.Animation) -> Iterator[str]:
         for number, (layer, entries) in enumerate(self._layers.items()):
-            yield from self._slab(self._height - _BOTTOM - (number + 1) * _SLAB, layer, entries, animation)
+            y = self._height - _BOTTOM - (number + 1) * self._slab_height
+            yield from self._slab(y, layer, entries, animation)
         # From above you see the top layer only.
-        yield svg.group([svg.path(f'M{_EYE_X - 20} {_EYE_Y}q20 -18 40 0q-20 18 -40 0z'),
-                         svg.circle(_EYE_X, _EYE_Y, 6),
-                         svg.path(f'M{_EYE_X} {_EYE_Y + 16}V{_TOP - 4}', 'dashed'),
-                         svg.words(_EYE_X + 36, _EYE_Y + 5, f'the node has {svg.cut(self._has, 30)}', 'big',
+        eye_x, letters, kind = (38, 14, 'bold') if self._is_narrow else (266, 30, 'big')
+        yield svg.group([svg.path(f'M{eye_x - 20} {_EYE_Y}q20 -18 40 0q-20 18 -40 0z'),
+                         svg.circle(eye_x, _EYE_Y, 6),
+                         svg.path(f'M{eye_x} {_EYE_Y + 16}V{_TOP - 4}', 'dashed'),
+                         svg.words(eye_x + 36, _EYE_Y + 5, f'the node has {svg.cut(self._has, letters)}', kind,
                                    anchor='start')], animation.appear(self._end_sec))
 
     def _slab(self, y: float, layer: str, entries: list[_Entry], animation: svg.Animation) -> Iterator[str]:
-        first, is_top, right = entries[0], entries[-1] is self._top, _LEFT + _SLAB_WIDTH
+        first, is_top, right, height = entries[0], entries[-1] is self._top, self._right, self._slab_height
         faces = [svg.path(f'M{_LEFT} {y}l{_DEPTH} {-_DEPTH}H{right + _DEPTH}l{-_DEPTH} {_DEPTH}z', 'blank'),
-                 svg.path(f'M{right} {y}l{_DEPTH} {-_DEPTH}v{_SLAB}l{-_DEPTH} {_DEPTH}z', 'box'),
-                 svg.box(_LEFT, y, _SLAB_WIDTH, _SLAB, 'blank' if is_top else 'box', rounding=0)]
-        yield svg.group([*faces, *self._names(y + 23, layer, entries, animation)], animation.travel(
-            [(first.begin_sec, 0, -y - _SLAB - 20), (first.begin_sec + _FALL_SEC, 0, 0)], 'ease-in'))
+                 svg.path(f'M{right} {y}l{_DEPTH} {-_DEPTH}v{height}l{-_DEPTH} {_DEPTH}z', 'box'),
+                 svg.box(_LEFT, y, right - _LEFT, height, 'blank' if is_top else 'box', rounding=0)]
+        yield svg.group([*faces, *self._names(y, layer, entries, animation)], animation.travel(
+            [(first.begin_sec, 0, -y - height - 20), (first.begin_sec + _FALL_SEC, 0, 0)], 'ease-in'))
         counts = 'on top: this counts' if self._has == self._top.value else 'on top'
-        yield svg.group(svg.words(_WORDS_X, y + 23, counts if is_top else 'covered', 'bold' if is_top else 'faint',
-                                  anchor='start'), animation.appear(self._end_sec))
+        x, words_y, anchor = (right - 8, y + 20, 'end') if self._is_narrow else (right + 36, y + 23, 'start')
+        yield svg.group(svg.words(x, words_y, counts if is_top else 'covered', 'bold' if is_top else 'faint',
+                                  anchor=anchor), animation.appear(self._end_sec))
 
     def _names(self, y: float, layer: str, entries: list[_Entry], animation: svg.Animation) -> Iterator[str]:
-        x = _LEFT + 12.0
-        if title := svg.cut(_title(layer, entries), 20):
-            yield svg.words(x, y, title, 'code', anchor='start')
-            x += svg.CODE_WIDTH * len(title) + 18
+        x, letters = _LEFT + 12.0, 56
+        title_y = entry_y = y + 23
+        if self._is_narrow:
+            title_y, entry_y, letters = y + 20, y + 42, 28
+        if title := svg.cut(_title(layer, entries), 11 if self._is_narrow else 20):
+            yield svg.words(x, title_y, title, 'code', anchor='start')
+            x += 0 if self._is_narrow else svg.CODE_WIDTH * len(title) + 18
         for number, entry in enumerate(entries):
-            text = svg.cut(entry.words(': '), _LETTERS // len(entries))
+            text = svg.cut(entry.words(': '), letters // len(entries))
             width = svg.CODE_WIDTH * len(text)
-            parts = [svg.words(x, y, text, 'value', anchor='start')]
+            parts = [svg.words(x, entry_y, text, 'value', anchor='start')]
             if later := entries[number + 1:]:
-                parts.append(svg.path(f'M{x - 3:.1f} {y - 4.5}h{width:.1f}',
+                parts.append(svg.path(f'M{x - 3:.1f} {entry_y - 4.5}h{width:.1f}',
                                       style=animation.appear(later[0].begin_sec + _FALL_SEC)))
             # Later sources of this layer come from the side, and slip under whatever lies above.
             yield svg.group(parts, animation.travel([(entry.begin_sec, self._width, 0), (

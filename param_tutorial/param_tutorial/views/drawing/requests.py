@@ -6,11 +6,8 @@ from dataclasses import dataclass
 from param_tutorial.views.drawing import svg
 
 _TITLE, _KEEPER_HEAD, _ROW, _NODE, _NOTE, _BOTTOM = 34, 30, 42, 62, 32, 12
-_MARGIN, _MIDDLE_GAP, _ASKED_WIDTH, _MARK_WIDTH = 14, 20, 168, 26
-_SIDE_WIDTH = (svg.AnimatedPicture._width - 2 * _MARGIN - _MIDDLE_GAP) / 2
-_KEEPER_WIDTH = _SIDE_WIDTH - _ASKED_WIDTH - _MARK_WIDTH
+_MARGIN, _MIDDLE_GAP = 14, 20
 _MOST_SIDES = 2
-_ASKED_LETTERS, _KEPT_LETTERS, _OBJECTION_LETTERS, _NOTE_LETTERS = 19, 16, 22, 44
 _BEGIN_SEC, _TRAVEL_SEC, _STAY_SEC = 0.6, 0.8, 0.6
 
 
@@ -67,11 +64,33 @@ class _Side:
         return _BEGIN_SEC + before * (_TRAVEL_SEC + _STAY_SEC) + _TRAVEL_SEC
 
 
+@dataclass(frozen=True)
+class _Widths:
+    """How wide the parts of a side are, and how many letters go into them."""
+
+    asked: float
+    mark: float
+    keeper: float
+    asked_letters: int
+    kept_letters: int
+    objection_letters: int
+    note_letters: int
+
+    @property
+    def side(self) -> float:
+        return self.asked + self.mark + self.keeper
+
+
+_WIDE, _NARROW = _Widths(168, 26, 142, 19, 16, 22, 44), _Widths(140, 24, 108, 15, 12, 17, 34)
+
+
 class Requests(svg.AnimatedPicture):
     """Requests, sent in one way or two; at rest each row shows a request, its answer, and what was kept afterwards.
 
     RequestsView explains the arguments.
     """
+
+    _has_narrow = True
 
     def __init__(self, subject: str) -> None:
         self.subject = subject
@@ -115,69 +134,88 @@ class Requests(svg.AnimatedPicture):
         return ' '.join([f'{self.subject}.', *(side.text for side in self._sides)])
 
     @property
-    def _rows(self) -> dict[tuple[str, int], float]:
-        """Where the middle of each row is, which is the same on both sides."""
-        keys = dict.fromkeys(key for side in self._sides for key in side.keys)
+    def _widths(self) -> _Widths:
+        return _NARROW if self._is_narrow else _WIDE
+
+    def _beside(self, side: _Side) -> list[_Side]:
+        """Return the sides whose rows stand beside those of a side: on a narrow page, sides are below each other."""
+        return [side] if self._is_narrow else self._sides
+
+    def _rows(self, side: _Side) -> dict[tuple[str, int], float]:
+        """Return where the middle of each row is, which is the same on both sides."""
+        keys = dict.fromkeys(key for each in self._beside(side) for key in each.keys)
         return {key: _TITLE + _KEEPER_HEAD + (number + .5) * _ROW for number, key in enumerate(keys)}
 
-    @property
-    def _keeper_foot(self) -> float:
-        return _TITLE + _KEEPER_HEAD + len(self._rows) * _ROW
+    def _keeper_foot(self, side: _Side) -> float:
+        return _TITLE + _KEEPER_HEAD + len(self._rows(side)) * _ROW
 
-    @property
-    def _foot(self) -> float:
-        """Where the boxes end, also that of a node below its server."""
-        return self._keeper_foot + (_NODE if any(side.server for side in self._sides) else 0)
+    def _foot(self, side: _Side) -> float:
+        """Return where the boxes end, also that of a node below its server."""
+        return self._keeper_foot(side) + (_NODE if any(each.server for each in self._beside(side)) else 0)
+
+    def _side_height(self, side: _Side) -> float:
+        return self._foot(side) + (_NOTE if any(each.note for each in self._beside(side)) else _BOTTOM)
 
     @property
     def _height(self) -> float:
-        return self._foot + (_NOTE if any(side.note for side in self._sides) else _BOTTOM)
+        heights = [self._side_height(side) for side in self._sides] or [_TITLE + _KEEPER_HEAD + _BOTTOM]
+        return sum(heights) if self._is_narrow else max(heights)
 
     def _parts(self, animation: svg.Animation) -> Iterator[str]:
+        x = y = 0.0
         for number, side in enumerate(self._sides):
-            yield from self._side(side, _MARGIN + number * (_SIDE_WIDTH + _MIDDLE_GAP), animation)
-        if len(self._sides) > 1:
-            yield svg.path(f'M{self._width / 2} 8V{self._height - 8}', 'thin')
+            if number:
+                yield svg.path(f'M8 {y}H{self._width - 8}' if self._is_narrow else
+                               f'M{self._width / 2} 8V{self._height - 8}', 'thin')
+            yield svg.group(self._side(side, _MARGIN + x, animation), f' transform="translate(0 {y})"' if y else '')
+            if self._is_narrow:
+                y += self._side_height(side)
+            else:
+                x += self._widths.side + _MIDDLE_GAP
 
     def _side(self, side: _Side, left: float, animation: svg.Animation) -> Iterator[str]:
-        x, middle, foot = left + _ASKED_WIDTH + _MARK_WIDTH, left + _SIDE_WIDTH - _KEEPER_WIDTH / 2, self._keeper_foot
+        widths, foot = self._widths, self._keeper_foot(side)
+        x, middle = left + widths.asked + widths.mark, left + widths.side - widths.keeper / 2
         end_sec = side.arrival_sec(len(side.requests) - 1) + _STAY_SEC
         yield svg.words(left, 22, side.title, 'big', anchor='start')
-        yield svg.box(x, _TITLE, _KEEPER_WIDTH, (foot if side.server else self._foot) - _TITLE)
-        yield svg.words(middle, _TITLE + 20, f'{svg.cut(side.keeper, 14)} keeps', 'bold')
+        yield svg.box(x, _TITLE, widths.keeper, (foot if side.server else self._foot(side)) - _TITLE)
+        yield svg.words(middle, _TITLE + 20, f'{svg.cut(side.keeper, widths.kept_letters - 2)} keeps', 'bold')
         for number in range(len(side.requests)):
             yield from self._row(side, number, left, middle, animation)
         yield from self._journeys(side, left, animation)
-        for (name, repeats), y in self._rows.items():
+        for (name, repeats), y in self._rows(side).items():
             if (name, repeats) not in side.keys and not repeats and name in side.before:
-                yield svg.words(middle, y + 1, svg.cut(side.before[name], _KEPT_LETTERS), 'faint')
+                yield svg.words(middle, y + 1, svg.cut(side.before[name], widths.kept_letters), 'faint')
         if side.server:
-            gets = f'gets {svg.cut(side.requests[-1].kept, _KEPT_LETTERS)}'
+            gets = f'gets {svg.cut(side.requests[-1].kept, widths.kept_letters)}'
             yield svg.group([svg.arrow(middle, foot + 1, middle, foot + 19),
-                             svg.box(x, foot + 20, _KEEPER_WIDTH, _NODE - 22, 'blank'),
-                             svg.words(middle, foot + 37, svg.cut(side.node, 16), 'bold'),
+                             svg.box(x, foot + 20, widths.keeper, _NODE - 22, 'blank'),
+                             svg.words(middle, foot + 37, svg.cut(side.node, widths.kept_letters), 'bold'),
                              svg.words(middle, foot + 53, gets)], animation.appear(end_sec - _STAY_SEC / 2))
         if side.note:
-            yield svg.words(left, self._foot + 22, svg.cut(side.note, _NOTE_LETTERS), 'bold', anchor='start',
-                            style=animation.appear(end_sec))
+            yield svg.words(left, self._foot(side) + 22, svg.cut(side.note, widths.note_letters), 'bold',
+                            anchor='start', style=animation.appear(end_sec))
 
     def _row(self, side: _Side, number: int, left: float, middle: float, animation: svg.Animation) -> Iterator[str]:
-        request, y, there_sec = side.requests[number], self._rows[side.keys[number]], side.arrival_sec(number)
-        answered, here = animation.appear(there_sec), animation.travel([(0.0, left + _ASKED_WIDTH / 2, y)])
+        widths = self._widths
+        request, y, there_sec = side.requests[number], self._rows(side)[side.keys[number]], side.arrival_sec(number)
+        answered, here = animation.appear(there_sec), animation.travel([(0.0, left + widths.asked / 2, y)])
         asked = svg.group(self._token(request, 'token'), animation.shown(0, there_sec if request.objection else None))
         if request.objection:
             asked += svg.group(self._token(request, 'token-bad'), animation.shown(there_sec))
         yield svg.group(asked, here)
-        x = left + _ASKED_WIDTH + _MARK_WIDTH / 2
+        x = left + widths.asked + widths.mark / 2
         yield svg.group(svg.cross(x, y) if request.objection else svg.check(x, y, 7), answered)
         before = side.before.get(request.name, '') if side.keys[number][1] == 0 else ''
-        kept = svg.cut(request.kept, _KEPT_LETTERS)
+        kept = svg.cut(request.kept, widths.kept_letters)
         is_new = before != request.kept
         if before and is_new:
-            yield svg.words(middle, y + 1, svg.cut(before, _KEPT_LETTERS), 'code', style=animation.shown(0, there_sec))
+            yield svg.words(middle, y + 1, svg.cut(before, widths.kept_letters), 'code',
+                            style=animation.shown(0, there_sec))
         yield svg.words(middle, y + 1, kept, 'code', style=animation.shown(there_sec if is_new else 0))
         if request.objection:
-            yield svg.words(middle, y + 16, svg.cut(request.objection, _OBJECTION_LETTERS), 'small', style=answered)
+            yield svg.words(middle, y + 16, svg.cut(request.objection, widths.objection_letters), 'small',
+                            style=answered)
         later = [other for other, each in enumerate(side.requests)
                  if other > number and each.name == request.name and each.kept != request.kept]
         if later:
@@ -186,25 +224,25 @@ class Requests(svg.AnimatedPicture):
 
     def _journeys(self, side: _Side, left: float, animation: svg.Animation) -> Iterator[str]:
         """Yield what travels to the keeper: each request by itself, or all of them in one frame."""
-        numbers = range(len(side.requests))
+        widths, numbers = self._widths, range(len(side.requests))
         for together in ([numbers] if side.is_one else [[number] for number in numbers]):
-            heights = [self._rows[side.keys[number]] for number in together]
+            heights = [self._rows(side)[side.keys[number]] for number in together]
             tokens = [svg.group(self._token(side.requests[number], side.requests[number].kind),
                                 animation.travel([(0.0, 0.0, y)])) for number, y in zip(together, heights)]
             if side.is_one:
-                frame = f'{min(heights) - 19}h{_ASKED_WIDTH}V{max(heights) + 19}h{-_ASKED_WIDTH}z'
-                tokens.insert(0, svg.path(f'M{-_ASKED_WIDTH / 2} {frame}', 'dashed'))
+                frame = f'{min(heights) - 19}h{widths.asked}V{max(heights) + 19}h{-widths.asked}z'
+                tokens.insert(0, svg.path(f'M{-widths.asked / 2} {frame}', 'dashed'))
                 yield svg.path(f'M{left} {frame}', 'dashed')
-            from_x, there_sec = left + _ASKED_WIDTH / 2, side.arrival_sec(together[-1])
+            from_x, there_sec = left + widths.asked / 2, side.arrival_sec(together[-1])
             leaves_sec = there_sec - _TRAVEL_SEC
             if any(side.requests[number].objection for number in together):
-                stops = [(leaves_sec + .6 * _TRAVEL_SEC, from_x + _MARK_WIDTH, 0.0), (there_sec, from_x, 0.0)]
+                stops = [(leaves_sec + .6 * _TRAVEL_SEC, from_x + widths.mark, 0.0), (there_sec, from_x, 0.0)]
             else:
-                stops = [(there_sec, from_x + _ASKED_WIDTH / 2 + _MARK_WIDTH, 0.0)]
+                stops = [(there_sec, from_x + widths.asked / 2 + widths.mark, 0.0)]
             yield svg.group(tokens, animation.travel([(leaves_sec, from_x, 0.0), *stops], from_sec=leaves_sec - .05,
                                                      goes=True))
 
     def _token(self, request: Request, kind: str) -> str:
         # The heading has the name already.
         words = request.value if request.name == self.subject else f'{request.name} = {request.value}'
-        return svg.token(svg.cut(words, _ASKED_LETTERS), kind)
+        return svg.token(svg.cut(words, self._widths.asked_letters), kind)

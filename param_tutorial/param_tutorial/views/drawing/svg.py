@@ -10,6 +10,7 @@ wants no motion, and where a page is printed.
 A ``kind`` is a class of ``svg.css`` without its prefix, or several; a ``style`` is an attribute from an Animation.
 """
 
+import copy
 import html
 import itertools
 import textwrap
@@ -32,6 +33,7 @@ STYLE = styles.style('param_tutorial/views/drawing/svg.css')
 # Estimates, since only the browser knows how wide a letter is: of the page's font, and of the font for code.
 LETTER_WIDTH, CODE_WIDTH = 7.6, 8.3
 _FADE_SEC, _BLINK_SEC = 0.25, 0.05
+_WIDE, _NARROW = 720, 300
 
 Stop = tuple[float, float, float]
 """When something is where: seconds, and x and y in the picture's units."""
@@ -127,7 +129,9 @@ class AnimatedPicture(ABC):
 
     subject: str
     """The node or the thing that the picture is of."""
-    _width = 720
+    _width = _WIDE
+    _has_narrow = False
+    """Whether the picture can be drawn for a narrow page, too; another one scrolls there."""
 
     @property
     @abstractmethod
@@ -153,13 +157,26 @@ class AnimatedPicture(ABC):
 
         The button needs no script: while it is pressed, nothing is animated, so everything begins anew afterwards.
         """
-        parts = ''.join(self._parts(animation))
+        scenes = [self._scene(animation)]
+        if self._has_narrow:
+            narrow = copy.copy(self)
+            narrow._width = _NARROW
+            scenes.append(narrow._scene(animation))
         # The sentence tells the end, so it appears at the end.
         told = animation.appear(animation.duration_sec - _FADE_SEC) if animation.moves else ''
         again = '<button type="button" class="motion-again" tabindex="0">Play again</button>' * animation.moves
         return (f'<div class="motion">{animation.keyframes()}{again}{head(self.subject, self.sentence, told)}'
                 f'<div class="motion-scene" role="img" aria-label="{html.escape(self.text)}">'
-                f'<svg viewBox="0 0 {self._width} {round(self._height)}" aria-hidden="true">{parts}</svg></div></div>')
+                f'{"".join(scenes)}</div></div>')
+
+    @property
+    def _is_narrow(self) -> bool:
+        return self._width < _WIDE
+
+    def _scene(self, animation: Animation) -> str:
+        kind = ' class="motion-narrow"' * self._is_narrow
+        parts = ''.join(self._parts(animation))
+        return f'<svg{kind} viewBox="0 0 {self._width} {round(self._height)}" aria-hidden="true">{parts}</svg>'
 
 
 def head(subject: str, sentence: str, style: str = '') -> str:

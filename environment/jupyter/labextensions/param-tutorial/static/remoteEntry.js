@@ -1,7 +1,9 @@
 /* What the course adds to JupyterLab: a widget whose kernel has ended says so, and a click on it runs its cell again.
 
    JupyterLab marks each widget of a kernel that was restarted with a broken link, and leaves its buttons to look alive.
-   In a notebook that is opened again, it shows an error in the widget's place. */
+   In a notebook that is opened again, it shows an error in the widget's place.
+
+   And a picture that a notebook has stored scrolls in a narrow window: shrunk, nobody could read its letters. */
 
 const WORDS = 'The kernel is new. Click here to run this cell, after all cells above it.';
 const RESTARTED = '.jp-OutputArea-output > .jupyter-widgets-disconnected';
@@ -16,6 +18,8 @@ ${RESTARTED}::before, ${REOPENED}::before {
 ${REOPENED} { font-size: 0; }
 :is(${RESTARTED}, ${REOPENED}) { cursor: pointer; }
 ${RESTARTED} > * { filter: grayscale(1); opacity: 0.55; pointer-events: none; interactivity: inert; }
+.jp-RenderedHTML:has(> svg[width]) { overflow-x: auto; }
+@media screen { .jp-RenderedHTML > svg[width] { max-width: none !important; } }
 @media print { ${RESTARTED}::before, ${REOPENED}::before { content: none !important; } }
 `;
 

@@ -1,0 +1,64 @@
+/* Drag the marker of a number line to another value. */
+
+/**
+ * Let a reader drag the marker in the picture above a line.
+ * @param {HTMLElement} line
+ * @param {(text: string) => void} ask Gets the value on which the marker is dropped.
+ * @returns {() => void} Ends it.
+ */
+export function dragMarker(line, ask) {
+  const whole = new AbortController();
+  // The picture is drawn anew all the time, and may come after the line.
+  document.addEventListener(
+    'pointerdown',
+    event => {
+      const pin = /** @type {Element} */ (event.composedPath()[0]).closest?.('.motion-pin');
+      if (!(pin instanceof SVGGElement) || event.button !== 0 || !line.closest('.motion-view')?.contains(pin)) return;
+      event.preventDefault();
+      drag(pin, event.clientX, ask);
+    },
+    {signal: whole.signal},
+  );
+  return () => whole.abort();
+}
+
+/**
+ * @param {SVGGElement} pin
+ * @param {number} fromX
+ * @param {(text: string) => void} ask
+ */
+function drag(pin, fromX, ask) {
+  const {ownerSVGElement, dataset} = pin;
+  const [low, lowX, high, highX] = (dataset.axis ?? '').split(' ').map(Number);
+  const label = pin.querySelector('text');
+  if (!ownerSVGElement || !label) return;
+  const [drawing, before] = [ownerSVGElement, label.textContent];
+  const perPixel = drawing.viewBox.baseVal.width / drawing.getBoundingClientRect().width;
+  const perUnit = (high - low) / (highX - lowX);
+  // Whole numbers, or as many digits as a hand can tell apart.
+  const digits = dataset.whole === undefined ? Math.max(1, Math.ceil(-Math.log10(perUnit * 2))) : 0;
+  const ended = new AbortController();
+  let text = '';
+
+  /** @param {PointerEvent} event */
+  function move(event) {
+    const {left} = drawing.getBoundingClientRect();
+    const x = (event.clientX - left) * perPixel;
+    text = (low + (x - lowX) * perUnit).toFixed(digits);
+    pin.setAttribute('transform', `translate(${(event.clientX - fromX) * perPixel} 0)`);
+    /** @type {Element} */ (label).textContent = text;
+  }
+
+  /** @param {PointerEvent} event */
+  function end(event) {
+    ended.abort();
+    pin.removeAttribute('transform');
+    /** @type {Element} */ (label).textContent = before;
+    if (event.type === 'pointerup' && text) ask(text);
+  }
+
+  document.addEventListener('pointermove', move, {signal: ended.signal});
+  for (const each of ['pointerup', 'pointercancel']) {
+    document.addEventListener(each, /** @type {EventListener} */ (end), {signal: ended.signal});
+  }
+}

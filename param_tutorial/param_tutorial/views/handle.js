@@ -1,0 +1,47 @@
+/* What all lines below a picture do: send what a reader chooses to the kernel, and say what came of it. */
+
+import {make} from '../../param_tools/panel/dom.js';
+
+/**
+ * Ask the node for what a reader has chosen. In a page whose kernel is not awake yet, the answer takes its time.
+ * @param {import('@anywidget/types').RenderProps<any>} props
+ * @param {unknown} chosen
+ */
+export function ask({model, el}, chosen) {
+  el.querySelector('.motion-handle')?.classList.add('motion-waiting');
+  model.send({chosen});
+}
+
+/**
+ * Put a line on the page.
+ * @param {import('@anywidget/types').RenderProps<any>} props
+ * @param {HTMLElement} line
+ * @param {string[]} traits What is drawn again when it has changed.
+ * @param {() => void} draw
+ * @returns {() => void} Ends it.
+ */
+export function attach({model, el}, line, traits, draw) {
+  line.classList.add('motion-handle');
+  // A screen reader hears what changes in these two; what came of it, the picture shows to everybody else.
+  const said = make('span');
+  const told = make('span', {className: 'motion-told'});
+  for (const each of [said, told]) each.setAttribute('role', 'status');
+  line.append(said, told);
+  // JupyterLab has meanings of its own for keys.
+  line.addEventListener('keydown', event => event.stopPropagation());
+  el.append(line);
+  const show = () => {
+    said.textContent = model.get('said');
+    told.textContent = model.get('told');
+    draw();
+  };
+  show();
+  const stopWaiting = () => line.classList.remove('motion-waiting');
+  model.on('change:answered', stopWaiting);
+  const changes = ['said', 'told', ...traits].map(each => `change:${each}`).join(' ');
+  model.on(changes, show);
+  return () => {
+    model.off(changes, show);
+    model.off('change:answered', stopWaiting);
+  };
+}

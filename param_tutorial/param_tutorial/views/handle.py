@@ -1,0 +1,45 @@
+"""What stands below a picture so that a reader asks the node from there, and not from a cell."""
+
+from collections.abc import Callable
+from typing import Any
+
+import traitlets
+
+from param_tools.errors import ParameterToolError, describe_error
+from param_tools.markup.styles import sheet
+from param_tools.panel.front import Front
+
+
+class Handle(Front):
+    """Sends what a reader chooses to the kernel, which asks the node; the picture above shows what came of it."""
+
+    _css = sheet('param_tutorial/views/handle.css')
+    said = traitlets.Unicode().tag(sync=True)
+    """Why the node could not be asked; empty if it was."""
+    told = traitlets.Unicode().tag(sync=True)
+    """What came of it, for screen readers: everybody else sees the picture."""
+
+    answered = traitlets.Int().tag(sync=True)
+    """How often what was chosen has been answered, whatever the answer."""
+
+    def __init__(self, ask: Callable[[Any], str], **state: Any) -> None:
+        """
+        :param ask: Asks the node for what was chosen, and returns what came of it, in a sentence.
+        :param state: What the other traits are at first.
+        """
+        super().__init__(**state)
+        self._ask = ask
+        self.on_msg(self._on_message)
+
+    def _chosen(self, content: dict[str, Any]) -> Any:
+        """Return what a message of the browser asks for."""
+        return content['chosen']
+
+    def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
+        self.said = ''
+        try:
+            self.told = self._ask(self._chosen(content))
+        except ParameterToolError as error:
+            self.said = f'{describe_error(error)}.'
+        finally:
+            self.answered += 1

@@ -1,0 +1,163 @@
+"""What a reader drags, orders and chooses below a picture, with mouse and keyboard, and what real nodes say to it."""
+
+import re
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import expect
+
+from tests.support import lesson
+from tests.support.lab import Lab, LabPage
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
+
+CELLS = (
+    """import os
+import time
+
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile
+
+import param_tutorial
+from param_tutorial import ParameterClient
+from param_tutorial.views import LadderView, LayersView, MessageView, NumberLineView, RequestsView
+
+
+class Robot(Node):
+    def __init__(self, **options):
+        super().__init__('robot', **options)
+        self.declare_parameter('speed', 100)
+        self.declare_parameter('opening', 40, ParameterDescriptor(
+            integer_range=[IntegerRange(from_value=0, to_value=80, step=20)]))
+        self.add_on_set_parameters_callback(self.judge)
+
+    def judge(self, parameters):
+        while os.path.exists('busy'):
+            time.sleep(0.02)
+        return SetParametersResult(successful=True)
+
+
+class Hopeful(Node):
+    def __init__(self):
+        super().__init__('hopeful')
+        profile = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.ears = self.create_subscription(ParameterEvent, '/parameter_events', print, profile)
+
+
+def start(*options):
+    words = [word for option in options for word in ('-p', option)]
+    return ros.add(Robot, ros_args=words).get_parameter('speed').value
+
+
+ros = param_tutorial.start()
+ros.add(Hopeful)
+LayersView('speed', [('default', 100), ('speed:=400', '/**', 400), ('robot:speed:=500', 'robot', 500)], start=start)""",
+    "NumberLineView('/robot', 'opening')",
+    "MessageView('/robot', 'speed', 5)",
+    "LadderView('/robot', 'speed', 7)",
+    "RequestsView('nothing yet')",
+)
+LAYERS, LINE, MESSAGES, LADDER, REQUESTS = range(len(CELLS))
+
+
+@pytest.fixture(scope='module')
+def opened(tmp_path_factory, browser):
+    folder = tmp_path_factory.mktemp('handles')
+    with Lab(folder / 'lab', [lesson.write(folder / 'lesson.ipynb', CELLS)]) as lab:
+        page = LabPage(lab, browser, 'lesson.ipynb')
+        page.run_all()
+        yield lab, page
+        assert page.strange_errors() == []
+        page.page.close()
+
+
+def view(page, index):
+    return page.page.locator('.jp-CodeCell').nth(index).locator('.motion-view')
+
+
+def told(page, index):
+    return view(page, index).locator('.motion-told')
+
+
+def drag(page, what, to_x):
+    """Drag what is seen to another place at its height."""
+    box = what.bounding_box()
+    x, y = box['x'] + box['width'] / 2, box['y'] + box['height'] / 2
+    page.page.mouse.move(x, y)
+    page.page.mouse.down()
+    page.page.mouse.move((x + to_x) / 2, y)
+    page.page.mouse.move(to_x, y)
+    page.page.mouse.up()
+
+
+def test_sources_are_dragged_into_another_order_or_moved_by_the_keyboard(opened):
+    lab, page = opened
+    items = view(page, LAYERS).locator('li')
+    expect(items).to_have_text(['‹speed:=400›', '‹robot:speed:=500›'])
+    items.first.scroll_into_view_if_needed()
+    last = items.last.bounding_box()
+    drag(page, items.first.locator('span'), last['x'] + last['width'] - 5)
+    expect(told(page, LAYERS)).to_contain_text('speed = 400, from speed:=400.')
+    assert lab.ask_kernel("ParameterClient('/robot').get_parameter('speed')") == '400'
+    page.page.get_by_role('button', name='Move speed:=400 earlier').press('Enter')
+    expect(told(page, LAYERS)).to_contain_text('speed = 500, from robot:speed:=500.')
+    expect(items).to_have_text(['‹speed:=400›', '‹robot:speed:=500›'])
+    # At the end of its way, what was moved still has the keyboard.
+    expect(page.page.get_by_role('button', name='Move speed:=400 later')).to_be_focused()
+
+
+def test_the_marker_of_a_number_line_is_dragged_also_to_where_no_value_is_allowed(opened):
+    lab, page = opened
+    drawing = view(page, LINE).locator('svg').first
+    drawing.scroll_into_view_if_needed()
+    ring = [each.bounding_box() for each in drawing.locator('.motion-dot').all()]
+    drag(page, drawing.locator('.motion-pin'), ring[3]['x'] + ring[3]['width'] / 2)
+    expect(told(page, LINE)).to_have_text('opening = 60 is stored.')
+    assert lab.ask_kernel("ParameterClient('/robot').get_parameter('opening')") == '60'
+    expect(drawing).to_contain_text('60')
+    drag(page, view(page, LINE).locator('svg').first.locator('.motion-pin'), ring[0]['x'] - 20)
+    expect(told(page, LINE)).to_contain_text('is rejected: Parameter opening out of range')
+    dropped = view(page, LINE).get_by_role('textbox').input_value()
+    assert int(dropped) < 0
+    expect(told(page, LINE)).to_contain_text(f'opening = {dropped} ')
+
+
+def test_listeners_get_the_message_as_the_chosen_qos_allows(opened):
+    _, page = opened
+    picture = view(page, MESSAGES)
+    picture.get_by_label('durability of /hopeful').select_option('volatile')
+    expect(told(page, MESSAGES)).to_contain_text('/hopeful (asks for reliable, volatile), this notebook')
+    picture.get_by_label('durability of /hopeful').select_option('transient local')
+    expect(told(page, MESSAGES)).to_contain_text(
+        '/hopeful (asks for reliable, transient local) subscribes and gets nothing: incompatible QoS')
+
+
+def test_as_long_as_there_is_no_answer_the_line_says_so(opened):
+    lab, page = opened
+    line = view(page, LADDER).locator('.motion-handle')
+    line.get_by_role('textbox').fill('8')
+    (lab.folder / 'busy').touch()
+    try:
+        line.get_by_role('textbox').press('Enter')
+        expect(line).to_have_class(re.compile('motion-waiting'))
+    finally:
+        (lab.folder / 'busy').unlink()
+    expect(line).not_to_have_class(re.compile('motion-waiting'))
+    expect(told(page, LADDER)).to_have_text('speed = 8 is accepted.')
+
+
+def test_there_is_no_line_as_long_as_there_is_nothing_to_put_in_order(opened):
+    _, page = opened
+    expect(view(page, REQUESTS).locator('.motion-head')).to_be_visible()
+    expect(view(page, REQUESTS).locator('.motion-handle')).to_be_hidden()
+
+
+def test_nothing_that_axe_finds_in_the_pictures(opened):
+    _, page = opened
+    for scheme, theme in (('light', 'JupyterLab Light'), ('dark', 'JupyterLab Dark')):
+        page.page.emulate_media(color_scheme=scheme, reduced_motion='reduce')
+        expect(page.page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
+        found = Axe().run(page.page, context='.motion-view').response['violations']
+        assert [f'{theme}, {rule["id"]}: {node["html"][:200]} {node["failureSummary"]}' for rule in found
+                for node in rule['nodes']] == []
