@@ -38,6 +38,9 @@ function download(name, blob) {
 /** @param {unknown} value */
 const quoted = value => (/[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
 
+/** @param {number} count */
+const changes = count => `${count} change${count === 1 ? '' : 's'} of parameters`;
+
 /** One plot. */
 class Plot {
   /** @type {string[]} */
@@ -373,8 +376,7 @@ class Plot {
   }
 
   look() {
-    const {color, fontFamily} = getComputedStyle(this.element);
-    const {backgroundColor} = getComputedStyle(this.button('pause'));
+    const {color, fontFamily, backgroundColor} = getComputedStyle(this.canvas);
     return {ink: color, paper: backgroundColor, font: `11px ${fontFamily}`};
   }
 
@@ -401,7 +403,7 @@ class Plot {
     const key = JSON.stringify(marks);
     if (key === this.drawnKey) return;
     this.drawnKey = key;
-    one(this.changes, 'summary').textContent = `${marks.length} change${marks.length === 1 ? '' : 's'} of parameters`;
+    one(this.changes, 'summary').textContent = changes(marks.length);
     one(this.changes, 'ol').replaceChildren(
       ...marks.map(mark =>
         make('li', {}, `${clock(mark.time)} ${this.plots.wordsOf(/** @type {any} */ (mark), true)}`),
@@ -420,7 +422,7 @@ class Plot {
       const [low, high] = [numbers.reduce((a, b) => Math.min(a, b)), numbers.reduce((a, b) => Math.max(a, b))];
       return `${name}: ${now}, from ${format(low)} to ${format(high)}`;
     });
-    return `The last ${SPAN} seconds. ${parts.join('. ')}. ${scene.marks.length} changes of parameters.`;
+    return `The last ${SPAN} seconds. ${parts.join('. ')}. ${changes(scene.marks.length)}.`;
   }
 
   // -- saving -------------------------------------------------------------------------------------------

@@ -11,10 +11,11 @@ import math
 import re
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import traitlets
+from rclpy.exceptions import InvalidHandle
 from rclpy.subscription import Subscription
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
@@ -154,7 +155,8 @@ class Plots:
         self._open.clear()
         self._curves, self._by_topic = {}, {}
         self._job.end()
-        self._let_go()
+        if follower := self._let_go():
+            follower.close()
 
     def follow(self) -> None:
         """Sample the parameters that are plotted, with the front's lock held."""
@@ -260,8 +262,8 @@ class Plots:
         self._show()
         if self._open:
             self._job.wake()
-        else:
-            self._let_go()
+        elif follower := self._let_go():
+            host.host.run(follower.close, 'end of the changes to plot')  # it may be asking a node
 
     # -- the browser ------------------------------------------------------------------------------------
 
@@ -273,8 +275,8 @@ class Plots:
             self._follow_executor()
             if self._executor is not None and time.monotonic() >= self._look_at:
                 self._look_at = time.monotonic() + _HEARTBEAT_SEC
-                with contextlib.suppress(ExecutorError):
-                    self._executor.create_task(self._look(self._executor))
+                with contextlib.suppress(ExecutorError):  # it is being stopped
+                    self._executor.create_task(functools.partial(self._look, self._executor))
             self._show()
             self._send(self._data({name: _taken(curve.fresh) for name, curve in self._curves.items() if curve.fresh},
                                   _taken(self._fresh_marks)))
@@ -302,32 +304,29 @@ class Plots:
             executor = stage.current()
         except ExecutorError:
             executor = None
-        if executor is self._executor:
-            return
-        self._let_go()
-        self._executor = executor
-        if executor is None:
             for curve in self._curves.values():
                 curve.end('no executor is running')
-        else:
+        if executor is self._executor:
+            return
+        if follower := self._let_go():
+            host.host.run(follower.close, 'end of the changes to plot')
+        self._executor = executor
+        if executor is not None:
             self._stop_noting = executor.services.on_set(self._note_set)
             host.host.run(functools.partial(self._follow_changes, executor), 'changes to plot')
 
-    def _let_go(self) -> None:
-        """Hear nothing more."""
+    def _let_go(self) -> ChangeFollower | None:
+        """Hear nothing more; return who is still to be closed."""
         executor, follower = self._executor, self._follower
-        subscriptions, self._subscriptions = self._subscriptions, {}
+        ended, self._subscriptions = self._subscriptions, {}
         self._executor = self._follower = None
         self._stop_noting()
-        if follower is not None:
-            host.host.run(follower.close, 'end of the changes to plot')
-
-        if executor is not None and subscriptions:
-            with contextlib.suppress(ExecutorError):  # its node is gone, with its subscriptions
-                executor.create_task(_end(executor, subscriptions.values()))
+        if executor is not None and executor.is_running and ended:  # else they have gone with its node
+            executor.create_task(lambda: [executor.tool_node.destroy_subscription(each) for each in ended.values()])
+        return follower
 
     def _follow_changes(self, executor: BackgroundExecutor) -> None:
-        with contextlib.suppress(ExecutorError):
+        with contextlib.suppress(ExecutorError, InvalidHandle):  # it may just have been stopped
             follower = ChangeFollower(self._on_changes, executor=executor)
             with self._front.drawing:
                 if self._executor is executor and self._follower is None:
@@ -352,7 +351,7 @@ class Plots:
         if self._fresh_marks:
             self._job.wake()
 
-    async def _look(self, executor: BackgroundExecutor) -> None:
+    def _look(self, executor: BackgroundExecutor) -> None:
         """Hear the topics that are plotted, and say of which nobody publishes anything; in the executor's thread."""
         if executor is not self._executor:
             return
@@ -378,11 +377,6 @@ class Plots:
     def _hear(self, topic: str, message: Any) -> None:
         for curve in self._by_topic.get(topic, ()):
             curve.hear(message)
-
-
-async def _end(executor: BackgroundExecutor, subscriptions: Iterable[Subscription]) -> None:
-    for each in subscriptions:
-        executor.tool_node.destroy_subscription(each)
 
 
 def _not_installed(topic: str, kind: str) -> str:
