@@ -70,7 +70,8 @@ class _BrowserFront(PlotFront):
     """The list of nodes in the browser."""
 
     _esm = bundle('param_tools/panel/browser.js')
-    _css = ''.join(map(sheet, (f'param_tools/panel/{name}.css' for name in ('panel', 'plot', 'browser'))))
+    _css = (sheet('param_tools/panel/panel.css') + sheet('param_tools/panel/plot.css')
+            + sheet('param_tools/panel/browser.css'))
     state = traitlets.Dict().tag(sync=True)
 
 

@@ -169,7 +169,7 @@ export function paint(context, width, height, scene, look) {
   context.restore();
   if (scene.pointer === undefined) return;
   const x = xOf(scene.now + scene.pointer);
-  context.globalAlpha = 0.6;
+  context.globalAlpha = 0.3;
   line(x, TOP, x, bottom);
   context.globalAlpha = 0.15;
   if (scene.pressed !== undefined) context.fillRect(x, TOP, xOf(scene.now + scene.pressed) - x, bottom - TOP);
