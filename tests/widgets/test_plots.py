@@ -159,6 +159,7 @@ def test_what_can_be_plotted_is_offered(ros, arm, sent):
 
 def test_the_executor_is_followed_through_a_stop_and_a_new_start(ros, arm, sent):
     arm.plot('offset', SPEED)
+    wait_until(lambda: word(arm, SPEED) == 'nobody publishes it now', 'the executor to be asked')
     stage.stop()
     wait_until(lambda: word(arm, SPEED) == 'no executor is running', 'the word')
     stage.start().add(Talker).state.publish(ParameterValue())
