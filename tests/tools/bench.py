@@ -450,6 +450,7 @@ def plots(seconds: float) -> list[Row]:
     with _opened(PLOTTED) as (_, page):
         page.run_all()
         expect(page.page.locator('.param-plot-key li')).to_have_count(21)
+        page.page.locator('.param-plot canvas').scroll_into_view_if_needed()  # or nothing would be drawn
         renderers = [each for each in psutil.Process().children(recursive=True) if '--type=renderer' in each.cmdline()]
         page.page.wait_for_timeout(1000 * PLOTTED_SEC)  # until it is full
         before, start = _processor_sec(renderers), time.monotonic()

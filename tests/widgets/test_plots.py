@@ -95,7 +95,7 @@ def test_the_plot_of_a_node_that_ends_stays_with_a_word(ros, arm, sent):
     ros.remove('/arm')
     wait_until(lambda: word(arm, 'reach') == '/arm is not running', 'the word')
     wait_until(lambda: values_of(sent, 'reach') == [0.5, None], 'the end of the curve')
-    wait_until(lambda: ('/arm', '', 'deleted', 'deleted', False) in marks_of(sent), 'the mark')
+    wait_until(lambda: ('/arm', '', 'not set', 'not set', False) in marks_of(sent), 'the mark')
     assert arm._front.plots['open']
     ros.add(Arm)
     wait_until(lambda: (word(arm, 'reach'), values_of(sent, 'reach')) == ('', [0.5, None, 0.5]), 'the node')

@@ -39,7 +39,7 @@ function download(name, blob) {
 const quoted = value => (/[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
 
 /** @param {number} count */
-const changes = count => `${count} change${count === 1 ? '' : 's'} of parameters`;
+const countChanges = count => `${count} change${count === 1 ? '' : 's'}`;
 
 /** One plot. */
 class Plot {
@@ -117,8 +117,10 @@ class Plot {
       close: () => this.plots.close(this.row),
     };
     for (const [name, act] of Object.entries(acts)) this.button(name).addEventListener('click', act);
-    // JupyterLab has meanings of its own for keys.
-    this.element.addEventListener('keydown', event => event.stopPropagation());
+    this.element.addEventListener('keydown', event => {
+      // JupyterLab has meanings of its own for keys; Ctrl+Z is the panel's, but in a text the browser's.
+      if (event.target === input || !(event.ctrlKey || event.metaKey)) event.stopPropagation();
+    });
     canvas.addEventListener('keydown', event => this.onKey(event));
     canvas.addEventListener('focus', () => canvas.setAttribute('aria-label', this.describe()));
     canvas.addEventListener('wheel', event => {
@@ -343,11 +345,12 @@ class Plot {
         const remove = make('button', {type: 'button', title: `Remove ${name}`}, '\u00d7');
         remove.setAttribute('aria-label', `Remove ${name}`);
         remove.addEventListener('click', () => this.plots.send({act: 'remove', row: this.row, curve: name}));
-        line.append(make('code', {}, name), make('output'), remove);
+        line.append(make('span', {className: 'param-plot-name'}, name), make('output'), remove);
         return line;
       }),
     );
     this.told = 0;
+    this.canvas.setAttribute('aria-label', this.describe());
     this.draw();
   }
 
@@ -403,7 +406,7 @@ class Plot {
     const key = JSON.stringify(marks);
     if (key === this.drawnKey) return;
     this.drawnKey = key;
-    one(this.changes, 'summary').textContent = changes(marks.length);
+    one(this.changes, 'summary').textContent = countChanges(marks.length);
     one(this.changes, 'ol').replaceChildren(
       ...marks.map(mark =>
         make('li', {}, `${clock(mark.time)} ${this.plots.wordsOf(/** @type {any} */ (mark), true)}`),
@@ -422,7 +425,7 @@ class Plot {
       const [low, high] = [numbers.reduce((a, b) => Math.min(a, b)), numbers.reduce((a, b) => Math.max(a, b))];
       return `${name}: ${now}, from ${format(low)} to ${format(high)}`;
     });
-    return `The last ${SPAN} seconds. ${parts.join('. ')}. ${changes(scene.marks.length)}.`;
+    return `The last ${SPAN} seconds. ${parts.join('. ')}. ${countChanges(scene.marks.length)}.`;
   }
 
   // -- saving -------------------------------------------------------------------------------------------

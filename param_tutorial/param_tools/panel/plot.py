@@ -20,7 +20,7 @@ from rclpy.subscription import Subscription
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
 from param_tools import values
-from param_tools.errors import ExecutorError, ParameterToolError, nearest
+from param_tools.errors import ExecutorError, ParameterToolError, describe_error, nearest
 from param_tools.panel.front import Front
 from param_tools.ros import host, stage
 from param_tools.ros.executor import BackgroundExecutor
@@ -344,8 +344,8 @@ class Plots:
                 continue
             at = each.time.timestamp()
             is_own = 0.0 <= at - self._asked.get((each.node, each.name), 0.0) <= _OWN_SEC
-            old, new = values.format_change(each.old, each.new, _LETTERS, nothing='deleted')
-            mark = [round(at, 3), each.node, each.name, old, new, is_own]
+            old, new = values.format_change(each.old, each.new, _LETTERS)
+            mark = [round(at, 3), each.node, each.name, old, 'deleted' if each.kind == 'deleted' else new, is_own]
             self._marks.append(mark)
             self._fresh_marks.append(mark)
         if self._fresh_marks:
@@ -369,8 +369,11 @@ class Plots:
             elif message is None:
                 word = _not_installed(topic, kinds[topic][0])
             else:
-                heard[topic] = node.create_subscription(
-                    message, topic, functools.partial(self._hear, topic), matching_qos(node, topic))
+                try:
+                    heard[topic] = node.create_subscription(
+                        message, topic, functools.partial(self._hear, topic), matching_qos(node, topic))
+                except Exception as error:  # whatever it is: a person should see it, and this is asked again
+                    word = f'cannot be heard: {describe_error(error)}'
             for curve in curves:
                 curve.end(word)
 
