@@ -350,7 +350,7 @@ class BackgroundExecutor:
         return values[0]
 
     def create_task(self, task: Coroutine[Any, Any, object] | Callable[[], object]) -> None:
-        """Run a function in the executor's thread, between callbacks, or a coroutine, which may await rclpy's futures."""
+        """Run a function, or a coroutine that awaits rclpy's futures, in the executor's thread, between callbacks."""
         self._require_running()
         self._executor.create_task(task)
 
