@@ -388,8 +388,9 @@ class Plot {
     const {samples, holds} = curves[index];
     const at = now + (pointer ?? to);
     let found = indexAt(samples.times, at);
-    const [before, after] = [samples.times[found] ?? -Infinity, samples.times[found + 1] ?? Infinity];
-    if (!holds && after - at < at - before) found += 1;
+    if (found < 0) return null;
+    const next = samples.times[found + 1] ?? Infinity;
+    if (!holds && next - at < at - samples.times[found]) found += 1;
     return samples.values[found] ?? null;
   }
 
@@ -397,8 +398,8 @@ class Plot {
   tell(scene) {
     all(this.key, 'output').forEach((output, index) => {
       const value = this.valueAt(scene, index);
-      const word = scene.pointer === undefined ? this.word(this.curves[index]) : '';
-      const words = word || (value === null ? '\u2013' : format(value));
+      const isKnown = value !== null && (scene.pointer !== undefined || !this.word(this.curves[index]));
+      const words = isKnown ? format(value) : this.word(this.curves[index]) || '\u2013';
       if (output.textContent !== words) output.textContent = words;
     });
     const {marks} = scene;

@@ -149,7 +149,7 @@ export function paint(context, width, height, scene, look) {
   for (let at = Math.ceil(scene.from / step - 1e-9) * step; at <= scene.to + 1e-9; at += step) {
     const x = xOf(scene.now + at);
     line(x, bottom, x, bottom + 4);
-    context.fillText(`${format(at || 0)} s`, Math.min(x, right - 8), bottom + 6);
+    context.fillText(`${format(at || 0)} s`, Math.min(x, right - 12), bottom + 6);
   }
 
   drawMarks(context, scene, look, {xOf, line, from, to, right, bottom});
