@@ -65,7 +65,7 @@ class Curve:
 
     def add(self, at: float, value: Any) -> None:
         """Add a sample; one that is not finite is a gap, like None."""
-        number = float(value) if value is not None and math.isfinite(value) else None
+        number = _finite(value)
         self.samples.append((at, number))
         self.fresh.append((at, number))
 
@@ -170,7 +170,7 @@ class Plots:
                 curve.end('not a number now' if curve.name in present else 'there is no such parameter now')
             else:
                 curve.word = ''
-                if not curve.samples or curve.samples[-1][1] != float(value):
+                if not curve.samples or curve.samples[-1][1] != _finite(value):
                     curve.add(time.time(), value)
             if curve.fresh:
                 self._job.wake()
@@ -380,6 +380,10 @@ class Plots:
     def _hear(self, topic: str, message: Any) -> None:
         for curve in self._by_topic.get(topic, ()):
             curve.hear(message)
+
+
+def _finite(value: Any) -> float | None:
+    return float(value) if value is not None and math.isfinite(value) else None
 
 
 def _not_installed(topic: str, kind: str) -> str:
