@@ -129,7 +129,7 @@ def test_a_learner_and_a_terminal(open_notebook):
     assert value(lab, 'max_speed_rpm') == 120
 
     # Tab goes on to what brings the value back, and then to the next control, a check box; the space bar turns it.
-    page.row('max_speed_rpm').get_by_role('button').focus()
+    page.row('max_speed_rpm').get_by_role('button', name='Back to').focus()
     page.page.keyboard.press('Tab')
     safety = page.box('enable_safety_mode')
     expect(safety).to_be_focused()

@@ -118,7 +118,7 @@ def test_undo_and_redo_by_keyboard_and_a_value_brought_back(planner):
     lab, page = planner
     page.box('rate_hz').fill('20')
     page.box('rate_hz').press('Enter')
-    expect(page.row('rate_hz').get_by_role('button')).to_have_text('↺ 10')
+    expect(page.row('rate_hz').get_by_role('button', name='Back to')).to_have_text('↺ 10')
     page.box('map_name').fill('yard')
     page.box('map_name').press('Control+z')  # while it is being typed, the browser undoes the text
     expect(page.box('rate_hz')).to_have_value('20')
@@ -137,7 +137,7 @@ def test_undo_and_redo_by_keyboard_and_a_value_brought_back(planner):
         expect(button(page, 'Redo')).to_be_disabled()
     page.row('rate_hz').get_by_role('button', name='Back to 10: rate_hz').click()
     expect(page.slider('rate_hz')).to_have_value('2')
-    expect(page.row('rate_hz').get_by_role('button')).to_be_hidden()
+    expect(page.row('rate_hz').get_by_role('button', name='Back to')).to_be_hidden()
     button(page, 'Reset').click()
     expect(page.box('map_name')).to_have_value('hall')
     wait_for(lambda: (value(lab, 'rate_hz'), value(lab, 'map_name')) == (10, 'hall'), 'the node to have its values')

@@ -1,24 +1,19 @@
 """ros2 topic list and echo."""
 
 import argparse
-import importlib
 import queue
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import yaml
-from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
 from param_tools.cli.session import CommandFailed, Commands, Session, add_discovery_options, add_verbs
+from param_tools.ros.topics import matching_qos, message_class
 from param_tools.ros.waiting import Steps
-
-if TYPE_CHECKING:
-    from rclpy.node import Node
 
 # Of what is longer, the genuine one shows so much, too.
 _SHOWN_LENGTH = 128
-_DEPTH = 100
 
 
 def add_to(commands: Commands) -> None:
@@ -57,10 +52,13 @@ def echo(session: Session, args: argparse.Namespace) -> Steps:
     session.wait_for_graph(args)
     executor, node = session.executor, session.executor.tool_node
     topic = f'/{args.topic_name.lstrip("/")}'
-    message_class = _message_class(args.message_type or _type_of(session, topic))
+    kind = args.message_type or _type_of(session, topic)
+    message_type = message_class(kind)
+    if message_type is None:
+        raise CommandFailed(f"The message type '{kind}' is invalid")
     heard: queue.SimpleQueue[Any] = queue.SimpleQueue()
     subscription = executor.run(
-        lambda: node.create_subscription(message_class, topic, heard.put, _matching_qos(node, topic)), f'hear {topic}')
+        lambda: node.create_subscription(message_type, topic, heard.put, matching_qos(node, topic)), f'hear {topic}')
     try:
         while True:
             yield lambda: not heard.empty()
@@ -82,24 +80,6 @@ def _type_of(session: Session, topic: str) -> str:
     if len(types) > 1:
         raise CommandFailed(f"Cannot echo topic '{topic}', as it contains more than one type: [{', '.join(types)}]")
     return types[0]
-
-
-def _message_class(name: str) -> Any:
-    package, _, kind = name.partition('/')
-    try:
-        return getattr(importlib.import_module(f'{package}.msg'), kind.removeprefix('msg/'))
-    except (ImportError, AttributeError, ValueError):
-        raise CommandFailed(f"The message type '{name}' is invalid") from None
-
-
-def _matching_qos(node: 'Node', topic: str) -> QoSProfile:
-    """Return the strictest profile with which all publishers are heard."""
-    offered = [each.qos_profile for each in node.get_publishers_info_by_topic(topic)]
-    is_reliable = all(each.reliability == ReliabilityPolicy.RELIABLE for each in offered)
-    is_kept = bool(offered) and all(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in offered)
-    return QoSProfile(depth=_DEPTH,
-                      reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
-                      durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE)
 
 
 def as_yaml(message: Any, length: int | None = None) -> str:

@@ -5,12 +5,14 @@
 
 import {all, make, one} from './dom.js';
 import {initialize} from './front.js';
+import {Plots} from './plot.js';
 
 /**
  * @import {RenderProps} from '@anywidget/types'
+ * @import {PlotState} from './plot.js'
  *
  * @typedef {{name: string, says: string, is_bad: boolean, is_open: boolean, hits: [string, string][]}} ListedNode
- * @typedef {{state: {nodes: ListedNode[], status: string}}} Traits
+ * @typedef {{state: {nodes: ListedNode[], status: string}, plots: PlotState}} Traits
  */
 
 /** What is to be seen of the opened panels: attributes of all that is shown, and words. */
@@ -43,11 +45,15 @@ function render({model, el}) {
     });
     tools.append(button);
   }
+  const plots = new Plots(content => model.send(content));
+  const plot = make('button', {type: 'button', title: 'Plot the last 30 s of any number of a topic'}, 'Plot\u2026');
+  plot.addEventListener('click', () => plots.toggle(''));
   const title = make('span', {className: 'param-title'}, 'Parameters of all nodes');
   title.setAttribute('role', 'heading');
   title.setAttribute('aria-level', '3');
-  el.append(make('div', {className: 'param-head'}, title, status, tools, search));
-  el.append(list);
+  el.append(make('div', {className: 'param-head'}, title, status, tools, plot, search));
+  el.append(make('div', {className: 'param-plots'}), list);
+  plots.settle(el);
   /** @type {Map<string, HTMLElement>} */
   const lines = new Map();
 
@@ -109,9 +115,18 @@ function render({model, el}) {
     });
   }
 
+  const showPlots = () => {
+    plots.show(model.get('plots'));
+    plot.setAttribute('aria-expanded', String(plots.isOpen('')));
+  };
+
   show();
+  showPlots();
   model.on('change:state', show);
+  model.on('change:plots', showPlots);
+  model.on('msg:custom', message => plots.take(message));
   return () => {
+    plots.end();
     model.off('change:state', show);
   };
 }

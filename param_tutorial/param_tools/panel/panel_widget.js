@@ -1,16 +1,18 @@
 /* A parameter panel in JupyterLab: the kernel holds the state, and takes what is entered; see `panel.py`. */
 
-import {focusedBeside, make, uniqueName} from './dom.js';
+import {focusedBeside, make, one, uniqueName} from './dom.js';
 import {FileForm} from './file_form.js';
 import {initialize} from './front.js';
 import {ParameterPanel} from './panel.js';
+import {Plots} from './plot.js';
 
 /**
  * @import {RenderProps} from '@anywidget/types'
  * @import {PanelState, Wire} from './panel.js'
+ * @import {PlotState} from './plot.js'
  */
 
-/** @param {RenderProps<{markup: string, state: PanelState, search: string}>} props */
+/** @param {RenderProps<{markup: string, state: PanelState, search: string, plots: PlotState}>} props */
 function render({model, el}) {
   const client = uniqueName();
   /** @type {Wire} */
@@ -25,6 +27,7 @@ function render({model, el}) {
   const root = make('div');
   el.append(root);
   const form = new FileForm(`param-file-${client}`, wish => model.send({client, ...wish}));
+  const plots = new Plots(content => model.send(content));
   /** @type {ParameterPanel | undefined} */
   let panel;
   let search = model.get('search');
@@ -41,10 +44,11 @@ function render({model, el}) {
     // At first there may be too few parameters for a search.
     if (panel.search && search) [panel.search.value, search] = [search, ''];
     form.settle(shown);
+    plots.settle(shown, one(shown, '.param-node').textContent);
     root.replaceChildren(shown);
     show();
     panel.find();
-    if (focused && form.element.contains(focused)) focused.focus();
+    if (focused && (form.element.contains(focused) || plots.has(focused))) focused.focus();
     else if (focused && old?.root.contains(focused)) focusHeir(panel, focused);
   }
 
@@ -56,16 +60,23 @@ function render({model, el}) {
 
   /** @param {any} message */
   function onMessage(message) {
+    if ('plot' in message) plots.take(message);
     if (!panel || message.client !== client) return;
     if ('form' in message) form.answer(message);
     else panel.answer(message.name, message.number);
   }
 
+  const showPlots = () => plots.show(model.get('plots'));
+
   build();
+  showPlots();
+  model.on('change:plots', showPlots);
   model.on('change:markup', build);
   model.on('change:state', show);
   model.on('msg:custom', onMessage);
   return () => {
+    plots.end();
+    model.off('change:plots', showPlots);
     model.off('change:markup', build);
     model.off('change:state', show);
     model.off('msg:custom', onMessage);

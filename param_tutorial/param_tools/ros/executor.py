@@ -349,10 +349,10 @@ class BackgroundExecutor:
             raise errors[0]
         return values[0]
 
-    def create_task(self, coroutine: Coroutine[Any, Any, object]) -> None:
-        """Run a coroutine in the executor's thread, between callbacks; it may await rclpy's futures."""
+    def create_task(self, task: Coroutine[Any, Any, object] | Callable[[], object]) -> None:
+        """Run a function, or a coroutine that awaits rclpy's futures, in the executor's thread, between callbacks."""
         self._require_running()
-        self._executor.create_task(coroutine)
+        self._executor.create_task(task)
 
     def _spin_once(self, wait_sec: float) -> bool:
         """Run the next callback that is due within a time, and return whether there was one."""

@@ -28,11 +28,13 @@ from param_tools.errors import (
     NodeNotFoundError,
 )
 from param_tools.ros import domain, graph, waiting
+from param_tools.ros.listeners import Listeners
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import deadline
 
 TIMEOUT_SEC = 3.0
 _TURN_PERIOD_SEC = 0.005
+_SETS = ('set_parameters', 'set_parameters_atomically')
 # Requests that change nothing are sent again while no answer comes: see Services._carry. So is an empty set.
 _QUESTIONS = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters', 'set_parameters')
 _REPEAT_PERIOD_SEC = 0.7
@@ -105,6 +107,7 @@ class Services:
         # Of each node, the calls that wait to be sent, the oldest first.
         self._lines: dict[str, deque[Future]] = {}
         self._lock = threading.RLock()
+        self._set_listeners: Listeners[[str, list[str]]] = Listeners()
         # Gives coroutines their turns while they wait for something that doesn't wake the executor.
         self._clock = self._tool_node.create_timer(_TURN_PERIOD_SEC, lambda: None, autostart=False)
         self._waiting_coroutines = 0
@@ -112,6 +115,14 @@ class Services:
     def node_names(self, *, hidden: bool = False) -> list[str]:
         """Return the fully qualified names of the nodes in the graph, as ``graph.node_names`` does."""
         return graph.node_names(self._tool_node, hidden=hidden)
+
+    def on_set(self, listener: Callable[[str, list[str]], None]) -> Callable[[], None]:
+        """Call a listener whenever this process is about to ask a node to set parameters, in the thread that asks.
+
+        :param listener: Takes the node's name and the parameters' names.
+        :return: Call it to stop listening.
+        """
+        return self._set_listeners.add(listener)
 
     def call(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC) -> Any:
         """Call a parameter service of a node and wait for its answer.
@@ -148,6 +159,8 @@ class Services:
             is added with ``add_done_callback`` is called in the executor's thread.
         :raises NodeNotFoundError: the name cannot be that of any node.
         """
+        if service in _SETS and request.parameters:
+            self._set_listeners.call(node, [each.name for each in request.parameters])
         with self._lock:
             if (node, service) in self._answered and not self._lines.get(node) and self.is_ready(node, service):
                 return self._send(node, service, request, timeout_sec)

@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from rcl_interfaces.msg import ParameterEvent
+from rclpy.exceptions import InvalidHandle
 
 from param_tools import values
 from param_tools.errors import (
@@ -346,7 +347,8 @@ class ChangeFollower:
         happened = self._next(wait_sec)
         if happened is None:
             return False
-        with contextlib.suppress(ExecutorError):  # it has been stopped: nothing more will happen
+        # The executor has been stopped, maybe just now, and with it its node: nothing more will happen.
+        with contextlib.suppress(ExecutorError, InvalidHandle):
             if changes := happened():
                 self._listener(changes)
         return True
