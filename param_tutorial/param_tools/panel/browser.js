@@ -5,11 +5,11 @@
 
 import {all, make, one} from './dom.js';
 import {initialize} from './front.js';
-import {Plots} from './plot.js';
+import {Plots} from './plots.js';
 
 /**
  * @import {RenderProps} from '@anywidget/types'
- * @import {PlotState} from './plot.js'
+ * @import {PlotState} from './plots.js'
  *
  * @typedef {{name: string, says: string, is_bad: boolean, is_open: boolean, hits: [string, string][]}} ListedNode
  * @typedef {{state: {nodes: ListedNode[], status: string}, plots: PlotState}} Traits

@@ -4,12 +4,12 @@ import {focusedBeside, make, one, uniqueName} from './dom.js';
 import {FileForm} from './file_form.js';
 import {initialize} from './front.js';
 import {ParameterPanel} from './panel.js';
-import {Plots} from './plot.js';
+import {Plots} from './plots.js';
 
 /**
  * @import {RenderProps} from '@anywidget/types'
  * @import {PanelState, Wire} from './panel.js'
- * @import {PlotState} from './plot.js'
+ * @import {PlotState} from './plots.js'
  */
 
 /** @param {RenderProps<{markup: string, state: PanelState, search: string, plots: PlotState}>} props */

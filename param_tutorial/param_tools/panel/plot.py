@@ -1,7 +1,7 @@
 """Plots in a panel: parameters and fields of topics over the last 30 s, with a mark wherever a parameter changed.
 
 Messages are sampled in the executor's thread, with the time at which they arrived by this machine's clock. A job of
-``schedule`` sends what is new to the browser, where ``plot.js`` draws it. A parameter's curve is what its panel shows;
+``schedule`` sends what is new to the browser, where ``plots.js`` draws it. A parameter's curve is what its panel shows;
 what changed, on any node, is heard by a ``ChangeFollower``. As long as no plot is open, nothing is heard and sent.
 """
 
