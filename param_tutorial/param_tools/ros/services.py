@@ -26,6 +26,7 @@ from param_tools.errors import (
     NodeError,
     NodeGoneError,
     NodeNotFoundError,
+    ReadOnlyError,
 )
 from param_tools.ros import domain, graph, waiting
 from param_tools.ros.service_types import SERVICE_TYPES
@@ -105,6 +106,8 @@ class Services:
         # Of each node, the calls that wait to be sent, the oldest first.
         self._lines: dict[str, deque[Future]] = {}
         self._lock = threading.RLock()
+        self.is_read_only = False
+        """True if no parameter of any node may be set from this process."""
         # Gives coroutines their turns while they wait for something that doesn't wake the executor.
         self._clock = self._tool_node.create_timer(_TURN_PERIOD_SEC, lambda: None, autostart=False)
         self._waiting_coroutines = 0
@@ -147,7 +150,10 @@ class Services:
         :return: Holds the answer, or one of the errors of ``call``; a coroutine in the executor may await it, and what
             is added with ``add_done_callback`` is called in the executor's thread.
         :raises NodeNotFoundError: the name cannot be that of any node.
+        :raises ReadOnlyError: it would set something, and nothing may be set from here.
         """
+        if self.is_read_only and service.startswith('set_') and request.parameters:
+            raise ReadOnlyError(node)
         with self._lock:
             if (node, service) in self._answered and not self._lines.get(node) and self.is_ready(node, service):
                 return self._send(node, service, request, timeout_sec)
