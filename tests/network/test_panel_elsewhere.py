@@ -38,8 +38,8 @@ except OSError as error:
 '''
 
 
-def start_node(host: Host, name: str) -> None:
-    assert host.start('-c', NODE, name, **DOMAIN).stdout.readline() == 'ready\n'
+def start_node(host: Host, name: str, **variables: str) -> None:
+    assert host.start('-c', NODE, name, **DOMAIN, **variables).stdout.readline() == 'ready\n'
 
 
 @pytest.fixture
@@ -48,9 +48,9 @@ def page(hosts, tmp_path):
     robot, _ = hosts
     started = []
 
-    def start(*options: str | Path) -> tuple[str, str]:
+    def start(*options: str | Path, **variables: str) -> tuple[str, str]:
         started.append(robot.start('-m', 'param_tools', 'panel', '--no-browser', *options, **DOMAIN,
-                                   PYTHONUNBUFFERED='1', TMPDIR=str(tmp_path)))
+                                   **variables, PYTHONUNBUFFERED='1', TMPDIR=str(tmp_path)))
         address, said = started[-1].stdout.readline(), started[-1].stdout.readline()
         return re.fullmatch(r'The panel is at (https?://[0-9.]+:\d+/\?token=\S{32})\n', address)[1], said
 
@@ -126,7 +126,7 @@ def test_a_tablet_sees_where_the_nodes_are_and_sets_them(hosts, page, tablet, ce
     address, _ = page('--host', robot.address, '--certfile', certificate[0], '--keyfile', certificate[1])
     shown = tablet.new_page(ignore_https_errors=True)
     shown.goto(address, timeout=120_000)
-    expect(shown.locator('.param-where')).to_have_text('ROS domain 42, on this machine and its subnet.')
+    expect(shown.locator('.param-where')).to_have_text('ROS domain 42, looks for nodes on this machine and its subnet.')
     lines = shown.locator('.node-line')
     expect(lines.filter(has_text='/arm')).to_contain_text('3 parameters, on this machine')
     expect(lines.filter(has_text='/lift')).to_contain_text(
@@ -138,6 +138,19 @@ def test_a_tablet_sees_where_the_nodes_are_and_sets_them(hosts, page, tablet, ce
     box.press('Enter')
     lab.wait_for(lambda: robot.run(sys.executable, '-m', 'param_tools', 'param', 'get', '/lift', 'speed', **DOMAIN)
                  == 'Double value is: 2.5', 'the node to have it')
+
+
+def test_a_node_that_was_not_looked_for_is_told_to_be_elsewhere(hosts, page, tablet):
+    robot, laptop = hosts
+    start_node(robot, 'arm')
+    address, _ = page('--host', robot.address, ROS_AUTOMATIC_DISCOVERY_RANGE='LOCALHOST')
+    shown = tablet.new_page()
+    shown.goto(address, timeout=120_000)
+    expect(shown.locator('.param-where')).to_have_text('ROS domain 42, looks for nodes on this machine only.')
+    start_node(laptop, 'lift', ROS_STATIC_PEERS=robot.address)
+    lines = shown.locator('.node-line')
+    expect(lines.filter(has_text='/lift')).to_contain_text('3 parameters, on another machine')
+    expect(lines.filter(has_text='/arm')).to_have_text('/arm3 parameters')
 
 
 def test_nothing_can_be_set_from_a_page_that_is_read_only(hosts, page, tablet):

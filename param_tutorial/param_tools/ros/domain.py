@@ -75,7 +75,15 @@ def is_limited_to_this_host() -> bool:
     if os.environ.get('ROS_STATIC_PEERS'):
         return False
     discovery_range = os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper()
-    return discovery_range in ('LOCALHOST', 'OFF') or (discovery_range == 'SYSTEM_DEFAULT' and _on_loopback())
+    return discovery_range in ('LOCALHOST', 'OFF') or not is_open_to_other_hosts()
+
+
+def is_open_to_other_hosts() -> bool:
+    """True if a node on another machine that looks for nodes here finds them.
+
+    With LOCALHOST, a process looks for none elsewhere, and still listens on all interfaces.
+    """
+    return not (os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper() == 'SYSTEM_DEFAULT' and _on_loopback())
 
 
 def reaches_other_hosts() -> bool:
@@ -95,7 +103,7 @@ def describe() -> str:
                   'SYSTEM_DEFAULT': 'where the DDS profile says'}.get(discovery_range, 'on this machine and its subnet')
         if peers := os.environ.get('ROS_STATIC_PEERS'):
             places += f', and at {peers.replace(";", ", ")}'
-    return f'ROS domain {os.environ.get("ROS_DOMAIN_ID", "0")}, {places}'
+    return f'ROS domain {os.environ.get("ROS_DOMAIN_ID", "0")}, looks for nodes {places}'
 
 
 def _on_loopback() -> bool:

@@ -181,7 +181,7 @@ class BackgroundExecutor:
                 ParameterEvent, '/parameter_events', self._event_listeners.call, qos_profile_parameter_events)
             self._executor.add_node(self.tool_node)
             self.services = Services(self)
-            self._machine = own_machine(self.tool_node) if domain.reaches_other_hosts() else ''
+            self._machine = own_machine(self.tool_node) if domain.is_open_to_other_hosts() else ''
             self._let_go_of_rclpy = undo.enter_context(contextlib.ExitStack())
             self._let_go_of_rclpy.callback(tutorial_lines.replace(self, self._executor))
             self._let_go_of_rclpy.callback(no_input.allow, self._objection)
@@ -524,16 +524,17 @@ class BackgroundExecutor:
         return frozenset(gid for name, gid in self._incarnations if name == node)
 
     def machine_of(self, node: str) -> str:
-        """Return in words on which machine a node is; empty if nodes can only be here, or their DDS tells nothing.
+        """Return in words on which machine a node is; empty if its DDS tells nothing.
 
         A machine other than this one has a number, the same one in each process there that was started with the same
-        addresses. Two nodes of one name may be on two machines.
+        addresses. Two nodes of one name may be on two machines. Where nodes are looked for on this machine only, it is
+        not said of each that it is here.
 
         :param node: Fully qualified name.
         """
-        if not self._machine:
-            return ''
         found = {machine_of(gid) for gid in self.node_incarnations(node)} - {''}
+        if not self._machine or (domain.is_limited_to_this_host() and found == {self._machine}):
+            return ''
         return ' and '.join('this machine' if each == self._machine else f'another machine ({each})'
                             for each in sorted(found))
 
