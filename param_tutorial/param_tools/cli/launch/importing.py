@@ -11,7 +11,6 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NoReturn
 
-import param_tools
 from param_tools.cli.index import provided_packages_installed
 from param_tools.cli.launch.context import FULL_INSTALLATION, LaunchFailed
 from param_tools.cli.session import CommandFailed
@@ -21,7 +20,7 @@ MODULES: dict[str, Mapping[str, Any]] = {}
 # What reads a launch file and returns its description, by the end of the file's name.
 READERS: dict[str, Callable[[Path], Any]] = {}
 # Whose lines no author of a launch file knows.
-_PACKAGE = Path(param_tools.__file__).parent
+_PACKAGE = Path(__file__).parents[2]
 # What a full installation has besides: a launch file may import it, and is rejected where it uses it.
 _ELSEWHERE = {
     'ExecuteLocal', 'FindPackage', 'LaunchIntrospector', 'LaunchLogDir', 'LaunchService', 'LifecycleTransition',
