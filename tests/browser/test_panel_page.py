@@ -108,6 +108,14 @@ def test_the_page_shows_and_changes_a_node_and_ends_with_its_kernel(browser, arm
     me = psutil.Process(process.pid)
     family = [me, *me.children(recursive=True)]
     assert len(family) > 1, 'there is a kernel'
+    # A second page has a kernel of its own, which ends when the page is left.
+    other = browser.new_page()
+    other.goto(address, timeout=120_000)
+    expect(other.get_by_label('speed', exact=True)).to_have_value('0.5')
+    assert len(me.children()) == 2
+    other.goto('about:blank')
+    wait_for(lambda: len(me.children()) == 1, 'the kernel of the page to end')
+    other.close()
     ports = [each.laddr for one in family for each in one.net_connections('inet') if each.status == psutil.CONN_LISTEN]
     assert {ip for ip, _ in ports} == {'127.0.0.1'}
     process.send_signal(signal.SIGINT)

@@ -24,6 +24,7 @@ from param_tools.cli.launch.processes import Launcher, Program
 from param_tools.cli.launch.reading import load_description
 from param_tools.cli.launch.ros_actions import Node, SetParameter
 from param_tools.cli.launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from param_tools.cli.run import node_programs
 from param_tools.ros.waiting import to_end
 from param_tutorial import ParameterClient, Terminal, wait_until
 from tests.support.paths import ROS_PACKAGE
@@ -190,11 +191,12 @@ def generate""")
     ('x_launch.yaml', '- launch', "has one key at the top, which is 'launch'"),
     ('x_launch.yaml', 'launch: {', r'file of format \[yaml\]: while parsing'),
     ('x_launch.py', 'x = 1', "required function 'generate_launch_description"),
-    ('x_launch.py', 'x =', 'SyntaxError'),
+    ('x_launch.py', 'x =', r'SyntaxError: invalid syntax \(x_launch\.py, line 1\)\n'),
     ('x_launch.py', 'import no_such_module', "No module named 'no_such_module'"),
     ('x_launch.py', 'import launch_testing.actions', "'launch_testing'.*part of ROS .*environment/README.md"),
     ('x_launch.py', 'def generate_launch_description():\n    return 5', 'must return a LaunchDescription'),
-    ('x_launch.py', 'def generate_launch_description():\n    return 1 / 0', 'ZeroDivisionError'),
+    ('x_launch.py', 'def generate_launch_description():\n    return 1 / 0',
+     r'ZeroDivisionError: division by zero \(x_launch\.py, line 2\)'),
     ('x_launch.py', 'from launch import LaunchDescription\nLaunchDescription([1])', 'takes actions such as Node'),
 ])
 def test_a_file_that_is_none(tmp_path, name, text, why):
@@ -245,7 +247,8 @@ def test_a_parameter_file_that_is_missing_is_a_warning_only(context):
     ({'namespace': '//lab'}, 'Invalid namespace'),
     ({'executable': 5}, 'has 5 where a string or a substitution belongs'),
     ({'executable': [['e']]}, 'where a string or a substitution belongs'),
-    ({'executable': 'nope'}, 'No executable found'),
+    ({'executable': 'nope'}, "executable 'nope' not found in package 'param_tutorial', which has .*cart_node, "),
+    ({'package': 'nope'}, r"package 'nope' not found, searching: \[.*\]\. Correct its name, or build it and source"),
     ({'parameters': [5]}, 'where a string or a substitution belongs'),
     ({'parameters': [{'x': None}]}, 'x: None cannot be the value of a parameter'),
     ({'remappings': [('a', 'b', 'c')]}, r"list of pairs such as \('old', 'new'\), but got \[\('a', 'b', 'c'\)\]"),
@@ -471,7 +474,8 @@ def test_mistakes_have_a_sentence(launch_file):
     path = launch_file("        Node(package='param_tutorial', executable='nope')")
     assert launch(path, in_notebook=False) == (
         '[INFO] [launch]: Default logging verbosity is set to INFO\n'
-        '[ERROR] [launch]: Caught exception in launch (see debug for traceback): No executable found\n', '', 1)
+        "[ERROR] [launch]: Caught exception in launch (see debug for traceback): executable 'nope' not found in "
+        f"package 'param_tutorial', which has {', '.join(node_programs('param_tutorial'))}\n", '', 1)
 
 
 def test_a_launch_file_is_found_at_any_depth_and_must_be_the_only_one_of_its_name(tmp_path, monkeypatch):

@@ -3,6 +3,7 @@
 transcripts/README.md says how the recordings were made and how closely to agree.
 """
 
+import hashlib
 import io
 import json
 import shlex
@@ -20,6 +21,7 @@ from param_tools.ros import stage
 
 DATA = Path(__file__).parent / 'transcripts'
 NODES = json.loads((DATA / 'nodes.json').read_text())['nodes']
+PACKAGES = json.loads((DATA / 'pkg_create.json').read_text())
 SCENARIOS = json.loads((DATA / 'transcripts.json').read_text())['scenarios']
 
 # What our own sentences must hold where the genuine command prints a usage or a traceback.
@@ -91,3 +93,14 @@ def test_agrees_with_the_genuine_command(scenario, run, ros, tmp_path, monkeypat
 
 def test_all_recordings_are_there():
     assert sum(len(scenario['steps']) for scenario in SCENARIOS) == 63
+
+
+@pytest.mark.parametrize('recorded', PACKAGES, ids=lambda recorded: ' '.join(recorded['words'][1:5]))
+def test_a_new_package_has_the_genuine_commands_files(recorded, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path('src').mkdir()
+    stdout, stderr, status = in_this_process(['pkg', 'create', *recorded['words']])
+    assert (stderr, status) == ('', 0)
+    assert stdout.replace(str(tmp_path), 'FOLDER').startswith(recorded['stdout'])
+    assert {str(path): hashlib.sha256(path.read_bytes()).hexdigest()
+            for path in Path().rglob('*') if path.is_file()} == recorded['files']

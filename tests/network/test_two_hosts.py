@@ -1,27 +1,19 @@
-"""A node on one host, a terminal or a panel on another, and a cable between them; and who cannot reach a notebook.
-
-The hosts are network namespaces of this machine: processes of one have its interfaces, its loopback and its shared
-memory, and nothing of the other's.
-"""
+"""A node on one host, a terminal or a panel on another, and a cable between them; and who cannot reach a notebook."""
 
 import contextlib
 import json
-import os
 import socket
 import subprocess
 import sys
 import urllib.error
 import urllib.request
-from collections.abc import Iterator
-from pathlib import Path
 
 import psutil
 import pytest
 
-from tests.support import missing
+from tests.network.conftest import Host, ip
 from tests.support.lab import CourseLab, wait_for
-from tests.support.paths import NOTEBOOKS, ROOT
-from tests.support.processes import wait_or_kill
+from tests.support.paths import NOTEBOOKS
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(400)]
 
@@ -63,78 +55,6 @@ input()
 '''
 
 
-def ip(*words: str) -> None:
-    subprocess.run(['ip', *words], check=True, capture_output=True, text=True)
-
-
-class Host:
-    """A host with one Ethernet interface."""
-
-    def __init__(self, name: str, address: str, folder: Path):
-        # Several tests may run at once.
-        self.name, self.address = f'pt{os.getpid()}-{name}', address
-        self._shared_memory = folder / name
-        self._shared_memory.mkdir()
-        self._started: list[subprocess.Popen[str]] = []
-        ip('netns', 'add', self.name)
-        ip('-n', self.name, 'link', 'set', 'lo', 'up')
-
-    def command(self, *words: str | Path) -> list[str]:
-        """Return the words that run a command on this host; what `ip netns exec` runs has mounts of its own."""
-        return ['ip', 'netns', 'exec', self.name, 'sh', '-c', 'mount --bind "$0" /dev/shm; exec "$@"',
-                str(self._shared_memory), *map(str, words)]
-
-    def environment(self, **variables: str) -> dict[str, str]:
-        """Return the environment of a user who has set only these variables."""
-        return variables | {name: value for name, value in os.environ.items() if name == 'ROS_LOG_DIR'
-                            or not name.startswith(('ROS_', 'FASTRTPS_', 'RMW_', 'PYTEST'))}
-
-    def run(self, *words: str | Path, **variables: str) -> str:
-        """Return what a command prints here, errors included."""
-        return subprocess.run(self.command(*words), env=self.environment(**variables), cwd=ROOT, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout.strip()
-
-    def start(self, program: str, **variables: str) -> subprocess.Popen[str]:
-        """Start a Python program, which ends with the host."""
-        self._started.append(subprocess.Popen(
-            self.command(sys.executable, '-c', program), env=self.environment(**variables), cwd=ROOT, text=True,
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE))
-        return self._started[-1]
-
-    def end(self) -> None:
-        for process in self._started:
-            process.stdin.close()
-            wait_or_kill(process)
-            process.stdout.close()
-        ip('netns', 'delete', self.name)
-
-
-def why_no_hosts() -> str | None:
-    """Return why no hosts can be made here, or None."""
-    try:
-        done = subprocess.run(['unshare', '--net', '--mount', 'ip', 'link'], capture_output=True, text=True)
-    except FileNotFoundError as error:
-        return str(error)
-    return done.stderr.strip() or None
-
-
-@pytest.fixture
-def hosts(tmp_path: Path) -> Iterator[tuple[Host, Host]]:
-    """Yield a robot and a laptop that share a network."""
-    if why := why_no_hosts():
-        missing.skip(f'two hosts need root and iproute2: {why}')
-    with contextlib.ExitStack() as stack:
-        hosts = Host('robot', '10.77.0.2', tmp_path), Host('laptop', '10.77.0.1', tmp_path)
-        robot, laptop = hosts
-        for host in hosts:
-            stack.callback(host.end)
-        ip('link', 'add', 'eth0', 'netns', robot.name, 'type', 'veth', 'peer', 'name', 'eth0', 'netns', laptop.name)
-        for host in hosts:
-            ip('-n', host.name, 'address', 'add', f'{host.address}/24', 'dev', 'eth0')
-            ip('-n', host.name, 'link', 'set', 'eth0', 'up')
-        yield hosts
-
-
 def said(process: subprocess.Popen[str]) -> str:
     return process.stdout.readline().strip()
 
@@ -158,7 +78,7 @@ def param(host: Host, *words: str) -> str:
 
 def test_a_terminal_sets_a_node_on_another_host(hosts):
     robot, laptop = hosts
-    assert said(robot.start(NODE, ROS_DOMAIN_ID='42')) == '42'
+    assert said(robot.start('-c', NODE, ROS_DOMAIN_ID='42')) == '42'
     assert param(laptop, 'set', '/simple_param_node', 'max_speed_rpm', '120') == 'Set parameter successful'
     assert param(laptop, 'get', '/simple_param_node', 'max_speed_rpm') == 'Integer value is: 120'
     said_no = param(laptop, 'set', '/simple_param_node', 'max_speed_rpm', '-5')
@@ -167,10 +87,10 @@ def test_a_terminal_sets_a_node_on_another_host(hosts):
 
 def test_a_panel_says_that_the_cable_is_out_and_comes_back_with_it(hosts):
     robot, laptop = hosts
-    node = robot.start(NODE, ROS_DOMAIN_ID='42')
+    node = robot.start('-c', NODE, ROS_DOMAIN_ID='42')
     assert said(node) == '42'
     param(laptop, 'get', '/simple_param_node', 'max_speed_rpm')
-    panel = laptop.start(PANEL, ROS_DOMAIN_ID='42')
+    panel = laptop.start('-c', PANEL, ROS_DOMAIN_ID='42')
     assert said(panel) == '120'
     ip('-n', robot.name, 'link', 'set', 'eth0', 'down')
     for process in (node, panel):
@@ -187,7 +107,7 @@ def test_a_panel_says_that_the_cable_is_out_and_comes_back_with_it(hosts):
 @pytest.mark.parametrize(('chosen', 'is_seen'), [({}, False), ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}, True)])
 def test_no_other_host_sees_a_node_unless_its_user_says_so(hosts, chosen, is_seen):
     robot, laptop = hosts
-    domain = said(robot.start(NODE, **chosen))
+    domain = said(robot.start('-c', NODE, **chosen))
     # Someone who knows the domain, listens on all interfaces, knows the address, and tries ten times.
     answers = (laptop.run(*ROS2, 'param', 'get', '/simple_param_node', 'max_speed_rpm', ROS_DOMAIN_ID=domain,
                           ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET', ROS_STATIC_PEERS=robot.address) for _ in range(10))

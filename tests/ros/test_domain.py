@@ -71,6 +71,23 @@ def test_what_is_limited_to_this_host(monkeypatch):
     assert domain.is_limited_to_this_host()
 
 
+@pytest.mark.parametrize(('chosen', 'said'), [
+    ({}, 'on this machine and its subnet'),
+    ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}, 'on this machine only'),
+    ({'ROS_LOCALHOST_ONLY': '1', 'ROS_STATIC_PEERS': '192.0.2.1'}, 'on this machine only'),
+    ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST', 'ROS_STATIC_PEERS': '192.0.2.1;192.0.2.2'},
+     'on this machine, and at 192.0.2.1, 192.0.2.2'),
+    ({'ROS_DISCOVERY_SERVER': '192.0.2.1:11811'}, 'through the discovery server 192.0.2.1:11811'),
+    ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SYSTEM_DEFAULT', 'FASTRTPS_DEFAULT_PROFILES_FILE': '/x'},
+     'where the DDS profile says')])
+def test_a_domain_is_told_with_the_network_that_it_reaches(monkeypatch, chosen, said):
+    for name in [name for name in os.environ if name.startswith(('ROS_', 'FASTRTPS_'))]:
+        monkeypatch.delenv(name)
+    for name, value in {'ROS_DOMAIN_ID': '42', **chosen}.items():
+        monkeypatch.setenv(name, value)
+    assert domain.describe() == f'ROS domain 42, looks for nodes {said}'
+
+
 @pytest.mark.slow
 def test_what_the_user_chose_is_kept():
     assert choose(ROS_DOMAIN_ID='42').stdout.split() == ['42', 'None']

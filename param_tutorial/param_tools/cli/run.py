@@ -17,6 +17,15 @@ from param_tools.ros.environment import provided_packages
 from param_tools.ros.waiting import Steps
 
 
+class ProgramNotFound(CommandFailed):
+    """The package has no program of that name; the message is the genuine command's own."""
+
+    def __init__(self, names: Sequence[str]):
+        """:param names: The programs that it has."""
+        super().__init__('No executable found')
+        self.names = names
+
+
 def add_to(commands: Commands) -> None:
     """Add the command ``run``."""
     run = commands.add_parser('run', help='run a program of a package')
@@ -71,14 +80,17 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
 
     :param environment: Tells what has been sourced.
     :return: The words that start it.
-    :raises CommandFailed: there is no such package, no such program in it, or more than one.
+    :raises index.PackageNotFound: there is no such package.
+    :raises ProgramNotFound: there is no such program in it.
+    :raises CommandFailed: there is more than one.
     """
     try:
-        paths = [path for path in installed_programs(package, environment) if path.name == program]
+        installed = installed_programs(package, environment)
     except index.PackageNotFound:
         return _provided_program(package, program, environment)
+    paths = [path for path in installed if path.name == program]
     if not paths:
-        raise CommandFailed('No executable found')
+        raise ProgramNotFound([path.name for path in installed])
     if len(paths) > 1:
         raise CommandFailed('\n- '.join(['Multiple executables found:', *map(str, paths)]))
     return [str(paths[0])]
@@ -101,7 +113,7 @@ def installed_programs(package: str, environment: Mapping[str, str] = os.environ
 def _provided_program(package: str, program: str, environment: Mapping[str, str]) -> list[str]:
     nodes = index.provided(environment).get(package)
     if nodes is None:
-        raise CommandFailed(f"Package '{package}' not found")
-    if program not in node_programs(package):
-        raise CommandFailed('No executable found')
+        raise index.PackageNotFound(f"Package '{package}' not found")
+    if program not in (names := node_programs(package)):
+        raise ProgramNotFound(names)
     return [sys.executable, '-m', nodes, program]

@@ -127,7 +127,7 @@ class ParameterDrawer(FollowingView):
 
     def _is_read_only(self) -> bool:
         """True if nothing may be set or written from here."""
-        return bool(self._executor and getattr(self._executor.services, 'is_read_only', False))
+        return bool(self._executor and self._executor.services.is_read_only)
 
     def _list(self) -> None:
         self._listed = [{'name': each.name, 'says': f'{each.taken:%Y-%m-%d %H:%M}, {each.holds}'}

@@ -26,6 +26,7 @@ from param_tools.errors import (
     NodeError,
     NodeGoneError,
     NodeNotFoundError,
+    ReadOnlyError,
 )
 from param_tools.ros import domain, graph, waiting
 from param_tools.ros.listeners import Listeners
@@ -107,6 +108,8 @@ class Services:
         # Of each node, the calls that wait to be sent, the oldest first.
         self._lines: dict[str, deque[Future]] = {}
         self._lock = threading.RLock()
+        self.is_read_only = False
+        """True if no parameter of any node may be set from this process."""
         self._set_listeners: Listeners[[str, list[str]]] = Listeners()
         # Gives coroutines their turns while they wait for something that doesn't wake the executor.
         self._clock = self._tool_node.create_timer(_TURN_PERIOD_SEC, lambda: None, autostart=False)
@@ -158,8 +161,11 @@ class Services:
         :return: Holds the answer, or one of the errors of ``call``; a coroutine in the executor may await it, and what
             is added with ``add_done_callback`` is called in the executor's thread.
         :raises NodeNotFoundError: the name cannot be that of any node.
+        :raises ReadOnlyError: it would set something, and nothing may be set from here.
         """
         if service in _SETS and request.parameters:
+            if self.is_read_only:
+                raise ReadOnlyError(node)
             self._set_listeners.call(node, [each.name for each in request.parameters])
         with self._lock:
             if (node, service) in self._answered and not self._lines.get(node) and self.is_ready(node, service):

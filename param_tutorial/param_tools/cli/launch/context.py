@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn
 
-from param_tools.cli.run import find_program
+from param_tools.cli.index import PackageNotFound
+from param_tools.cli.run import ProgramNotFound, find_program
 from param_tools.cli.session import CommandFailed
 
 FULL_INSTALLATION = 'A full installation knows more: environment/README.md says how to get one'
@@ -86,9 +87,17 @@ class Context:
     def find_program(self, package: str, executable: str) -> list[str]:
         """Return the words that start a package's program.
 
-        :raises CommandFailed: there is no such package or program.
+        :raises CommandFailed: there is no such package or program, or more than one of them.
         """
-        return find_program(package, executable)
+        try:
+            return find_program(package, executable)
+        except PackageNotFound:
+            searched = [each for each in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if each]
+            raise LaunchFailed(f"package '{package}' not found, searching: {searched}. Correct its name, or build it "
+                               f'and source its workspace in this shell') from None
+        except ProgramNotFound as error:
+            raise LaunchFailed(f"executable '{executable}' not found in package '{package}', which has "
+                               f'{", ".join(sorted(error.names)) or "none"}') from None
 
     def find_executable(self, name: str) -> str:
         """Return the path of a program on the PATH.

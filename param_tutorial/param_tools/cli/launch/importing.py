@@ -5,6 +5,7 @@
 
 import contextlib
 import sys
+import traceback
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import ModuleType
@@ -18,6 +19,8 @@ from param_tools.cli.session import CommandFailed
 MODULES: dict[str, Mapping[str, Any]] = {}
 # What reads a launch file and returns its description, by the end of the file's name.
 READERS: dict[str, Callable[[Path], Any]] = {}
+# Whose lines no author of a launch file knows.
+_PACKAGE = Path(__file__).parents[2]
 # What a full installation has besides: a launch file may import it, and is rejected where it uses it.
 _ELSEWHERE = {
     'ExecuteLocal', 'FindPackage', 'LaunchIntrospector', 'LaunchLogDir', 'LaunchService', 'LifecycleTransition',
@@ -66,7 +69,15 @@ def _explanation(error: Exception, what: str) -> str:
         hint = f'. Where it is part of ROS or of another package: {FULL_INSTALLATION[0].lower()}{FULL_INSTALLATION[1:]}'
     elif 'unexpected keyword argument' in str(error):  # Node(sigterm_timeout='1'), for example
         hint = f'. {FULL_INSTALLATION}'
-    return f'Caught exception when trying to load {what}: {type(error).__name__}: {error}{hint}'
+    return f'Caught exception when trying to load {what}: {type(error).__name__}: {error}{_place(error)}{hint}'
+
+
+def _place(error: Exception) -> str:
+    """Return the line of the launch file that has raised an exception; empty if the message says it, as of a typo."""
+    lines = [each for each in traceback.extract_tb(error.__traceback__)
+             if not Path(each.filename).is_relative_to(_PACKAGE)]
+    own = [each for each in lines if each.filename == lines[0].filename]
+    return f' ({Path(own[-1].filename).name}, line {own[-1].lineno})' if own else ''
 
 
 @contextlib.contextmanager
