@@ -18,6 +18,8 @@ from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, expect_no_gap, run_lines
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
 from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
+from param_tutorial.views.drawing.step_response import plot_responses
+from param_tutorial.views.step_response import goal_band
 
 CHAPTER = '10_3_ros2_control'
 GAINS = 'Change it: what each gain does'
@@ -52,7 +54,9 @@ def tuned(trial: Trial) -> Figures:
         raise NoUse('three gains that the controller accepts', str(error)) from None
     if not results.successful:
         raise NoUse('three gains that the controller accepts', f'it says: {results[0].reason}')
-    figures = controller.response().figures
+    response = controller.response()
+    trial.picture = plot_responses({'your gains': response}, band=goal_band(response.reference))._repr_html_()
+    figures = response.figures
     if figures.settling_sec is None:
         raise NoUse('a wheel that settles', f'{figures}')
     return figures

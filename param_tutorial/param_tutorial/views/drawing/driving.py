@@ -216,7 +216,7 @@ def replay(vehicle: Vehicle) -> str:
     """Return a motion that a page without a kernel and without a script shows once, with its words, when it opens."""
     # The same motion has the same name, so a picture is the same whenever it is drawn.
     name = f'robot-{zlib.crc32(repr(vehicle).encode()):08x}'
-    picture = _picture(vehicle.at(math.inf), _Animation(name, vehicle))
+    picture = _picture(vehicle.at(math.inf), _Animation(name, vehicle) if vehicle.motion.phases else None)
     return f'{STYLE}<div class="robot-view">{picture}</div>'
 
 
