@@ -79,6 +79,18 @@ def test_axe_finds_nothing(lab, browser):
     assert faults(page) == []
 
 
+def test_what_a_check_says_to_look_at_is_a_click_away(lab, browser):
+    page = LabPage(lab, browser, NAME)
+    page.run_all()
+    page.page.set_viewport_size({'width': 1280, 'height': 500})
+    page.select_cell(0)
+    page.page.locator('.jp-Cell').first.scroll_into_view_if_needed()
+    words = page.page.get_by_role('heading', name='The words')
+    expect(words).not_to_be_in_viewport()
+    page.page.get_by_role('link', name='“The words”').click()
+    expect(words).to_be_in_viewport()
+
+
 def test_they_work_in_firefox(lab, tmp_path):
     (lab.copies / 'progress.json').unlink(missing_ok=True)
     lab.end_kernels()
