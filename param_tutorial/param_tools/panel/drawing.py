@@ -121,7 +121,10 @@ def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowSt
     """
     draw = _Drawing(states, is_locked=bool(status), has_units=any(row.unit for row in rows))
     body = draw.runs(rows) if in_order else draw.content(_tree(rows), '')
-    return f'{_head(node, len(rows), status, tools=tools)}<div class="param-rows">{body}</div>'
+    # All sliders begin where that of the longest unit does.
+    unit = max((len(row.unit) for row in rows), default=0)
+    return (f'{_head(node, len(rows), status, tools=tools)}'
+            f'<div class="param-rows" style="--unit:{unit}ch">{body}</div>')
 
 
 def _head(node: str, count: int, status: str, *, tools: bool) -> str:
