@@ -35,11 +35,19 @@ RESTART = 'jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart(
 
 
 @pytest.fixture(scope='module')
-def lab(tmp_path_factory):
+def started(tmp_path_factory):
     lab = CourseLab(tmp_path_factory.mktemp('parts') / 'lab', [])
     lesson.write(lab.course / 'notebooks' / NAME, CELLS)
     with lab:
         yield lab
+
+
+@pytest.fixture
+def lab(started):
+    """Return the server, on which nobody has run or predicted anything."""
+    started.end_kernels()
+    (started.copies / 'progress.json').unlink(missing_ok=True)
+    return started
 
 
 def faults(page):
@@ -92,8 +100,6 @@ def test_what_a_check_says_to_look_at_is_a_click_away(lab, browser):
 
 
 def test_they_work_in_firefox(lab, tmp_path):
-    (lab.copies / 'progress.json').unlink(missing_ok=True)
-    lab.end_kernels()
     with firefox(tmp_path) as page:
         page.resize(1280, 800)
         page.open(f'{lab.url}doc/tree/{NAME}?token={lab.token}&reset')
