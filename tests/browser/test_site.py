@@ -486,7 +486,7 @@ def test_an_exercise_is_solved_in_its_cell_and_remembered(page):
     wait_for_the_node(page)
     check.get_by_role('link', name='“Two sources”').first.click()
     expect(page.get_by_role('heading', name='Two sources')).to_be_in_viewport()
-    expect(page).to_have_url(re.compile('#two-sources$'))
+    expect(page).to_have_url(re.compile('#Two-sources$'))
     expect(page.locator('.lesson-mark')).to_have_count(0)
     exercise.get_by_role('button', name='Edit the code of this cell').click()
     exercise.get_by_role('textbox', name='The code of this cell').fill(SOLVED)

@@ -107,6 +107,12 @@ def test_a_certificate_needs_something_to_certify(file):
     assert not (file.path.parent / achievements.CERTIFICATE).exists()
 
 
+def test_a_certificate_without_a_name_is_not_written(file):
+    file.add_solved('3b')
+    assert 'give it your name' in ' '.join(repr(exercises.certificate()).split())
+    assert not (file.path.parent / achievements.CERTIFICATE).exists()
+
+
 def test_a_certificate_lists_what_was_proved_with_dates(file):
     file.add_solved('3b')
     file.add_solved('10.4b')
@@ -122,7 +128,7 @@ def test_a_certificate_lists_what_was_proved_with_dates(file):
 def test_a_certificate_of_all_says_so(file):
     for number in EXERCISES:
         file.add_solved(number)
-    assert f'has solved all of {len(EXERCISES)} exercises' in exercises.certificate()._repr_html_()
+    assert f'has solved all of {len(EXERCISES)} exercises' in exercises.certificate('Ada')._repr_html_()
 
 
 # -- numbers that were given again -----------------------------------------------------------------------------

@@ -536,7 +536,8 @@ not tried  ?
 
 the end'''
     page = result._repr_html_()
-    for text in ('not yet', '<code>a</code> &lt; <code>b</code>', '&lt;b&gt;', '<b>done</b>', '<b>not tried</b>'):
+    for text in ('not yet', '<code>a</code> &lt; <code>b</code>', '&lt;b&gt;', '<b>done</b>', '<b>not tried</b>',
+                 '<a href="#See-it">“See it”</a>'):
         assert text in page
 
 

@@ -346,7 +346,7 @@ def test_a_robot_drives_while_a_cell_waits_for_it(kernel, tmp_path):
     hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'do': 'drive'}))
     wait = "ros.node_log.read(since='speeds', until='speeds', node='/clawbot_node', timeout_sec=30)"
     text = kernel.run(f"Path('{tmp_path}/waits').touch()\n{wait}")
-    assert text == "'[INFO] [clawbot_node]: Clawbot speeds up with 0.5 m/s^2'"
+    assert text == "'[INFO] [clawbot_node]: Clawbot speeds up with 0.5 m/s²'"
     hand.join()
 
 

@@ -1,7 +1,6 @@
 """The HTML lessons without a browser: links, words that are explained, and the first page."""
 
 import html
-import json
 import re
 
 import nbformat
@@ -9,9 +8,8 @@ import pytest
 from nbformat.v4 import new_markdown_cell, new_notebook
 
 from param_tutorial.exercises import RECALLS, predicting
-from param_tutorial.notebook.glossary import Glossary, GlossaryEntry
 from param_tutorial.site.live.running import LiveCell, LiveChapter
-from param_tutorial.site.pages import chapter, front_page, links, terms, writing
+from param_tutorial.site.pages import chapter, front_page, links, writing
 from tests.support.paths import NOTEBOOKS
 
 NOTHING_RAN = LiveChapter([], {})
@@ -120,22 +118,3 @@ def test_the_verdict_on_a_recall_links_to_the_section_that_answers_it(number):
     nowhere = links.Links(path, notebooks[path.stem], {path.stem}, is_alone=True)
     assert '<a ' not in nowhere.in_verdict('You learned it in chapter 3, “Declare”.')
     assert shown.in_verdict('You learned it in chapter 99, “Declare”.') == 'You learned it in chapter 99, “Declare”.'
-
-
-def test_a_page_explains_words_as_its_chapter_uses_them_and_no_everyday_ones():
-    glossary = Glossary(GlossaryEntry(*each, 'x.ipynb') for each in (
-        ('snapshot', 'an early one', '2'), ('snapshot', 'its own', '10.2'), ('snapshot', 'a </script> later', '10.5'),
-        ('to declare', 'to create', '3'), ('`await`', 'wait', '5.3'), ('left', 'not changed', '1')))
-
-    def told(chapter):
-        script = terms.terms_script(glossary, chapter)
-        assert script.count('</script>') == 1
-        known = json.loads(re.sub('<[^>]+>$|^<[^>]+>', '', script))
-        return {each['word']: (each['code'], each['meaning']) for each in known}
-
-    assert told('10.2')['snapshot'] == (False, '<b>snapshot</b> · its own (chapter 10.2)')
-    assert told('9.1')['snapshot'][1].endswith('an early one (chapter 2)')
-    assert 'later (chapter 10.5)' in told('11')['snapshot'][1]
-    assert told('1').keys() == {'snapshot', 'declare', 'await'}
-    assert told('1')['await'] == (True, '<b><code>await</code></b> · wait (chapter 5.3)')
-    assert terms.terms_script(Glossary([]), '1') == ''

@@ -23,7 +23,7 @@ def test_it_tells_in_words_what_it_draws():
 def test_its_lines_go_through_its_points():
     picture = ElementTree.fromstring(LinePlot({'ramp': RAMP}, x='x', y='y')._repr_html_())
     corners = picture.find('polyline').get('points')
-    assert corners == '56.0,216.0 620.0,40.0'
+    assert corners == '44.0,180.0 408.0,40.0'
 
 
 def test_lines_differ_without_color():
@@ -32,18 +32,25 @@ def test_lines_differ_without_color():
     assert len(set(strokes)) == 4
 
 
-def test_each_name_in_the_key_keeps_to_its_own_stroke():
-    names = {name: RAMP for name in ('reference', 'p', 'conditional_integration')}
-    picture = ElementTree.fromstring(LinePlot(names, x='x', y='y')._repr_html_())
-    begins = [(float(text.get('x')), text.text) for text in picture.iter('text')
-              if text.text in names and text.get('text-anchor') == 'start']
-    strokes = sorted((float(line.get('x1')), float(line.get('x2'))) for line in picture.iter('line')
-                     if line.get('y1') == line.get('y2') == '12.0')
-    assert [name for _, name in sorted(begins)] == list(names)
-    for (begin, name), (_, stroke_end), following in zip(sorted(begins), strokes, [*strokes[1:], (620.0, 0.0)]):
-        assert begin - stroke_end == 8
-        # The widest letters are not wider than 8 on average; then 16 to the next stroke.
-        assert begin + 8 * len(name) <= following[0]
+@pytest.mark.parametrize(('names', 'rows'), [
+    (('ramp', 'p'), [['ramp', 'p']]), (('reference', 'p', 'conditional_integration'), [
+        [], ['reference', 'p'], ['conditional_integration']])])
+def test_each_name_in_the_key_keeps_to_its_own_stroke(names, rows):
+    picture = ElementTree.fromstring(LinePlot(dict.fromkeys(names, RAMP), x='x', y='speed in m/s')._repr_html_())
+    strokes = {(float(line.get('x2')), float(line.get('y1'))): float(line.get('x1')) for line in picture.iter('line')}
+    found = [[] for _ in rows]
+    ends = [8.0 * len('speed in m/s'), *[0.0] * len(rows)]
+    for text in picture.iter('text'):
+        if text.text in names and text.get('text-anchor') == 'start':
+            x, y = float(text.get('x')), float(text.get('y'))
+            found[int(y - 16) // 18].append((x, text.text))
+    for row, places in enumerate(found):
+        for x, name in sorted(places):
+            # The widest letters are not wider than 8 on average.
+            assert strokes[x - 8, 12.0 + 18 * row] >= ends[row]
+            ends[row] = x + 8 * len(name)
+            assert ends[row] <= 420
+    assert [[name for _, name in sorted(places)] for places in found] == rows
 
 
 def test_names_are_text():

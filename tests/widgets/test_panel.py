@@ -621,3 +621,9 @@ def test_a_unit_stands_behind_the_box_where_one_is_known(ros):
         'max_speed_rpm': 'rpm', 'max_acceleration_mps2': 'm/s²', 'sensor_offset_meters': 'm',
         'min_operating_temperature_c': '°C'}
     assert '<span class="param-unit">m/s²</span>' in panel._front.markup
+
+
+def test_a_panel_without_tools_has_no_button_but_reset(arm):
+    head = ParameterPanel(arm.node, tools=False)._front.markup.partition('class="param-rows"')[0]
+    # The second group is that of the file.
+    assert re.findall(r'class="param-(\w+)"[^>]* hidden\b', head) == ['gather', 'undo', 'redo', 'tools', 'bar']

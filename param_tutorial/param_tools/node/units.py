@@ -10,7 +10,8 @@ _NUMBERS = (values.INTEGER, values.DOUBLE, values.INTEGER_ARRAY, values.DOUBLE_A
 # The units in a text, and how each is shown. A capital letter alone isn't one: it is too often the name of a thing.
 _SYMBOLS = {each: each for each in (
     'm', 'mm', 'cm', 'km', 'm/s', 'mm/s', 'cm/s', 'km/h', 'm/s²', 'rad', 'rad/s', 'rad/s²', 'deg', 'deg/s', 's', 'ms',
-    'Hz', 'kHz', 'rpm', '°C', 'mV', 'mA', 'Nm', 'N/m', 'kg', 'Pa', '%', '1/s', '1/m')} | {
+    'Hz', 'kHz', 'rpm', '°C', 'mV', 'mA', 'Nm', 'N/m', 'kg', 'Pa', '%', '1/s', '1/m',
+    'N m/rad', 'N m s/rad', 'N m s²/rad', 'kg m²')} | {
     'm/s^2': 'm/s²', 'm/s2': 'm/s²', 'm/s/s': 'm/s²', 'rad/s^2': 'rad/s²', 'rad/s2': 'rad/s²', 'N*m': 'Nm', 'N m': 'Nm',
     'RPM': 'rpm', 'sec': 's', 'hz': 'Hz', '°': 'deg', 'µs': 'µs', 'us': 'µs'}
 _WORDS = {

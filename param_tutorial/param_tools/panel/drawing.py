@@ -112,32 +112,37 @@ def arrange(rows: Iterable[PanelRow]) -> list[PanelRow]:
 
 
 def panel_markup(node: str, rows: Sequence[PanelRow], states: Mapping[str, RowState], *, status: str = '',
-                 in_order: bool = False) -> str:
+                 in_order: bool = False, tools: bool = True) -> str:
     """Return a panel as HTML; its style sheet is ``panel.css``. Each id begins with what ``panel_widget.js`` replaces.
 
     :param node: The node's fully qualified name.
     :param states: By the parameters' names.
     :param status: Why nothing can be changed now; empty if it can.
     :param in_order: True if the rows stay as they stand, with a heading wherever another group begins.
+    :param tools: Whether its head shows more buttons than *Reset*.
     """
     draw = _Drawing(states, is_locked=bool(status), has_units=any(row.unit for row in rows))
     body = draw.runs(rows) if in_order else draw.content(_tree(rows), '')
-    return f'{_head(node, len(rows), status)}<div class="param-rows">{body}</div>'
+    # All sliders begin where that of the longest unit does.
+    unit = max((len(row.unit) for row in rows), default=0)
+    return (f'{_head(node, len(rows), status, tools=tools)}'
+            f'<div class="param-rows" style="--unit:{unit}ch">{body}</div>')
 
 
-def _head(node: str, count: int, status: str) -> str:
+def _head(node: str, count: int, status: str, *, tools: bool) -> str:
+    off = '' if tools else ' hidden'
     search = (f'<input type="search" class="param-search" placeholder="Search {count} parameters" '
               f'aria-label="Search the parameters of {html.escape(node)}" autocomplete="off" spellcheck="false">'
               if count >= _SEARCH_FROM else '')
     buttons = ('<span class="param-tools" role="group" aria-label="Changes made here">'
-               '<button type="button" class="param-gather" aria-pressed="false" disabled '
+               f'<button type="button" class="param-gather"{off} aria-pressed="false" disabled '
                'title="Gather changes, and apply them together as one request that the node accepts or rejects '
                'as a whole">Gather</button>'
-               '<button type="button" class="param-undo" disabled>Undo</button>'
-               '<button type="button" class="param-redo" disabled>Redo</button>'
+               f'<button type="button" class="param-undo" disabled{off}>Undo</button>'
+               f'<button type="button" class="param-redo" disabled{off}>Redo</button>'
                '<button type="button" class="param-reset" disabled '
                'title="Bring every parameter back to its first value">Reset</button></span>'
-               '<span class="param-tools" role="group" aria-label="Parameter file">'
+               f'<span class="param-tools" role="group" aria-label="Parameter file"{off}>'
                '<button type="button" class="param-save" aria-expanded="false">Save…</button>'
                '<button type="button" class="param-load" aria-expanded="false">Load…</button></span>')
     told = format_count(count, 'parameter')

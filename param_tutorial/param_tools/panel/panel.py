@@ -86,17 +86,18 @@ class ParameterPanel(ParameterView):
         """Return a panel, or a ParameterBrowser if no node is named."""
         return ParameterBrowser(**options) if node is None else super().__new__(cls)
 
-    def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None,
+    def __init__(self, node: str | Node | ParameterClient, *, names: Iterable[str] | None = None, tools: bool = True,
                  timeout_sec: float = TIMEOUT_SEC, patience_sec: float = FIRST_LOOK_TIMEOUT_SEC, search: str = ''):
         """
         :param node: The node or its name; it may be on a robot far away, and it may be absent now.
         :param names: Only these parameters, in this order; by default all that the node has.
+        :param tools: Whether its head has more buttons than *Reset*: *Gather*, *Undo*, *Redo*, *Save…* and *Load…*.
         :param timeout_sec: How long the node may take for each answer.
         :param patience_sec: How long to wait for the first answers; later ones are shown when they come.
         :param search: What its search field begins with.
         """
         self._controls: dict[str, Control] = {}
-        self._in_order = names is not None
+        self._in_order, self._tools = names is not None, tools
         self._edits = Edits(self._state, self._bring)
         # What a person presses is done in that order, each when the one before has its answers.
         self._jobs: queue.SimpleQueue[Callable[[], object]] = queue.SimpleQueue()
@@ -417,7 +418,7 @@ class ParameterPanel(ParameterView):
                 if rows != self._rows:
                     self._rows = rows
                     self._front.markup = _STYLE + panel_markup(
-                        self.node, rows, states, status=live.status, in_order=self._in_order)
+                        self.node, rows, states, status=live.status, in_order=self._in_order, tools=self._tools)
                 self._front.state = {
                     'status': live.status, 'undo': self._edits.can_undo, 'redo': self._edits.can_redo,
                     'rows': {name: state.as_json() for name, state in states.items()},

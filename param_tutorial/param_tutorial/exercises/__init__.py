@@ -5,7 +5,7 @@
     exercises.predict('3-1')          a question, before the cell that answers it
     exercises.recall('4-r1')          a question about an earlier chapter
     exercises.progress('3')           what you have solved of the chapter
-    exercises.certificate()           a page that lists what you have proved
+    exercises.certificate('Ada')      a page that lists what you have proved
 
 One module for each chapter holds its exercises, each as a list of requirements: a sentence, and a small function
 that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutions/``; neither is repeated here.

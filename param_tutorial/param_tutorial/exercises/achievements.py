@@ -130,10 +130,10 @@ class CourseProgress(Answer):
 
 
 class Certificate(Answer):
-    """A page that lists what a learner has proved, written beside the file of progress."""
+    """What a learner has proved; with the learner's name, as a page that is written beside the file of progress."""
 
     def __init__(self, chapters: Sequence[Chapter], file: ProgressFile | None, name: str):
-        """:param name: The learner's; empty for a line to write it on."""
+        """:param name: The learner's; without it, no page is written."""
         self._html = ''
         if file is None:
             super().__init__('A certificate lists the exercises that you have solved, with their dates. ' + HOW)
@@ -144,6 +144,10 @@ class Certificate(Answer):
         count = sum(each.number in solved for chapter in chapters for each in chapter.exercises)
         if not count:
             super().__init__(f'There is nothing to certify yet: the course has {total} exercises. {note}'.strip())
+            return
+        if not name:
+            super().__init__(f'{count} of {total} exercises proved. To have it as a page that you can print, give it '
+                             f"your name: `exercises.certificate('Ada Lovelace')`. {note}".strip())
             return
         self._html = _certificate(chapters, solved, name, count, total)
         path = file.path.with_name(CERTIFICATE)
@@ -162,10 +166,9 @@ def _certificate(chapters: Sequence[Chapter], solved: dict[str, str], name: str,
     rows = ''.join(
         f'<tr><th scope="row">{each.number}</th><td>{with_code(each.title)}</td><td>{solved[each.number]}</td></tr>'
         for chapter in chapters for each in chapter.exercises if each.number in solved)
-    whom = html.escape(name) or '<span class="param-line">&nbsp;</span>'
     robot = medal('')
     return (f'{_STYLE}<section class="param-certificate" aria-label="Certificate">{robot}'
-            f'<p>Mastering ROS 2 Parameters with Python</p><h1>{whom}</h1>'
+            f'<p>Mastering ROS 2 Parameters with Python</p><h1>{html.escape(name)}</h1>'
             f'<p>has solved {"all" if count == total else count} of {total} exercises. Each was checked on a running '
             f'node.</p><table><thead><tr><th scope="col">Exercise</th><th scope="col">What was proved</th>'
             f'<th scope="col">Date</th></tr></thead><tbody>{rows}</tbody></table>'

@@ -1,6 +1,5 @@
 """What an exercise is: requirements, each a sentence and a function that tries it out, and how they are checked."""
 
-import contextlib
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -26,7 +25,6 @@ from param_tutorial.exercises.trial import (
 
 Examine = Callable[[Trial], None]
 FindOut = Callable[[Trial], Any]
-Draw = Callable[[Trial], str]
 
 
 class Kind(NamedTuple):
@@ -82,7 +80,6 @@ class Exercise:
         self.hints = hints
         self.node_name = node_name
         self.requirements: list[Requirement] = []
-        self._draw: Draw | None = None
 
     def require(self, sentence: str, *, see: str) -> Callable[[Examine], Examine]:
         """Add the decorated function as a requirement.
@@ -131,11 +128,6 @@ class Exercise:
             return find_out
         return add
 
-    def show(self, draw: Draw) -> Draw:
-        """Let the decorated function draw, as HTML, what work that meets all requirements makes a node do."""
-        self._draw = draw
-        return draw
-
     def without_work(self) -> Answer:
         """Say what a check needs beside the number."""
         return Answer(f'The check of exercise {self.number} needs your work too. Give it {self.takes.name}, like this: '
@@ -158,8 +150,7 @@ class Exercise:
                         findings.append(_finding(requirement, error))
                         break
                     names = set(trial.names)
-                if self._draw and all(finding.done for finding in findings):
-                    picture = _drawn(self._draw, Trial(ros, work))
+                picture = trial.picture
         except ExecutorError as error:  # no executor can be had, or a callback of the learner's keeps it for good
             untried = [each.sentence for each in self.requirements[len(findings):]]
             findings.append(Finding([*untried, 'the stage is clear afterwards'][0], False, happened=str(error)))
@@ -220,13 +211,6 @@ def _try_out(requirement: Requirement, trial: Trial) -> Finding:
     except (Exception, SystemExit) as error:  # whatever a learner's object may do when it is looked at
         return _finding(requirement, NotYet('', describe_error(error)))
     return Finding(requirement.sentence, True)
-
-
-def _drawn(draw: Draw, trial: Trial) -> str:
-    """Return the picture of what a learner's work does; nothing if it does something else this time."""
-    with contextlib.suppress(Exception, SystemExit), cleared(trial.ros):
-        return draw(trial)
-    return ''
 
 
 def _examine(requirement: Requirement, trial: Trial) -> None:

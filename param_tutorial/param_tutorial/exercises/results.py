@@ -1,5 +1,6 @@
 """What a check answers: words first, for a terminal and a screen reader, and the same words as HTML."""
 
+import html
 import textwrap
 from dataclasses import dataclass
 
@@ -94,9 +95,19 @@ class Result(Answer):
                 f'{self.picture}<ul class="param-findings">{items}</ul><p>{with_code(self.text)}</p></div>')
 
 
+def anchor(heading: str) -> str:
+    """Return the name by which JupyterLab, and so a chapter's links, know a heading."""
+    return heading.strip().replace(' ', '-')
+
+
+def _section_link(section: str) -> str:
+    return f'<a href="#{html.escape(anchor(section.strip("“”").replace("`", "")))}">{with_code(section)}</a>'
+
+
 def markup(finding: Finding) -> str:
     """Return what became of a requirement, as an item of a list in HTML."""
-    details = ''.join(f'<dt>{word}</dt><dd>{with_code(text)}</dd>' for word, text in finding.details.items())
+    details = ''.join(f'<dt>{word}</dt><dd>{_section_link(text) if word == "look at" else with_code(text)}</dd>'
+                      for word, text in finding.details.items())
     return (f'<li class="param-{finding.word.replace(" ", "-")}"><b>{finding.word}</b> · {with_code(finding.sentence)}'
             + (f'<dl>{details}</dl>' if details else '') + '</li>')
 

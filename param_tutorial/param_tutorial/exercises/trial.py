@@ -125,6 +125,8 @@ class Trial:
         self.work = work
         self.names: set[str] = set()
         """The names of the nodes that were made of the work."""
+        self.picture = ''
+        """What the work made a robot do, as HTML, solved or not: a requirement that lets a robot drive puts it here."""
         self._has_waited_in_vain = False
         self._began_sec = time.monotonic()
         self.begin()

@@ -29,7 +29,7 @@ class CartNode(Node):
                 FloatingPointRange(from_value=0.1, to_value=2.0)]))
         self.declare_parameter(
             'max_acceleration_mps2', 0.5,
-            ParameterDescriptor(description='Acceleration in m/s^2, also for braking.', floating_point_range=[
+            ParameterDescriptor(description='Acceleration in m/s², also for braking.', floating_point_range=[
                 FloatingPointRange(from_value=0.1, to_value=2.0)]))
         # An on-set callback is not asked about start values of parameters that were declared before it.
         speed, acceleration = self.settings()
@@ -41,7 +41,7 @@ class CartNode(Node):
         self.get_logger().info('CartNode has been started.')
 
     def settings(self) -> tuple[float, float]:
-        """Return the speed and the acceleration that are stored, in m/s and m/s^2."""
+        """Return the speed and the acceleration that are stored, in m/s and m/s²."""
         return self.get_parameter('max_speed_mps').value, self.get_parameter('max_acceleration_mps2').value
 
     @staticmethod

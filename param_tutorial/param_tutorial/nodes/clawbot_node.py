@@ -232,7 +232,7 @@ class ClawbotNode(Node):
                 floating_point_range=[FloatingPointRange(from_value=-0.3, to_value=0.5)]))
         self.declare_parameter(
             'max_acceleration_mps2', 0.5,
-            ParameterDescriptor(description='Maximum acceleration in m/s^2, also for braking.', floating_point_range=[
+            ParameterDescriptor(description='Maximum acceleration in m/s², also for braking.', floating_point_range=[
                 FloatingPointRange(from_value=0.01, to_value=2.0)]))
         self.declare_parameter(
             'min_operating_temperature_c', -5,
@@ -387,7 +387,7 @@ class ClawbotNode(Node):
         name, say = self.get_parameter('robot_name').value, self.get_logger()
         gap_m = self.settings.track_m - state.position_m
         if state.word == 'SPEEDING UP':
-            say.info(f'{name} speeds up with {state.acceleration_mps2:g} m/s^2')
+            say.info(f'{name} speeds up with {state.acceleration_mps2:g} m/s²')
         elif state.word == 'EMERGENCY BRAKING':
             say.warning(f'{name} brakes as hard as it can')
         elif state.word == 'STOPPED':

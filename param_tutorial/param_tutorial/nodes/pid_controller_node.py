@@ -222,7 +222,7 @@ class PidControllerNode(Node):
     def _declare_gains(self, prefix: str) -> None:
         for name, value, top, text in (('p', 0.1, 2.0, 'Proportional gain, in N m s/rad.'),
                                        ('i', 0.0, 5.0, 'Integral gain, in N m/rad.'),
-                                       ('d', 0.0, 0.1, 'Derivative gain, in N m s^2/rad.')):
+                                       ('d', 0.0, 0.1, 'Derivative gain, in N m s²/rad.')):
             self.declare_parameter(f'{prefix}.{name}', value, _described(text, 0.0, top))
         self.declare_parameter(f'{prefix}.u_clamp_max', math.inf, _described('Largest command, in N m.'))
         self.declare_parameter(f'{prefix}.u_clamp_min', -math.inf, _described('Smallest command, in N m.'))
@@ -235,7 +235,7 @@ class PidControllerNode(Node):
         for name, value, bottom, top, text in (
                 ('reference_rad_per_sec', 10.0, 0.1, 40.0, 'The requested speed, in rad/s.'),
                 ('duration_sec', 3.0, 0.5, 10.0, 'How long it is watched, in s.'),
-                ('inertia_kgm2', Motor.inertia, 0.005, 0.2, 'Moment of inertia of wheel and load, in kg m^2.'),
+                ('inertia_kgm2', Motor.inertia, 0.005, 0.2, 'Moment of inertia of wheel and load, in kg m².'),
                 ('friction_nms', Motor.friction, 0.005, 0.5, 'Friction, in N m s/rad.'),
                 ('lag_sec', Motor.lag_sec, 0.0, 0.5, 'How far the torque lags behind the command, in s.'),
                 ('max_torque_nm', Motor.max_torque, 0.1, 10.0, 'The most that the motor can do, in N m.')):

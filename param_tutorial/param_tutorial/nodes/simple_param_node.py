@@ -32,7 +32,7 @@ class SimpleParamNode(Node):
         self.declare_parameter(
             'max_acceleration_mps2', 0.5,
             ParameterDescriptor(
-                description='Maximum acceleration in m/s^2. Must be positive.',
+                description='Maximum acceleration in m/s². Must be positive.',
                 floating_point_range=[FloatingPointRange(from_value=0.01, to_value=2.0, step=0.0)]))
         self.declare_parameter(
             'min_operating_temperature_c', -5,

@@ -29,7 +29,7 @@ _PAUSE_SEC = 1.0
 _ERROR, _OVERSHOOT_PERCENT, _SETTLING_SEC = 0.1, 5.0, 0.4
 
 
-def _band(reference: float) -> Band:
+def goal_band(reference: float) -> Band:
     """Return where the speed is to be in the end: what settles in time, near enough, stays in it."""
     room = _ERROR + SETTLING_BAND * reference
     return Band(_SETTLING_SEC, round(reference - room, 6), round(reference + room, 6))
@@ -106,7 +106,7 @@ class StepResponseView(ParameterView):
         if now - self._drawn_sec > _PAUSE_SEC:
             self._before = self._response
         self._response, self._drawn_sec = response, now
-        plot = plot_responses({joint: response}, before=self._before, band=_band(response.reference))
+        plot = plot_responses({joint: response}, before=self._before, band=goal_band(response.reference))
         self._picture.value = (f'{_head(self.node, f"{joint}: {gains}")}'
                                f'<div class="step-scene">{plot._repr_html_()}{wheel}</div>')
         parts = ''.join(f'<span>{html.escape(words)}{_mark(met, goal)}</span>'

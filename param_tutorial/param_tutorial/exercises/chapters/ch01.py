@@ -53,21 +53,16 @@ class Drive(NamedTuple):
     fastest_mps: float
 
 
-def pulling_away(trial: Trial) -> Patient:
-    """Let a new robot drive off with the learner's settings, on a cold morning."""
-    robot: Patient = trial.start(Patient, ros_args=['-p', f'simulation.ambient_temperature_c:={COLD_C}'])
-    trial.client(robot).set_parameters(trial.work)
-    robot.drive()
-    return robot
-
-
 def drive(trial: Trial) -> Drive:
-    """Let a new robot drive until it is at rest.
+    """Let a new robot drive with the learner's settings, on a cold morning, until it is at rest.
 
     :raises NoUse: it does not drive at all.
     """
-    robot = pulling_away(trial)
+    robot: Patient = trial.start(Patient, ros_args=['-p', f'simulation.ambient_temperature_c:={COLD_C}'])
+    trial.client(robot).set_parameters(trial.work)
+    robot.drive()
     end = robot.step(math.inf)
+    trial.picture = driving.replay(vehicle_of(robot, robot.motion[0]))
     if end.word == 'WAITING':
         raise NoUse('a robot that drives', f'it is waiting: {robot.waiting_for()}')
     corners = robot.velocity_over_time()
@@ -117,12 +112,6 @@ def stops(trial: Trial) -> None:
 def in_time(trial: Trial) -> None:
     seconds = drive(trial).seconds
     expect(seconds <= TIME_SEC, f'at most {TIME_SEC:.2f} s', f'it takes {seconds:.2f} s')
-
-
-@park.show
-def parking(trial: Trial) -> str:
-    robot = pulling_away(trial)
-    return driving.replay(vehicle_of(robot, robot.motion[0]))
 
 
 free = Exercise('1c', 'Free a number', CHAPTER, NODE_CLASS, node_name='pump', hints=(
@@ -252,10 +241,11 @@ def limited(trial: Trial) -> None:
 @order.require('the safety mode is on when it drives off, and the robot stops in front of the wall', see='Break it')
 def safely(trial: Trial) -> None:
     robot = ordered(trial)
+    end = robot.step(math.inf)
+    trial.picture = driving.replay(vehicle_of(robot, robot.motion[0]))
     found, later = robot.starts[0]['enable_safety_mode'], robot.get_parameter('enable_safety_mode').value
     expect(found is True, '`enable_safety_mode` is `True` when the robot drives off',
            f'it is `{found!r}`{_and_later(found, later)}')
-    end = robot.step(math.inf)
     expect(end.word == 'STOPPED', 'it stops by itself', f'it is waiting: {robot.waiting_for()}'
            if end.word == 'WAITING' else 'it has run into the wall')
 

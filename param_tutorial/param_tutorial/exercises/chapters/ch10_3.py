@@ -17,7 +17,9 @@ from param_tools.files import parameter_files
 from param_tutorial.exercises.exercise import DICTIONARY, TEXT, Exercise
 from param_tutorial.exercises.expectations import ClientInCorner, expect_no_gap, run_lines
 from param_tutorial.exercises.trial import CORNER, NoStart, NotYet, NoUse, Trial, expect
-from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode
+from param_tutorial.nodes.pid_controller_node import Figures, PidControllerNode, StepResponse
+from param_tutorial.views.drawing.step_response import plot_responses
+from param_tutorial.views.step_response import goal_band
 
 CHAPTER = '10_3_ros2_control'
 GAINS = 'Change it: what each gain does'
@@ -30,6 +32,13 @@ tune = Exercise('10.3b', 'Tune a wheel', CHAPTER, DICTIONARY, hints=(
     'With `d` at 0.03 you can raise `p` far beyond 0.4, and the wheel rings less than before.',
     'The integral has little left to do when `p` is large. A small one, below 0.5, removes the error and hardly '
     'overshoots.'))
+
+
+def show_response(trial: Trial, controller: PidControllerNode) -> StepResponse:
+    """Show how the wheel gets up to speed with the gains that a controller has, and return that."""
+    response = controller.response()
+    trial.picture = plot_responses({'your gains': response}, band=goal_band(response.reference))._repr_html_()
+    return response
 
 
 def tuned(trial: Trial) -> Figures:
@@ -52,7 +61,7 @@ def tuned(trial: Trial) -> Figures:
         raise NoUse('three gains that the controller accepts', str(error)) from None
     if not results.successful:
         raise NoUse('three gains that the controller accepts', f'it says: {results[0].reason}')
-    figures = controller.response().figures
+    figures = show_response(trial, controller).figures
     if figures.settling_sec is None:
         raise NoUse('a wheel that settles', f'{figures}')
     return figures
@@ -257,6 +266,7 @@ def ordered(trial: Trial) -> Noting:
     run_lines(trial, ParameterClient=ClientInCorner)
     if not controller.requests:
         raise NoUse('a request that the controller accepts', 'there is none')
+    show_response(trial, controller)
     return controller
 
 

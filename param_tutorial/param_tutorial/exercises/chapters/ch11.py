@@ -70,6 +70,12 @@ def overrides(speed_mps: float, acceleration_mps2: float) -> list[str]:
             for word in ('-p', f'{name}:={value}')]
 
 
+def show_trip(trial: Trial, cart: Node) -> None:
+    """Show the drive that a cart with the right parameters makes."""
+    trial.picture = driving.replay(cart_on_trip(f'/{cart.get_name()}', *(
+        cart.get_parameter(name).value for name in settings(1.0, 0.5))))
+
+
 # -- 11a ----------------------------------------------------------------------------------------------------
 
 declare = Exercise('11a', 'Declare the cart', CHAPTER, NODE_CLASS, node_name='cart_node', hints=(
@@ -123,6 +129,7 @@ def speed(trial: Trial) -> None:
 @declare.require('`max_acceleration_mps2` is a double, starts at 0.5, and has a range from 0.1 to 2.0', see=DECLARE)
 def acceleration(trial: Trial) -> None:
     expect_limits(trial, 'max_acceleration_mps2', 0.5)
+    show_trip(trial, start_cart(trial))
 
 
 # -- 11b ----------------------------------------------------------------------------------------------------
@@ -175,8 +182,10 @@ def together(trial: Trial) -> None:
 
 @judge.require('a cart that is given such values at its start does not start', see=JUDGE)
 def start_values(trial: Trial) -> None:
-    held = trial.client(start_cart(trial, 1.5, 1.0)).get_parameters([*settings(1.5, 1.0)])
+    cart = start_cart(trial, 1.5, 1.0)
+    held = trial.client(cart).get_parameters([*settings(1.5, 1.0)])
     expect(dict(held) == settings(1.5, 1.0), 'a cart that is started with 1.5 m/s and 1.0 m/s² has them', f'{held}')
+    show_trip(trial, cart)
     for bad in ((2.0, 0.5), (1.0, 0.2), (1.5, 0.5)):
         try:
             start_cart(trial, *bad)
@@ -219,6 +228,7 @@ def from_the_start(trial: Trial) -> None:
         cart, held = start_cart(trial, *start), start or (1.0, 0.5)
         expect(has_trip(cart, *held), '`self.trip_sec` is {:g} as soon as a cart with {} m/s and {} m/s² has started'
                .format(trip_sec(*held), *held), f'it is `{getattr(cart, "trip_sec", None)!r}`')
+        show_trip(trial, cart)
 
 
 @act.require('it follows what is stored', see=JUDGE)
@@ -270,10 +280,11 @@ def saved(trial: Trial, tuned: Mapping[str, float]) -> str:
 def expect_from_file(trial: Trial, name: str, namespace: str) -> None:
     """Expect a cart of another name to have what the file says."""
     for tuned in TUNED:
-        second = trial.client(trial.start_with_files(
+        second = trial.start_with_files(
             CartNode, {FILE: saved(trial, tuned)}, '-r', f'__node:={name}', '-p', 'cart_id:=CART-02',
-            '--params-file', FILE, namespace=namespace))
-        held = dict(second.get_parameters(tuned))
+            '--params-file', FILE, namespace=namespace)
+        show_trip(trial, second)
+        held = dict(trial.client(second).get_parameters(tuned))
         because = '. A file is for the nodes that its key names' if held == settings(1.0, 0.5) else ''
         expect(held == tuned, f'in `{namespace}/{name}`: {_assignments(tuned)}', f'{_assignments(held)}{because}')
 
@@ -392,6 +403,7 @@ def in_the_aisle(trial: Trial) -> None:
 def with_overrides(trial: Trial) -> None:
     found = expect_launched(trial)
     wanted = settings(1.5, 0.6)
+    trial.picture = driving.replay(cart_on_trip(LAUNCHED, *(found[name] for name in wanted)))
     expect({name: found[name] for name in wanted} == wanted, '1.5 and 0.6',
            f'{found["max_speed_mps"]} and {found["max_acceleration_mps2"]}. Of two sources, which one wins?')
 
@@ -433,6 +445,7 @@ def tuned(trial: Trial, *start: float) -> Watched:
     """Let the learner's function tune a cart."""
     cart: Watched = start_cart(trial, *start, node_class=Watched)
     trial.call('`tune(client)`', trial.work, trial.client(cart))
+    show_trip(trial, cart)
     return cart
 
 
@@ -460,11 +473,6 @@ def at_once(trial: Trial) -> None:
     requests = tuned(trial, 0.5, 0.2).requests
     expect(all(each == 2 for each in requests), 'two parameters in each request',
            f'{len(requests)} requests, with {" and ".join(map(str, requests))}')
-
-
-@tune.show
-def trip(trial: Trial) -> str:
-    return driving.replay(cart_on_trip('/cart_node', *tuned(trial).settings()))
 
 
 # -- 11g ----------------------------------------------------------------------------------------------------

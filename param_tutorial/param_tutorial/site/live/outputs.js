@@ -1,6 +1,6 @@
 /* What a cell puts out, as Sphinx draws the stored outputs. */
 
-import {all, make} from '../../../param_tools/panel/dom.js';
+import {make} from '../../../param_tools/panel/dom.js';
 
 const COLORS = ['Black', 'Red', 'Green', 'Yellow', 'Blue', 'Magenta', 'Cyan', 'White'];
 // Escape itself may stand in no regular expression that is written out.
@@ -48,22 +48,7 @@ export function draw(output) {
   if (output.output_type === 'error') return block('traceback', output.traceback.join('\n'));
   const html = output.data['text/html'];
   if (html === undefined) return block('text_plain', output.data['text/plain'] ?? '');
-  const drawn = make('div', {className: 'output text_html', innerHTML: html});
-  linkSections(drawn);
-  return drawn;
-}
-
-/**
- * Let a check's finding lead to the section that it names, as `pages/links.py` does where a page is made.
- * @param {HTMLElement} output
- */
-function linkSections(output) {
-  for (const named of all(output, '.param-check dd')) {
-    const [, name] = /^“(.+)”$/.exec(named.textContent ?? '') ?? [];
-    const headings = name ? all(document, '.bd-article :is(h2, h3)') : [];
-    const section = headings.find(each => each.textContent?.replace(/#$/, '') === name)?.closest('section');
-    if (section) named.replaceChildren(make('a', {href: `#${section.id}`}, `“${name}”`));
-  }
+  return make('div', {className: 'output text_html', innerHTML: html});
 }
 
 /**

@@ -11,12 +11,12 @@ from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.prediction import MIME_TYPE
 from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.notebook.stored import WIDGET
+from param_tutorial.notebook.terms import words_of
 from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
 from param_tutorial.site.pages.links import LAB, NOTEBOOKS, Links
 from param_tutorial.site.pages.predictions import draw_prediction
-from param_tutorial.site.pages.terms import terms_script
 
 # The folder and the archive of the course that the site offers.
 COURSE = 'param-course'
@@ -51,13 +51,19 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: 
         cells.append(cell)
         if len(cells) == 1:
             note = _download_note(path, has_lab) if alone is None else _provenance_note(alone)
-            words = terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
+            words = _terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
             cells.append(_html_cell('to-run', note + words + live_cells(live.cells)))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
     notebook.cells = cells
     notebook.metadata['language_info'] = {'name': 'python', 'pygments_lexer': 'ipython3'}
     return notebook
+
+
+def _terms_script(glossary: Glossary, chapter: str) -> str:
+    """Return a script that holds the words that the page explains."""
+    words = json.dumps(words_of(glossary), ensure_ascii=False, separators=(',', ':')).replace('</', r'<\/')
+    return f'<script type="text/plain" class="lesson-glossary" data-chapter="{chapter}">{words}</script>'
 
 
 def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter, explained: Mapping[str, str]) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from nbformat import NotebookNode
 
+from param_tutorial.exercises.results import anchor
 from param_tutorial.site.pages.writing import BuildError
 
 # Where the site keeps the notebooks for readers who want to run them.
@@ -15,8 +16,8 @@ LAB = 'lite'
 _MARKDOWN = re.compile(r'(?<!!)\[([^\]]*)\]\(([\w/.-]+\.(?:ipynb|md))(#[^)]*)?\)')
 _HREF = re.compile(r'<a href="(\w+)\.ipynb">(.*?)</a>', re.DOTALL)
 _HEADING = re.compile(r'^#+ +(.+)$', re.MULTILINE)
-# What checks and hints name: a section of the chapter, and the file of the solutions.
-_SECTION = re.compile(r'“([^“”]+)”')
+# What hints name, and checks without a link: a section of the chapter, and the file of the solutions.
+_SECTION = re.compile(r'(?<!">)“([^“”]+)”')
 _SOLUTIONS = re.compile(r'(?<![\w/"])(solutions/(\w+)\.ipynb)')
 _TAG = re.compile(r'<[^>]+>')
 # What a recall says to look up: a section of another chapter.
@@ -93,8 +94,3 @@ class Links:
     def _section_link(self, found: re.Match[str]) -> str:
         name = anchor(html.unescape(_TAG.sub('', found[1])))
         return f'<a href="#{html.escape(name)}">{found[0]}</a>' if name in self.anchors else found[0]
-
-
-def anchor(heading: str) -> str:
-    """Return the name by which JupyterLab, and so a chapter's links, know a heading."""
-    return heading.strip().replace(' ', '-')

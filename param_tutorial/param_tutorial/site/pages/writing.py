@@ -32,7 +32,8 @@ def write_static(source: Path, live: Mapping[str, str]) -> None:
     script = f"(() => {{\n'use strict';\n{bundle('param_tutorial/site/scripts/main.js')}}})();\n"
     (source / 'static' / 'lessons.js').write_text(script, encoding='utf-8')
     for path in ('param_tutorial/views/drawing/track.css', 'param_tools/panel/panel.css',
-                 'param_tutorial/views/driving.css', 'param_tutorial/views/side_by_side.css'):
+                 'param_tutorial/views/driving.css', 'param_tutorial/views/side_by_side.css',
+                 'param_tutorial/notebook/terms.css'):
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 
 

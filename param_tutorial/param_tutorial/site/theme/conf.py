@@ -33,7 +33,8 @@ html_baseurl = ''
 html_favicon = '_static/icon.svg'
 html_static_path = ['_static']
 templates_path = ['_templates']
-html_css_files = ['track.css', 'panel.css', 'driving.css', 'side_by_side.css', 'lesson.css']
+html_css_files = ['track.css', 'panel.css', 'driving.css', 'side_by_side.css', 'terms.css',
+                  'lesson.css']
 html_js_files = ['lessons.js']
 html_additional_pages = {'search': 'search.html'}
 html_sidebars = {'**': ['lessons.html']}

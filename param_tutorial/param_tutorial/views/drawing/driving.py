@@ -216,7 +216,7 @@ def replay(vehicle: Vehicle) -> str:
     """Return a motion that a page without a kernel and without a script shows once, with its words, when it opens."""
     # The same motion has the same name, so a picture is the same whenever it is drawn.
     name = f'robot-{zlib.crc32(repr(vehicle).encode()):08x}'
-    picture = _picture(vehicle.at(math.inf), _Animation(name, vehicle))
+    picture = _picture(vehicle.at(math.inf), _Animation(name, vehicle) if vehicle.motion.phases else None)
     return f'{STYLE}<div class="robot-view">{picture}</div>'
 
 
@@ -401,8 +401,10 @@ def ruler(vehicle: Vehicle, end_m: float) -> str:
     """Return the ground, with a mark at each meter, or at each second one of a long track."""
     parts = [f'<path class="robot-ground" d="M0 {GROUND}H{WIDTH}"/>']
     for meter in range(0, int(end_m) + 1, 1 if end_m <= 12 else 2):
+        # Where the picture is narrow there is no room for every number of a long track.
+        css_class = 'robot-between' if end_m > 6 and meter % 2 else ''
         parts.append(f'<path class="robot-line" d="M{vehicle.x(meter):.1f} {GROUND}v8"/>'
-                     f'{svg.words(vehicle.x(meter), GROUND + 26, f"{meter} m")}')
+                     f'{svg.words(vehicle.x(meter), GROUND + 26, f"{meter} m", css_class=css_class)}')
     return ''.join(parts)
 
 

@@ -12,8 +12,12 @@ from param_tutorial.views.drawing.svg import BRAND, FAINT, INK, line, picture, p
 
 Points = Sequence[tuple[float, float]]
 
-_WIDTH, _HEIGHT = 640, 260
-_LEFT, _RIGHT, _TOP, _BOTTOM = 56, 620, 40, 216
+# As narrow as the place beside the text of a notebook, where the letters are then 11 px high.
+_WIDTH, _SHOWN_WIDTH = 420, 500
+_LEFT, _RIGHT = 44, 408
+_TOP, _LINES_HEIGHT, _FOOT, _ROW = 40, 140, 44, 18
+# A letter of the key, on the safe side: only the browser knows its width. The stroke before a name, and both gaps.
+_LETTER, _STROKE, _GAP = 8, 38, 16
 _TICKS = 6
 # Lines differ by their dashes too, so that color is not needed.
 _STROKES = (
@@ -60,6 +64,8 @@ class LinePlot:
         self._lines, self._x, self._y, self._marks = dict(lines), x, y, dict(marks or {})
         self._text = text
         self._before, self._band = before, band
+        self._key = self._place_key()
+        self._top = max(y for _, y in self._key) + _TOP - 16
         points = [point for line in lines.values() for point in line]
         self._x_step, self._x_end = _scale(max(x for x, _ in points))
         lowest, highest = min(0.0, *(y for _, y in points)), max(y_reaches, *(y for _, y in points))
@@ -81,11 +87,29 @@ class LinePlot:
 
     def _repr_html_(self) -> str:
         parts = [*self._band_parts(), *self._axis_parts(), *self._mark_parts(), *self._line_parts()]
-        return picture(self.text, _WIDTH, _HEIGHT, parts)
+        return picture(self.text, _WIDTH, self._bottom + _FOOT, parts, shown_width=_SHOWN_WIDTH)
+
+    @property
+    def _bottom(self) -> int:
+        return self._top + _LINES_HEIGHT
+
+    def _place_key(self) -> list[tuple[int, int]]:
+        """Return where each name of the key begins: right of what the vertical axis shows, or in rows below."""
+        widths = [_STROKE + _LETTER * len(name) for name in (*self._lines, *[_BEFORE_NAME] * bool(self._before))]
+        begin = _RIGHT - sum(widths) - _GAP * (len(widths) - 1)
+        places, x, y = [], begin, 16
+        if begin < _LETTER * len(self._y) + 2 * _GAP:
+            x, y = _LEFT, 16 + _ROW
+        for width in widths:
+            if y > 16 and x > _LEFT and x + width > _WIDTH:
+                x, y = _LEFT, y + _ROW
+            places.append((x + _STROKE, y))
+            x += width + _GAP
+        return places
 
     def _at(self, x: float, y: float) -> tuple[float, float]:
         return (_LEFT + (_RIGHT - _LEFT) * x / self._x_end,
-                _BOTTOM - (_BOTTOM - _TOP) * (y - self._y_begin) / (self._y_end - self._y_begin))
+                self._bottom - _LINES_HEIGHT * (y - self._y_begin) / (self._y_end - self._y_begin))
 
     def _band_parts(self) -> Iterator[str]:
         if self._band:
@@ -101,35 +125,29 @@ class LinePlot:
             yield plain_words(_LEFT - 8, at + 4, f'{index * self._y_step:g}', 'end')
         for index in range(round(self._x_end / self._x_step) + 1):
             at, _ = self._at(index * self._x_step, 0)
-            yield line(at, _BOTTOM, at, _BOTTOM + 5, f'stroke="{INK}"')
-            yield plain_words(at, _BOTTOM + 20, f'{index * self._x_step:g}', 'middle')
-        yield line(_LEFT, _BOTTOM, _RIGHT, _BOTTOM, f'stroke="{INK}"')
-        yield plain_words((_LEFT + _RIGHT) / 2, _HEIGHT - 6, self._x, 'middle')
+            yield line(at, self._bottom, at, self._bottom + 5, f'stroke="{INK}"')
+            yield plain_words(at, self._bottom + 20, f'{index * self._x_step:g}', 'middle')
+        yield line(_LEFT, self._bottom, _RIGHT, self._bottom, f'stroke="{INK}"')
+        yield plain_words((_LEFT + _RIGHT) / 2, self._bottom + _FOOT - 6, self._x, 'middle')
         yield plain_words(6, 16, self._y, 'start')
 
     def _mark_parts(self) -> Iterator[str]:
         for x, word in self._marks.items():
             at, _ = self._at(x, 0)
-            yield line(at, _TOP - 6, at, _BOTTOM, f'stroke="{INK}" stroke-dasharray="1 3"')
-            yield plain_words(at, _TOP - 10, word, 'middle')
+            yield line(at, self._top - 6, at, self._bottom, f'stroke="{INK}" stroke-dasharray="1 3"')
+            yield plain_words(at, self._top - 10, word, 'middle')
 
     def _line_parts(self) -> Iterator[str]:
-        # The key stands in the top right corner, in the order of the lines.
-        end = _RIGHT
         strokes = [(2.5, stroke, name, points) for stroke, (name, points) in zip(_STROKES, self._lines.items())]
         if self._before:
-            # The first to be drawn, so that it lies below the others.
             strokes.append((1.5, _BEFORE, _BEFORE_NAME, self._before))
-        for width, stroke, name, points in reversed(strokes):
+        # The last is the first to be drawn, so that it lies below the others.
+        for (x, y), (width, stroke, name, points) in reversed([*zip(self._key, strokes)]):
             corners = ' '.join('{:.1f},{:.1f}'.format(*self._at(*point)) for point in points)
             yield (f'<polyline points="{corners}" fill="none" stroke-width="{width}" stroke-linejoin="round" '
                    f'{stroke}/>')
-            # Only the browser knows the width of the text; 8 is that of a letter, on the safe side. Any room left over
-            # comes after the name, so that each name stays beside its own stroke.
-            begin = end - 8 * len(name)
-            yield plain_words(begin, 16, name, 'start')
-            yield line(begin - 38, 12, begin - 8, 12, f'stroke-width="{width}" {stroke}')
-            end = begin - 54
+            yield plain_words(x, y, name, 'start')
+            yield line(x - _STROKE, y - 4, x - 8, y - 4, f'stroke-width="{width}" {stroke}')
 
 
 def _scale(largest: float) -> tuple[float, float]:

@@ -91,9 +91,8 @@ class Robot(Vehicle):
         parts = [f'<rect class="robot-sky{" robot-cold" if cold else ""}" width="{WIDTH}" height="{GROUND}"/>',
                  f'<rect class="robot-floor" y="{GROUND}" width="{WIDTH}" height="{HEIGHT - GROUND}"/>',
                  driving.ruler(self, self.settings.track_m), driving.post(self, 0.0, 'start'),
-                 svg.words(14, 24, f'❄ {degrees}' if cold else degrees, anchor='start', css_class='robot-weather')]
-        if self.settings.safety_on:
-            parts.append(driving.legend(WIDTH * .45))
+                 svg.words(215, 24, f'{"❄ " if cold else ""}air {degrees}', anchor='start', css_class='robot-weather'),
+                 driving.legend(WIDTH * .45)]
         if cold:
             parts.append(f'<path class="robot-ice" d="{_drift(0, self.x(self.settings.track_m))}"/>')
         return ''.join(parts)
@@ -214,10 +213,10 @@ def _crash(wall: float, speed_mps: float, units_per_m: float) -> str:
         f'--top:{-60 * force - y * force:.0f}px;--r:{turn}deg" '
         f'd="M{wall - 8:.1f} {GROUND - 4:.1f}l{5 + index % 4} -{7 + index % 3}l{4 + index % 3} {5 + index % 4}z"/>'
         for index, (x, y, turn) in enumerate(_PIECES[:max(4, min(len(_PIECES), round(10 * speed_mps)))]))
-    x, y = wall - 222, 96
+    x, y = wall - 250, 96
     return (f'<path class="robot-line robot-crack" d="{cracks}"/>{pieces}<g class="robot-burst">'
-            f'<polygon points="{_burst(x, y, 104, 70)}"/>{svg.words(x, y + 5, "CRASH", css_class="robot-bang")}'
-            f'{svg.words(x, y + 27, f"{speed_mps:.2f} m/s", css_class="robot-bang-speed")}</g>')
+            f'<polygon points="{_burst(x, y, 122, 76)}"/>{svg.words(x, y + 2, "CRASH", css_class="robot-bang")}'
+            f'{svg.words(x, y + 32, f"{speed_mps:.2f} m/s", css_class="robot-bang-speed")}</g>')
 
 
 def _burst(x: float, y: float, width: float, height: float) -> str:

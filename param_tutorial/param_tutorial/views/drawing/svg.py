@@ -185,13 +185,14 @@ def head(subject: str, sentence: str, style: str = '') -> str:
             f'<span class="motion-words"{style}>{html.escape(sentence)}</span></div>')
 
 
-def picture(text: str, width: int, height: int, parts: Iterable[str]) -> str:
+def picture(text: str, width: int, height: int, parts: Iterable[str], *, shown_width: int = 0) -> str:
     """Return parts as a picture that needs no style sheet, does not move, and shrinks with its page.
 
     :param text: The picture in words, for those who cannot see it.
+    :param shown_width: In pixels, where there is room; by default that of the parts.
     """
     return (f'<svg role="img" aria-label="{html.escape(text)}" viewBox="0 0 {width} {height}" '
-            f'width="{width}" style="max-width:100%;height:auto">{"".join(parts)}</svg>')
+            f'width="{shown_width or width}" style="max-width:100%;height:auto">{"".join(parts)}</svg>')
 
 
 # -- parts of pictures ---------------------------------------------------------------------------------------

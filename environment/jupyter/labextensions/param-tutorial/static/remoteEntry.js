@@ -1,4 +1,5 @@
 /* What the course adds to JupyterLab: a widget whose kernel has ended says so, and a click on it runs its cell again.
+   Text is as wide as the pictures, and the list of files shows no folder but the learner's own: links lead to the others.
 
    JupyterLab marks each widget of a kernel that was restarted with a broken link, and leaves its buttons to look alive.
    In a notebook that is opened again, it shows an error in the widget's place.
@@ -20,6 +21,8 @@ ${REOPENED} { font-size: 0; }
 ${RESTARTED} > * { filter: grayscale(1); opacity: 0.55; pointer-events: none; interactivity: inert; }
 .jp-RenderedHTML:has(> svg[width]) { overflow-x: auto; }
 @media screen { .jp-RenderedHTML > svg[width] { max-width: none !important; } }
+.jp-RenderedMarkdown { max-width: 60em; }
+.jp-DirListing-item:is([title^='Name: solutions\\a '], [title^='Name: images\\a ']) { display: none; }
 @media print { ${RESTARTED}::before, ${REOPENED}::before { content: none !important; } }
 `;
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {patternOf} from '../../param_tutorial/param_tutorial/site/scripts/glossary.js';
+import {entriesOf, patternOf} from '../../param_tutorial/param_tutorial/notebook/terms.js';
 
 /** Return what is marked in a text. */
 function marked(words, text) {
@@ -26,4 +26,10 @@ test('of two words that begin alike the longer one is found, over the end of a l
 
 test('signs in a word mean themselves', () => {
   assert.deepEqual(marked(['a.b', 'c++'], 'axb a.b'), [['a.b', 'a.b']]);
+});
+
+test('a chapter uses a word in its own meaning, or else in the latest before, or the first', () => {
+  const snapshot = ['2', '10.2', '10.5'].map(chapter => ({chapter, code: false, meaning: `of ${chapter}`}));
+  const used = ['1', '9.1', '10.2', '11'].map(chapter => entriesOf({snapshot}, chapter)[0].meaning);
+  assert.deepEqual(used, ['of 2', 'of 2', 'of 10.2', 'of 10.5']);
 });

@@ -1,0 +1,127 @@
+"""The course's own parts in JupyterLab, as `make lab` starts it: open to everybody, in Chromium and in Firefox.
+
+The stage beside the text, a prediction and the veil, the words that are explained, and a widget whose kernel is new.
+"""
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import expect
+
+from tests.support import lesson
+from tests.support.firefox import firefox
+from tests.support.lab import CourseLab, LabPage
+from tests.tools.site_rules import AXE_OPTIONS
+
+pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
+
+NAME = '01_robot.ipynb'
+CELLS = (
+    '# 1 · A robot\nYou declare a parameter, and you declare another:',
+    'import param_tutorial\nfrom param_tutorial import ParameterPanel, exercises\n'
+    'from param_tutorial.nodes.clawbot_node import ClawbotNode\n'
+    'from param_tutorial.views import RobotView, SideBySide\n\n%load_ext param_tutorial\n'
+    'ros = param_tutorial.start()\nrobot = ros.add(ClawbotNode)\nview = RobotView(robot)\n'
+    'SideBySide(view, ParameterPanel(robot))',
+    '## A question\nTo declare is one thing, an atomic request another:',
+    "exercises.predict('1-1')", "print('decided')", 'What it means:',
+    '## What an exercise says\nA check:', "exercises.check('1b', {})",
+    '## The words\n\n| word | meaning |\n| --- | --- |\n| to declare | create a parameter |\n'
+    '| atomic | all or nothing |',
+)
+STALE = '.jp-OutputArea-output:has(> .jupyter-widgets-disconnected)'
+PARTS = ('.beside-text', '.jp-NotebookPanel .side-by-side', '.param-predict', '.param-check', '.lesson-term',
+         '.lesson-meaning', '.param-veiled :is(.jp-OutputArea, .jp-MarkdownOutput)', STALE)
+RESTART = 'jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()'
+
+
+@pytest.fixture(scope='module')
+def started(tmp_path_factory):
+    lab = CourseLab(tmp_path_factory.mktemp('parts') / 'lab', [])
+    lesson.write(lab.course / 'notebooks' / NAME, CELLS)
+    with lab:
+        yield lab
+
+
+@pytest.fixture
+def lab(started):
+    """Return the server, on which nobody has run or predicted anything."""
+    started.end_kernels()
+    (started.copies / 'progress.json').unlink(missing_ok=True)
+    return started
+
+
+def faults(page):
+    """Return what axe finds in the parts that are there, in both themes."""
+    found = []
+    there = [each for each in PARTS if page.locator(each).count()]
+    for scheme, theme in (('light', 'JupyterLab Light'), ('dark', 'JupyterLab Dark')):
+        page.emulate_media(color_scheme=scheme)  # which JupyterLab follows
+        expect(page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
+        rules = Axe().run(page, context={'include': [[each] for each in there]}, options=AXE_OPTIONS).response
+        found += [f'{scheme}, {rule["id"]}: {node["html"][:200]} {node["failureSummary"]}'
+                  for rule in rules['violations'] for node in rule['nodes']]
+    return found
+
+
+def test_axe_finds_nothing(lab, browser):
+    lab_page = LabPage(lab, browser, NAME)
+    page = lab_page.page
+    lab_page.run_all()
+    expect(page.locator('.lesson-term')).to_have_text(['declare', 'declare', 'atomic'])
+    word = page.get_by_role('button', name='declare', exact=True).first
+    expect(word).to_have_accessible_description('to declare · create a parameter (chapter 1)')
+    word.focus()
+    expect(page.locator('.lesson-meaning')).to_have_text('to declare · create a parameter (chapter 1)')
+    expect(page.locator('.beside-text .robot-scene')).to_be_visible()
+    expect(page.locator('.param-veiled')).to_have_count(2)
+    assert faults(page) == []
+    form = page.locator('form.param-predict')
+    form.get_by_role('radio').first.check()
+    form.get_by_role('button', name='Commit').click()
+    lab_page.run_cell(4)
+    expect(form).to_contain_text('Not so.')
+    assert faults(page) == []
+    page.evaluate(RESTART)
+    expect(page.locator('.beside-text')).to_be_hidden()
+    expect(page.locator(STALE).first).to_be_visible()
+    assert faults(page) == []
+
+
+def test_what_a_check_says_to_look_at_is_a_click_away(lab, browser):
+    page = LabPage(lab, browser, NAME)
+    page.run_all()
+    page.page.set_viewport_size({'width': 1280, 'height': 500})
+    page.select_cell(0)
+    page.page.locator('.jp-Cell').first.scroll_into_view_if_needed()
+    words = page.page.get_by_role('heading', name='The words')
+    expect(words).not_to_be_in_viewport()
+    page.page.get_by_role('link', name='“The words”').click()
+    expect(words).to_be_in_viewport()
+
+
+def test_they_work_in_firefox(lab, tmp_path):
+    with firefox(tmp_path) as page:
+        page.resize(1280, 800)
+        page.open(f'{lab.url}doc/tree/{NAME}?token={lab.token}&reset')
+        page.wait_for("document.querySelector('.jp-Notebook .jp-Cell')")
+        # Firefox without windows tells no page that it has the focus, and JupyterLab waits for that.
+        page.evaluate("document.querySelector('.jp-NotebookPanel').dispatchEvent(new FocusEvent('focus'))")
+        page.wait_for("jupyterapp.shell.currentWidget?.sessionContext?.session?.kernel?.status === 'idle'")
+        page.evaluate("jupyterapp.commands.execute('notebook:run-all-cells').then(() => 0)")
+        page.wait_for("document.querySelector('.beside-text .robot-scene')?.checkVisibility()")
+        page.wait_for("document.querySelectorAll('.param-veiled').length === 2")
+        page.wait_for("document.querySelectorAll('.lesson-term').length === 3")
+        hidden = "document.querySelector('.param-veiled .jp-OutputArea-child')"
+        assert not page.evaluate(f'{hidden}.checkVisibility()')
+        page.click('.lesson-term')
+        page.wait_for("document.querySelector('.lesson-meaning').textContent.startsWith('to declare')")
+        page.click('form.param-predict input')
+        page.click('form.param-predict .param-predict-commit')
+        page.wait_for(f'{hidden.replace(".param-veiled ", ".jp-CodeCell:nth-of-type(5) ")}?.checkVisibility()')
+        page.click('.beside-text .robot-drive')
+        page.wait_for("document.querySelector('.beside-text .robot-word').textContent === 'STOPPED'")
+        page.evaluate(RESTART)
+        page.wait_for(f"document.querySelector('{STALE}')")
+        page.click(STALE)
+        page.wait_for("document.querySelector('.beside-text .robot-word')?.textContent === 'READY'")
+        assert [each for each in page.complaints if 'param' in each] == []
