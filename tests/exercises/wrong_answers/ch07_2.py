@@ -3,9 +3,9 @@
 WRONG = {
     '7.2a': [
         ([("'param_tutorial'", "'param_tutorials'")],
-         0, "Package 'param_tutorials' not found"),
+         0, "package 'param_tutorials' not found"),
         ([("executable='simple_param_node'", "executable='simple_node'")],
-         0, 'No executable found'),
+         0, "not found in package 'param_tutorial'"),
         ([('150', "'150'")],
          0, "of type 'STRING', expecting type 'INTEGER'"),
         ([('150', '150.0')],
@@ -95,7 +95,7 @@ WRONG = {
            "        Node(package='param_tutorial', executable='simple_param_node'),\n        Node(\n")],
          0, 'it starts `simple_param_node`, `simple_param_node`'),
         ([("executable='simple_param_node'", "executable='simple_param'")],
-         0, 'No executable found'),
+         0, "not found in package 'param_tutorial'"),
         ([('return LaunchDescription([', 'LaunchDescription([')],
          0, 'must return a LaunchDescription'),
         ([('def generate_launch_description', 'def describe')],

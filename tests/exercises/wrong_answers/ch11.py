@@ -3,7 +3,7 @@
 _LIMITS = ', floating_point_range=[\n        FloatingPointRange(from_value=0.1, to_value=2.0)])'
 _SPEED = "self.declare_parameter('max_speed_mps', 1.0, limited('Speed along the aisle in m/s.'))"
 _ACCELERATION = ("self.declare_parameter('max_acceleration_mps2', 0.5, "
-                 "limited('Acceleration in m/s^2, also for braking.'))")
+                 "limited('Acceleration in m/s², also for braking.'))")
 _READ_ONLY = "ParameterDescriptor(description='Painted on the side.', read_only=True)"
 _PROPOSED = "proposed.get('max_speed_mps', speed), proposed.get('max_acceleration_mps2', acceleration)"
 _ON_SET = '        self.add_on_set_parameters_callback(self.validate)\n'
@@ -42,7 +42,7 @@ WRONG = {
         # One descriptor for two, in either order.
         ([(_SPEED, f"shared = limited('m/s')\n        {_SPEED}"),
           ("limited('Speed along the aisle in m/s.')", 'shared'),
-          ("limited('Acceleration in m/s^2, also for braking.')", 'shared')], 0, 'it names `max_acceleration_mps2`'),
+          ("limited('Acceleration in m/s², also for braking.')", 'shared')], 0, 'it names `max_acceleration_mps2`'),
         ([(_SPEED, ''), (_ACCELERATION, "shared = limited('m')\n        self.declare_parameter("
                          "'max_acceleration_mps2', 0.5, shared)\n        self.declare_parameter("
                          "'max_speed_mps', 1.0, shared)")], 0, 'it names `max_speed_mps`'),

@@ -93,8 +93,9 @@ class Context:
             return find_program(package, executable)
         except PackageNotFound:
             searched = [each for each in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if each]
-            raise LaunchFailed(f"package '{package}' not found, searching: {searched}. Correct its name, or build it "
-                               f'and source its workspace in this shell') from None
+            where = f', searching: {searched}' if searched else ''
+            raise LaunchFailed(f"package '{package}' not found{where}. Correct its name, or build it and source its "
+                               f'workspace in this shell') from None
         except ProgramNotFound as error:
             raise LaunchFailed(f"executable '{executable}' not found in package '{package}', which has "
                                f'{", ".join(sorted(error.names)) or "none"}') from None
