@@ -71,9 +71,10 @@ def overrides(speed_mps: float, acceleration_mps2: float) -> list[str]:
 
 
 def show_trip(trial: Trial, cart: Node) -> None:
-    """Show the drive that a cart with the right parameters makes."""
-    trial.picture = driving.replay(cart_on_trip(f'/{cart.get_name()}', *(
-        cart.get_parameter(name).value for name in settings(1.0, 0.5))))
+    """Show the drive that a cart makes, if it has what it needs for one."""
+    values = [cart.get_parameter_or(name, Parameter(name)).value for name in settings(1.0, 0.5)]
+    if all(isinstance(value, float) for value in values):
+        trial.picture = driving.replay(cart_on_trip(f'/{cart.get_name()}', *values))
 
 
 # -- 11a ----------------------------------------------------------------------------------------------------
