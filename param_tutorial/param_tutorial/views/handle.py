@@ -31,14 +31,14 @@ class Handle(Front):
         self._ask = ask
         self.on_msg(self._on_message)
 
-    def _chosen(self, content: dict[str, Any]) -> Any:
-        """Return what a message of the browser asks for."""
-        return content['chosen']
+    def _answer(self, chosen: Any) -> str:
+        """Ask the node for what was chosen, and return what came of it."""
+        return self._ask(chosen)
 
     def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
         self.said = ''
         try:
-            self.told = self._ask(self._chosen(content))
+            self.told = self._answer(content['chosen'])
         except ParameterToolError as error:
             self.said = f'{describe_error(error)}.'
         finally:

@@ -30,18 +30,18 @@ class LayersView(PictureView):
         :raises ValueError: there is no source.
         """
         sources = list(sources)
+        if start is None:
+            super().__init__(Layers(name, sources, has=has))
+            return
         by_name = {source[0]: source for source in sources[1:]}
 
-        def layers(order: Iterable[str]) -> Layers:
-            if start is None:
-                return Layers(name, sources, has=has)
+        def started(order: Iterable[str]) -> Layers:
             return Layers(name, [*sources[:1], *(by_name[each] for each in order)], has=start(*order))
 
-        self._layers = layers
-        super().__init__(layers(by_name), *(
-            [] if start is None else [Ordering('Drag into another order:', list(by_name), self._ask)]))
+        self._started = started
+        super().__init__(started(by_name), Ordering(self._ask, items=list(by_name)))
 
     def _ask(self, order: list[str]) -> str:
-        self._picture = self._layers(order)
+        self._picture = self._started(order)
         self._draw()
         return self._picture.text

@@ -4,11 +4,12 @@ import {all, make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
 import {ask, attach} from './handle.js';
 
-/** @param {import('@anywidget/types').RenderProps<{caption: string, items: string[], said: string}>} props */
+/** @param {import('@anywidget/types').RenderProps<{items: string[], said: string}>} props */
 function render(props) {
   const {model} = props;
-  const list = make('ol', {ariaLabel: model.get('caption')});
-  const line = make('div', {}, make('span', {ariaHidden: 'true'}, model.get('caption')), list);
+  const caption = 'Drag into another order:';
+  const list = make('ol', {ariaLabel: caption});
+  const line = make('div', {}, make('span', {ariaHidden: 'true'}, caption), list);
   const order = () => all(list, 'li').map(each => each.dataset.item ?? '');
   // What was sent and not answered: the reader goes on meanwhile, and an older answer takes nothing back.
   /** @type {string[]} */
