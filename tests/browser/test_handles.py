@@ -116,10 +116,10 @@ def test_the_marker_of_a_number_line_is_dragged_also_to_where_no_value_is_allowe
     expect(told(page, LINE)).to_have_text('opening = 60 is stored.')
     assert lab.ask_kernel("ParameterClient('/robot').get_parameter('opening')") == '60'
     expect(drawing).to_contain_text('60')
-    # Far beside the picture: the marker stops at its edge, which on this scale is at -18.
+    # Far beside the picture: the marker stops at its edge, which on this scale is -15.
     drag(page, view(page, LINE).locator('svg').first.locator('.motion-pin'), 1)
-    expect(told(page, LINE)).to_contain_text('opening = -18 is rejected: Parameter opening out of range')
-    expect(view(page, LINE).get_by_role('textbox')).to_have_value('-18')
+    expect(told(page, LINE)).to_contain_text('opening = -15 is rejected: Parameter opening out of range')
+    expect(view(page, LINE).get_by_role('textbox')).to_have_value('-15')
 
 
 def test_listeners_get_the_message_as_the_chosen_qos_allows(opened):

@@ -42,6 +42,7 @@ function drag(pin, fromX, ask) {
   const held = label.getBoundingClientRect();
   const pinX = xOf(held.left + held.width / 2);
   const heldX = xOf(fromX);
+  const edge = pin.getBBox().width / 2;
   const perUnit = (high - low) / (highX - lowX);
   // Whole numbers, or as many digits as a hand can tell apart.
   const digits = dataset.whole === undefined ? Math.max(1, Math.ceil(-Math.log10(perUnit * 2))) : 0;
@@ -51,7 +52,7 @@ function drag(pin, fromX, ask) {
   /** @param {PointerEvent} event */
   function move(event) {
     // Beside the picture the marker would not be seen.
-    const x = Math.min(Math.max(pinX + xOf(event.clientX) - heldX, 0), width);
+    const x = Math.min(Math.max(pinX + xOf(event.clientX) - heldX, edge), width - edge);
     text = (low + (x - lowX) * perUnit).toFixed(digits);
     pin.setAttribute('transform', `translate(${x - pinX} 0)`);
     /** @type {Element} */ (label).textContent = text;
