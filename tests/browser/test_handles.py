@@ -107,6 +107,20 @@ def test_sources_are_dragged_into_another_order_or_moved_by_the_keyboard(opened)
     expect(page.page.get_by_role('button', name='Move speed:=400 later')).to_be_focused()
 
 
+def test_an_answer_takes_nothing_back_from_a_reader_who_has_gone_on(opened):
+    _, page = opened
+    items = view(page, LAYERS).locator('li')
+    before = items.all_text_contents()
+    items.first.locator('button').last.focus()
+    # At each end the keyboard is on the other arrow, so the same order comes again.
+    for _ in range(3):
+        page.page.keyboard.press('Enter')
+    page.page.evaluate('''window.jupyterapp.shell.currentWidget.sessionContext.session.kernel
+        .requestExecute({code: '0'}).done.then(() => null)''')
+    expect(items).to_have_text(before[::-1])
+    expect(items.last.locator('button').first).to_be_focused()
+
+
 def test_the_marker_of_a_number_line_is_dragged_also_to_where_no_value_is_allowed(opened):
     lab, page = opened
     drawing = view(page, LINE).locator('svg').first

@@ -1,4 +1,4 @@
-"""What stands below a picture so that a reader asks the node from there, and not from a cell."""
+"""What the lines below pictures have in common, from which a reader asks a node without a cell."""
 
 from collections.abc import Callable
 from typing import Any
@@ -20,7 +20,7 @@ class Handle(Front):
     """What came of it, for screen readers: everybody else sees the picture."""
 
     answered = traitlets.Int().tag(sync=True)
-    """How often what was chosen has been answered, whatever the answer."""
+    """How many choices have been answered, successfully or not."""
 
     def __init__(self, ask: Callable[[Any], str], **state: Any) -> None:
         """

@@ -14,7 +14,7 @@ Source = tuple[str, Any] | tuple[str, str, Any]
 class LayersView(PictureView):
     """The sources of one parameter's value, as layers that cover each other. Show it as the last line of a cell.
 
-    Below it, a reader puts the sources into another order, and a node is started with them; if the view can start one.
+    If the view can start a node, a reader puts the sources into another order below it, and a node starts with them.
     """
 
     def __init__(self, name: str, sources: Iterable[Source], *, has: Any = ...,
@@ -25,8 +25,8 @@ class LayersView(PictureView):
             name of the layer into which it goes, and its value. A layer that is there already is changed where it
             lies; a new one, and a source without such a name, comes on top.
         :param has: What the node has in the end, if it was asked.
-        :param start: Starts a node with the sources of these names, in their order, and returns what it has. The first
-            source is the default, which no start gets; of the others, each is there once.
+        :param start: Starts a node with sources, whose names it gets in their order, and returns the value that the
+            node has. It never gets the first source, which is the default; the names of the others differ.
         :raises ValueError: there is no source.
         """
         sources = list(sources)

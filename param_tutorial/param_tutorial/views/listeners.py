@@ -1,4 +1,4 @@
-"""The nodes on the stage that listen to /parameter_events: with which QoS, what arrives, and listening with another."""
+"""The nodes on the stage that subscribe to /parameter_events: their QoS, another QoS for them, and what arrives."""
 
 import contextlib
 import functools
