@@ -1,7 +1,5 @@
 """A line below a picture in which a reader types another value, and the node is asked for it."""
 
-from typing import Any
-
 import traitlets
 
 from param_tools import values
@@ -18,5 +16,5 @@ class Asking(Handle):
     text = traitlets.Unicode().tag(sync=True)
     """What the line begins with."""
 
-    def _chosen(self, content: dict[str, Any]) -> Any:
-        return values.parse(content['chosen'])
+    def _answer(self, chosen: str) -> str:
+        return super()._answer(values.parse(chosen))

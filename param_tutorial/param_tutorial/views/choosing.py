@@ -7,12 +7,12 @@ from param_tutorial.views.handle import Handle
 
 
 class Choosing(Handle):
-    """The lines. What is chosen is a thing, one of its properties, and the value of that."""
+    """The lines. A choice is a thing, one of its properties, and the new value of that property."""
 
     _esm = bundle('param_tutorial/views/choosing.js')
     caption = traitlets.Unicode().tag(sync=True)
     """Stands above the lines."""
     options = traitlets.Dict().tag(sync=True)
-    """For each property the values that there are."""
+    """For each property its possible values."""
     things = traitlets.Dict().tag(sync=True)
     """For each thing the value of each property."""

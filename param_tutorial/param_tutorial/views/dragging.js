@@ -33,7 +33,16 @@ function drag(pin, fromX, ask) {
   const label = pin.querySelector('text');
   if (!ownerSVGElement || !label) return;
   const [drawing, before] = [ownerSVGElement, label.textContent];
-  const perPixel = drawing.viewBox.baseVal.width / drawing.getBoundingClientRect().width;
+  const {width} = drawing.viewBox.baseVal;
+  const xOf = (/** @type {number} */ clientX) => {
+    const seen = drawing.getBoundingClientRect();
+    return ((clientX - seen.left) * width) / seen.width;
+  };
+  // The tip, below the middle of the label, points to the value, wherever the hand holds the marker.
+  const held = label.getBoundingClientRect();
+  const pinX = xOf(held.left + held.width / 2);
+  const heldX = xOf(fromX);
+  const edge = pin.getBBox().width / 2;
   const perUnit = (high - low) / (highX - lowX);
   // Whole numbers, or as many digits as a hand can tell apart.
   const digits = dataset.whole === undefined ? Math.max(1, Math.ceil(-Math.log10(perUnit * 2))) : 0;
@@ -42,10 +51,10 @@ function drag(pin, fromX, ask) {
 
   /** @param {PointerEvent} event */
   function move(event) {
-    const {left} = drawing.getBoundingClientRect();
-    const x = (event.clientX - left) * perPixel;
+    // Beside the picture the marker would not be seen.
+    const x = Math.min(Math.max(pinX + xOf(event.clientX) - heldX, edge), width - edge);
     text = (low + (x - lowX) * perUnit).toFixed(digits);
-    pin.setAttribute('transform', `translate(${(event.clientX - fromX) * perPixel} 0)`);
+    pin.setAttribute('transform', `translate(${x - pinX} 0)`);
     /** @type {Element} */ (label).textContent = text;
   }
 

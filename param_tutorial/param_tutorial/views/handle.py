@@ -1,4 +1,4 @@
-"""What stands below a picture so that a reader asks the node from there, and not from a cell."""
+"""What the lines below pictures have in common, from which a reader asks a node without a cell."""
 
 from collections.abc import Callable
 from typing import Any
@@ -20,7 +20,7 @@ class Handle(Front):
     """What came of it, for screen readers: everybody else sees the picture."""
 
     answered = traitlets.Int().tag(sync=True)
-    """How often what was chosen has been answered, whatever the answer."""
+    """How many choices have been answered, successfully or not."""
 
     def __init__(self, ask: Callable[[Any], str], **state: Any) -> None:
         """
@@ -31,14 +31,14 @@ class Handle(Front):
         self._ask = ask
         self.on_msg(self._on_message)
 
-    def _chosen(self, content: dict[str, Any]) -> Any:
-        """Return what a message of the browser asks for."""
-        return content['chosen']
+    def _answer(self, chosen: Any) -> str:
+        """Ask the node for what was chosen, and return what came of it."""
+        return self._ask(chosen)
 
     def _on_message(self, _widget: object, content: dict[str, Any], _buffers: object) -> None:
         self.said = ''
         try:
-            self.told = self._ask(self._chosen(content))
+            self.told = self._answer(content['chosen'])
         except ParameterToolError as error:
             self.said = f'{describe_error(error)}.'
         finally:

@@ -14,7 +14,7 @@ Source = tuple[str, Any] | tuple[str, str, Any]
 class LayersView(PictureView):
     """The sources of one parameter's value, as layers that cover each other. Show it as the last line of a cell.
 
-    Below it, a reader puts the sources into another order, and a node is started with them; if the view can start one.
+    If the view can start a node, a reader puts the sources into another order below it, and a node starts with them.
     """
 
     def __init__(self, name: str, sources: Iterable[Source], *, has: Any = ...,
@@ -25,23 +25,23 @@ class LayersView(PictureView):
             name of the layer into which it goes, and its value. A layer that is there already is changed where it
             lies; a new one, and a source without such a name, comes on top.
         :param has: What the node has in the end, if it was asked.
-        :param start: Starts a node with the sources of these names, in their order, and returns what it has. The first
-            source is the default, which no start gets; of the others, each is there once.
+        :param start: Starts a node with sources, whose names it gets in their order, and returns the value that the
+            node has. It never gets the first source, which is the default; the names of the others differ.
         :raises ValueError: there is no source.
         """
         sources = list(sources)
+        if start is None:
+            super().__init__(Layers(name, sources, has=has))
+            return
         by_name = {source[0]: source for source in sources[1:]}
 
-        def layers(order: Iterable[str]) -> Layers:
-            if start is None:
-                return Layers(name, sources, has=has)
+        def started(order: Iterable[str]) -> Layers:
             return Layers(name, [*sources[:1], *(by_name[each] for each in order)], has=start(*order))
 
-        self._layers = layers
-        super().__init__(layers(by_name), *(
-            [] if start is None else [Ordering('Drag into another order:', list(by_name), self._ask)]))
+        self._started = started
+        super().__init__(started(by_name), Ordering(self._ask, items=list(by_name)))
 
     def _ask(self, order: list[str]) -> str:
-        self._picture = self._layers(order)
+        self._picture = self._started(order)
         self._draw()
         return self._picture.text

@@ -1,4 +1,4 @@
-"""The nodes on the stage that listen to /parameter_events: with which QoS, what arrives, and listening with another."""
+"""The nodes on the stage that subscribe to /parameter_events: their QoS, another QoS for them, and what arrives."""
 
 import contextlib
 import functools
@@ -16,17 +16,16 @@ TOPIC = '/parameter_events'
 POLICIES: dict[str, dict[str, Any]] = {
     'reliability': {'reliable': ReliabilityPolicy.RELIABLE, 'best effort': ReliabilityPolicy.BEST_EFFORT},
     'durability': {'volatile': DurabilityPolicy.VOLATILE, 'transient local': DurabilityPolicy.TRANSIENT_LOCAL}}
-"""What a listener may ask for: of each policy what offers less, or asks for more, comes last."""
+"""What a listener may ask for, in words; the usual QoS comes first."""
 
 
 def qos_words(profile: QoSProfile) -> dict[str, str]:
-    """Return the two policies on which it depends whether messages arrive, in words."""
-    return {policy: next((word for word, value in words.items() if value == getattr(profile, policy)),
-                         getattr(profile, policy).name.lower()) for policy, words in POLICIES.items()}
+    """Return, in words, the two policies that decide whether messages arrive."""
+    return {policy: getattr(profile, policy).name.lower().replace('_', ' ') for policy in POLICIES}
 
 
 def subscriptions(ros: BackgroundExecutor) -> dict[str, tuple[Node, Subscription]]:
-    """Return who on the stage subscribes, by name, with the subscription; of several, a node's first."""
+    """Return the nodes on the stage that subscribe, by name, each with its first subscription."""
     found: dict[str, tuple[Node, Subscription]] = {}
     for node in ros.nodes:
         for each in node.subscriptions:
@@ -37,7 +36,7 @@ def subscriptions(ros: BackgroundExecutor) -> dict[str, tuple[Node, Subscription
 
 @contextlib.contextmanager
 def arrivals(ros: BackgroundExecutor, sender: str) -> Iterator[set[str]]:
-    """Collect the names of those on the stage whose callback gets a message of a node meanwhile."""
+    """Collect the names of the nodes on the stage whose callbacks get a message from a sender in the meantime."""
     arrived: set[str] = set()
 
     def watched(name: str, callback: Any) -> Any:
@@ -66,7 +65,7 @@ def arrivals(ros: BackgroundExecutor, sender: str) -> Iterator[set[str]]:
 
 
 def subscribe_again(ros: BackgroundExecutor, node: Node, old: Subscription, policy: str, word: str) -> None:
-    """Give a node a subscription like the one that it has, but for one policy, in the place of that one."""
+    """Replace a node's subscription by one that differs in a single policy."""
     def exchange() -> None:
         before = old.qos_profile
         profile = QoSProfile(**{'history': before.history, 'depth': before.depth, 'reliability': before.reliability,

@@ -4,17 +4,18 @@ import {all, make} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
 import {ask, attach} from './handle.js';
 
-/** @param {import('@anywidget/types').RenderProps<{caption: string, items: string[], said: string}>} props */
+/** @param {import('@anywidget/types').RenderProps<{items: string[], answered: number}>} props */
 function render(props) {
   const {model} = props;
-  const list = make('ol', {ariaLabel: model.get('caption')});
-  const line = make('div', {}, make('span', {ariaHidden: 'true'}, model.get('caption')), list);
+  const caption = 'Drag into another order:';
+  const list = make('ol', {ariaLabel: caption});
+  const line = make('div', {}, make('span', {ariaHidden: 'true'}, caption), list);
   const order = () => all(list, 'li').map(each => each.dataset.item ?? '');
-  // What was sent and not answered: the reader goes on meanwhile, and an older answer takes nothing back.
-  /** @type {string[]} */
-  let sent = [];
+  // How many answers there are once everything is answered: the reader goes on meanwhile, and an older answer takes
+  // nothing back.
+  let due = 0;
   const send = () => {
-    sent.push(order().join('\n'));
+    due = Math.max(due, model.get('answered')) + 1;
     ask(props, order());
   };
 
@@ -86,12 +87,10 @@ function render(props) {
     list.addEventListener('pointercancel', end, {signal});
   });
 
-  return attach(props, line, ['items'], () => {
-    const items = model.get('items').join('\n');
+  return attach(props, line, ['items', 'answered'], () => {
     line.hidden = model.get('items').length < 2;
-    sent = model.get('said') ? [] : sent.slice(sent.indexOf(items) + 1);
     // A line that is drawn anew would take the keyboard away.
-    if (!sent.length && order().join('\n') !== items) draw(model.get('items'));
+    if (model.get('answered') >= due && order().join('\n') !== model.get('items').join('\n')) draw(model.get('items'));
   });
 }
 

@@ -57,7 +57,7 @@ class RequestsView(PictureView):
         self._requests = Requests(subject)
         self._sides: list[_Side] = []
         self._has_order = True
-        self._ordering = Ordering('Drag into another order:', [], self._send_again)
+        self._ordering = Ordering(self._send_again)
         super().__init__(self._requests, self._ordering)
 
     def send(self, title: str, node: str | Node | ParameterClient,
