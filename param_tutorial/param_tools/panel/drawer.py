@@ -4,7 +4,6 @@ It works on nodes, not on panels, and asks them as ``restore`` does on the comma
 files, ``systems.change_log`` hears of the changes, and ``drawer.js`` shows both.
 """
 
-import contextlib
 import datetime
 import functools
 import threading
@@ -15,7 +14,7 @@ from typing import Any
 import traitlets
 
 from param_tools import values
-from param_tools.errors import ExecutorError, NodeError, ParameterToolError
+from param_tools.errors import NodeError, ParameterToolError
 from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
 from param_tools.markup.wording import format_count
@@ -26,7 +25,7 @@ from param_tools.panel.view import FollowingView
 from param_tools.ros import host
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import full_name
-from param_tools.systems.change_log import ChangeFollower, ChangeLog, LoggedChange
+from param_tools.systems.change_log import ChangeLog, LoggedChange, follow_soon
 from param_tools.systems.presets import Presets
 from param_tools.systems.restoring import Preview, Restored, preview_all, restore_all
 from param_tools.systems.snapshot import all_parameters
@@ -84,23 +83,7 @@ class ParameterDrawer(FollowingView):
     # -- following --------------------------------------------------------------------------------------
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], object]:
-        lock, followers, is_over = threading.Lock(), [], False
-
-        def follow() -> None:
-            with lock, contextlib.suppress(ExecutorError):  # it has been stopped meanwhile
-                if not is_over:
-                    followers.append(ChangeFollower(self._hear, nodes=self._nodes, executor=executor))
-
-        def end() -> None:
-            nonlocal is_over
-            is_over = True
-            with lock:
-                for each in followers:
-                    each.close()
-
-        # It reads all nodes first, and one that hangs keeps it waiting.
-        host.host.run(follow, 'history of the session')
-        return end
+        return follow_soon(self._hear, executor, self._nodes)
 
     def _hear(self, changes: list[LoggedChange]) -> None:
         with self._log_lock:
