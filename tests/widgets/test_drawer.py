@@ -120,6 +120,17 @@ def test_the_history_goes_back_to_each_moment(drawer, arm):
     assert arm.get_parameter('offset') == 0.5
 
 
+def test_a_node_that_goes_and_comes_is_one_line_each(ros, drawer, arm):
+    arm.set_parameter('tool', 'saw')
+    ros.remove('/arm')
+    changed = [('/arm tool', "'gripper' → 'saw'"), BEGAN]
+    wait_until(lambda: lines(drawer) == [('/arm', 'is gone'), *changed], 'the end of the node', 20)
+    ros.add(Arm)
+    wait_until(lambda: lines(drawer) == [('/arm', 'has come'), ('/arm', 'is gone'), *changed], 'the node', 20)
+    look = ask(drawer, 'look', time=drawer._front.state['changes'][2]['time'])
+    assert words(look['markup']).endswith(' /arm tool &#x27;gripper&#x27; &#x27;saw&#x27;')
+
+
 def test_undo_in_a_panel_goes_on_after_a_way_back(drawer, arm):
     panel = ParameterPanel('/arm')
     panel['offset'].value = 2.0

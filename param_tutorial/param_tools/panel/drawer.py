@@ -183,29 +183,35 @@ class ParameterDrawer(FollowingView):
 
 
 def _lines(log: Sequence[LoggedChange]) -> list[dict[str, Any]]:
-    """Return what the history shows, newest first: pulls of a slider as one change, and the beginning."""
+    """Return what the history shows, newest first. One line each: the beginning, a node's start, a pull of a slider."""
     lines: list[tuple[LoggedChange, LoggedChange, int]] = []
+    known: set[str] = set()
     for each in log:
-        if each.kind == 'seen':
-            if lines and lines[-1][0].kind == 'begin':
-                lines[-1] = lines[-1][0], each, 1
-            continue
-        if lines and each.kind == 'changed':
+        is_new, is_value = each.node not in known, each.kind in ('seen', 'declared')
+        (known.discard if each.kind == 'gone' else known.add)(each.node)
+        if lines:
             first, last, count = lines[-1]
-            if ((last.kind, last.node, last.name) == (each.kind, each.node, each.name)
-                    and each.time - last.time < _ONE_PULL):
+            is_soon = each.time - last.time < _ONE_PULL
+            if ((first.kind == 'begin' and each.kind == 'seen')
+                    or (first.kind == 'seen' and first.node == each.node and is_value and is_soon)
+                    or (each.kind == 'changed' and is_soon
+                        and (last.kind, last.node, last.name) == (each.kind, each.node, each.name))):
                 lines[-1] = first, each, count + 1
                 continue
-        lines.append((each, each, 1))
+            if is_new and is_value:
+                lines.append((LoggedChange(each.time, 'seen', each.node), each, 1))
+                continue
+        if each.kind != 'seen':
+            lines.append((each, each, 1))
     return [_line(*each) for each in reversed(lines[-_LINES:])]
 
 
 def _line(first: LoggedChange, last: LoggedChange, count: int) -> dict[str, Any]:
     old, new = values.format_change(first.old, last.new, _LETTERS)
-    says = {'begin': 'What the nodes had at the beginning', 'gone': 'has left',
+    says = {'begin': 'What the nodes had at the beginning', 'gone': 'is gone', 'seen': 'has come',
             'declared': f'{new} (declared)', 'deleted': f'{old} → deleted'}.get(
         first.kind, f'{old} → {new}' + (f' in {count} changes' if count > 1 else ''))
-    whose = '' if first.kind == 'begin' else f'{last.node} {last.name}'.strip()
+    whose = f'{first.node} {first.name}'.strip()
     return {'time': last.time.isoformat(), 'at': f'{last.time:%H:%M:%S}', 'whose': whose, 'says': says}
 
 

@@ -187,7 +187,7 @@ export class Plots {
    */
   wordsOf(mark, isFull) {
     const node = isFull || mark.node !== this.node ? mark.node : '';
-    if (!mark.name) return `${mark.node} ended`;
+    if (!mark.name) return `${mark.node} is gone`;
     const words = `${node} ${mark.name} ${mark.old} \u2192 ${mark.new}`.trim();
     return isFull ? `${words} (${mark.isOwn ? 'from here' : 'from elsewhere'})` : words;
   }
