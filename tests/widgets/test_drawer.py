@@ -56,7 +56,7 @@ def test_a_preset_says_what_it_would_change_before_it_does(drawer, arm, tmp_path
     said = ask(drawer, 'save', name='calm', node='/arm')['said']
     assert words(said).startswith('Saved 20 values of 1 node. Left out: /arm: calibrated_at, ')
     ask(drawer, 'save', name='all', node='')
-    wait_until(lambda: {(each['name'], each['says'].partition(', ')[2]) for each in drawer._front.state['presets']}
+    wait_until(lambda: {(each['name'], each['holds']) for each in drawer._front.state['presets']}
                == {('calm', '1 node'), ('all', '2 nodes')}, 'both to be listed')
     assert drawer._front.state['folder'] == str(tmp_path)
     path = tmp_path / 'all.yaml'

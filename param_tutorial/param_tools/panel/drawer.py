@@ -113,7 +113,7 @@ class ParameterDrawer(FollowingView):
         return bool(self._executor and self._executor.services.is_read_only)
 
     def _list(self) -> None:
-        self._listed = [{'name': each.name, 'says': f'{each.taken:%Y-%m-%d %H:%M}, {each.holds}'}
+        self._listed = [{'name': each.name, 'taken': each.taken.isoformat(), 'holds': each.holds}
                         for each in self._presets.all()]
         self._job.wake()
 
@@ -160,7 +160,7 @@ class ParameterDrawer(FollowingView):
             self._presets.rename(name, content['to'])
         else:
             self._presets.delete(name)
-        return {'is_gone': True}
+        return {}
 
     def _wanted(self, content: Mapping[str, Any]) -> tuple[dict[str, Mapping[str, Any]], str, list[str]]:
         """Return the values that a preset or a moment holds for the running nodes, what it is called, and notes."""
@@ -212,7 +212,7 @@ def _line(first: LoggedChange, last: LoggedChange, count: int) -> dict[str, Any]
             'declared': f'{new} (declared)', 'deleted': f'{old} → deleted'}.get(
         first.kind, f'{old} → {new}' + (f' in {count} changes' if count > 1 else ''))
     whose = f'{first.node} {first.name}'.strip()
-    return {'time': last.time.isoformat(), 'at': f'{last.time:%H:%M:%S}', 'whose': whose, 'says': says}
+    return {'time': last.time.isoformat(), 'whose': whose, 'says': says}
 
 
 def _told(preview: Preview, notes: Sequence[str]) -> str:

@@ -28,13 +28,13 @@ from param_tools.ros.schedule import Job
 from param_tools.ros.topics import getter, matching_qos, message_class, numeric_fields
 from param_tools.systems.change_log import LoggedChange, follow_soon
 
-SHOWN_SEC = 30.0
+_SHOWN_SEC = 30.0
 _SEND_PERIOD_SEC = 0.1
 # The browser takes longer silence for a kernel that has ended.
 _HEARTBEAT_SEC = 1.0
 # A hundred samples a second are kept; of a faster topic, some are left out.
 _SAMPLE_PERIOD_SEC = 0.0095
-_SAMPLES = round(SHOWN_SEC * 100)
+_SAMPLES = round(_SHOWN_SEC * 100)
 _MARKS = 500
 # A change so soon after this process has asked for one was made here.
 _OWN_SEC = 2.0
@@ -327,7 +327,7 @@ class Plots:
         self._asked |= dict.fromkeys(((node, name) for name in names), time.time())
 
     def _on_changes(self, changes: list[LoggedChange]) -> None:
-        """Mark what has changed; called in the follower's loop, and in the executor's thread at no time."""
+        """Mark what has changed; called in the follower's loop, never in the executor's thread."""
         for each in changes:
             if each.kind not in ('changed', 'deleted', 'gone'):
                 continue

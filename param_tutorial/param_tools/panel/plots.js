@@ -31,6 +31,8 @@ export class Plots {
   /** What can be added. @type {string[]} */
   choices = [];
   client = uniqueName();
+  /** The row whose plot was asked for here, and is not there yet. @type {string | undefined} */
+  wanted;
   last = 0;
   heard = 0;
 
@@ -83,8 +85,12 @@ export class Plots {
 
   /** @param {string} row */
   toggle(row) {
-    if (this.isOpen(row)) this.close(row);
-    else this.send({act: 'open', row});
+    if (this.isOpen(row)) {
+      this.close(row);
+      return;
+    }
+    this.wanted = row;
+    this.send({act: 'open', row});
   }
 
   /** @param {string} row */
@@ -118,6 +124,10 @@ export class Plots {
       if (![...open.values()].some(each => each.includes(name))) this.curves.delete(name);
     }
     this.place();
+    const wanted = this.plots.get(this.wanted ?? '?');
+    // Where nothing is drawn yet, somebody will say what.
+    if (wanted && !wanted.curves.length) wanted.input.focus();
+    if (wanted) this.wanted = undefined;
     clearInterval(this.timer);
     if (!open.size) return;
     this.timer = setInterval(() => this.draw(), isStill.matches ? 1000 : 100);
