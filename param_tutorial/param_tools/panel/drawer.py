@@ -48,15 +48,15 @@ class _DrawerFront(Front):
 
 
 class ParameterDrawer(FollowingView):
-    """Presets of nodes, and their history from when it is made. Show it as the last line of a cell.
+    """Presets of nodes, and what has changed since the drawer was made. Show it as the last line of a cell.
 
     The page of the command ``panel`` has one.
     """
 
     def __init__(self, nodes: Iterable[str] = (), *, folder: str | Path = '.'):
         """
-        :param nodes: Whose; by default those of all nodes.
-        :param folder: Where the presets are. It is made when the first one is saved.
+        :param nodes: Only these nodes; by default all.
+        :param folder: Where the presets are. The folder is made when the first preset is saved.
         """
         self._nodes = tuple(map(full_name, nodes))
         self._presets = Presets(Path(folder))

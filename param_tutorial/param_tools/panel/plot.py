@@ -1,8 +1,8 @@
 """Plots in a panel: parameters and fields of topics over the last 30 s, with a mark wherever a parameter changed.
 
 Messages are sampled in the executor's thread, with the time at which they arrived by this machine's clock. A job of
-``schedule`` sends what is new to the browser, where ``plots.js`` draws it. A parameter's curve is what its panel shows;
-what changed, on any node, is heard by a ``ChangeFollower``. As long as no plot is open, nothing is heard and sent.
+``schedule`` sends what is new to the browser, where ``plots.js`` draws it. A parameter's curve is what its panel shows,
+and a ``ChangeFollower`` hears what changed on any node. While no plot is open, nothing is heard or sent.
 """
 
 import contextlib
@@ -82,7 +82,7 @@ class Curve:
             return
         try:
             value = self._get(message)
-            self.add(now, value[0] if isinstance(value, bytes) else value)  # ROS has a byte as bytes
+            self.add(now, value[0] if isinstance(value, bytes) else value)  # rclpy returns a byte as bytes
             self.word = ''
         except IndexError:
             self.end('its last message had fewer elements')
@@ -175,7 +175,7 @@ class Plots:
                 self._job.wake()
 
     def serve(self, content: Mapping[str, Any]) -> None:
-        """Do what a person did in the browser. Finding fields may take a while, so it keeps nobody waiting."""
+        """Do what a person did in the browser. Finding the fields may take a while, so the caller does not wait for it."""
         row, curve = content.get('row', ''), content.get('curve', '')
         if content['act'] == 'offer':
             host.host.run(lambda: self._send({'plot': 'offer', 'client': content['client'], **self._offer()}),

@@ -124,10 +124,12 @@ export class Plots {
       if (![...open.values()].some(each => each.includes(name))) this.curves.delete(name);
     }
     this.place();
-    const wanted = this.plots.get(this.wanted ?? '?');
-    // Where nothing is drawn yet, somebody will say what.
-    if (wanted && !wanted.curves.length) wanted.input.focus();
-    if (wanted) this.wanted = undefined;
+    const wanted = this.wanted !== undefined && this.plots.get(this.wanted);
+    if (wanted) {
+      // A plot without curves is opened to add some.
+      if (!wanted.curves.length) wanted.input.focus();
+      this.wanted = undefined;
+    }
     clearInterval(this.timer);
     if (!open.size) return;
     this.timer = setInterval(() => this.draw(), isStill.matches ? 1000 : 100);
@@ -186,7 +188,7 @@ export class Plots {
         all.values.splice(0, old);
       }
     }
-    const told = marks.map(([time, node, name, old, now, isOwn]) => ({time, node, name, old, new: now, isOwn}));
+    const told = marks.map(([time, node, name, old, value, isOwn]) => ({time, node, name, old, new: value, isOwn}));
     this.marks = [...(client ? [] : this.marks), ...told].filter(mark => mark.time > now - 2 * SPAN);
   }
 
