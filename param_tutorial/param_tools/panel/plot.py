@@ -175,7 +175,7 @@ class Plots:
                 self._job.wake()
 
     def serve(self, content: Mapping[str, Any]) -> None:
-        """Do what a person did in the browser. Finding the fields may take a while, so the caller does not wait for it."""
+        """Do what a person did in the browser, without waiting for fields to be found."""
         row, curve = content.get('row', ''), content.get('curve', '')
         if content['act'] == 'offer':
             host.host.run(lambda: self._send({'plot': 'offer', 'client': content['client'], **self._offer()}),
