@@ -1,5 +1,6 @@
 """`python -m param_tutorial panel`: the panel as a page, served to this machine by a process that Ctrl+C ends."""
 
+import datetime
 import os
 import re
 import signal
@@ -151,6 +152,8 @@ def test_the_list_of_nodes_says_what_is_shown_of_their_parameters(browser, arm, 
     expect(page.locator('.drawer-keys')).to_contain_text('Ctrl+Z')
     page.locator('body').press('/')
     expect(page.get_by_role('searchbox', name='Search nodes and parameters')).to_be_focused()
+    page.get_by_role('button', name='Plot…').click()
+    expect(page.get_by_label('Add a curve')).to_be_focused()
     # As dark as the system.
     expect(page.locator('.param-panel').first).to_have_css('background-color', 'rgb(33, 33, 33)')
     page.close()
@@ -159,7 +162,7 @@ def test_the_list_of_nodes_says_what_is_shown_of_their_parameters(browser, arm, 
 @pytest.mark.parametrize(('scheme', 'width'), [('light', 1280), ('dark', 390)])
 def test_the_drawer_saves_what_is_there_and_brings_it_back(browser, arm, page_process, tmp_path, scheme, width):
     _, address = page_process('--presets', 'presets')
-    page = browser.new_page(color_scheme=scheme, viewport={'width': width, 'height': 800})
+    page = browser.new_page(color_scheme=scheme, viewport={'width': width, 'height': 800}, timezone_id='Asia/Tokyo')
     page.goto(address, timeout=120_000)
     drawer = page.get_by_role('region', name='Presets and history')
 
@@ -173,7 +176,12 @@ def test_the_drawer_saves_what_is_there_and_brings_it_back(browser, arm, page_pr
     drawer.get_by_label('Save as').fill('calm')
     press('Save')
     expect(drawer.get_by_text(re.compile(r'^Saved \d values of 1 node\.$'))).to_be_visible()
-    assert (tmp_path / 'presets' / 'calm.yaml').read_text().startswith('# Snapshot of 1 node')
+    path = tmp_path / 'presets' / 'calm.yaml'
+    assert path.read_text().startswith('# Snapshot of 1 node')
+    # Times are those of the browser's clock, wherever the robot is.
+    listed = re.search(r'\d{4}-\d\d-\d\d \d\d:\d\d', drawer.get_by_role('listitem').inner_text())[0]
+    time = datetime.datetime.strptime(f'{listed} +0900', '%Y-%m-%d %H:%M %z')
+    assert abs(time.timestamp() - path.stat().st_mtime) < 120
     press('History')
     speed.fill('2.5')
     speed.press('Enter')

@@ -56,7 +56,7 @@ def test_a_preset_says_what_it_would_change_before_it_does(drawer, arm, tmp_path
     said = ask(drawer, 'save', name='calm', node='/arm')['said']
     assert words(said).startswith('Saved 20 values of 1 node. Left out: /arm: calibrated_at, ')
     ask(drawer, 'save', name='all', node='')
-    wait_until(lambda: {(each['name'], each['says'].partition(', ')[2]) for each in drawer._front.state['presets']}
+    wait_until(lambda: {(each['name'], each['holds']) for each in drawer._front.state['presets']}
                == {('calm', '1 node'), ('all', '2 nodes')}, 'both to be listed')
     assert drawer._front.state['folder'] == str(tmp_path)
     path = tmp_path / 'all.yaml'
@@ -118,6 +118,17 @@ def test_the_history_goes_back_to_each_moment(drawer, arm):
     wait_until(lambda: ('/arm tool', "'saw' → 'gripper'") in lines(drawer), 'the way back to be in the history, too')
     ask(drawer, 'apply', time=times[4])
     assert arm.get_parameter('offset') == 0.5
+
+
+def test_a_node_that_goes_and_comes_is_one_line_each(ros, drawer, arm):
+    arm.set_parameter('tool', 'saw')
+    ros.remove('/arm')
+    changed = [('/arm tool', "'gripper' → 'saw'"), BEGAN]
+    wait_until(lambda: lines(drawer) == [('/arm', 'is gone'), *changed], 'the end of the node', 20)
+    ros.add(Arm)
+    wait_until(lambda: lines(drawer) == [('/arm', 'has come'), ('/arm', 'is gone'), *changed], 'the node', 20)
+    look = ask(drawer, 'look', time=drawer._front.state['changes'][2]['time'])
+    assert words(look['markup']).endswith(' /arm tool &#x27;gripper&#x27; &#x27;saw&#x27;')
 
 
 def test_undo_in_a_panel_goes_on_after_a_way_back(drawer, arm):

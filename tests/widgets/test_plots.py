@@ -38,6 +38,15 @@ def sent(arm, monkeypatch):
     return messages
 
 
+@pytest.fixture
+def heard(arm, monkeypatch):
+    """Return all changes that the plots hear of; first come the values that the nodes have."""
+    changes = []
+    hear = arm._plots._on_changes
+    monkeypatch.setattr(arm._plots, '_on_changes', lambda new: (changes.extend(new), hear(new)))
+    return changes
+
+
 def values_of(sent, name):
     """Return what was sent of a curve."""
     return [value for each in sent if each['plot'] == 'data' for value in each['curves'].get(name, ([], []))[1]]
@@ -52,10 +61,10 @@ def word(panel, name):
     return panel._front.plots['words'].get(name, '')
 
 
-def test_a_parameters_curve_and_who_changed_what(ros, arm, sent):
+def test_a_parameters_curve_and_who_changed_what(ros, arm, sent, heard):
     press(arm, 'plot', act='open', row='joints')
     assert arm._front.plots == {'open': [{'row': 'joints', 'curves': ['joints']}], 'words': {}}
-    wait_until(lambda: arm._plots._follower is not None, 'changes to be heard')
+    wait_until(lambda: heard, 'changes to be heard')
     ParameterClient('/arm').set_parameter('joints', 9)
     wait_until(lambda: values_of(sent, 'joints') == [5, 9], 'the curve')
     wait_until(lambda: marks_of(sent), 'the mark')
@@ -89,9 +98,9 @@ def test_a_topics_field_beside_it_until_nobody_publishes_and_after_that(ros, arm
     wait_until(lambda: values_of(sent, SPEED) == [2.5, None, 3.5], 'the message')
 
 
-def test_the_plot_of_a_node_that_ends_stays_with_a_word(ros, arm, sent):
+def test_the_plot_of_a_node_that_ends_stays_with_a_word(ros, arm, sent, heard):
     arm.plot('reach')
-    wait_until(lambda: arm._plots._follower is not None, 'changes to be heard')
+    wait_until(lambda: heard, 'changes to be heard')
     ros.remove('/arm')
     wait_until(lambda: word(arm, 'reach') == '/arm is not running', 'the word')
     wait_until(lambda: values_of(sent, 'reach') == [0.5, None], 'the end of the curve')

@@ -120,14 +120,19 @@ function render({model, el}) {
     plot.setAttribute('aria-expanded', String(plots.isOpen('')));
   };
 
+  /** @param {any} message */
+  const take = message => plots.take(message);
+
   show();
   showPlots();
   model.on('change:state', show);
   model.on('change:plots', showPlots);
-  model.on('msg:custom', message => plots.take(message));
+  model.on('msg:custom', take);
   return () => {
     plots.end();
     model.off('change:state', show);
+    model.off('change:plots', showPlots);
+    model.off('msg:custom', take);
   };
 }
 

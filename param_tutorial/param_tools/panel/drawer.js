@@ -2,17 +2,17 @@
 
    What is chosen in a list opens below its line and says what would change; the kernel asks the nodes: `drawer.py`. */
 
-import {all, focusedBeside, make, one, uniqueName} from './dom.js';
+import {all, focusedBeside, localTime, make, one, uniqueName} from './dom.js';
 import {initialize} from './front.js';
 
 /**
  * @import {RenderProps} from '@anywidget/types'
  *
- * A line of the history: when, as the kernel knows it and as a person reads it, and what happened.
- * @typedef {{time: string, at: string, whose: string, says: string}} Change
+ * A line of the history: when, and what happened.
+ * @typedef {{time: string, whose: string, says: string}} Change
  *
- * @typedef {{folder?: string, nodes?: string[], presets?: {name: string, says: string}[], changes?: Change[],
- *   heard?: number, is_read_only?: boolean}} DrawerState
+ * @typedef {{folder?: string, nodes?: string[], presets?: {name: string, taken: string, holds: string}[],
+ *   changes?: Change[], heard?: number, is_read_only?: boolean}} DrawerState
  *
  * What is looked at: a preset by its name, or a moment.
  * @typedef {{name?: string, time?: string}} Source
@@ -30,6 +30,7 @@ const KEYS = [
   ['Ctrl+Z', 'undo, in the panel that has the focus; with Shift: redo'],
   ['← → PgUp PgDn', 'move a slider by a step, or by many'],
   ['Enter', 'send what was typed'],
+  ['Space + \u2212 \u2190 \u2192', 'in a plot: pause, show a shorter or longer time, move'],
   ['Esc', 'forget what was typed; empty the search; close what is open here'],
   ['?', 'this list'],
 ];
@@ -110,7 +111,7 @@ class SaveForm {
   suggest() {
     if (!this.isNamed) {
       const whose = this.nodes.value.replace(/^\//, '').replaceAll('/', '__') || 'all';
-      this.name.value = `${whose}_${minuteOf(new Date())}`;
+      this.name.value = `${whose}_${minuteOf(Date.now()).replace(' ', '_').replace(':', '-')}`;
     }
     this.drawButton();
   }
@@ -122,12 +123,8 @@ class SaveForm {
   }
 }
 
-/** @param {Date} time */
-function minuteOf(time) {
-  const two = (/** @type {number} */ each) => String(each).padStart(2, '0');
-  const day = `${time.getFullYear()}-${two(time.getMonth() + 1)}-${two(time.getDate())}`;
-  return `${day}_${two(time.getHours())}-${two(time.getMinutes())}`;
-}
+/** @param {string | number} time */
+const minuteOf = time => localTime(time).slice(0, 16);
 
 /** What opens below a line: what would change, and what can be done. */
 class Look {
@@ -331,14 +328,16 @@ class Drawer {
     this.form.show(this.state);
     const {presets = [], changes = []} = this.state;
     if (this.tab === 'presets') {
-      const wanted = presets.map(({name, says}) => ({key: name, source: {name}, words: [says], button: name}));
+      const wanted = presets.map(({name, taken, holds}) => {
+        return {key: name, source: {name}, words: [`${minuteOf(taken)}, ${holds}`], button: name};
+      });
       this.drawLines(wanted, 'There are no presets yet.');
     } else if (this.tab === 'history') {
-      const wanted = changes.map(({time, at, whose, says}, index) => {
+      const wanted = changes.map(({time, whose, says}, index) => {
         // What was set together has one moment, and so one way back.
         const isFirst = index === 0 || time !== changes[index - 1].time;
         const button = isFirst && time !== changes[0].time ? 'Back to here' : '';
-        const words = [at, whose, says, ...(index ? [] : ['now'])];
+        const words = [localTime(time).slice(11), whose, says, ...(index ? [] : ['now'])];
         return {key: `${time} ${whose}`, source: {time}, words, button};
       });
       this.drawLines(wanted, 'The nodes are being read\u2026');

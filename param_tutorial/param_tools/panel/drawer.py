@@ -4,7 +4,6 @@ It works on nodes, not on panels, and asks them as ``restore`` does on the comma
 files, ``systems.change_log`` hears of the changes, and ``drawer.js`` shows both.
 """
 
-import contextlib
 import datetime
 import functools
 import threading
@@ -15,7 +14,7 @@ from typing import Any
 import traitlets
 
 from param_tools import values
-from param_tools.errors import ExecutorError, NodeError, ParameterToolError
+from param_tools.errors import NodeError, ParameterToolError
 from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
 from param_tools.markup.wording import format_count
@@ -26,7 +25,7 @@ from param_tools.panel.view import FollowingView
 from param_tools.ros import host
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import full_name
-from param_tools.systems.change_log import ChangeFollower, ChangeLog, LoggedChange
+from param_tools.systems.change_log import ChangeLog, LoggedChange, follow_soon
 from param_tools.systems.presets import Presets
 from param_tools.systems.restoring import Preview, Restored, preview_all, restore_all
 from param_tools.systems.snapshot import all_parameters
@@ -49,15 +48,15 @@ class _DrawerFront(Front):
 
 
 class ParameterDrawer(FollowingView):
-    """Presets of nodes, and their history from when it is made. Show it as the last line of a cell.
+    """Presets of nodes, and what has changed since the drawer was made. Show it as the last line of a cell.
 
     The page of the command ``panel`` has one.
     """
 
     def __init__(self, nodes: Iterable[str] = (), *, folder: str | Path = '.'):
         """
-        :param nodes: Whose; by default those of all nodes.
-        :param folder: Where the presets are. It is made when the first one is saved.
+        :param nodes: Only these nodes; by default all.
+        :param folder: Where the presets are. The folder is made when the first preset is saved.
         """
         self._nodes = tuple(map(full_name, nodes))
         self._presets = Presets(Path(folder))
@@ -84,23 +83,7 @@ class ParameterDrawer(FollowingView):
     # -- following --------------------------------------------------------------------------------------
 
     def _subscribe(self, executor: BackgroundExecutor) -> Callable[[], object]:
-        lock, followers, is_over = threading.Lock(), [], False
-
-        def follow() -> None:
-            with lock, contextlib.suppress(ExecutorError):  # it has been stopped meanwhile
-                if not is_over:
-                    followers.append(ChangeFollower(self._hear, nodes=self._nodes, executor=executor))
-
-        def end() -> None:
-            nonlocal is_over
-            is_over = True
-            with lock:
-                for each in followers:
-                    each.close()
-
-        # It reads all nodes first, and one that hangs keeps it waiting.
-        host.host.run(follow, 'history of the session')
-        return end
+        return follow_soon(self._hear, executor, self._nodes)
 
     def _hear(self, changes: list[LoggedChange]) -> None:
         with self._log_lock:
@@ -130,7 +113,7 @@ class ParameterDrawer(FollowingView):
         return bool(self._executor and self._executor.services.is_read_only)
 
     def _list(self) -> None:
-        self._listed = [{'name': each.name, 'says': f'{each.taken:%Y-%m-%d %H:%M}, {each.holds}'}
+        self._listed = [{'name': each.name, 'taken': each.taken.isoformat(), 'holds': each.holds}
                         for each in self._presets.all()]
         self._job.wake()
 
@@ -177,7 +160,7 @@ class ParameterDrawer(FollowingView):
             self._presets.rename(name, content['to'])
         else:
             self._presets.delete(name)
-        return {'is_gone': True}
+        return {}
 
     def _wanted(self, content: Mapping[str, Any]) -> tuple[dict[str, Mapping[str, Any]], str, list[str]]:
         """Return the values that a preset or a moment holds for the running nodes, what it is called, and notes."""
@@ -200,30 +183,36 @@ class ParameterDrawer(FollowingView):
 
 
 def _lines(log: Sequence[LoggedChange]) -> list[dict[str, Any]]:
-    """Return what the history shows, newest first: pulls of a slider as one change, and the beginning."""
+    """Return what the history shows, newest first. One line each: the beginning, a node's start, a pull of a slider."""
     lines: list[tuple[LoggedChange, LoggedChange, int]] = []
+    known: set[str] = set()
     for each in log:
-        if each.kind == 'seen':
-            if lines and lines[-1][0].kind == 'begin':
-                lines[-1] = lines[-1][0], each, 1
-            continue
-        if lines and each.kind == 'changed':
+        is_new, is_value = each.node not in known, each.kind in ('seen', 'declared')
+        (known.discard if each.kind == 'gone' else known.add)(each.node)
+        if lines:
             first, last, count = lines[-1]
-            if ((last.kind, last.node, last.name) == (each.kind, each.node, each.name)
-                    and each.time - last.time < _ONE_PULL):
+            is_soon = each.time - last.time < _ONE_PULL
+            if ((first.kind == 'begin' and each.kind == 'seen')
+                    or (first.kind == 'seen' and first.node == each.node and is_value and is_soon)
+                    or (each.kind == 'changed' and is_soon
+                        and (last.kind, last.node, last.name) == (each.kind, each.node, each.name))):
                 lines[-1] = first, each, count + 1
                 continue
-        lines.append((each, each, 1))
+            if is_new and is_value:
+                lines.append((LoggedChange(each.time, 'seen', each.node), each, 1))
+                continue
+        if each.kind != 'seen':
+            lines.append((each, each, 1))
     return [_line(*each) for each in reversed(lines[-_LINES:])]
 
 
 def _line(first: LoggedChange, last: LoggedChange, count: int) -> dict[str, Any]:
     old, new = values.format_change(first.old, last.new, _LETTERS)
-    says = {'begin': 'What the nodes had at the beginning', 'gone': 'has left',
+    says = {'begin': 'What the nodes had at the beginning', 'gone': 'is gone', 'seen': 'has come',
             'declared': f'{new} (declared)', 'deleted': f'{old} → deleted'}.get(
         first.kind, f'{old} → {new}' + (f' in {count} changes' if count > 1 else ''))
-    whose = '' if first.kind == 'begin' else f'{last.node} {last.name}'.strip()
-    return {'time': last.time.isoformat(), 'at': f'{last.time:%H:%M:%S}', 'whose': whose, 'says': says}
+    whose = f'{first.node} {first.name}'.strip()
+    return {'time': last.time.isoformat(), 'whose': whose, 'says': says}
 
 
 def _told(preview: Preview, notes: Sequence[str]) -> str:

@@ -161,11 +161,11 @@ def file_markup(summary: str, notes: Sequence[str] = (), columns: Sequence[str] 
     :param rows: The table's words, the verdict in the fourth column; none for no table.
     :param is_bad: True if nothing can be done with the file.
     """
-    told = f'<p class="param-message param-{"rejected" if is_bad else "gathering"}">{html.escape(summary)}</p>'
+    told = f'<p class="param-message{" param-rejected" if is_bad else ""}">{html.escape(summary)}</p>'
     listed = ''.join(f'<li>{html.escape(note)}</li>' for note in notes)
     tabled = table(columns, rows, row_headers=True) if rows else ''
     # Who has no mouse must be able to scroll it.
-    scrolled = (f'<div class="param-file-rows" tabindex="0" role="region" aria-label="What loading would do">{tabled}'
+    scrolled = (f'<div class="param-file-rows" tabindex="0" role="region" aria-label="What would change">{tabled}'
                 '</div>' if tabled else '')
     return told + (f'<ul>{listed}</ul>' if listed else '') + scrolled
 

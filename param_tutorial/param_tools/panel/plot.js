@@ -3,7 +3,7 @@
    How long a time is shown, and whether it stands still, is each view's own. `plots.js` brings the numbers and says which
    curves there are; `plot_drawing.js` draws. */
 
-import {all, make, one, uniqueName} from './dom.js';
+import {all, localTime, make, one, uniqueName} from './dom.js';
 import {colorOf, dashOf, format, indexAt, paint, timeAt} from './plot_drawing.js';
 
 /**
@@ -35,9 +35,6 @@ const quoted = value => (/[",\n]/.test(String(value)) ? `"${String(value).replac
 
 /** @param {number} count */
 const countChanges = count => `${count} change${count === 1 ? '' : 's'}`;
-
-/** @param {number} time */
-const clock = time => new Date(1000 * time).toTimeString().slice(0, 8);
 
 /** One plot. */
 export class Plot {
@@ -73,7 +70,7 @@ export class Plot {
         <canvas tabindex="0" role="img"></canvas>
         <details class="param-plot-changes" hidden><summary></summary><ol></ol></details>
         <div class="param-plot-line"><input list="${list}" autocomplete="off" spellcheck="false"
-          placeholder="Add a number of a topic, or a parameter" aria-label="Add a curve"><datalist id="${list}"></datalist>
+          placeholder="Add a number of a topic${row && ', or a parameter'}" aria-label="Add a curve"><datalist id="${list}"></datalist>
         <button type="button" data-act="pause" aria-pressed="false">Pause</button>
         <button type="button" data-act="in" aria-label="Show a shorter time" title="Show a shorter time (+)">+</button>
         <button type="button" data-act="out" aria-label="Show a longer time" title="Show a longer time (\u2212)">\u2212</button>
@@ -408,7 +405,11 @@ export class Plot {
     one(this.changes, 'summary').textContent = countChanges(marks.length);
     one(this.changes, 'ol').replaceChildren(
       ...marks.map(mark =>
-        make('li', {}, `${clock(mark.time)} ${this.plots.wordsOf(/** @type {any} */ (mark), true)}`),
+        make(
+          'li',
+          {},
+          `${localTime(1000 * mark.time).slice(11)} ${this.plots.wordsOf(/** @type {any} */ (mark), true)}`,
+        ),
       ),
     );
   }

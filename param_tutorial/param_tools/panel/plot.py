@@ -1,8 +1,8 @@
 """Plots in a panel: parameters and fields of topics over the last 30 s, with a mark wherever a parameter changed.
 
 Messages are sampled in the executor's thread, with the time at which they arrived by this machine's clock. A job of
-``schedule`` sends what is new to the browser, where ``plots.js`` draws it. A parameter's curve is what its panel shows;
-what changed, on any node, is heard by a ``ChangeFollower``. As long as no plot is open, nothing is heard and sent.
+``schedule`` sends what is new to the browser, where ``plots.js`` draws it. A parameter's curve is what its panel shows,
+and a ``ChangeFollower`` hears what changed on any node. While no plot is open, nothing is heard or sent.
 """
 
 import contextlib
@@ -15,26 +15,26 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import traitlets
-from rclpy.exceptions import InvalidHandle
 from rclpy.subscription import Subscription
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
 from param_tools import values
 from param_tools.errors import ExecutorError, ParameterToolError, describe_error, nearest
 from param_tools.panel.front import Front
+from param_tools.panel.view import nothing
 from param_tools.ros import host, stage
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.schedule import Job
 from param_tools.ros.topics import getter, matching_qos, message_class, numeric_fields
-from param_tools.systems.change_log import ChangeFollower, LoggedChange
+from param_tools.systems.change_log import LoggedChange, follow_soon
 
-SHOWN_SEC = 30.0
+_SHOWN_SEC = 30.0
 _SEND_PERIOD_SEC = 0.1
 # The browser takes longer silence for a kernel that has ended.
 _HEARTBEAT_SEC = 1.0
 # A hundred samples a second are kept; of a faster topic, some are left out.
 _SAMPLE_PERIOD_SEC = 0.0095
-_SAMPLES = round(SHOWN_SEC * 100)
+_SAMPLES = round(_SHOWN_SEC * 100)
 _MARKS = 500
 # A change so soon after this process has asked for one was made here.
 _OWN_SEC = 2.0
@@ -82,7 +82,7 @@ class Curve:
             return
         try:
             value = self._get(message)
-            self.add(now, value[0] if isinstance(value, bytes) else value)  # ROS has a byte as bytes
+            self.add(now, value[0] if isinstance(value, bytes) else value)  # rclpy returns a byte as bytes
             self.word = ''
         except IndexError:
             self.end('its last message had fewer elements')
@@ -110,8 +110,8 @@ class Plots:
         self._by_topic: dict[str, list[Curve]] = {}
         self._subscriptions: dict[str, Subscription] = {}
         self._executor: BackgroundExecutor | None = None
-        self._follower: ChangeFollower | None = None
-        self._stop_noting: Callable[[], object] = lambda: None
+        self._stop_noting: Callable[[], object] = nothing
+        self._stop_following: Callable[[], object] = nothing
         self._asked: dict[tuple[str, str], float] = {}
         self._marks: deque[list[Any]] = deque(maxlen=_MARKS)
         self._fresh_marks: deque[list[Any]] = deque(maxlen=_MARKS)
@@ -155,8 +155,7 @@ class Plots:
         self._open.clear()
         self._curves, self._by_topic = {}, {}
         self._job.end()
-        if follower := self._let_go():
-            follower.close()
+        self._let_go()
 
     def follow(self) -> None:
         """Sample the parameters that are plotted, with the front's lock held."""
@@ -176,7 +175,7 @@ class Plots:
                 self._job.wake()
 
     def serve(self, content: Mapping[str, Any]) -> None:
-        """Do what a person did in the browser. Finding fields may take a while, so it keeps nobody waiting."""
+        """Do what a person did in the browser, without waiting for fields to be found."""
         row, curve = content.get('row', ''), content.get('curve', '')
         if content['act'] == 'offer':
             host.host.run(lambda: self._send({'plot': 'offer', 'client': content['client'], **self._offer()}),
@@ -262,8 +261,8 @@ class Plots:
         self._show()
         if self._open:
             self._job.wake()
-        elif follower := self._let_go():
-            host.host.run(follower.close, 'end of the changes to plot')  # it may be asking a node
+        else:
+            self._let_go()
 
     # -- the browser ------------------------------------------------------------------------------------
 
@@ -308,37 +307,27 @@ class Plots:
                 curve.end('no executor is running')
         if executor is self._executor:
             return
-        if follower := self._let_go():
-            host.host.run(follower.close, 'end of the changes to plot')
+        self._let_go()
         self._executor = executor
         if executor is not None:
             self._stop_noting = executor.services.on_set(self._note_set)
-            host.host.run(functools.partial(self._follow_changes, executor), 'changes to plot')
+            self._stop_following = follow_soon(self._on_changes, executor)
 
-    def _let_go(self) -> ChangeFollower | None:
-        """Hear nothing more; return who is still to be closed."""
-        executor, follower = self._executor, self._follower
+    def _let_go(self) -> None:
+        """Hear nothing more."""
+        executor, self._executor = self._executor, None
         ended, self._subscriptions = self._subscriptions, {}
-        self._executor = self._follower = None
         self._stop_noting()
+        self._stop_following()
+        self._stop_noting = self._stop_following = nothing
         if executor is not None and executor.is_running and ended:  # else they have gone with its node
             executor.create_task(lambda: [executor.tool_node.destroy_subscription(each) for each in ended.values()])
-        return follower
-
-    def _follow_changes(self, executor: BackgroundExecutor) -> None:
-        with contextlib.suppress(ExecutorError, InvalidHandle):  # it may just have been stopped
-            follower = ChangeFollower(self._on_changes, executor=executor)
-            with self._front.drawing:
-                if self._executor is executor and self._follower is None:
-                    self._follower = follower
-                    return
-            follower.close()
 
     def _note_set(self, node: str, names: list[str]) -> None:
         self._asked |= dict.fromkeys(((node, name) for name in names), time.time())
 
     def _on_changes(self, changes: list[LoggedChange]) -> None:
-        """Mark what has changed; called in the follower's loop, and in the executor's thread at no time."""
+        """Mark what has changed; called in the follower's loop, never in the executor's thread."""
         for each in changes:
             if each.kind not in ('changed', 'deleted', 'gone'):
                 continue

@@ -31,6 +31,8 @@ export class Plots {
   /** What can be added. @type {string[]} */
   choices = [];
   client = uniqueName();
+  /** The row whose plot was asked for here, and is not there yet. @type {string | undefined} */
+  wanted;
   last = 0;
   heard = 0;
 
@@ -83,8 +85,12 @@ export class Plots {
 
   /** @param {string} row */
   toggle(row) {
-    if (this.isOpen(row)) this.close(row);
-    else this.send({act: 'open', row});
+    if (this.isOpen(row)) {
+      this.close(row);
+      return;
+    }
+    this.wanted = row;
+    this.send({act: 'open', row});
   }
 
   /** @param {string} row */
@@ -118,6 +124,12 @@ export class Plots {
       if (![...open.values()].some(each => each.includes(name))) this.curves.delete(name);
     }
     this.place();
+    const wanted = this.wanted !== undefined && this.plots.get(this.wanted);
+    if (wanted) {
+      // A plot without curves is opened to add some.
+      if (!wanted.curves.length) wanted.input.focus();
+      this.wanted = undefined;
+    }
     clearInterval(this.timer);
     if (!open.size) return;
     this.timer = setInterval(() => this.draw(), isStill.matches ? 1000 : 100);
@@ -176,7 +188,7 @@ export class Plots {
         all.values.splice(0, old);
       }
     }
-    const told = marks.map(([time, node, name, old, now, isOwn]) => ({time, node, name, old, new: now, isOwn}));
+    const told = marks.map(([time, node, name, old, value, isOwn]) => ({time, node, name, old, new: value, isOwn}));
     this.marks = [...(client ? [] : this.marks), ...told].filter(mark => mark.time > now - 2 * SPAN);
   }
 
@@ -187,7 +199,7 @@ export class Plots {
    */
   wordsOf(mark, isFull) {
     const node = isFull || mark.node !== this.node ? mark.node : '';
-    if (!mark.name) return `${mark.node} ended`;
+    if (!mark.name) return `${mark.node} is gone`;
     const words = `${node} ${mark.name} ${mark.old} \u2192 ${mark.new}`.trim();
     return isFull ? `${words} (${mark.isOwn ? 'from here' : 'from elsewhere'})` : words;
   }
