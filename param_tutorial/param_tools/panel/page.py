@@ -9,8 +9,9 @@ from param_tools.panel.drawer import ParameterDrawer
 from param_tools.panel.panel import ParameterBrowser, ParameterPanel
 from param_tools.ros import graph, host, stage, waiting
 
-# The process of the page has just joined, and on a busy machine it takes so long to hear of a node.
-_DISCOVERY_SEC = 5.0
+# The process of the page has just joined, and on a busy machine it takes a while to hear of a node. A node that somebody
+# starts within this time is opened, too.
+_DISCOVERY_SEC = 30.0
 
 
 def show_page(nodes: Sequence[str], presets: str) -> widgets.Box:
@@ -34,7 +35,7 @@ def show_page(nodes: Sequence[str], presets: str) -> widgets.Box:
 
 
 def _open_the_only_node(browser: ParameterBrowser) -> None:
-    """Open the only node that was running when the page was opened, once it is known that there is no other."""
+    """Open the only node, once it is known that there is no other."""
     if waiting.wait(lambda: browser.nodes, _DISCOVERY_SEC):
         graph.wait_until_quiet(stage.current().tool_node, graph.JOINING_SEC)
         browser.show_only()

@@ -35,6 +35,7 @@ export class Plots {
   wanted;
   last = 0;
   heard = 0;
+  isFilled = false;
 
   /** The node whose changes need not be named in full. */
   node = '';
@@ -107,7 +108,6 @@ export class Plots {
 
   /** Show what is open now. @param {PlotState} state */
   show(state) {
-    const isNew = !this.plots.size && state.open?.length;
     this.state = state;
     const open = new Map((state.open ?? []).map(each => [each.row, each.curves]));
     for (const [row, plot] of this.plots) {
@@ -133,7 +133,6 @@ export class Plots {
     clearInterval(this.timer);
     if (!open.size) return;
     this.timer = setInterval(() => this.draw(), isStill.matches ? 1000 : 100);
-    if (isNew) this.send({act: 'all'});
   }
 
   end() {
@@ -173,6 +172,9 @@ export class Plots {
   takeData({now, client, curves, marks}) {
     this.last = now;
     this.heard = performance.now();
+    // What came before this view was there is asked for until it has come.
+    if (client) this.isFilled = true;
+    else if (!this.isFilled) this.send({act: 'all'});
     for (const [name, [times, values]] of Object.entries(curves)) {
       const all = client ? {times: [], values: []} : (this.curves.get(name) ?? {times: [], values: []});
       this.curves.set(name, all);
