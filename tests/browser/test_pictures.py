@@ -2,7 +2,8 @@
 
 import pytest
 
-from param_tutorial.views.drawing import svg
+from param_tutorial.views.cart import cart_on_trip
+from param_tutorial.views.drawing import driving, svg
 from tests.views.test_svg import PICTURES
 
 NARROW = {'ladder', 'layers', 'messages', 'number line', 'requests'}
@@ -34,4 +35,14 @@ def test_no_letter_is_smaller_than_11_px_or_cut_off_and_what_is_made_for_a_phone
         smallest, is_cut, scrolls = page.evaluate(LOOK, name)
         assert smallest >= 11 and not is_cut, name
         assert not (scrolls and (name in NARROW or width > 720)), name
+    page.close()
+
+
+@pytest.mark.parametrize('width', [240, 320, 390, 440, 600, 728, 800, 1280])
+def test_no_letter_beside_a_robot_is_smaller_than_11_px(browser, width):
+    page = browser.new_page(viewport={'width': width, 'height': 900})
+    page.set_content(driving.replay(cart_on_trip('/cart', 1.0, 0.5)))
+    assert page.locator('.robot-scene > svg').evaluate('''drawing => Math.min(
+        ...[...drawing.querySelectorAll('text')].map(each => parseFloat(getComputedStyle(each).fontSize))
+    ) * drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width''') >= 10.99
     page.close()

@@ -9,8 +9,8 @@ from param_tools.panel.drawer import ParameterDrawer
 from param_tools.panel.panel import ParameterBrowser, ParameterPanel
 from param_tools.ros import graph, host, stage, waiting
 
-# The process of the page has just joined, and on a busy machine it takes a while to hear of a node. A node that somebody
-# starts within this time is opened, too.
+# The process of the page has just joined, and on a busy machine it takes a while to hear of a node. A node that
+# somebody starts within this time is opened, too.
 _DISCOVERY_SEC = 30.0
 
 
