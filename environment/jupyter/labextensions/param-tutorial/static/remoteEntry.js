@@ -19,8 +19,8 @@ ${RESTARTED}::before, ${REOPENED}::before {
 ${REOPENED} { font-size: 0; }
 :is(${RESTARTED}, ${REOPENED}) { cursor: pointer; }
 ${RESTARTED} > * { filter: grayscale(1); opacity: 0.55; pointer-events: none; interactivity: inert; }
-.jp-RenderedHTML:has(> svg[width]) { overflow-x: auto; }
-@media screen { .jp-RenderedHTML > svg[width] { max-width: none !important; } }
+:is(.jp-RenderedHTML, .param-check):has(> svg[width]) { overflow-x: auto; }
+@media screen { :is(.jp-RenderedHTML, .param-check) > svg[width] { max-width: none !important; } }
 .jp-RenderedMarkdown { max-width: 60em; }
 .jp-DirListing-item:is([title^='Name: solutions\\a '], [title^='Name: images\\a ']) { display: none; }
 @media print { ${RESTARTED}::before, ${REOPENED}::before { content: none !important; } }
