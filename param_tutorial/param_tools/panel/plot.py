@@ -320,7 +320,8 @@ class Plots:
         self._stop_noting()
         self._stop_following()
         self._stop_noting = self._stop_following = nothing
-        if executor is not None and executor.is_running and ended:  # else they have gone with its node
+        if executor is not None and executor.is_running:  # else they have gone with its node
+            # In its thread, where a look that is under way may have added one by then.
             executor.create_task(lambda: [executor.tool_node.destroy_subscription(each) for each in ended.values()])
 
     def _note_set(self, node: str, names: list[str]) -> None:
