@@ -3,8 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
-from tests.support import lesson
-from tests.support.lab import Lab, LabPage, wait_for
+from tests.support.lab import open_cells, wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -26,9 +25,7 @@ SETTINGS, AGAIN, OTHER = 2, 4, 6
 @pytest.fixture(scope='module')
 def opened(browser, tmp_path_factory):
     """Return a page with the notebook."""
-    folder = tmp_path_factory.mktemp('beside')
-    with Lab(folder / 'lab', [lesson.write(folder / 'robot.ipynb', CELLS)]) as lab:
-        page = LabPage(lab, browser, 'robot.ipynb')
+    with open_cells(browser, tmp_path_factory.mktemp('beside'), CELLS) as (_, page):
         yield page
         assert page.strange_errors() == []
 

@@ -3,8 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
-from tests.support import lesson
-from tests.support.lab import Lab, LabPage, wait_for
+from tests.support.lab import open_cells, wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
 
@@ -30,8 +29,7 @@ view""",
 
 @pytest.fixture
 def page(tmp_path, browser):
-    with Lab(tmp_path / 'lab', [lesson.write(tmp_path / 'lesson.ipynb', CELLS)]) as lab:
-        page = LabPage(lab, browser, 'lesson.ipynb')
+    with open_cells(browser, tmp_path, CELLS) as (_, page):
         page.page.set_viewport_size({'width': 900, 'height': 900})  # too narrow for what stands beside the text
         page.run_all()
         yield page

@@ -6,8 +6,7 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect
 
-from tests.support import lesson
-from tests.support.lab import Lab, LabPage
+from tests.support.lab import open_cells
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 
@@ -63,9 +62,7 @@ LAYERS, LINE, MESSAGES, LADDER, REQUESTS = range(len(CELLS))
 
 @pytest.fixture(scope='module')
 def opened(tmp_path_factory, browser):
-    folder = tmp_path_factory.mktemp('handles')
-    with Lab(folder / 'lab', [lesson.write(folder / 'lesson.ipynb', CELLS)]) as lab:
-        page = LabPage(lab, browser, 'lesson.ipynb')
+    with open_cells(browser, tmp_path_factory.mktemp('handles'), CELLS) as (lab, page):
         page.run_all()
         yield lab, page
         assert page.strange_errors() == []

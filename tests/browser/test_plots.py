@@ -7,8 +7,7 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect
 
-from tests.support import lesson
-from tests.support.lab import Lab, LabPage, wait_for
+from tests.support.lab import open_cells, wait_for
 from tests.tools.site_rules import AXE_OPTIONS
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
@@ -57,9 +56,8 @@ COLORED = '''canvas => {
 @pytest.fixture(scope='module')
 def opened(browser, tmp_path_factory):
     """Return a server on the notebook, and a page with it."""
-    folder = tmp_path_factory.mktemp('wheel')
-    with Lab(folder / 'lab', [lesson.write(folder / 'wheel.ipynb', CELLS)]) as lab:
-        yield lab, LabPage(lab, browser, 'wheel.ipynb')
+    with open_cells(browser, tmp_path_factory.mktemp('wheel'), CELLS) as both:
+        yield both
 
 
 @pytest.fixture
@@ -69,9 +67,7 @@ def wheel(opened):
     page.run_all()
     expect(page.box('height')).to_have_value('2.0')
     yield lab, page
-    assert page.strange_errors() == []
-    # An exception in a thread of the kernel is printed there.
-    assert page.page.locator('[data-mime-type="application/vnd.jupyter.stderr"]').all_inner_texts() == []
+    assert page.complaints() == []
 
 
 @pytest.fixture

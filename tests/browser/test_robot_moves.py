@@ -3,8 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
-from tests.support import lesson
-from tests.support.lab import Lab, LabPage, wait_for
+from tests.support.lab import open_cells, wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -40,9 +39,8 @@ RUNNING = """() => document.getAnimations().filter(
 @pytest.fixture(scope='module')
 def opened(browser, tmp_path_factory):
     """Return a server on the notebook, and a page with it."""
-    folder = tmp_path_factory.mktemp('robot')
-    with Lab(folder / 'lab', [lesson.write(folder / 'robot.ipynb', CELLS)]) as lab:
-        yield lab, LabPage(lab, browser, 'robot.ipynb')
+    with open_cells(browser, tmp_path_factory.mktemp('robot'), CELLS) as both:
+        yield both
 
 
 @pytest.fixture

@@ -24,6 +24,7 @@ from jupyter_client import BlockingKernelClient
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 from param_tools.ros.waiting import wait_until
+from tests.support import lesson
 from tests.support.paths import ROOT
 from tests.support.processes import wait_or_kill
 
@@ -243,6 +244,11 @@ class LabPage:
         """Return what the browser complained about, apart from what is known."""
         return [error for error in self.errors if not any(re.search(known, error) for known in KNOWN_ERRORS)]
 
+    def complaints(self) -> list[str]:
+        """Return the strange errors, and what the kernel has printed as errors, as of an exception in a thread."""
+        printed = self.page.locator('[data-mime-type="application/vnd.jupyter.stderr"]')
+        return self.strange_errors() + printed.all_inner_texts()
+
     def _wait_for_kernel(self) -> None:
         self._wait_js('() => window.jupyterapp && window.jupyterapp.restored.then(() => true)')
         # The kernel is there when the notebook's session says so; running cells before would ask for one.
@@ -298,6 +304,13 @@ class LabPage:
     def message(self, name: str) -> Locator:
         """Find the message beside a parameter's control."""
         return self.row(name).locator('.param-message')
+
+
+@contextlib.contextmanager
+def open_cells(browser: Browser, folder: Path, cells: tuple[str, ...]) -> Iterator[tuple[Lab, LabPage]]:
+    """Open a notebook of these cells, not run, in a server of its own, and yield both."""
+    with Lab(folder / 'lab', [lesson.write(folder / 'lesson.ipynb', cells)]) as lab:
+        yield lab, LabPage(lab, browser, 'lesson.ipynb')
 
 
 def wait_for(condition, what: str, timeout_sec: float = TIMEOUT_SEC):

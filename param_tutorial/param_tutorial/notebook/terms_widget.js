@@ -4,6 +4,7 @@
 
 import {all} from '../../param_tools/panel/dom.js';
 import {initialize} from '../../param_tools/panel/front.js';
+import {ownNotebook} from './own_notebook.js';
 import {entriesOf, hide, markerOf} from './terms.js';
 
 /** @import {InitializeProps} from '@anywidget/types' */
@@ -18,11 +19,9 @@ const TITLE = /^# ([\d.]+) · /;
 async function begin(props) {
   await initialize(props);
   const {model} = props;
-  const widget = /** @type {any} */ (await model.widget_manager.get_model(model.get('own_id')));
-  // Both are missing outside of JupyterLab.
-  const context = widget.widget_manager.context;
-  const shell = /** @type {any} */ (window).jupyterapp?.shell;
-  if (!context?.model?.cells || !shell) return;
+  const notebook = await ownNotebook(model);
+  if (!notebook) return;
+  const {context, shell, views} = notebook;
   const [, chapter] = TITLE.exec(context.model.cells.get(0).sharedModel.getSource()) ?? [];
   if (!chapter) return;
   const mark = markerOf(entriesOf(model.get('words'), chapter));
@@ -43,8 +42,8 @@ async function begin(props) {
 
   /** Mark what there is, and what is drawn later. */
   function follow() {
-    for (const {context: shown, content} of shell.widgets('main')) {
-      if (shown !== context || content.node.hasAttribute('data-terms')) continue;
+    for (const {content} of views()) {
+      if (content.node.hasAttribute('data-terms')) continue;
       content.node.setAttribute('data-terms', '');
       markAll(content.node);
       content.node.addEventListener('scroll', hide, true);

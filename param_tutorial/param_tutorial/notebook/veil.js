@@ -3,6 +3,7 @@
    JupyterLab keeps the element of a cell that it takes off the page while one scrolls, and so the mark on it. */
 
 import {initialize} from '../../param_tools/panel/front.js';
+import {ownNotebook} from './own_notebook.js';
 
 /** @import {InitializeProps} from '@anywidget/types' */
 
@@ -36,18 +37,15 @@ export function marksOf(cells, lifted) {
 async function begin(props) {
   await initialize(props);
   const {model} = props;
-  const widget = /** @type {any} */ (await model.widget_manager.get_model(model.get('own_id')));
-  // Both are missing outside of JupyterLab.
-  const context = widget.widget_manager.context;
-  const shell = /** @type {any} */ (window).jupyterapp?.shell;
-  if (!context?.model?.cells || !shell) return;
+  const notebook = await ownNotebook(model);
+  if (!notebook) return;
+  const {context, shell, views} = notebook;
   const sessions = context.sessionContext;
   const ownKernel = sessions.session?.kernel?.id;
 
   /** @param {(cells: any[]) => string[]} marks */
   function mark(marks) {
-    for (const panel of shell.widgets('main')) {
-      if (panel.context !== context) continue;
+    for (const panel of views()) {
       const cells = panel.content.widgets;
       const all = marks(cells);
       cells.forEach((/** @type {any} */ cell, /** @type {number} */ index) => {
