@@ -179,7 +179,8 @@ def test_the_drawer_saves_what_is_there_and_brings_it_back(browser, arm, page_pr
     path = tmp_path / 'presets' / 'calm.yaml'
     assert path.read_text().startswith('# Snapshot of 1 node')
     # Times are those of the browser's clock, wherever the robot is.
-    listed = re.search(r'\d{4}-\d\d-\d\d \d\d:\d\d', drawer.get_by_role('listitem').inner_text())[0]
+    saved = drawer.get_by_role('listitem').filter(has_text='calm')
+    listed = re.search(r'\d{4}-\d\d-\d\d \d\d:\d\d', saved.inner_text())[0]
     time = datetime.datetime.strptime(f'{listed} +0900', '%Y-%m-%d %H:%M %z')
     assert abs(time.timestamp() - path.stat().st_mtime) < 120
     press('History')
