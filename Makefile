@@ -64,7 +64,7 @@ test: setup-all  ## run the test suite before you commit: every chapter is a tes
 	@$(SUITE) -n 8 -m "not thorough" $(ARGS) tests notebooks
 
 test-all: setup-all $(JS_TOOLS)  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, the solutions, each answer; CI runs it
-	@$(SUITE) -n 5 $(ARGS) tests notebooks
+	@$(SUITE) -n 4 $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit

@@ -33,6 +33,8 @@ if 'PYTEST_XDIST_WORKER' not in os.environ:
     _folder = tempfile.mkdtemp(prefix='param_tutorial_tests_')
     atexit.register(shutil.rmtree, _folder, ignore_errors=True)
     os.environ |= {name: f'{_folder}/{name}' for name in ('IPYTHONDIR', 'JUPYTER_RUNTIME_DIR', 'ROS_LOG_DIR')}
+    # A kernel that crashes in C++ is started anew, and only its empty page would tell.
+    os.environ['PYTHONFAULTHANDLER'] = '1'
 
 nbval.kernel.KernelManager = KernelManager
 # A user learns after 5 s that something has not come. A test has more patience, since many of them share two cores.
