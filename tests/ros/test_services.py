@@ -1,12 +1,19 @@
 """Calls with a deadline: what comes back, and with which error each way to fail ends."""
 
-
 import pytest
 from rcl_interfaces.srv import GetParameters, ListParameters, SetParameters, SetParametersAtomically
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools.errors import CallbackError, ExecutorError, NoAnswerError, NodeError, NodeNotFoundError, ReadOnlyError
+from param_tools.errors import (
+    CallbackError,
+    ExecutorError,
+    NoAnswerError,
+    NodeError,
+    NodeNotFoundError,
+    ParameterToolError,
+    ReadOnlyError,
+)
 from param_tools.ros.services import full_name
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
@@ -29,6 +36,13 @@ def test_so_does_a_node_and_nothing_else(ros):
     assert full_name(ros.add(Node, 'talker', namespace='/left')) == '/left/talker'
     with pytest.raises(TypeError, match='3 is not a node'):
         full_name(3)
+
+
+def test_a_destroyed_node_has_no_name(ros):
+    node = ros.add(SimpleParamNode)
+    ros.remove(node)
+    with pytest.raises(ParameterToolError, match='this SimpleParamNode was destroyed, and its name went with it: make'):
+        full_name(node)
 
 
 def test_a_call_returns_the_answer(ros):

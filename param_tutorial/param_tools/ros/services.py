@@ -26,6 +26,7 @@ from param_tools.errors import (
     NodeError,
     NodeGoneError,
     NodeNotFoundError,
+    ParameterToolError,
     ReadOnlyError,
 )
 from param_tools.ros import domain, graph, waiting
@@ -49,9 +50,14 @@ def full_name(node: str | Node) -> str:
     """Return a node's fully qualified name: ``talker`` is ``/talker``.
 
     :raises TypeError: it is neither a name nor a node.
+    :raises ParameterToolError: it is a node that was destroyed.
     """
     if isinstance(node, Node):
-        return node.get_fully_qualified_name()
+        try:
+            return node.get_fully_qualified_name()
+        except InvalidHandle:
+            raise ParameterToolError(f'this {type(node).__name__} was destroyed, and its name went with it: make it '
+                                     f'again, or give the name of a node that runs') from None
     if not isinstance(node, str):
         raise TypeError(
             f'{node!r} is not a node: give its name, such as "/talker", or the node that ros.add() returned')
