@@ -19,6 +19,8 @@ byte, as 61 recordings in tests/cli/transcripts have it, the others as its sourc
   is.
 - Of other commands, verbs and options, a usage error says that the genuine ros2 has more.
 
+What a command cannot do raises ``CommandFailed`` in any module; ``command`` says it.
+
     command           one command, in this process
     param             param list, get, set, describe, dump, load, delete
     node              node list, info

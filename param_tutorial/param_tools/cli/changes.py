@@ -138,7 +138,6 @@ def past(word: str) -> Snapshot | None:
 
     :raises ParameterFileError: the file is no log.
     :raises InvalidValueError: there is no time in the word.
-    :raises CommandFailed: the log does not reach back so far.
     """
     path, at, text = word.rpartition('@')
     if not at or not Path(path).is_file():

@@ -73,10 +73,7 @@ def check(session: Session, args: argparse.Namespace) -> int:
 
 
 def _check_launch(session: Session, args: argparse.Namespace, against: Descriptions) -> Findings:
-    """Print what the nodes of a launch file would get, and return what is wrong with it.
-
-    :raises CommandFailed: the launch file cannot be carried out.
-    """
+    """Print what the nodes of a launch file would get, and return what is wrong with it."""
     from param_tools.cli.launch.rehearsal import RehearsedLaunch
     from param_tools.cli.launch.verb import path_and_arguments
 

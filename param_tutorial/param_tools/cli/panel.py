@@ -142,10 +142,7 @@ def _let_page_end_its_kernel(handler: Any, **_: Any) -> None:
 
 
 def _encryption(certificate: Path | None, key: Path | None) -> ssl.SSLContext | None:
-    """Return what encrypts the page; None if no certificate is given.
-
-    :raises CommandFailed: the two files are not a certificate and its key.
-    """
+    """Return what encrypts the page; None if no certificate is given."""
     if certificate is None:
         if key is not None:
             raise CommandFailed('--keyfile is the key of a certificate: name that with --certfile')
@@ -176,10 +173,7 @@ def _open(url: str, folder: Path) -> None:
 
 
 def _require_name(node: str) -> str:
-    """Return the fully qualified name of a node.
-
-    :raises CommandFailed: no node can have such a name.
-    """
+    """Return the fully qualified name of a node."""
     name = full_name(node)
     namespace, _, last = name.rpartition('/')
     try:

@@ -82,7 +82,6 @@ def find_program(package: str, program: str, environment: Mapping[str, str] = os
     :return: The words that start it.
     :raises index.PackageNotFound: there is no such package.
     :raises ProgramNotFound: there is no such program in it.
-    :raises CommandFailed: there is more than one.
     """
     try:
         installed = installed_programs(package, environment)

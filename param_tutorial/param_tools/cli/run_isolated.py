@@ -31,10 +31,7 @@ _PROGRAM = ('import sys; sys.path.insert(0, sys.argv.pop(1)); from param_tools.c
 
 
 def describe_program(package: str, executable: str) -> Descriptions:
-    """Return what the nodes of a program declare when it is started without any parameters.
-
-    :raises CommandFailed: there is no such program, it ends by itself, or no node of it answers in time.
-    """
+    """Return what the nodes of a program declare when it is started without any parameters."""
     program = find_program(package, executable)
     if not host.host.has_processes:
         raise CommandFailed(f'{package}/{executable} would be started in a process of its own, and there is none in a '

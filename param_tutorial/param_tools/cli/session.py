@@ -109,10 +109,7 @@ class Session:
         graph.wait_until_quiet(self.executor.tool_node, self.patience(args))
 
     def find(self, args: argparse.Namespace) -> str:
-        """Return the fully qualified name of the node that was named, once it is there.
-
-        :raises CommandFailed: there is no such node.
-        """
+        """Return the fully qualified name of the node that was named, once it is there."""
         from param_tools.ros import domain, graph
 
         node = args.node_name if args.node_name.startswith('/') else f'/{args.node_name}'
@@ -154,10 +151,7 @@ class Session:
         return 0.0 if self.in_notebook else graph.JOINING_SEC
 
     def call(self, node: str, service: str, request: Any) -> Any:
-        """Call a parameter service of a node that has been found.
-
-        :raises CommandFailed: the node has no such service.
-        """
+        """Call a parameter service of a node that has been found."""
         if not self.has_service(node, service):
             raise CommandFailed(without_services(node))
         return self.executor.services.call(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)

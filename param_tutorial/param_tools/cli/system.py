@@ -73,10 +73,7 @@ def _update(session: Session, found: Snapshot, path: str) -> None:
 
 
 def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapshot:
-    """Return the parameters of running nodes; say which did not answer.
-
-    :raises CommandFailed: there is no such node.
-    """
+    """Return the parameters of running nodes; say which did not answer."""
     nodes = [node for word in words for node in system_arguments.nodes_of(session, word, args)]
     found = all_parameters(nodes, timeout_sec=args.timeout, executor=session.executor)
     system_arguments.report_unanswered(session, found.unanswered)

@@ -43,10 +43,7 @@ def write(session: Session, dump: Dump, path: str | None, *, parameters: int, no
 
 
 def save(session: Session, dump: Dump, path: str) -> None:
-    """Write a file, and say what it could not hold.
-
-    :raises CommandFailed: it cannot be written.
-    """
+    """Write a file, and say what it could not hold."""
     try:
         dump.save(path)
     except OSError as error:
@@ -60,7 +57,6 @@ def nodes_of(session: Session, word: str, args: argparse.Namespace) -> list[str]
 
     :param word: The name of a node, or a pattern as in a parameter file.
     :param args: Has the options of ``add_graph_options``.
-    :raises CommandFailed: there is none.
     """
     name = pattern(word)
     if '*' not in name:
@@ -96,7 +92,6 @@ def describe(session: Session, word: str, args: argparse.Namespace) -> Descripti
 
     :param word: As in HELP; for a file, ``/node=`` may stand before it.
     :param args: Has the options of ``add_graph_options``.
-    :raises CommandFailed: there is no such node or program, or a node does not answer.
     :raises ParameterFileError: the file cannot be read.
     """
     node, equals, rest = word.partition('=')

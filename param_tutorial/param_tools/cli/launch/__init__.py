@@ -2,6 +2,7 @@
 
 ``launch`` and ``launch_ros`` are not on PyPI. This reads the same files as long as they keep to what ``reading`` lists,
 starts the programs with the same ``--ros-args``, and rejects everything else by its name.
+What cannot be done raises ``LaunchFailed``, which ends the launch before a program starts.
 
     verb           the command: which file, with which arguments
     rehearsal      a launch file without its programs, for ``check --launch``

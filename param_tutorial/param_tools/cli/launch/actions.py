@@ -40,17 +40,13 @@ class Action:
     condition: Condition | None = None
 
     def visit(self, context: Context) -> list[Program]:
-        """Carry out the action if its condition is true, and return the programs to start.
+        """Carry out the action if its condition is true, and return the programs to start."""
+        if self.condition is None or self.condition.evaluate(context):
+            return self.execute(context) or []
+        return []
 
-        :raises LaunchFailed: that cannot be done.
-        """
-        return self.execute(context) if self.condition is None or self.condition.evaluate(context) else []
-
-    def execute(self, context: Context) -> list[Program]:
-        """Carry out the action, and return the programs to start.
-
-        :raises LaunchFailed: that cannot be done.
-        """
+    def execute(self, context: Context) -> list[Program] | None:
+        """Carry out the action, and return the programs to start, if there are any."""
         raise NotImplementedError
 
     def declared_arguments(self) -> Iterator[DeclaredArgument]:
@@ -59,18 +55,12 @@ class Action:
 
 
 def visit_all(actions: Iterable[Action] | None, context: Context) -> list[Program]:
-    """Carry out actions, and return the programs to start.
-
-    :raises LaunchFailed: that cannot be done.
-    """
+    """Carry out actions, and return the programs to start."""
     return [program for action in expect_actions(actions) for program in action.visit(context)]
 
 
 def expect_actions(actions: Iterable[Action] | None) -> list[Action]:
-    """Return actions as a list.
-
-    :raises LaunchFailed: there is something else among them.
-    """
+    """Return actions as a list."""
     found = list(actions or ())
     for each in found:
         if not isinstance(each, Action):
@@ -99,7 +89,7 @@ class DeclareLaunchArgument(Action):
         if description and choices is not None:
             self.description = f'{description.rstrip(".")}. Valid choices are: {choices}'
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         if self.name not in context.launch_configurations:
             if self.default_value is None:
                 context.log_error(f'Required launch argument "{self.name}" (description: "{self.description}") was not '
@@ -111,7 +101,6 @@ class DeclareLaunchArgument(Action):
             error = f'Argument "{self.name}" provided value "{given}" is not valid. Valid options are: {self.choices}'
             context.log_error(error)
             raise LaunchFailed(error)
-        return []
 
     def declared_arguments(self) -> Iterator[DeclaredArgument]:
         yield DeclaredArgument(self, self.condition is not None, ())
@@ -124,10 +113,9 @@ class SetLaunchConfiguration(Action):
     name: Any
     value: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         name = perform(self.name, context)
         context.launch_configurations[name] = perform(self.value, context)
-        return []
 
 
 @dataclass
@@ -136,9 +124,8 @@ class UnsetLaunchConfiguration(Action):
 
     name: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.launch_configurations.pop(perform(self.name, context), None)
-        return []
 
 
 @dataclass
@@ -148,9 +135,8 @@ class SetEnvironmentVariable(Action):
     name: Any
     value: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.environment[perform(self.name, context)] = perform(self.value, context)
-        return []
 
 
 @dataclass
@@ -159,9 +145,8 @@ class UnsetEnvironmentVariable(Action):
 
     name: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.environment.pop(perform(self.name, context), None)
-        return []
 
 
 @dataclass
@@ -173,12 +158,11 @@ class AppendEnvironmentVariable(Action):
     prepend: Any = False
     separator: Any = ':'
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         name = perform(self.name, context)
         parts = [context.environment[name]] if name in context.environment else []
         parts.insert(0 if typed_bool(self.prepend, context) else 1, perform(self.value, context))
         context.environment[name] = perform(self.separator, context).join(parts)
-        return []
 
 
 @dataclass
@@ -187,9 +171,8 @@ class LogInfo(Action):
 
     msg: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.log(perform(self.msg, context))
-        return []
 
 
 class LaunchDescription(Action):
@@ -260,10 +243,7 @@ class LaunchDescriptionSource:
         self._location = location
 
     def load(self, context: Context) -> tuple[LaunchDescription, Path | None]:
-        """Return what the launch file describes, and its path if it has one.
-
-        :raises LaunchFailed: it cannot be read.
-        """
+        """Return what the launch file describes, and its path if it has one."""
         if self._description is not None:
             return self._description, None
         path = Path(perform(self._location, context)).absolute()
@@ -315,21 +295,21 @@ class IncludeLaunchDescription(Action):
             yield each._replace(given=(*own, *each.given))
 
 
+@dataclass(kw_only=True)
 class OpaqueFunction(Action):
     """A function of the launch file, which takes the context and returns further actions."""
 
-    def __init__(self, *, function: Callable[..., Iterable[Action] | None], args: Iterable[Any] | None = None,
-                 kwargs: Mapping[str, Any] | None = None, condition: Condition | None = None):
-        super().__init__(condition=condition)
-        if not callable(function):
-            raise LaunchFailed(f"OpaqueFunction expected a callable for 'function', got '{type(function)}'")
-        self.function = function
-        self.args = args or ()
-        self.kwargs = kwargs or {}
+    function: Callable[..., Iterable[Action] | None]
+    args: Iterable[Any] | None = None
+    kwargs: Mapping[str, Any] | None = None
+
+    def __post_init__(self) -> None:
+        if not callable(self.function):
+            raise LaunchFailed(f"OpaqueFunction expected a callable for 'function', got '{type(self.function)}'")
 
     def execute(self, context: Context) -> list[Program]:
         with running(getattr(self.function, '__name__', 'an OpaqueFunction')):
-            found = self.function(context, *self.args, **self.kwargs)
+            found = self.function(context, *(self.args or ()), **(self.kwargs or {}))
         return visit_all(found, context)
 
 
@@ -344,24 +324,21 @@ class TimerAction(Action):
         if cancel_on_shutdown is not True:
             reject('keep a timer after a shutdown (cancel_on_shutdown)')
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.postponed.append((typed_float(self.period, context), self.actions))
-        return []
 
     def declared_arguments(self) -> Iterator[DeclaredArgument]:
         yield from _declared_in(self.actions, is_conditional=True)
 
 
+@dataclass(kw_only=True)
 class Shutdown(Action):
     """The end of all programs: as ``on_exit`` of one of them."""
 
-    def __init__(self, *, reason: Any = '', condition: Condition | None = None):
-        super().__init__(condition=condition)
-        self.reason = reason
+    reason: Any = ''
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.expect_launchable('shut down but as on_exit= of a program')
-        return []
 
 
 @dataclass(kw_only=True)
@@ -429,29 +406,25 @@ class ExecuteProcess(Process):
                              context)]
 
 
+@dataclass
 class RegisterEventHandler(Action):
     """Actions that an event sets off, such as the end of a program: only a rehearsal carries them out."""
 
-    def __init__(self, event_handler: 'Event', *, condition: Condition | None = None):
-        super().__init__(condition=condition)
-        self.event_handler = event_handler
+    event_handler: 'Event'
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.expect_launchable(f'wait for events ({type(self.event_handler).__name__})')
         context.postponed.append((float('inf'), self.event_handler.actions))
-        return []
 
 
+@dataclass(kw_only=True)
 class EmitEvent(Action):
     """An event, which only a full installation has."""
 
-    def __init__(self, *, event: 'Event', condition: Condition | None = None):
-        super().__init__(condition=condition)
-        self.event = event
+    event: 'Event'
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.expect_launchable(f'emit events ({type(self.event).__name__})')
-        return []
 
 
 class Event:
@@ -469,10 +442,7 @@ class Event:
 
 
 def carry_out(actions: Iterable[Action], context: Context) -> list[Program]:
-    """Carry out actions and, after them, what timers have postponed; return the programs to start.
-
-    :raises LaunchFailed: that cannot be done.
-    """
+    """Carry out actions and, after them, what timers have postponed; return the programs to start."""
     programs: list[Program] = []
     pending: list[tuple[float, Iterable[Action]]] = [(0.0, actions)]
     with context.scope():
@@ -486,10 +456,7 @@ def carry_out(actions: Iterable[Action], context: Context) -> list[Program]:
 
 
 def typed_float(value: Any, context: Context) -> float:
-    """Return a number, or the one that a substitution stands for.
-
-    :raises LaunchFailed: it is none.
-    """
+    """Return a number, or the one that a substitution stands for."""
     try:
         return float(value if isinstance(value, (int, float)) else perform(value, context))
     except ValueError as error:

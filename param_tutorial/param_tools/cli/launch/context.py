@@ -85,10 +85,7 @@ class Context:
     # -- what a rehearsal does otherwise ------------------------------------------------------------------------------
 
     def find_program(self, package: str, executable: str) -> list[str]:
-        """Return the words that start a package's program.
-
-        :raises CommandFailed: there is no such package or program, or more than one of them.
-        """
+        """Return the words that start a package's program."""
         try:
             return find_program(package, executable)
         except PackageNotFound:
@@ -101,10 +98,7 @@ class Context:
                                f'{", ".join(sorted(error.names)) or "none"}') from None
 
     def find_executable(self, name: str) -> str:
-        """Return the path of a program on the PATH.
-
-        :raises LaunchFailed: there is none.
-        """
+        """Return the path of a program on the PATH."""
         if path := shutil.which(name, path=self.environment.get('PATH')):
             return path
         raise LaunchFailed(f"executable '{name}' not found on the PATH")
@@ -113,7 +107,6 @@ class Context:
         """Run a command, and return what it prints.
 
         :param on_stderr: What happens if it prints to standard error: ``fail``, ``ignore``, ``warn`` or ``capture``.
-        :raises LaunchFailed: it cannot be started or fails.
         """
         try:
             done = subprocess.run(
@@ -131,8 +124,5 @@ class Context:
         return done.stdout
 
     def expect_launchable(self, what: str) -> None:
-        """Expect to carry out what only a full installation can start; a rehearsal can.
-
-        :raises LaunchFailed: this is no rehearsal.
-        """
+        """Expect to carry out what only a full installation can start; a rehearsal can."""
         reject(what)

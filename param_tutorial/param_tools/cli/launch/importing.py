@@ -30,10 +30,7 @@ _ELSEWHERE = {
 
 
 def read(path: Path) -> Any:
-    """Read a launch file, and return what it describes.
-
-    :raises LaunchFailed: it is none, or needs what only a full installation has.
-    """
+    """Read a launch file, and return what it describes."""
     if not path.is_file():
         raise LaunchFailed(f'there is no launch file {path}')
     if path.suffix not in READERS:
@@ -46,7 +43,6 @@ def running(what: str) -> Iterator[None]:
     """Let Python code of a launch file import MODULES and find the provided packages; explain its exceptions.
 
     :param what: What the code is.
-    :raises LaunchFailed: the code raises an exception.
     """
     with provided_packages_installed(), _importable():
         try:

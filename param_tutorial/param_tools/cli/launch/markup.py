@@ -37,10 +37,7 @@ class Entity:
         return self._attributes.pop(name, None)
 
     def need(self, name: str) -> Any:
-        """Return an attribute that has to be there.
-
-        :raises LaunchFailed: it is not.
-        """
+        """Return an attribute that has to be there."""
         found = self.take(name)
         if found is None:
             raise LaunchFailed(f"Attribute '{name}' not found in Entity '{self.tag}'")
@@ -53,10 +50,7 @@ class Entity:
         return found
 
     def end(self) -> None:
-        """Expect that all of it was read.
-
-        :raises LaunchFailed: something is left that it does not have.
-        """
+        """Expect that all of it was read."""
         if left := [*self._attributes, *(each.tag for each in self._children)]:
             raise LaunchFailed(f'Unexpected attribute(s) or nested tag(s) found in `{self.tag}`: '
                                f'{", ".join(map(repr, left))}; where they are right: {FULL_INSTALLATION}')
@@ -100,10 +94,7 @@ READERS: dict[str, Callable[[str], Entity]] = {'.xml': _from_xml, '.yaml': _from
 
 
 def load(path: Path) -> LaunchDescription:
-    """Return what a launch file describes.
-
-    :raises LaunchFailed: it cannot be read, or needs what only a full installation has.
-    """
+    """Return what a launch file describes."""
     try:
         root = READERS[path.suffix](path.read_text(encoding='utf-8'))
         if root.tag != 'launch':
@@ -139,10 +130,7 @@ def _add_condition(entity: Entity, action: Any) -> None:
 
 
 def _text(entity: Entity, value: Any) -> Any:
-    """Return the substitutions that are in an attribute; None if there is no attribute.
-
-    :raises LaunchFailed: it is no text: YAML makes numbers and booleans of some.
-    """
+    """Return the substitutions that are in an attribute; None if there is no attribute."""
     if value is None:
         return None
     if not isinstance(value, str):
@@ -269,10 +257,7 @@ def _value(value: Any, entity: Entity, wanted: Any) -> Any:
 
 
 def _converted(text: str, wanted: Any) -> Any:
-    """Return what launch makes of an attribute in XML; a text that is nothing else stays one.
-
-    :raises LaunchFailed: it can be no parameter.
-    """
+    """Return what launch makes of an attribute in XML; a text that is nothing else stays one."""
     if wanted is str or not text:
         return text
     try:

@@ -38,10 +38,7 @@ def flat(parameters: Mapping[Any, Any], context: Context, prefix: str = '') -> d
 
 
 def parameter_value(name: str, value: Any, context: Context) -> Any:
-    """Return the value that a node gets. A plain list becomes a tuple, as in launch_ros.
-
-    :raises LaunchFailed: the value cannot be that of a parameter, or is not of the type that the launch file says.
-    """
+    """Return the value that a node gets. A plain list becomes a tuple, as in launch_ros."""
     content, wanted = (value.value, value.value_type) if isinstance(value, ParameterValue) else (value, None)
     given, found = content, content
     if is_substitution(content):
@@ -93,10 +90,7 @@ class ParameterFile:
     allow_substs: Any = field(default=False, kw_only=True)
 
     def evaluate(self, context: Context) -> Path:
-        """Return the path of a file without substitutions.
-
-        :raises LaunchFailed: the file with substitutions cannot be read, or holds an unknown one.
-        """
+        """Return the path of a file without substitutions."""
         path = self.param_file if isinstance(self.param_file, Path) else Path(perform(self.param_file, context))
         if not typed_bool(self.allow_substs, context):
             return path

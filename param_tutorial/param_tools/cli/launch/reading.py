@@ -78,10 +78,7 @@ MODULES.update({f'{module}.{re.sub("(?<!^)(?=[A-Z])", "_", name).lower()}': {nam
 
 
 def load_description(path: Path) -> LaunchDescription:
-    """Read a launch file in Python, XML or YAML, and return what it describes.
-
-    :raises LaunchFailed: it is none, or needs what only a full installation has.
-    """
+    """Read a launch file in Python, XML or YAML, and return what it describes."""
     found: LaunchDescription = read(path)
     return found
 

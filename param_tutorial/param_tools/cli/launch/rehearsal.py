@@ -83,7 +83,6 @@ class RehearsedLaunch:
         """Carry out a launch file without starting anything.
 
         :param folder: Where parameter files are written.
-        :raises LaunchFailed: it cannot be carried out.
         """
         self.path = path
         self._warnings: list[str] = []

@@ -7,7 +7,7 @@ from typing import Any
 
 import yaml
 
-from param_tools.cli.launch.actions import Action, Process, expect_actions
+from param_tools.cli.launch.actions import Action, Process, TimerAction
 from param_tools.cli.launch.conditions import Condition
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.parameters import ParameterFile, flat
@@ -23,9 +23,8 @@ class SetParameter(Action):
     name: Any
     value: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         _given_to_all(context).extend(flat({perform(self.name, context): self.value}, context).items())
-        return []
 
 
 @dataclass
@@ -34,10 +33,9 @@ class SetParametersFromFile(Action):
 
     filename: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         filename = str(self.filename) if isinstance(self.filename, Path) else perform(self.filename, context)
         _given_to_all(context).append(filename)
-        return []
 
 
 def _given_to_all(context: Context) -> list[Any]:
@@ -56,10 +54,9 @@ class SetRemap(Action):
     src: Any
     dst: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.launch_configurations.setdefault('ros_remaps', []).append(
             (perform(self.src, context), perform(self.dst, context)))
-        return []
 
 
 @dataclass
@@ -68,10 +65,9 @@ class PushROSNamespace(Action):
 
     namespace: Any
 
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         _, namespace = full_name(None, self.namespace, context)
         context.launch_configurations['ros_namespace'] = namespace
-        return []
 
 
 @dataclass(kw_only=True)
@@ -183,25 +179,16 @@ class LoadComposableNodes(Action):
         return [program for node in self.composable_node_descriptions for program in node.load(context)]
 
 
-class RosTimer(Action):
+class RosTimer(TimerAction):
     """A timer in ROS time, which only a full installation has."""
 
-    def __init__(self, *, period: Any, actions: Iterable[Action], condition: Condition | None = None):
-        super().__init__(condition=condition)
-        self.period = period
-        self.actions = expect_actions(actions)
-
-    def execute(self, context: Context) -> list[Program]:
+    def execute(self, context: Context) -> None:
         context.expect_launchable('wait in ROS time (RosTimer)')
         context.postponed.append((float('inf'), self.actions))
-        return []
 
 
 def full_name(name: Any, namespace: Any, context: Context) -> tuple[str | None, str | None]:
-    """Return the name of a node and its namespace, each as the launch file says it; None where it says nothing.
-
-    :raises LaunchFailed: one of them is not valid.
-    """
+    """Return the name of a node and its namespace, each as the launch file says it; None where it says nothing."""
     performed = None if name is None else perform(name, context)
     if performed is not None:
         _expect_valid('node name', performed, flaw_of_node_name(performed))

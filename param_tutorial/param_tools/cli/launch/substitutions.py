@@ -372,10 +372,7 @@ class IfElseSubstitution(Substitution):
 
 
 def as_bool(text: str) -> bool:
-    """Return what a text says as a boolean, as YAML has it; 1 and 0 are booleans, too.
-
-    :raises LaunchFailed: it is none.
-    """
+    """Return what a text says as a boolean, as YAML has it; 1 and 0 are booleans, too."""
     try:
         found = {'1': True, '0': False}.get(text, yaml.safe_load(text) if text else None)
     except yaml.YAMLError:
@@ -403,10 +400,7 @@ def is_substitution(value: Any) -> bool:
 
 
 def expect_string(value: Any) -> None:
-    """Expect what ``perform`` takes: a string, a substitution, or a list of these.
-
-    :raises LaunchFailed: the value is something else.
-    """
+    """Expect what ``perform`` takes: a string, a substitution, or a list of these."""
     if not all(isinstance(part, (str, Substitution)) for part in (value if is_list(value) else [value])):
         raise LaunchFailed(f'the launch file has {value!r} where a string or a substitution belongs')
 

@@ -50,10 +50,7 @@ KINDS: dict[str, Callable[..., Substitution]] = {
 
 
 def parse_text(text: str) -> list[Substitution]:
-    """Return the parts of a text: plain ones and substitutions.
-
-    :raises LaunchFailed: a substitution is unknown, or is not closed.
-    """
+    """Return the parts of a text: plain ones and substitutions."""
     return _Reader(text).template('') or [TextSubstitution(text='')]
 
 

@@ -67,10 +67,7 @@ def include(path: Path, arguments: Mapping[str, str]) -> IncludeLaunchDescriptio
 
 
 def path_and_arguments(words: Sequence[str]) -> tuple[Path, dict[str, str]]:
-    """Return the launch file that the words after ``ros2 launch`` name, and the arguments for it.
-
-    :raises CommandFailed: there is no such file, or an argument is malformed.
-    """
+    """Return the launch file that the words after ``ros2 launch`` name, and the arguments for it."""
     first, *others = words
     if Path(first).is_file():
         return Path(first).resolve(), dict(map(_argument, others))
