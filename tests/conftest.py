@@ -7,7 +7,8 @@ import shutil
 import signal
 import tempfile
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import hypothesis
 import nbval.kernel
@@ -41,9 +42,11 @@ nbval.kernel.KernelManager = KernelManager
 waiting.wait_until.__defaults__ = (60.0,)
 node_log.NodeLog.read.__defaults__ = (None, 60.0)
 
-# By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside.
-hypothesis.settings.register_profile('no deadline', deadline=None)
-hypothesis.settings.load_profile('no deadline')
+# By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside. And each
+# example of a test has the folder and the stage that the ones before it had.
+hypothesis.settings.register_profile(
+    'ours', deadline=None, suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture])
+hypothesis.settings.load_profile('ours')
 
 
 @pytest.hookimpl(trylast=True)
@@ -71,6 +74,17 @@ def ros(stage_of_the_file: None) -> Iterator[BackgroundExecutor]:
     terminal.end_all()
     with contextlib.suppress(StuckError):  # a callback that never returns; the next start begins anew
         executor.remove_all()
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Callable[..., Path]:
+    """Return a function that writes a file, of text or of bytes, and returns its path."""
+    def write(content: str | bytes, name: str = 'robot.yaml') -> Path:
+        path = tmp_path / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode(errors='replace'))
+        return path
+
+    return write
 
 
 @pytest.fixture

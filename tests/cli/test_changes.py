@@ -9,7 +9,7 @@ from param_tools.ros.interrupts import raise_in
 from param_tools.systems.change_log import ChangeLog
 from param_tutorial import ParameterClient, wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from tests.cli.test_ros2 import run
+from tests.support.commands import run
 
 
 @pytest.fixture
@@ -64,10 +64,9 @@ def test_what_has_happened_is_told_and_brought_back(ros, log):
     assert status == 1
 
 
-def test_a_torn_log_is_read_and_the_line_is_named(tmp_path):
-    path = tmp_path / 'changes.jsonl'
-    path.write_text('{"time": "2026-11-22T14:00:00+00:00", "kind": "changed", "node": "/a", "parameter": "x", '
-                    '"old": 1, "new": 2}\n{"time": "2026-11')
+def test_a_torn_log_is_read_and_the_line_is_named(write):
+    path = write('{"time": "2026-11-22T14:00:00+00:00", "kind": "changed", "node": "/a", "parameter": "x", '
+                 '"old": 1, "new": 2}\n{"time": "2026-11', 'changes.jsonl')
     stdout, stderr, status = run('history', path)
     assert stdout.startswith('1 change; unreadable: line 2\n')
     assert stderr == f'{path}: line 2 cannot be read, and was passed over\n'
@@ -83,9 +82,8 @@ def test_a_torn_log_is_read_and_the_line_is_named(tmp_path):
     (['watch', '--duration', '1', '--log', 'no/such/folder/x'], 'cannot write no/such/folder/x'),
     (['restore', 'FILE@soon'], 'this is no log'),
 ])
-def test_nonsense_gets_a_sentence(ros, tmp_path, words, complaint):
-    path = tmp_path / 'bad.jsonl'
-    path.write_text('hello\n')
+def test_nonsense_gets_a_sentence(ros, write, words, complaint):
+    path = write('hello\n', 'bad.jsonl')
     stdout, stderr, status = run(*(word.replace('FILE', str(path)) for word in words))
     assert (stdout, status) == ('', 1)
     assert complaint.replace('FILE', str(path)) in stderr

@@ -13,40 +13,31 @@ from param_tools.cli.run_isolated import describe_program
 from param_tools.cli.session import CommandFailed
 from param_tools.files import descriptions
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from tests.cli.test_ros2 import run
+from tests.support.commands import run, source_package
 
 GOOD = '/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: 120\n'
 BAD = GOOD.replace('max_speed', 'max_sped')
 
 
-@pytest.fixture
-def file(tmp_path):
-    """Return a function that writes a parameter file and returns its path."""
-    def write(text, name='robot.yaml'):
-        (tmp_path / name).write_text(text)
-        return tmp_path / name
-    return write
-
-
-def test_a_file_against_a_running_node(ros, file):
+def test_a_file_against_a_running_node(ros, write):
     ros.add(SimpleParamNode)
-    assert run('check', file(GOOD), '--against', '/simple_param_node') == ('', '', 0)
-    path = file(BAD)
+    assert run('check', write(GOOD), '--against', '/simple_param_node') == ('', '', 0)
+    path = write(BAD)
     stdout, stderr, status = run('check', path, '--against', '/simple_param_node')
     assert stdout == (f"{path}:3:5: unknown parameter: /simple_param_node has no parameter 'max_sped_rpm'. Did you "
                       f'mean max_speed_rpm?\n')
     assert (stderr, status) == ('', 1)
 
 
-def test_what_a_running_node_declares_is_saved_and_checked_against(ros, file, tmp_path):
+def test_what_a_running_node_declares_is_saved_and_checked_against(ros, write, tmp_path):
     ros.add(SimpleParamNode)
     saved = tmp_path / 'saved.yaml'
     stdout, stderr, status = run('describe', '/**', '--save', saved)
     assert (stdout, stderr, status) == (f'Saved 9 parameters of 1 node to {saved}\n', '', 0)
     ros.remove_all()
     assert descriptions.read(saved).complete
-    assert run('check', file(GOOD), '--against', saved)[2] == 0
-    assert run('check', file(BAD), '--against', saved)[2] == 1
+    assert run('check', write(GOOD), '--against', saved)[2] == 0
+    assert run('check', write(BAD), '--against', saved)[2] == 1
     assert run('describe', saved)[0] == saved.read_text()
     table, stderr, status = run('describe', saved, '--format', 'markdown')
     assert table.startswith('| parameter | type | value | enforced | meaning |\n')
@@ -55,42 +46,38 @@ def test_what_a_running_node_declares_is_saved_and_checked_against(ros, file, tm
 
 
 @pytest.mark.slow
-def test_a_program_is_started_described_and_stopped(ros, file):
+def test_a_program_is_started_described_and_stopped(ros, write):
     """The program runs in its own domain, where no node of this process hears it."""
     found = describe_program('param_tutorial', 'simple_param_node')['/simple_param_node']
     assert found.defaults_from == 'as declared'
     assert found.parameters['max_speed_rpm'].default == 100
     assert ros.services.node_names() == []
-    stdout, _, status = run('check', file(BAD), '--against', 'param_tutorial/simple_param_node', '--format', 'json')
+    stdout, _, status = run('check', write(BAD), '--against', 'param_tutorial/simple_param_node', '--format', 'json')
     assert (json.loads(stdout)[0]['kind'], status) == ('unknown parameter', 1)
 
 
 @pytest.mark.slow
 def test_a_program_without_a_node_is_reported(ros, tmp_path, monkeypatch):
-    folder = tmp_path / 'lib/broken'
-    folder.mkdir(parents=True)
-    marker = tmp_path / 'share/ament_index/resource_index/packages/broken'
-    marker.parent.mkdir(parents=True)
-    marker.touch()
-    program = folder / 'program'
+    source_package('broken', tmp_path, monkeypatch)
+    program = tmp_path / 'lib/broken/program'
+    program.parent.mkdir(parents=True)
     program.write_text('#!/bin/sh\necho no robot here\nexit 3\n')
     program.chmod(0o755)
-    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
     with pytest.raises(CommandFailed, match='it ended with exit status 3: no robot here'):
         describe_program('broken', 'program')
 
 
-def test_a_schema_may_be_for_a_node_of_another_name(ros, file):
-    schema = file('lift:\n  speed: {type: double}\n', 'schema.yaml')
-    path = file('/hall/left_lift:\n  ros__parameters:\n    speed: 1\n')
+def test_a_schema_may_be_for_a_node_of_another_name(ros, write):
+    schema = write('lift:\n  speed: {type: double}\n', 'schema.yaml')
+    path = write('/hall/left_lift:\n  ros__parameters:\n    speed: 1\n')
     assert run('check', path, '--against', schema)[0].count('never matched') == 0
     stdout, _, status = run('check', path, '--against', f'/hall/left_lift={schema}')
     assert 'write 1.0' in stdout
     assert status == 1
 
 
-def test_github_annotations_and_the_order_of_files(ros, file):
-    first, second = file('/n: {ros__parameters: {a: 1}}\n', 'first.yaml'), file(
+def test_github_annotations_and_the_order_of_files(ros, write):
+    first, second = write('/n: {ros__parameters: {a: 1}}\n', 'first.yaml'), write(
         '/**: {ros__parameters: {a: 2}}\n', 'second.yaml')
     stdout, _, status = run('check', first, second, '--format', 'github')
     assert stdout.startswith(f'::warning file={first},line=1,col=27,title=overridden::')
@@ -108,8 +95,8 @@ def test_github_annotations_and_the_order_of_files(ros, file):
     (['FILE', '--format', 'xml'], "invalid choice: 'xml'"),
     ([], 'the following arguments are required: FILE'),
 ])
-def test_what_cannot_be_checked_has_a_status_of_its_own(ros, file, words, complaint):
-    stdout, stderr, status = run('check', *(file(GOOD) if word == 'FILE' else word for word in words))
+def test_what_cannot_be_checked_has_a_status_of_its_own(ros, write, words, complaint):
+    stdout, stderr, status = run('check', *(write(GOOD) if word == 'FILE' else word for word in words))
     assert (stdout, status) == ('', 2)
     assert complaint in stderr
     assert 'Traceback' not in stderr
@@ -132,22 +119,21 @@ def test_where_nothing_can_be_saved_the_command_says_so(ros, tmp_path):
 
 
 @pytest.mark.slow
-def test_the_pre_commit_hook_starts_the_command(file):
+def test_the_pre_commit_hook_starts_the_command(write):
     """As pre-commit would: the words of the hook, then the files that have changed."""
     from tests.support.paths import ROOT
 
     hook, = yaml.safe_load((ROOT / '.pre-commit-hooks.yaml').read_text())
     python, *words = hook['entry'].split()
     assert python == 'python'
-    good, bad = file(GOOD, 'good.yaml'), file(GOOD.replace('120', '[1, x]'), 'bad.yaml')
+    good, bad = write(GOOD, 'good.yaml'), write(GOOD.replace('120', '[1, x]'), 'bad.yaml')
     for path, status in ((good, 0), (bad, 1)):
         assert subprocess.run([sys.executable, *words, path], stdout=subprocess.DEVNULL).returncode == status
 
 
-def test_a_terminal_that_knows_only_ascii_gets_every_line(file, tmp_path):
-    schema = tmp_path / 'schema.yaml'
-    schema.write_text('lift:\n  size_mm:\n    type: int\n    default_value: 1\n')
-    path = file('/lift:\n  ros__parameters:\n    größe_mm: 1\n')
+def test_a_terminal_that_knows_only_ascii_gets_every_line(write):
+    schema = write('lift:\n  size_mm:\n    type: int\n    default_value: 1\n', 'schema.yaml')
+    path = write('/lift:\n  ros__parameters:\n    größe_mm: 1\n')
     done = subprocess.run([sys.executable, '-m', 'param_tools', 'check', path, '--against', f'/lift={schema}'],
                           capture_output=True, text=True, env={**os.environ, 'PYTHONIOENCODING': 'ascii'})
     assert (done.returncode, done.stderr) == (1, '')

@@ -1,6 +1,5 @@
 """ros2 launch, embedded: what a launch file may say, what comes of it, and what is rejected by name."""
 
-import io
 import itertools
 import os
 import re
@@ -15,7 +14,6 @@ import pytest
 import yaml
 from rclpy.node import Node as RclNode
 
-from param_tools.cli import command
 from param_tools.cli.launch.actions import DeclareLaunchArgument, LaunchDescription
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.importing import MODULES
@@ -27,6 +25,7 @@ from param_tools.cli.launch.substitutions import LaunchConfiguration, PathJoinSu
 from param_tools.cli.run import node_programs
 from param_tools.ros.waiting import to_end
 from param_tutorial import ParameterClient, Terminal, wait_until
+from tests.support.commands import run, source_package
 from tests.support.paths import ROS_PACKAGE
 
 FILES = sorted((ROS_PACKAGE / 'launch').glob('*.py'))
@@ -49,13 +48,9 @@ given = LaunchConfiguration
 
 
 @pytest.fixture
-def launch_file(tmp_path):
-    """Write a launch file around some entities, and give its path."""
-    def write(entities, head=HEAD, name='some_launch.py'):
-        path = tmp_path / name
-        path.write_text(f'{head}{entities}\n    ])\n')
-        return path
-    return write
+def launch_file(write):
+    """Return a function that writes a launch file around some entities, and returns its path."""
+    return lambda entities, head=HEAD: write(f'{head}{entities}\n    ])\n', 'some_launch.py')
 
 
 @pytest.fixture
@@ -68,10 +63,7 @@ def context(tmp_path):
 
 def launch(*words, in_notebook=True):
     """Run ros2 launch in this process: standard output, standard error, exit status."""
-    stdout, stderr = io.StringIO(), io.StringIO()
-    status = command.main(['launch', *map(str, words)], stdout=stdout, stderr=stderr, get_executor=pytest.fail,
-                          in_notebook=in_notebook)
-    return stdout.getvalue(), stderr.getvalue(), status
+    return run('launch', *words, in_notebook=in_notebook, get_executor=pytest.fail)
 
 
 def robot(**options):
@@ -111,9 +103,8 @@ def test_after_reading_the_imports_find_what_they_found_before(launch_file, monk
         import launch_ros  # noqa: F401
 
 
-def test_a_launch_file_has_the_real_ament_index_and_finds_the_course_in_it(tmp_path, monkeypatch):
-    path = tmp_path / 'index_launch.py'
-    path.write_text("""
+def test_a_launch_file_has_the_real_ament_index_and_finds_the_course_in_it(write, tmp_path, monkeypatch):
+    path = write("""
 import ament_index_python
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -122,16 +113,13 @@ from launch_ros.actions import Node
 def generate_launch_description():
     prefix = ament_index_python.get_packages_with_prefixes()['param_tutorial']
     return LaunchDescription([Node(package=prefix, executable='x')])
-""")
+""", 'index_launch.py')
     monkeypatch.setenv('AMENT_PREFIX_PATH', '/nowhere')
     node, = load_description(path).entities
     assert Path(node.package, 'share/param_tutorial/config/clawbot_config.yaml').is_file()
     assert os.environ['AMENT_PREFIX_PATH'] == '/nowhere'
     # A package that has been built and sourced comes first.
-    marker = tmp_path / 'share/ament_index/resource_index/packages/param_tutorial'
-    marker.parent.mkdir(parents=True)
-    marker.touch()
-    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+    source_package('param_tutorial', tmp_path, monkeypatch)
     node, = load_description(path).entities
     assert node.package == str(tmp_path)
 
@@ -199,10 +187,8 @@ def generate""")
      r'ZeroDivisionError: division by zero \(x_launch\.py, line 2\)'),
     ('x_launch.py', 'from launch import LaunchDescription\nLaunchDescription([1])', 'takes actions such as Node'),
 ])
-def test_a_file_that_is_none(tmp_path, name, text, why):
-    path = tmp_path / name
-    path.write_text(text)
-    out, err, status = launch(path, in_notebook=False)
+def test_a_file_that_is_none(write, name, text, why):
+    out, err, status = launch(write(text, name), in_notebook=False)
     assert (err, status) == ('', 1)
     assert re.search(rf'\n\[ERROR\] \[launch\]: Caught exception in launch \(see debug for traceback\): .*{why}', out)
 
@@ -276,9 +262,8 @@ def test_which_streams_are_shown(context, output, streams):
 
 
 @pytest.mark.slow
-def test_a_stream_that_only_goes_to_a_log_is_not_on_the_screen(launch_file, capfd):
-    program = launch_file('', name='x').parent / 'both_streams'
-    program.write_text('#!/bin/sh\necho to stdout\necho to stderr >&2\n')
+def test_a_stream_that_only_goes_to_a_log_is_not_on_the_screen(write, capfd):
+    program = write('echo to stdout\necho to stderr >&2\n', 'both_streams')
     launcher = Launcher(sys.stdout)
     to_end(launcher.run([Program(['sh', str(program)], 'x', True, False)]))
     shown = capfd.readouterr().out
@@ -299,9 +284,8 @@ def test_set_parameter_reaches_the_nodes_after_it_before_their_own_parameters(la
                           '-p', 'n.speed:=60', '--params-file']
 
 
-def test_with_set_parameter_a_file_for_the_node_beats_the_dictionary_after_it(context, tmp_path, ros):
-    path = tmp_path / 'exact.yaml'
-    path.write_text('/trip: {ros__parameters: {speed: 180}}')
+def test_with_set_parameter_a_file_for_the_node_beats_the_dictionary_after_it(context, write, ros):
+    path = write('/trip: {ros__parameters: {speed: 180}}')
     node = robot(parameters=[path, {'speed': 200}])
 
     def speed():
@@ -317,17 +301,15 @@ def test_with_set_parameter_a_file_for_the_node_beats_the_dictionary_after_it(co
 # -- values, as measured with the genuine one (launch 3.4.3, launch_ros 0.26.6) ---------------------------------------
 
 
-def test_values_are_what_launch_ros_makes_of_them(context, tmp_path):
-    path = tmp_path / 'v.py'
-    path.write_text(HEAD + """
+def test_values_are_what_launch_ros_makes_of_them(context, launch_file):
+    path = launch_file("""
         Node(package='p', executable='e', parameters=[{
             'text': '42', 'flag': True, 'mixed': [1, 2.5], 'inner': {'kp': 1.5},
             'speed': LaunchConfiguration('speed'), 'gains': LaunchConfiguration('gains'),
             'joined': [LaunchConfiguration('speed'), '0'],
             'name': ParameterValue(LaunchConfiguration('name'), value_type=str),
             'wide': ParameterValue(LaunchConfiguration('speed'), value_type=float),
-            'missing': LaunchConfiguration('missing', default='off')}])])
-""")
+            'missing': LaunchConfiguration('missing', default='off')}])""")
     (node,) = load_description(path).entities
     _, files = arguments(node, context)
     assert files[0]['/**']['ros__parameters'] == {
@@ -389,10 +371,9 @@ def test_a_parameter_value_of_python_values_must_have_its_type(context):
             parameter_value('x', ParameterValue(value, value_type=value_type), context)
 
 
-def test_a_parameter_file_with_substitutions(context, tmp_path):
-    path = tmp_path / 'with.yaml'
-    path.write_text("/**: {ros__parameters: {speed: $(var speed), name: '$(var name)', "
-                    "share: $(find-pkg-share param_tutorial)/config, price: 5$, escaped: \\$(var speed)}}")
+def test_a_parameter_file_with_substitutions(context, write):
+    path = write("/**: {ros__parameters: {speed: $(var speed), name: '$(var name)', "
+                 "share: $(find-pkg-share param_tutorial)/config, price: 5$, escaped: \\$(var speed)}}")
     _, files = arguments(robot(parameters=[ParameterFile(path, allow_substs=True)]), context)
     found = files[0]['/**']['ros__parameters']
     assert Path(found.pop('share'), 'clawbot_config.yaml').is_file()
@@ -407,11 +388,9 @@ def test_a_parameter_file_with_substitutions(context, tmp_path):
     ("x: $(eval '1 + nothing')", r"the expression '1 \+ nothing' fails: NameError"),
     ('x: $(var speed', r'a substitution cannot be read: \$\(var speed; it has to be \$\(name argument …\)'),
     ('x: $(var nobody)', "'nobody' does not exist")])
-def test_a_substitution_in_a_file_that_cannot_be_carried_out_is_named(context, tmp_path, text, why):
-    path = tmp_path / 'with.yaml'
-    path.write_text(text)
+def test_a_substitution_in_a_file_that_cannot_be_carried_out_is_named(context, write, text, why):
     with pytest.raises(LaunchFailed, match=why):
-        ParameterFile(path, allow_substs=True).evaluate(context)
+        ParameterFile(write(text), allow_substs=True).evaluate(context)
     with pytest.raises(LaunchFailed, match=r'No such file or directory: /nowhere/x\.yaml'):
         ParameterFile('/nowhere/x.yaml', allow_substs=True).evaluate(context)
 
@@ -479,16 +458,12 @@ def test_mistakes_have_a_sentence(launch_file):
 
 
 def test_a_launch_file_is_found_at_any_depth_and_must_be_the_only_one_of_its_name(tmp_path, monkeypatch):
+    source_package('deep', tmp_path, monkeypatch)
     share = tmp_path / 'share/deep'
-    marker = tmp_path / 'share/ament_index/resource_index/packages/deep'
-    folders = share / 'launch/robots/arm', share / 'launch'
-    for folder in (*folders, marker.parent):
-        folder.mkdir(parents=True, exist_ok=True)
-    marker.touch()
-    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
-    (folders[0] / 'x_launch.py').write_text(HEAD + '    ])\n')
+    (share / 'launch/robots/arm').mkdir(parents=True)
+    (share / 'launch/robots/arm/x_launch.py').write_text(HEAD + '    ])\n')
     assert launch('--show-args', 'deep', 'x_launch.py')[1:] == ('', 0)
-    (folders[1] / 'x_launch.py').write_text(HEAD + '    ])\n')
+    (share / 'launch/x_launch.py').write_text(HEAD + '    ])\n')
     _, err, status = launch('--show-args', 'deep', 'x_launch.py')
     assert status == 1
     assert f"file 'x_launch.py' was found more than once in the share directory of package 'deep': ['{share}" in err
@@ -526,10 +501,9 @@ def test_several_nodes_are_ended_together_also_by_sigterm(ros, launch_file):
 
 
 @pytest.mark.slow
-def test_a_program_that_ignores_signals_is_killed_in_the_end(launch_file, monkeypatch, capfd):
+def test_a_program_that_ignores_signals_is_killed_in_the_end(write, monkeypatch, capfd):
     monkeypatch.setattr('param_tools.cli.launch.processes.GRACE_SEC', 0.2)
-    script = launch_file('', name='x').parent / 'stubborn'
-    script.write_text('trap "" INT TERM; kill -INT $PPID; while :; do sleep 0.1; done\n')
+    script = write('trap "" INT TERM; kill -INT $PPID; while :; do sleep 0.1; done\n', 'stubborn')
     to_end(Launcher(sys.stdout).run([Program(['sh', str(script)], 'stubborn', True, True)]))
     shown = capfd.readouterr().out
     assert "'0.2' seconds after receiving 'SIGINT', escalating to 'SIGTERM'" in shown

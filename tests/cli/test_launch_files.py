@@ -1,6 +1,5 @@
 """Launch files as people write them: the embedded launch beside recorded answers of the genuine one."""
 
-import io
 import json
 import os
 import random
@@ -13,7 +12,6 @@ import pytest
 import yaml
 from lark import Lark
 
-from param_tools.cli import command
 from param_tools.cli.launch.actions import carry_out
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.markup import load
@@ -21,6 +19,7 @@ from param_tools.cli.launch.rehearsal import RehearsedLaunch
 from param_tools.cli.launch.substitutions import PathSubstitution, TextSubstitution
 from param_tools.cli.launch.text import KINDS, parse_text
 from param_tools.cli.launch.verb import include
+from tests.support.commands import run
 
 FOLDER = Path(__file__).parent / 'launch_files'
 RECORDED = json.loads((FOLDER / 'recorded.json').read_text())
@@ -79,9 +78,8 @@ def test_programs_of_timers_wait_and_have_the_environment_of_their_place(context
     ('<node pkg="p" exec="e" respawn_delay="soon"/>', "'respawn_delay' of Entity 'node' has to be a number"),
     ('<node pkg="p" exec="e" args="\'open"/>', 'No closing quotation'),
 ])
-def test_what_is_wrong_in_xml_is_named(tmp_path, text, why):
-    path = tmp_path / 'x.launch.xml'
-    path.write_text(f'<launch>{text}</launch>')
+def test_what_is_wrong_in_xml_is_named(write, text, why):
+    path = write(f'<launch>{text}</launch>', 'x.launch.xml')
     with pytest.raises(LaunchFailed, match=why):
         load(path)
 
@@ -91,9 +89,8 @@ def test_what_is_wrong_in_xml_is_named(tmp_path, text, why):
     ('[{node: 5}]', "'node' needs keys below it, and has 5"),
     ('[{arg: {name: x, default: true}}]', "'arg' has to be a text, and is True: put quotes around it"),
 ])
-def test_what_is_wrong_in_yaml_is_named(tmp_path, text, why):
-    path = tmp_path / 'x.launch.yaml'
-    path.write_text(f'launch: {text}')
+def test_what_is_wrong_in_yaml_is_named(write, text, why):
+    path = write(f'launch: {text}', 'x.launch.yaml')
     with pytest.raises(LaunchFailed, match=why):
         load(path)
 
@@ -198,19 +195,17 @@ def lab(tmp_path, ros):
     from param_tutorial.nodes.simple_param_node import SimpleParamNode
 
     ros.add(SimpleParamNode)
-    assert check('describe', '/simple_param_node', '--save', tmp_path / 'saved.yaml', executor=lambda: ros)[2] == 0
+    assert run('describe', '/simple_param_node', '--save', tmp_path / 'saved.yaml')[2] == 0
     ros.remove_all()
     return tmp_path
 
 
-def check(*words, executor=pytest.fail):
-    stdout, stderr = io.StringIO(), io.StringIO()
-    status = command.main(list(map(str, words)), stdout=stdout, stderr=stderr, get_executor=executor, in_notebook=False)
-    return stdout.getvalue(), stderr.getvalue(), status
+def check(*words):
+    return run('check', '--launch', *words, in_notebook=False, get_executor=pytest.fail)
 
 
 def test_check_launch_shows_what_each_node_would_get_from_where_and_what_it_would_reject(lab):
-    stdout, stderr, status = check('check', '--launch', lab / 'lab_launch.py', '--against', lab / 'saved.yaml')
+    stdout, stderr, status = check(lab / 'lab_launch.py', '--against', lab / 'saved.yaml')
     assert stdout.replace(f'{lab}/', '') == """\
 /lab/clawbot  (nobody_has_it/simple_param_node)
   max_sped_rpm: 5        robot.yaml:4
@@ -233,7 +228,7 @@ a string; rcl reads fast as the string 'fast'
 
 def test_check_launch_takes_arguments_and_formats(lab):
     (lab / 'robot.yaml').write_text(ROBOT.replace('sped', 'speed'))
-    words = 'check', '--launch', lab / 'lab_launch.py', 'speed:=5', '--against', lab / 'saved.yaml'
+    words = lab / 'lab_launch.py', 'speed:=5', '--against', lab / 'saved.yaml'
     assert check(*words)[2] == 0
     (lab / 'saved.yaml').write_text((lab / 'saved.yaml').read_text().replace('max_speed_rpm', 'other'))
     found = json.loads(check(*words, '--format', 'json')[0])
@@ -246,7 +241,7 @@ def test_a_value_that_another_file_overrides_is_found_where_a_person_wrote_it(la
     path = lab / 'lab_launch.py'
     path.write_text(LAUNCH.replace(
         "{'max_speed_rpm': LaunchConfiguration('speed')}", "'/nowhere/x.yaml'"))
-    stdout, _, status = check('check', '--launch', path)
+    stdout, _, status = check(path)
     assert f'{path}:1:1: unreadable: Parameter file path is not a file: /nowhere/x.yaml\n' in stdout
     assert f'  use_sim_time: False  {lab}/robot.yaml:1\n' in stdout
     assert status == 1
@@ -254,7 +249,7 @@ def test_a_value_that_another_file_overrides_is_found_where_a_person_wrote_it(la
 
 def test_a_file_that_holds_nothing_for_the_node_that_gets_it_is_found(lab):
     (lab / 'robot.yaml').write_text(ROBOT.replace('/**/clawbot', '/clawbot'))
-    stdout, _, status = check('check', '--launch', lab / 'lab_launch.py', 'speed:=5')
+    stdout, _, status = check(lab / 'lab_launch.py', 'speed:=5')
     assert stdout.splitlines()[-1] == (
         f'{lab}/robot.yaml:1:1: never matched: the launch file gives /lab/clawbot this file, and no block in it is for '
         f'that node: it has /clawbot')  # and the container's file is for what it loads
@@ -263,12 +258,12 @@ def test_a_file_that_holds_nothing_for_the_node_that_gets_it_is_found(lab):
 
 def test_what_cannot_be_rehearsed_is_an_error_of_the_check(lab):
     (lab / 'empty_launch.py').write_text('from launch import LaunchDescription as generate_launch_description')
-    assert check('check', '--launch', lab / 'empty_launch.py') == ('The launch file starts no node.\n', '', 0)
+    assert check(lab / 'empty_launch.py') == ('The launch file starts no node.\n', '', 0)
     for words, why in (([lab / 'lab_launch.py', 'speed:='], 'malformed launch argument'),
                        ([lab / 'none_launch.py'], 'is not a launch file here'),
                        ([lab / 'lab_launch.py', '--load'], 'are for parameter files, and not for --launch'),
                        ([FOLDER / 'inner/inner_launch.py'], "missing required argument 'robot'")):
-        stdout, stderr, status = check('check', '--launch', *words)
+        stdout, stderr, status = check(*words)
         assert (stdout, status) == ('', 2)
         assert why in stderr
 

@@ -1,6 +1,5 @@
 """The embedded ros2 where no recording goes: mistakes, nodes that are late, busy, gone or double, and run."""
 
-import io
 import os
 import re
 import signal
@@ -17,23 +16,16 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
-from param_tools.cli import command, session
+from param_tools.cli import session
 from param_tools.cli.run import node_programs
-from param_tools.ros import domain, executor, stage
+from param_tools.ros import domain, executor
 from param_tutorial import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.interrupts import interruptible
+from tests.support.commands import run, source_package
 from tests.support.processes import CAN_STAND_STILL, standing_still
 
 EMBEDDED = [sys.executable, '-m', 'param_tools']
-
-
-def run(*words, in_notebook=True, get_executor=stage.current):
-    """Run a command in this process: standard output, standard error, exit status."""
-    stdout, stderr = io.StringIO(), io.StringIO()
-    status = command.main([str(word) for word in words], stdout=stdout, stderr=stderr, get_executor=get_executor,
-                       in_notebook=in_notebook)
-    return stdout.getvalue(), stderr.getvalue(), status
 
 
 @pytest.fixture
@@ -140,10 +132,9 @@ def test_nonsense_gets_one_sentence(ros, words, complaint):
 
 @pytest.mark.parametrize('content', ['[1, 2', '- a', 'a', '', '/n: 1', '/n: {ros__parameters: {a: 2024-01-01}}',
                                      '/n: {ros__parameters: {a: "@x"}}', b'\xff\xfe\x00'])
-def test_a_file_that_is_none_gets_a_sentence_and_no_traceback(ros, tmp_path, content):
+def test_a_file_that_is_none_gets_a_sentence_and_no_traceback(ros, write, content):
     ros.add(SimpleParamNode)
-    path = tmp_path / 'bad.yaml'
-    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    path = write(content, 'bad.yaml')
     stdout, stderr, status = run('param', 'load', '/simple_param_node', path)
     assert (stdout, status) == ('', 1)
     assert stderr.startswith(f'{path} is not in UTF-8' if isinstance(content, bytes) else '')
@@ -493,10 +484,7 @@ def test_run_names_what_it_cannot_find(words, complaint):
 @pytest.fixture
 def workspace(tmp_path, monkeypatch):
     """Source an install space with one package, ``mine``; gives a function that puts programs into it."""
-    marker = tmp_path / 'share/ament_index/resource_index/packages/mine'
-    marker.parent.mkdir(parents=True)
-    marker.touch()
-    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path))
+    source_package('mine', tmp_path, monkeypatch)
 
     def add(name, text=''):
         path = tmp_path / 'lib/mine' / name

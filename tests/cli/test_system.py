@@ -9,7 +9,7 @@ from rclpy.parameter import Parameter
 from param_tools.systems.snapshot import Snapshot
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from tests.cli.test_ros2 import run
+from tests.support.commands import run
 
 
 class Camera(Node):
@@ -143,10 +143,9 @@ def test_two_robots(ros):
     assert '<table' in run('diff', '/robot1/**', '/robot2/**', '--format', 'html')[0]
 
 
-def test_a_node_and_a_file_of_overrides_are_compared_on_what_the_file_holds(ros, tmp_path):
+def test_a_node_and_a_file_of_overrides_are_compared_on_what_the_file_holds(ros, write):
     ros.add(SimpleParamNode)
-    path = tmp_path / 'overrides.yaml'
-    path.write_text('/**:\n  ros__parameters:\n    max_speed_rpm: 180\n    unheard_of: 1\n')
+    path = write('/**:\n  ros__parameters:\n    max_speed_rpm: 180\n    unheard_of: 1\n', 'overrides.yaml')
     stdout, _, status = run('diff', path, '/simple_param_node')
     assert 'max_speed_rpm' in stdout
     assert 'unheard_of' not in stdout
@@ -207,12 +206,11 @@ node     parameter  wanted  outcome    reason
     assert status == 1
 
 
-def test_one_table_of_many_nodes_says_what_was_set_and_what_was_rejected(ros, tmp_path):
+def test_one_table_of_many_nodes_says_what_was_set_and_what_was_rejected(ros, write):
     ros.add(SimpleParamNode)
     ros.add(Camera, '/left')
-    path = tmp_path / 'bad.yaml'
-    path.write_text('/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: -1\n'
-                    '/left/camera:\n  ros__parameters:\n    rate: 15\n')
+    path = write('/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: -1\n'
+                 '/left/camera:\n  ros__parameters:\n    rate: 15\n', 'bad.yaml')
     stdout, stderr, status = run('restore', path)
     heading, _, *rows = stdout.splitlines()
     assert heading == f'2 nodes from {path}: NOT COMPLETE, 1 of 2 parameters set'

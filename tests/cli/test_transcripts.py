@@ -4,7 +4,6 @@ transcripts/README.md says how the recordings were made and how closely to agree
 """
 
 import hashlib
-import io
 import json
 import shlex
 import subprocess
@@ -16,8 +15,7 @@ from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescri
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools.cli import command
-from param_tools.ros import stage
+from tests.support.commands import run
 
 DATA = Path(__file__).parent / 'transcripts'
 NODES = json.loads((DATA / 'nodes.json').read_text())['nodes']
@@ -53,35 +51,25 @@ class RecordedNode(Node):
                 each['name'], Parameter(each['name'], Parameter.Type[each['type'].upper()], value).value, descriptor)
 
 
-Answer = tuple[str, str, int]
-
-
-def in_this_process(words: list[str]) -> Answer:
-    """Return standard output, standard error and exit status of a command."""
-    stdout, stderr = io.StringIO(), io.StringIO()
-    status = command.main(words, stdout=stdout, stderr=stderr, get_executor=stage.current, in_notebook=True)
-    return stdout.getvalue(), stderr.getvalue(), status
-
-
-def as_new_process(words: list[str]) -> Answer:
-    """Return the same; what a command prints does not depend on its process, but whether it finds the nodes does."""
+def run_as_new_process(*words):
+    """As ``run``; what a command prints does not depend on its process, but whether it finds the nodes does."""
     done = subprocess.run([sys.executable, '-m', 'param_tools', *words], capture_output=True, text=True,
                           stdin=subprocess.DEVNULL)
     return done.stdout, done.stderr, done.returncode
 
 
-@pytest.mark.parametrize(('scenario', 'run'), [
-    *((scenario, in_this_process) for scenario in SCENARIOS),
-    pytest.param(SCENARIOS[0], as_new_process, marks=[pytest.mark.slow, pytest.mark.thorough]),
+@pytest.mark.parametrize(('scenario', 'run_words'), [
+    *((scenario, run) for scenario in SCENARIOS),
+    pytest.param(SCENARIOS[0], run_as_new_process, marks=[pytest.mark.slow, pytest.mark.thorough]),
 ], ids=lambda value: value['scenario'].replace(' ', '_') if isinstance(value, dict) else value.__name__)
-def test_agrees_with_the_genuine_command(scenario, run, ros, tmp_path, monkeypatch):
+def test_agrees_with_the_genuine_command(scenario, run_words, ros, tmp_path, monkeypatch):
     for description in NODES:
         ros.add(RecordedNode, description)
     for name, text in scenario['files'].items():
         (tmp_path / name).write_text(text)
     monkeypatch.chdir(tmp_path)
     for step in scenario['steps']:
-        stdout, stderr, status = run(shlex.split(step['command'])[1:])
+        stdout, stderr, status = run_words(*shlex.split(step['command'])[1:])
         assert status == step['returncode'], f"{step['command']}: {stderr}"
         if step['match'] == 'exact':
             assert (stdout, stderr) == (step['stdout'], step['stderr']), step['command']
@@ -99,7 +87,7 @@ def test_all_recordings_are_there():
 def test_a_new_package_has_the_genuine_commands_files(recorded, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path('src').mkdir()
-    stdout, stderr, status = in_this_process(['pkg', 'create', *recorded['words']])
+    stdout, stderr, status = run('pkg', 'create', *recorded['words'])
     assert (stderr, status) == ('', 0)
     assert stdout.replace(str(tmp_path), 'FOLDER').startswith(recorded['stdout'])
     assert {str(path): hashlib.sha256(path.read_bytes()).hexdigest()

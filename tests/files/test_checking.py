@@ -7,7 +7,7 @@ from pathlib import Path
 
 import hypothesis.strategies as st
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
@@ -73,9 +73,8 @@ def test_without_a_description_a_correct_file_is_left_alone(path):
     assert check_files(path) == ()
 
 
-def test_files_in_layers_are_left_alone(tmp_path):
-    special = tmp_path / 'special.yaml'
-    special.write_text('/hall_3/lift:\n  ros__parameters:\n    speed: 0.75\n')
+def test_files_in_layers_are_left_alone(write):
+    special = write('/hall_3/lift:\n  ros__parameters:\n    speed: 0.75\n')
     assert check_files([FILES / 'lift.yaml', special], LIFT) == ()
 
 
@@ -107,12 +106,11 @@ def test_what_users_write_is_left_alone(tmp_path, path, begins, ends):
         assert check_files(written, Descriptions([description])) == ()
 
 
-def test_what_a_launch_file_fills_in_is_named_and_not_judged(tmp_path):
+def test_what_a_launch_file_fills_in_is_named_and_not_judged(write):
     findings = check_files(FOR_LAUNCH, LIFT)
     assert findings == ()
     assert findings.left_to_launch == tuple(f'{FOR_LAUNCH}:{line}' for line in (1, 7, 8, 9))
-    spoiled = tmp_path / 'spoiled.yaml'
-    spoiled.write_text(FOR_LAUNCH.read_text().replace('steps: 40', 'steps: 45'))
+    spoiled = write(FOR_LAUNCH.read_text().replace('steps: 40', 'steps: 45'))
     assert [(each.line, each.kind) for each in check_files(spoiled, LIFT)] == [(10, 'off the step')]
 
 
@@ -218,12 +216,11 @@ SEEDED = [
 
 @pytest.mark.parametrize(('name', 'old', 'new', 'kind', 'line', 'column', 'words'), SEEDED,
                          ids=[f'{each[0].partition(".")[0]}: {each[2].strip()}'[:60] for each in SEEDED])
-def test_a_seeded_error_is_found_where_it_stands(tmp_path, name, old, new, kind, line, column, words):
+def test_a_seeded_error_is_found_where_it_stands(write, name, old, new, kind, line, column, words):
     text = (FILES / name).read_text()
     assert text.count(old) >= 1
     text = text.replace(old, new, 1)
-    path = tmp_path / name
-    path.write_text(text)
+    path = write(text, name)
     findings = check_files(path, AGAINST[name])
     expected = [text.count('\n', 0, found.start()) + 1 for found in re.finditer(re.escape(line), text)]
     assert expected, 'the seed is not in the file'
@@ -287,10 +284,9 @@ LINES = [
 @pytest.mark.parametrize('ends', [b'\n', b'\r\n'], ids=['LF', 'CRLF'])
 @pytest.mark.parametrize(('lines', 'kind', 'line', 'column', 'words'), LINES,
                          ids=[ascii(each[0])[:40] for each in LINES])
-def test_a_mistake_is_found_whatever_the_editor(tmp_path, lines, kind, line, column, words, begins, ends):
+def test_a_mistake_is_found_whatever_the_editor(write, lines, kind, line, column, words, begins, ends):
     content = b'/hall_3/lift:\n  ros__parameters:\n' + (lines if isinstance(lines, bytes) else lines.encode())
-    path = tmp_path / 'lift.yaml'
-    path.write_bytes(begins + content.replace(b'\n', ends))
+    path = write(begins + content.replace(b'\n', ends))
     finding, = check_files(path, LIFT)
     assert (finding.kind, finding.line, finding.column) == (kind, line, column), finding
     assert words in finding.message
@@ -303,9 +299,8 @@ def test_a_mistake_is_found_whatever_the_editor(tmp_path, lines, kind, line, col
     ('off', True), ('0123', True), ('12:30', True), ('2024-01-01', True), ('nan', True), ('inf', True), ('~', True),
     ('1_000', True), ('0o17', True), ('99999999999999999999', True), ('!!float 5', True), ('!!int 5', False),
     ('!!str 5', False), ('!mine 5', True)])
-def test_without_a_description_only_a_value_that_can_mislead_is_found(tmp_path, value, is_found):
-    path = tmp_path / 'any.yaml'
-    path.write_text(f'/n:\n  ros__parameters:\n    a: {value}\n')
+def test_without_a_description_only_a_value_that_can_mislead_is_found(write, value, is_found):
+    path = write(f'/n:\n  ros__parameters:\n    a: {value}\n')
     assert [(each.kind, each.line) for each in check_files(path)] == [('read otherwise', 3)] * is_found
 
 
@@ -313,9 +308,8 @@ def test_every_kind_of_finding_is_seeded():
     assert {each[3] for each in SEEDED} == set(KINDS) - {'read only'}
 
 
-def test_read_only_matters_only_where_the_node_runs(tmp_path):
-    path = tmp_path / 'lift.yaml'
-    path.write_text("/hall_3/lift:\n  ros__parameters:\n    password: 'x'\n    speed: 1e-1\n")
+def test_read_only_matters_only_where_the_node_runs(write):
+    path = write("/hall_3/lift:\n  ros__parameters:\n    password: 'x'\n    speed: 1e-1\n")
     assert check_files(path, LIFT) == ()
     read_only, otherwise = check_files(path, LIFT, loading=True)
     assert (read_only.kind, read_only.line, read_only.column) == ('read only', 3, 15)
@@ -323,10 +317,9 @@ def test_read_only_matters_only_where_the_node_runs(tmp_path):
     assert "YAML 1.1 as the text '1e-1'" in otherwise.message
 
 
-def test_all_errors_of_a_file_are_found_at_once(tmp_path):
-    path = tmp_path / 'lift.yaml'
-    path.write_text('/hall_3/lift:\n  ros__parameters:\n    speed: 1\n    gains: [1, x]\n    length: a\n    name:\n'
-                    '/hall_3/lft:\n  ros_parameters:\n    steps: 1\n')
+def test_all_errors_of_a_file_are_found_at_once(write):
+    path = write('/hall_3/lift:\n  ros__parameters:\n    speed: 1\n    gains: [1, x]\n    length: a\n    name:\n'
+                 '/hall_3/lft:\n  ros_parameters:\n    steps: 1\n')
     assert [(each.line, each.kind) for each in check_files(path, LIFT)] == [
         (3, 'wrong type'), (4, 'unreadable'), (5, 'unknown parameter'), (6, 'unreadable'),
         (8, 'no header')]
@@ -353,9 +346,8 @@ def test_a_value_that_another_file_overrides_unexpectedly_is_found(tmp_path, fir
 
 
 @pytest.mark.parametrize('block', ['/hall_3/lifft', '/hall_3/list'])
-def test_a_typo_is_found_beside_the_right_name(tmp_path, block):
-    path = tmp_path / 'lift.yaml'
-    path.write_text(f'/hall_3/lift: {{ros__parameters: {{steps: 10}}}}\n{block}: {{ros__parameters: {{name: a}}}}\n')
+def test_a_typo_is_found_beside_the_right_name(write, block):
+    path = write(f'/hall_3/lift: {{ros__parameters: {{steps: 10}}}}\n{block}: {{ros__parameters: {{name: a}}}}\n')
     finding, = check_files(path, Descriptions(LIFT.values()))
     assert (finding.kind, finding.line) == ('unknown node', 2)
     assert finding.message == (f'there is no node {block}, so rcl ignores this block. '
@@ -363,18 +355,16 @@ def test_a_typo_is_found_beside_the_right_name(tmp_path, block):
 
 
 @pytest.mark.parametrize('block', ['/hall_3/lift_2', '/hall_4/lift', '/hall_3/left_lift', '/hall_3/crane'])
-def test_another_node_is_no_typo(tmp_path, block):
-    path = tmp_path / 'lift.yaml'
-    path.write_text(f'/hall_3/lift: {{ros__parameters: {{steps: 10}}}}\n{block}: {{ros__parameters: {{name: a}}}}\n')
+def test_another_node_is_no_typo(write, block):
+    path = write(f'/hall_3/lift: {{ros__parameters: {{steps: 10}}}}\n{block}: {{ros__parameters: {{name: a}}}}\n')
     assert check_files(path, Descriptions(LIFT.values())) == ()
 
 
 # -- formats --------------------------------------------------------------------------------------------------
 
 
-def test_findings_as_text_json_and_annotations(tmp_path):
-    path = tmp_path / 'a,b.yaml'
-    path.write_text('/hall_3/lift:\n  ros__parameters:\n    name: "100 %"\n    steps: 10\n    steps: 10\n')
+def test_findings_as_text_json_and_annotations(write):
+    path = write('/hall_3/lift:\n  ros__parameters:\n    name: "100 %"\n    steps: 10\n    steps: 10\n', 'a,b.yaml')
     findings = check_files(path, LIFT)
     assert [(each.line, each.severity) for each in findings] == [(5, 'warning')]
     assert re.match(rf'{re.escape(str(path))}:\d+:\d+: [a-z ]+: ', findings.text())
@@ -387,9 +377,8 @@ def test_findings_as_text_json_and_annotations(tmp_path):
 
 
 @pytest.mark.parametrize('content', ['', '# nothing\n', 'a', '[]', b'\xff\xfe\x00', '\x00', '{' * 3000])
-def test_what_is_no_parameter_file_is_a_finding(tmp_path, content):
-    path = tmp_path / 'bad.yaml'
-    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+def test_what_is_no_parameter_file_is_a_finding(write, content):
+    path = write(content)
     assert len(check_files(path, LIFT)) == 1
 
 
@@ -406,11 +395,10 @@ def test_a_name_that_is_no_pattern_is_a_finding_and_matches_nothing(tmp_path, ag
 
 
 @pytest.mark.slow
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=300)
+@settings(max_examples=300)
 @given(st.one_of(DOCUMENTS, st.text(max_size=60), st.binary(max_size=60)))
-def test_a_file_is_rejected_by_the_strict_reader_just_where_a_finding_says_so(tmp_path, content):
-    path = tmp_path / 'any.yaml'
-    path.write_bytes(content if isinstance(content, bytes) else content.encode(errors='replace'))
+def test_a_file_is_rejected_by_the_strict_reader_just_where_a_finding_says_so(write, content):
+    path = write(content)
     findings = check_files(path, LIFT)
     strict = Parser()
     try:

@@ -6,7 +6,7 @@ from pathlib import Path
 import hypothesis.strategies as st
 import pytest
 import yaml
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import example, given, settings
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 
@@ -84,7 +84,6 @@ def test_a_description_judges_as_the_node_does(ros, name, value):
 
 @pytest.mark.slow
 @given(st.dictionaries(TEXT.filter(bool), VALUES, max_size=5), TEXT)
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_any_default_and_text_comes_back(tmp_path, parameters, text):
     described = {name: DescribedParameter(Descriptor(name, values.type_of(value), text, text, True, True, None), value)
                  for name, value in parameters.items()}
@@ -128,24 +127,23 @@ def test_a_schema_can_be_for_a_node_of_another_name():
     ('lower_element_bounds<>: [0.0]', [0.5], [-0.5], 'double_array'),
     ('upper_element_bounds<>: 1.0', [0.5], [1.5], 'double_array'),
 ])
-def test_the_validators_of_a_schema(tmp_path, validation, good, bad, type_name):
-    path = tmp_path / 'schema.yaml'
-    path.write_text(f'n:\n  a:\n    type: {type_name}\n    validation:\n      {validation}\n      own::check: [1]\n')
+def test_the_validators_of_a_schema(write, validation, good, bad, type_name):
+    path = write(f'n:\n  a:\n    type: {type_name}\n    validation:\n      {validation}\n      own::check: [1]\n',
+                 'schema.yaml')
     described = read(path)['/n'].parameters['a']
     assert described.objection(good) is None
     assert described.objection(bad).reason.startswith('it must') or 'may only' in described.objection(bad).reason
 
 
-def test_a_reference_is_made_from_a_schema(tmp_path):
-    path = tmp_path / 'schema.yaml'
-    path.write_text('''
+def test_a_reference_is_made_from_a_schema(write):
+    path = write('''
 arm:
   joints: {type: string_array, read_only: true, description: "Which | how many"}
   gains:
     __map_joints:
       p: {type: double, default_value: 1, validation: {bounds<>: [0.0, 2.0], own::check: null}}
   qos_overrides: {type: int, default_value: 1, unit: mm}
-''')
+''', 'schema.yaml')
     assert repr(read(path).reference()) == r"""
 | parameter | type | default | enforced | meaning |
 | --- | --- | --- | --- | --- |
@@ -179,9 +177,8 @@ def test_a_saved_description_gives_the_reference_that_the_running_node_gives(ros
     ('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: 5}}}', '/n: a should be a map, and is 5'),
     ('n: &a {x: {type: int}, b: *a}', 'nested too deeply'),
 ])
-def test_what_is_no_description_gets_a_sentence(tmp_path, content, complaint):
-    path = tmp_path / 'bad.yaml'
-    path.write_text(content)
+def test_what_is_no_description_gets_a_sentence(write, content, complaint):
+    path = write(content, 'bad.yaml')
     with pytest.raises(ParameterFileError, match=r'bad\.yaml') as rejection:
         read(path)
     assert complaint in str(rejection.value)
@@ -196,13 +193,12 @@ JSON = st.recursive(
 
 
 @pytest.mark.slow
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=300)
+@settings(max_examples=300)
 @given(st.one_of(JSON.map(yaml.safe_dump), JSON.map(lambda tree: yaml.safe_dump(
     {'parameter_descriptions': 1, 'nodes': {'/n': {'parameters': tree}}})), st.text(), st.binary(max_size=50)))
 @example('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: {type: []}}}}')
-def test_any_file_is_read_or_rejected_with_a_sentence(tmp_path, content):
-    path = tmp_path / 'any.yaml'
-    path.write_bytes(content if isinstance(content, bytes) else content.encode(errors='replace'))
+def test_any_file_is_read_or_rejected_with_a_sentence(write, content):
+    path = write(content, 'any.yaml')
     try:
         found = read(path)
     except ParameterFileError as error:

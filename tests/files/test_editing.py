@@ -52,10 +52,9 @@ def changed_lines(before, after):
         '-     use_sim_time: True', '+     use_sim_time: false']),
     ('controllers.yaml', '/elsewhere', {'a': 1}, ['+ /elsewhere:', '+   ros__parameters:', '+     a: 1']),
 ])
-def test_only_the_value_changes(tmp_path, name, node, new, lines):
+def test_only_the_value_changes(write, name, node, new, lines):
     text = (FILES / name).read_text()
-    path = tmp_path / name
-    path.write_text(text)
+    path = write(text, name)
     before = read_all(path, [node])
     assert update_file(path, node, new) == (list(new) if lines else [])
     assert sorted(changed_lines(text, path.read_text())) == sorted(lines)
@@ -110,18 +109,16 @@ def test_any_value_of_a_file_by_hand_can_be_changed(name, data):
     ('/n: {ros__parameters: {a: 1}}', {'a': [b'x']}, 'byte arrays'),
     ('/n: {ros__parameters: {a: 1, a: x}}', {'a': 'y'}, 'change it by hand'),
 ])
-def test_what_cannot_be_done_leaves_the_file(tmp_path, text, new, complaint):
-    path = tmp_path / 'robot.yaml'
-    path.write_text(text)
+def test_what_cannot_be_done_leaves_the_file(write, text, new, complaint):
+    path = write(text)
     with pytest.raises(ParameterFileError, match=r'robot\.yaml') as rejection:
         update_file(path, '/n', new)
     assert complaint in str(rejection.value)
     assert path.read_text() == text
 
 
-def test_what_is_no_text_is_left(tmp_path):
-    path = tmp_path / 'robot.yaml'
-    path.write_bytes(b'\xff\xfe')
+def test_what_is_no_text_is_left(write, tmp_path):
+    path = write(b'\xff\xfe')
     with pytest.raises(ParameterFileError, match='is not UTF-8'):
         update_file(path, '/n', {'a': 1})
     with pytest.raises(ParameterFileError, match='cannot read'):
@@ -137,10 +134,9 @@ class Locked(Node):
         self.declare_parameter('speed', 1)
 
 
-def test_a_node_writes_its_values_into_a_file_of_a_person(ros, tmp_path):
+def test_a_node_writes_its_values_into_a_file_of_a_person(ros, write):
     client = ParameterClient(ros.add(Locked))
-    path = tmp_path / 'robot.yaml'
-    path.write_text('# mine\n/**:\n  ros__parameters:\n    speed: 5   # fast\n')
+    path = write('# mine\n/**:\n  ros__parameters:\n    speed: 5   # fast\n')
     assert client.update_file(path) == ['speed']
     assert path.read_text() == '# mine\n/**:\n  ros__parameters:\n    speed: 1   # fast\n'
     assert client.update_file(path, ['serial']) == ['serial']
@@ -148,10 +144,9 @@ def test_a_node_writes_its_values_into_a_file_of_a_person(ros, tmp_path):
 
 
 @pytest.mark.parametrize('skip', [True, False])
-def test_read_only_values_are_loaded_and_dumped_as_the_user_chooses(ros, tmp_path, skip):
+def test_read_only_values_are_loaded_and_dumped_as_the_user_chooses(ros, write, skip):
     client = ParameterClient(ros.add(Locked))
-    path = tmp_path / 'robot.yaml'
-    path.write_text('/locked:\n  ros__parameters:\n    serial: B\n    speed: 2\n')
+    path = write('/locked:\n  ros__parameters:\n    serial: B\n    speed: 2\n')
     assert client.load(path, skip_read_only=skip).successful is skip
     assert client.get_parameter('speed') == 2
     dump = client.dump(skip_read_only=skip)

@@ -10,7 +10,7 @@ from pathlib import Path
 import hypothesis.strategies as st
 import pytest
 import yaml
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import example, given, settings
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -25,7 +25,7 @@ from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from tests.support.strategies import TEXT, VALUES
 
-property_test = settings(deadline=None, max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+property_test = settings(max_examples=150)
 
 
 class Reader(Node):
@@ -191,7 +191,7 @@ DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
 
 
 @pytest.mark.slow
-@settings(property_test, max_examples=400)
+@settings(max_examples=400)
 @given(DOCUMENTS)
 @example('/**: {ros__parameters: {a: 1}}\n/lab/reader: {ros__parameters: {a: 2}}\n/**: {ros__parameters: {a: 3}}')
 @example('/**: {ros__parameters: {1: b, 1: {a: 1, b: 1.5, b: {p: 3}, b: true}}}')
@@ -212,7 +212,7 @@ def test_documents_are_read_or_rejected_as_rcl_reads_or_rejects_them(ros, text):
 
 
 @pytest.mark.slow
-@settings(property_test, max_examples=400)
+@settings(max_examples=400)
 @given(DOCUMENTS)
 @example('/n:\n  ros__parameters:\n    a: [1, x]\n')
 @example('/n:\n  ros__parameters:\n    a: 1\n    b: *x\n')
@@ -267,9 +267,8 @@ def test_a_block_is_for_the_nodes_that_rcl_gives_it_to(ros, block, node):
     ('/other:\n  ros__parameters:\n    a: 1\n', 'holds nothing for /n; it is for /other'),
     ('', 'holds nothing for /n; it is for no node at all'),
 ])
-def test_a_rejection_says_where_and_what(tmp_path, text, complaint):
-    path = tmp_path / 'robot.yaml'
-    path.write_text(text)
+def test_a_rejection_says_where_and_what(write, text, complaint):
+    path = write(text)
     with pytest.raises(ParameterFileError, match=r'robot\.yaml') as rejection:
         read(path, '/n')
     assert complaint in str(rejection.value)
@@ -285,23 +284,20 @@ LISTS = ''.join(f'{after}: &{after} [{", ".join([f"*{before}"] * 10)}]\n'
     pytest.param('/n: &n {ros__parameters: *n}', id='an alias of itself'),
     pytest.param('/n: {ros__parameters: {a: \x07}}', id='a control character'),
 ])
-def test_what_would_harm_the_reader_is_rejected(tmp_path, text):
-    path = tmp_path / 'hostile.yaml'
-    path.write_text(text)
+def test_what_would_harm_the_reader_is_rejected(write, text):
+    path = write(text, 'hostile.yaml')
     with pytest.raises(ParameterFileError, match=r'hostile\.yaml, line \d'):
         read(path, '/n')
 
 
-def test_no_tag_makes_an_object(tmp_path):
-    path = tmp_path / 'hostile.yaml'
-    path.write_text('/n: {ros__parameters: {a: !!python/object/apply:os.mkdir ["made"]}}')
+def test_no_tag_makes_an_object(write, tmp_path):
+    path = write('/n: {ros__parameters: {a: !!python/object/apply:os.mkdir ["made"]}}', 'hostile.yaml')
     assert read(path, '/n') == {'a': ['made']}
     assert [each.name for each in tmp_path.iterdir()] == ['hostile.yaml']
 
 
-def test_a_deep_file_is_read(tmp_path):
-    path = tmp_path / 'deep.yaml'
-    path.write_text('/n: {ros__parameters: ' + '{a: ' * 500 + '1' + '}' * 501)
+def test_a_deep_file_is_read(write):
+    path = write('/n: {ros__parameters: ' + '{a: ' * 500 + '1' + '}' * 501, 'deep.yaml')
     assert read(path, '/n') == {'.'.join('a' * 500): 1}
 
 
@@ -314,9 +310,8 @@ def test_without_libyaml_the_same_is_read(monkeypatch):
 
 
 @pytest.mark.parametrize('step', [(os, 'fsync'), (Path, 'replace')], ids=['write', 'replace'])
-def test_a_failed_save_leaves_the_old_file_and_nothing_else(tmp_path, monkeypatch, step):
-    path = tmp_path / 'robot.yaml'
-    path.write_text('old')
+def test_a_failed_save_leaves_the_old_file_and_nothing_else(write, tmp_path, monkeypatch, step):
+    path = write('old')
 
     def full(*_):
         raise OSError(28, 'No space left on device')
@@ -421,8 +416,7 @@ def test_a_bad_file_sets_nothing(ros, tmp_path):
     ('/**:\n  ros__parameters:\n    a: 1\n  pump:\n    ros__parameters:\n      rate: 1\n', 'line 4: pump is a node'),
     ('/n:\n  rate: 1\n', 'line 2: there is a value before ros__parameters'),
 ])
-def test_a_header_in_the_wrong_place_is_named_wherever_a_file_is_read(tmp_path, text, why):
-    path = tmp_path / 'x.yaml'
-    path.write_text(text)
+def test_a_header_in_the_wrong_place_is_named_wherever_a_file_is_read(write, text, why):
+    path = write(text, 'x.yaml')
     with pytest.raises(ParameterFileError, match=rf'x\.yaml, {why}'):
         parse(path)

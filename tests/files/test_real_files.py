@@ -5,7 +5,7 @@ import re
 import hypothesis.strategies as st
 import pytest
 import yaml
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import example, given
 from rclpy.node import Node
 
 from param_tools import values
@@ -15,11 +15,10 @@ from param_tools.files.checking import check_files
 from param_tools.files.descriptions import DescribedParameter, Descriptions, NodeDescription
 from param_tools.files.parsing import Parser, effective
 from param_tools.files.rcl_parser import first_rejection
-from tests.cli.test_ros2 import run
 from tests.files.test_parameter_files import rcl_reads, same, we_read
+from tests.support.commands import run
 
 HEADER = '/lab/reader:\n  ros__parameters:\n'
-property_test = settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def check(tmp_path, text, against=None, **options):
@@ -53,10 +52,9 @@ def read_schemas(tmp_path, *texts, node='/lab/reader'):
     ('use_sim_time: tRue', 'rcl reads tRue as the string'),
     ('start_type_description_service: "no"', 'leave the quotes'),
 ])
-def test_what_every_node_declares_has_the_type_that_every_node_gives_it(ros, tmp_path, line, words, known):
+def test_what_every_node_declares_has_the_type_that_every_node_gives_it(ros, write, tmp_path, line, words, known):
     text = f'{HEADER}    {line}\n'
-    path = tmp_path / 'robot.yaml'
-    path.write_text(text)
+    path = write(text)
     try:
         ros.add(Node, 'reader', namespace='/lab', cli_args=['--ros-args', '--params-file', str(path)])
         starts = True
@@ -125,7 +123,6 @@ def written(text, style):
 
 
 @pytest.mark.slow
-@property_test
 @given(st.sampled_from(values.TYPES[1:]), WORDS, st.sampled_from(['plain', 'quotes', 'block', 'folded', 'binary']))
 @example(values.BYTE_ARRAY, 'AAEC', 'binary')
 @example(values.STRING_ARRAY, 'null', 'plain')
@@ -195,7 +192,6 @@ def test_a_node_before_the_header_is_fine(tmp_path):
 
 
 @pytest.mark.slow
-@property_test
 @given(st.lists(st.sampled_from(['1', 'x', '[1, 2]', '{b: 1}', '{b: {c: [x]}}']), min_size=1, max_size=5), st.data())
 def test_lines_too_far_left_are_found_where_they_begin(tmp_path, items, data):
     begin = data.draw(st.integers(0, len(items) - 1))
@@ -240,14 +236,10 @@ def test_a_running_controller_declares_no_type(tmp_path):
     assert [each.kind for each in check(tmp_path, f'{HEADER}    type: some/Wheels\n', other)] == ['unknown parameter']
 
 
-def test_several_schemas_of_one_node_are_one_description(tmp_path):
-    paths = []
-    for name, text in (('one', WHEELS), ('two', 'gains:\n  p: {type: double, default_value: 1.0}\n')):
-        paths.append(tmp_path / f'{name}.yaml')
-        paths[-1].write_text(text)
-    robot = tmp_path / 'robot.yaml'
+def test_several_schemas_of_one_node_are_one_description(write):
+    paths = [write(WHEELS, 'one.yaml'), write('gains:\n  p: {type: double, default_value: 1.0}\n', 'two.yaml')]
+    robot = write(f'{HEADER}    radius: 0.5\n    p: 2.0\n')
     words = ['check', robot, *(word for path in paths for word in ('--against', f'/lab/reader={path}'))]
-    robot.write_text(f'{HEADER}    radius: 0.5\n    p: 2.0\n')
     assert run(*words) == ('', '', 0)
     robot.write_text(f'{HEADER}    radius: -0.5\n    p: 2\n    d: 1.0\n')
     assert [line.split(': ')[1] for line in run(*words)[0].splitlines()] == [
@@ -314,13 +306,12 @@ def test_a_parameter_without_which_the_node_does_not_start_is_missed(tmp_path, t
     assert [each.kind for each in elsewhere] == ['unknown node']
 
 
-def test_what_is_missed_may_be_in_another_file_and_comes_back_with_a_saved_schema(tmp_path):
+def test_what_is_missed_may_be_in_another_file_and_comes_back_with_a_saved_schema(write, tmp_path):
     against = read_schemas(tmp_path, CART)
     saved = tmp_path / 'saved.yaml'
     against.dump().save(saved)
-    first, second = tmp_path / 'first.yaml', tmp_path / 'second.yaml'
-    first.write_text(f'{HEADER}    label: x\n    names: [a]\n')
-    second.write_text('/**:\n  ros__parameters:\n    radius: 1.0\n    limits.a.low: 1.0\n')
+    first = write(f'{HEADER}    label: x\n    names: [a]\n', 'first.yaml')
+    second = write('/**:\n  ros__parameters:\n    radius: 1.0\n    limits.a.low: 1.0\n', 'second.yaml')
     for description in (against, descriptions.read(saved)):
         assert check_files([first, second], description) == ()
         assert [each.parameter for each in check_files(first, description)] == ['radius', 'limits.a.low']
@@ -334,9 +325,8 @@ def test_what_is_missed_may_be_in_another_file_and_comes_back_with_a_saved_schem
     ('blinker:\n  a: {type: int}\n  gain: {type: float}\n', "gain has the type 'float'"),
     ('blinker:\n  period: {default_value: 1.0, validation: {gt<>: [0.0]}}\n', 'period has no type'),
 ])
-def test_a_parameter_of_a_schema_without_a_type_is_named(tmp_path, schema, complaint):
-    path = tmp_path / 'schema.yaml'
-    path.write_text(schema)
+def test_a_parameter_of_a_schema_without_a_type_is_named(write, schema, complaint):
+    path = write(schema)
     stdout, stderr, status = run('describe', path)
     assert (stdout, status) == ('', 1)
     assert stderr.startswith(f'{path}: {complaint}')

@@ -105,8 +105,7 @@ class Open(Node):
 
 
 @pytest.mark.slow
-@hypothesis.settings(suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture], deadline=None,
-                     max_examples=50)
+@hypothesis.settings(max_examples=50)
 @hypothesis.given(FULL_SETS, FULL_SETS)
 def test_restoring_makes_equal_whatever_the_values(ros, first, second):
     if not ros.nodes:

@@ -6,7 +6,7 @@ import threading
 from xml.etree import ElementTree
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -132,7 +132,6 @@ def test_it_is_shown_as_a_table():
 
 
 @pytest.mark.slow
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(SYSTEMS)
 def test_a_snapshot_comes_back_but_for_what_it_names(tmp_path, system):
     path = tmp_path / 'snapshot.yaml'
@@ -165,9 +164,9 @@ def test_the_head_names_what_was_empty_and_a_value_written_since_counts(tmp_path
 
 
 @pytest.mark.parametrize('words', ['', '{', '[]', '{"/arm": "texts"}', '{"/arm": [1]}', '{"/arm": [""]}', '[' * 99999])
-def test_a_head_that_names_no_arrays_is_an_error(tmp_path, words):
-    path = tmp_path / 'snapshot.yaml'
-    path.write_text(f'# Snapshot of 1 node\n# Empty arrays: {words}\n/arm: {{ros__parameters: {{a: 1}}}}\n')
+def test_a_head_that_names_no_arrays_is_an_error(write, words):
+    path = write(f'# Snapshot of 1 node\n# Empty arrays: {words}\n/arm: {{ros__parameters: {{a: 1}}}}\n',
+                 'snapshot.yaml')
     with pytest.raises(ParameterFileError, match='line 2: this comment must name the arrays that are empty, as in'):
         Snapshot.from_file(path)
 

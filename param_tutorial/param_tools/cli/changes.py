@@ -20,12 +20,10 @@ from param_tools.systems.snapshot import Snapshot
 
 
 def add_to(commands: Commands) -> None:
-    """Add the commands ``watch`` and ``history``."""
     add_commands(commands, COMMANDS)
 
 
 def add_watch_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what ``watch`` takes."""
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE',
                         help='a node, or a pattern such as /robot1/** (default: all)')
@@ -92,7 +90,6 @@ def _compiled(text: str) -> re.Pattern[str]:
 
 
 def add_history_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what ``history`` takes."""
     parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
     parser.add_argument('nodes', nargs='*', metavar='NODE',
                         help='a node, or a pattern such as /robot1/** (default: all)')

@@ -18,12 +18,10 @@ _FORMATS = {'text': Findings.text, 'json': Findings.as_json, 'github': Findings.
 
 
 def add_to(commands: Commands) -> None:
-    """Add the commands ``check`` and ``describe``."""
     add_commands(commands, COMMANDS)
 
 
 def add_check_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what ``check`` takes."""
     add_graph_options(parser)
     parser.add_argument('files', nargs='+', metavar='FILE',
                         help='parameter files, in the order in which the nodes get them')
@@ -87,7 +85,6 @@ def _check_launch(session: Session, args: argparse.Namespace, against: Descripti
 
 
 def add_describe_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what ``describe`` takes."""
     add_graph_options(parser)
     parser.add_argument('sources', nargs='+', metavar='SOURCE', help=system_arguments.HELP)
     parser.add_argument('--save', metavar='FILE', help='where to write it; by default to standard output')

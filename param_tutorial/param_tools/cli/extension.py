@@ -23,7 +23,6 @@ class _Command:
     _add_arguments: Callable[[argparse.ArgumentParser], None]
 
     def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:
-        """Add what the command takes."""
         type(self)._add_arguments(parser)
 
     def main(self, *, parser: argparse.ArgumentParser, args: argparse.Namespace) -> int | str:

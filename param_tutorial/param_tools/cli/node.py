@@ -9,7 +9,6 @@ from param_tools.cli.session import CommandFailed, Commands, NodeName, Session, 
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``node`` and its verbs."""
     verbs = add_verbs(commands, 'node', 'nodes in the graph')
     listing = verbs.add_parser('list', help='list the nodes')
     add_discovery_options(listing)

@@ -66,7 +66,6 @@ display(HTML(f'<p class="param-where">{{html.escape(domain.describe())}}.{note}<
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``panel``."""
     parser = commands.add_parser('panel', help='show and change parameters on a page in the browser')
     parser.add_argument('nodes', nargs='*', metavar='NODE', help='the nodes to open; by default a list of all nodes')
     parser.add_argument('--port', type=int, default=_PORT, help=f'where to listen, or near it; default: {_PORT}')

@@ -32,7 +32,6 @@ from param_tools.ros.executor import TOOL_NODE_NAME
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``param`` and its verbs."""
     verbs = add_verbs(commands, 'param', 'parameters of nodes')
     listing = verbs.add_parser('list', help='list the parameters of a node, or of all nodes')
     add_parameter_options(listing)

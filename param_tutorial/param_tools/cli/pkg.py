@@ -27,7 +27,6 @@ _LINTERS = ('copyright', 'flake8', 'pep257')
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``pkg`` and its verbs."""
     verbs = add_verbs(commands, 'pkg', 'packages')
     create = verbs.add_parser('create', help='write a new Python package')
     create.add_argument('package_name', help='name of the package')

@@ -27,7 +27,6 @@ class ProgramNotFound(CommandFailed):
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``run``."""
     run = commands.add_parser('run', help='run a program of a package')
     run.add_argument('--prefix', help="what goes before the program, e.g. --prefix 'gdb -ex run --args'")
     run.add_argument('package_name', help='name of the package')

@@ -9,7 +9,6 @@ from param_tools.cli.session import Commands, Session, add_discovery_options
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``service`` and its verb."""
     service = commands.add_parser('service', help='services in the graph')
     service.set_defaults(help_of=service)
     service.add_argument('--include-hidden-services', action='store_true', help='hidden services, too')

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
 from param_tools.errors import NodeNotFoundError, ParameterToolError
+from param_tools.ros import waiting
 from param_tools.ros.waiting import Steps
 
 if TYPE_CHECKING:
@@ -167,8 +168,6 @@ class Session:
 
         :return: For each node its answer, or the ParameterToolError that came instead.
         """
-        from param_tools.ros import waiting
-
         answers: dict[str, Any] = {}
 
         def take(node: str, future: Any) -> None:

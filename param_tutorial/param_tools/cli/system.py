@@ -23,7 +23,6 @@ from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, 
 
 
 def add_to(commands: Commands) -> None:
-    """Add the commands ``snapshot``, ``diff`` and ``restore``."""
     add_commands(commands, COMMANDS)
 
 
@@ -31,7 +30,6 @@ def add_to(commands: Commands) -> None:
 
 
 def add_snapshot_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what ``snapshot`` takes."""
     add_graph_options(parser)
     parser.add_argument('nodes', nargs='*', metavar='NODE', default=['/**'],
                         help='a node, or a pattern such as /robot1/** (default: all nodes)')
@@ -84,7 +82,6 @@ def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapsh
 
 
 def add_diff_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what ``diff`` takes."""
     add_graph_options(parser)
     parser.add_argument('before', metavar='BEFORE', help=f'{system_arguments.HELP}: a snapshot, another parameter '
                                                          f'file, or saved descriptions, for the defaults')
@@ -188,7 +185,6 @@ def _in_file(path: str, names: list[str]) -> _Side:
 
 
 def add_restore_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what ``restore`` takes."""
     add_graph_options(parser)
     parser.add_argument('file', metavar='FILE',
                         help='a snapshot, another parameter file, or a log and a time: changes.jsonl@14:05')

@@ -17,7 +17,6 @@ _SHOWN_LENGTH = 128
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``topic`` and its verbs."""
     verbs = add_verbs(commands, 'topic', 'topics in the graph')
     listing = verbs.add_parser('list', help='list the topics')
     add_discovery_options(listing)

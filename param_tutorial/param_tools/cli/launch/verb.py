@@ -23,7 +23,6 @@ from param_tools.ros.waiting import Steps
 
 
 def add_to(commands: Commands) -> None:
-    """Add the command ``launch``."""
     launch = commands.add_parser('launch', help='start what a launch file describes')
     launch.add_argument('-s', '--show-args', '--show-arguments', action='store_true',
                         help='only show the arguments of the launch file')
