@@ -196,31 +196,11 @@ def test_a_file_that_is_none(write, name, text, why):
 # -- command lines --------------------------------------------------------------------------------------------------
 
 
-def test_name_namespace_remappings_and_arguments_in_the_order_of_launch_ros(context):
-    node = robot(name='clawbot', namespace='lab', remappings=[('a', 'b')], arguments=['--fast'],
-                 ros_arguments=['--log-level', 'debug'])
-    assert node.command(['program'], context) == [
-        'program', '--fast', '--ros-args', '--log-level', 'debug', '-r', '__node:=clawbot', '-r', '__ns:=/lab',
-        '-r', 'a:=b']
-    assert robot().command(['program'], context) == ['program', '--ros-args']
-
-
 def test_files_and_dictionaries_keep_their_order(context, tmp_path):
     (tmp_path / 'a.yaml').write_text('first: 1')
     after, files = arguments(robot(parameters=[tmp_path / 'a.yaml', {'speed': 200}]), context)
     assert after[::2] == ['--params-file', '--params-file']
     assert files == [{'first': 1}, {'/**': {'ros__parameters': {'speed': 200}}}]
-
-
-@pytest.mark.parametrize(('names', 'words', 'key'), [
-    ({'name': 'n'}, ['-r', '__node:=n'], '/**'),
-    ({'namespace': 'lab'}, ['-r', '__ns:=/lab'], '/**'),
-    ({'name': 'n', 'namespace': '/lab/'}, ['-r', '__node:=n', '-r', '__ns:=/lab'], '/lab/n'),
-    ({'name': 'n', 'namespace': ''}, ['-r', '__node:=n', '-r', '__ns:=/'], '/n')])
-def test_a_dictionary_names_the_node_where_the_launch_file_names_it_in_full(context, names, words, key):
-    after, files = arguments(robot(parameters=[{'x': 1}], **names), context)
-    assert after[:-2] == words
-    assert list(files[0]) == [key]
 
 
 def test_a_parameter_file_that_is_missing_is_a_warning_only(context):

@@ -82,7 +82,6 @@ def ready(process):
 @pytest.mark.parametrize(('words', 'complaint'), [
     (['interface', 'show'], "invalid choice: 'interface'"),
     (['param', 'shout'], "invalid choice: 'shout'"),
-    (['param', 'get', '/n'], 'the following arguments are required: parameter_name'),
     (['param', 'set', '/n', 'a'], 'the following arguments are required: value'),
     (['param', 'get', '/n', 'a', 'b'], 'unrecognized arguments: b'),
     (['param', 'get', '--timeout', '0.5', '/n', 'a'], "argument --timeout: invalid int value: '0.5'"),

@@ -86,19 +86,13 @@ ROBOT = {'two_cells.yaml': ('/cell_1/controller_manager', '/cell_1/forward_contr
          'planning.yaml': ('/move_group', '/demo')}
 
 
-def as_written_on(path, begins, ends):
-    """Return the content of a file as another editor would write it."""
-    return begins + path.read_bytes().replace(b'\n', ends)
-
-
 @pytest.mark.parametrize('begins', [b'', codecs.BOM_UTF8], ids=['', 'BOM'])
 @pytest.mark.parametrize('ends', [b'\n', b'\r\n'], ids=['LF', 'CRLF'])
 @pytest.mark.parametrize('path', [each for each in LIKE_USERS if each != FOR_LAUNCH], ids=lambda path: path.stem)
-def test_what_users_write_is_left_alone(tmp_path, path, begins, ends):
+def test_what_users_write_is_left_alone(write, path, begins, ends):
     nodes = ROBOT.get(path.name) or ['/' + block.strip('/') for block in read_blocks(path)]
     against = described_by(path, *nodes)
-    written = tmp_path / path.name
-    written.write_bytes(as_written_on(path, begins, ends))
+    written = write(begins + path.read_bytes().replace(b'\n', ends))
     assert rcl_rejection_of(written.read_bytes()) == ''
     assert check_files(written) == ()
     assert check_files(written, against) == ()
@@ -122,18 +116,14 @@ SEEDED = [
     # the node's name, and what leads to it
     ('lift.yaml', '/hall_3/lift:', '/hall_3/lfit:', 'unknown node', '/hall_3/lfit', 1, 'Did you mean /hall_3/lift?'),
     ('lift.yaml', '/hall_3/lift:', '/lift:', 'never matched', '/lift:', 1, 'there is /hall_3/lift'),
-    ('lift.yaml', '/hall_3/lift:', '/hall_4/lift:', 'never matched', '/hall_4/lift', 1, 'there is /hall_3/lift'),
     ('lift.yaml', '/hall_3/lift:', 'lift:', 'never matched', 'lift:', 1, '"/**/lift:"'),
     ('lift.yaml', '/hall_3/lift:', '/*:', 'never matched', '/*:', 1, '** for any number'),
     ('lift.yaml', '/hall_3/lift:', '/*/lifts:', 'never matched', '/*/lifts:', 1, 'no node matches'),
     ('lift.yaml', '/hall_3/lift:', '/hall 3/lift:', 'unreadable', '  ros__parameters:\n    speed: 0.25', 3,
      'is not a node name'),
     ('navigation.yaml', 'localizer:', 'localiser:', 'unknown node', 'localiser', 1, '/localizer'),
-    ('navigation.yaml', 'map_server:', 'nav/map_server:', 'never matched', 'nav/map_server', 1, 'there is /map_server'),
     ('navigation.yaml', '  local_costmap:\n    ros__p', '  costmap:\n    ros__p', 'unknown node', '  costmap:', 3,
      'Did you mean'),
-    ('controllers.yaml', '/cell_2/gripper', 'gripper', 'never matched', 'gripper_controller:', 1,
-     '/cell_2/gripper_controller'),
     ('controllers.yaml', '/**/controller_manager', 'controller_manager', 'never matched', 'controller_manager:', 1,
      '/cell_1/controller_manager'),
     # the header
@@ -145,16 +135,12 @@ SEEDED = [
      '  parameters:', 3, "should be 'ros__parameters'"),
     # names
     ('lift.yaml', 'steps: 40', 'step: 40', 'unknown parameter', 'step: 40', 5, 'Did you mean steps?'),
-    ('lift.yaml', 'unit: "m"', 'units: "m"', 'unknown parameter', 'units:', 5, 'Did you mean unit?'),
     ('lift.yaml', 'kind: fork', 'knid: fork', 'unknown parameter', 'knid', 12, 'tool.kind'),
     ('lift.yaml', 'tool: {', 'tools: {', 'unknown parameter', 'kind: fork', 13, 'tool.kind'),
-    ('navigation.yaml', 'alpha1: 0.15', 'alpha_1: 0.15', 'unknown parameter', 'alpha_1', 5, 'alpha1'),
     ('navigation.yaml', 'PathAlign.scale', 'PathAllign.scale', 'unknown parameter', 'PathAllign', 7,
      'FollowPath.PathAlign.scale'),
     ('navigation.yaml', 'cost_power: 1', 'cost_powr: 1', 'unknown parameter', 'cost_powr', 9, 'cost_power'),
     ('controllers.yaml', '  elbow: {p: 5.0', '  elbw: {p: 5.0', 'unknown parameter', 'elbw', 14, 'gains.elbow.p'),
-    ('controllers.yaml', 'goal_time: 0.0', 'goal_tim: 0.0', 'unknown parameter', 'goal_tim', 7,
-     'constraints.goal_time'),
     # types
     ('lift.yaml', 'speed: 0.25', 'speed: 1', 'wrong type', 'speed: 1', 12, 'write 1.0'),
     ('lift.yaml', 'speed: 0.25', 'speed: "0.25"', 'wrong type', 'speed: "', 12, 'leave the quotes out'),
@@ -166,16 +152,12 @@ SEEDED = [
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: 1.0', 'wrong type', 'gains:', 12, 'write [1.0]'),
     ('lift.yaml', 'gains: [1.0, 0.5]', 'gains: []', 'wrong type', 'gains:', 12, 'an empty array has no type'),
     ('lift.yaml', 'name: lift', 'name: y', 'wrong type', 'name: y', 11, "write 'y'"),
-    ('lift.yaml', 'name: lift', 'name: 7', 'wrong type', 'name: 7', 11, "write '7'"),
     ('lift.yaml', 'name: lift', 'name: nan', 'wrong type', 'name: nan', 11, "write 'nan'"),
     ('lift.yaml', "'0123'", '0123', 'wrong type', 'code: 0123', 11, 'the integer 83'),
     ('lift.yaml', 'enabled: true', 'enabled: 1', 'wrong type', 'enabled: 1', 14, 'type boolean'),
-    ('lift.yaml', "'no'", 'no', 'wrong type', 'password: no', 15, "write 'no'"),
     ('navigation.yaml', 'width: 3', 'width: 3.5', 'wrong type', 'width: 3.5', 14, 'type integer'),
     ('navigation.yaml', '["obstacles", "inflation"]', 'obstacles', 'wrong type', 'plugins: obst', 16,
      'write [obstacles]'),
-    ('navigation.yaml', 'tolerance: 1e-3', 'tolerance: 1e-3s', 'wrong type', 'tolerance: 1e-3s', 16, 'the string'),
-    ('controllers.yaml', 'p: 10.0', 'p: 10', 'wrong type', 'p: 10', 21, 'write 10.0'),
     # ranges, steps and validators
     ('lift.yaml', 'speed: 0.25', 'speed: 1.25', 'out of range', 'speed: 1.25', 12, 'between 0.0 and 1.0'),
     ('lift.yaml', 'speed: 0.25', 'speed: .nan', 'out of range', 'speed: .nan', 12, 'between 0.0 and 1.0'),
@@ -196,11 +178,8 @@ SEEDED = [
     ('lift.yaml', 'steps: 40', 'steps: 40\n    tool.kind: fork', 'duplicate', 'kind: fork,', 12, 'line 12'),
     ('lift.yaml', '    tool:', '/hall_3/lift:\n  ros__parameters:\n    tool:', 'duplicate',
      '/hall_3/lift:\n  ros__parameters:\n    tool', 1, 'line 7 already'),
-    ('navigation.yaml', 'loop_ms: 10', 'loop_ms: 10\n    loop_ms: 20', 'duplicate', 'loop_ms: 20', 5, 'line 20'),
     ('lift.yaml', 'length: 1.2}', 'length: 1.2}\n/*/lift:\n  ros__parameters:\n    speed: 0.75\n', 'overridden',
      'speed: 0.25', 12, 'gets 0.75 for speed, from line 20'),
-    ('lift.yaml', 'length: 1.2}', 'length: 1.2}\n/**/lift:\n  ros__parameters:\n    name: crane\n', 'overridden',
-     'name: lift', 11, "gets 'crane'"),
     ('lift.yaml', 'enabled: true', 'enabled: ~', 'wrong type', 'enabled: ~', 14, 'the string'),
     ('lift.yaml', 'name: lift', 'name: null', 'read otherwise', 'name: null', 11, 'as null'),
     ('lift.yaml', '"2024-01-01"', '2024-01-01', 'read otherwise', 'since:', 12, 'as a date'),
@@ -265,14 +244,10 @@ LINES = [
     ('    speed: 0x1\n', 'wrong type', 3, 12, 'write 1.0'),
     ('    speed: !!float 1\n', 'wrong type', 3, 12, 'write 1.0'),
     ('    speed: !!str 0.25\n', 'wrong type', 3, 12, 'is a string'),
-    ('    speed: -.inf\n', 'out of range', 3, 12, 'between 0.0 and 1.0'),
     ('    steps: .inf\n', 'wrong type', 3, 12, 'is a double'),
     ('    steps: 1e1\n', 'wrong type', 3, 12, 'write 10'),
-    ('    steps: 9223372036854775808\n', 'wrong type', 3, 12, 'is a double'),
     (f'    steps: {"9" * 5000}\n', 'wrong type', 3, 12, 'type integer'),
-    ('    steps: 0x1FG\n', 'wrong type', 3, 12, 'the string'),
     ('    steps: !!float 40\n', 'read otherwise', 3, 12, 'rcl ignores !!float'),
-    ('    enabled: tRUE\n', 'wrong type', 3, 14, 'the string'),
     # a block once more, by another name
     ('    speed: 0.25\nhall_3/lift:\n  ros__parameters:\n    steps: 40\n', 'duplicate', 4, 1, 'are one node'),
     ('    speed: 0.25\nhall_3:\n  lift:\n    ros__parameters:\n      steps: 40\n', 'duplicate', 5, 3,
@@ -286,8 +261,7 @@ LINES = [
                          ids=[ascii(each[0])[:40] for each in LINES])
 def test_a_mistake_is_found_whatever_the_editor(write, lines, kind, line, column, words, begins, ends):
     content = b'/hall_3/lift:\n  ros__parameters:\n' + (lines if isinstance(lines, bytes) else lines.encode())
-    path = write(begins + content.replace(b'\n', ends))
-    finding, = check_files(path, LIFT)
+    finding, = check_files(write(begins + content.replace(b'\n', ends)), LIFT)
     assert (finding.kind, finding.line, finding.column) == (kind, line, column), finding
     assert words in finding.message
     assert finding.message.isprintable()
@@ -300,8 +274,8 @@ def test_a_mistake_is_found_whatever_the_editor(write, lines, kind, line, column
     ('1_000', True), ('0o17', True), ('99999999999999999999', True), ('!!float 5', True), ('!!int 5', False),
     ('!!str 5', False), ('!mine 5', True)])
 def test_without_a_description_only_a_value_that_can_mislead_is_found(write, value, is_found):
-    path = write(f'/n:\n  ros__parameters:\n    a: {value}\n')
-    assert [(each.kind, each.line) for each in check_files(path)] == [('read otherwise', 3)] * is_found
+    found = check_files(write(f'/n:\n  ros__parameters:\n    a: {value}\n'))
+    assert [(each.kind, each.line) for each in found] == [('read otherwise', 3)] * is_found
 
 
 def test_every_kind_of_finding_is_seeded():
@@ -335,29 +309,27 @@ def test_all_errors_of_a_file_are_found_at_once(write):
     # Of values of two types, the first of boolean, integer, double, string stays.
     (['/hall_3/lift: steps: 40'], ['/hall_3/lift: steps: many'], 'second.yaml'),
 ])
-def test_a_value_that_another_file_overrides_unexpectedly_is_found(tmp_path, first, second, loser):
-    paths = []
-    for name, blocks in (('first.yaml', first), ('second.yaml', second)):
-        paths.append(tmp_path / name)
-        paths[-1].write_text(''.join('{}:\n  ros__parameters:\n    {}: {}\n'.format(*block.split(': '))
-                                     for block in blocks))
+def test_a_value_that_another_file_overrides_unexpectedly_is_found(write, first, second, loser):
+    text = '{}:\n  ros__parameters:\n    {}: {}\n'
+    paths = [write(''.join(text.format(*block.split(': ')) for block in blocks), name)
+             for name, blocks in (('first.yaml', first), ('second.yaml', second))]
     finding, = (each for each in check_files(paths, LIFT) if each.kind == 'overridden')
     assert Path(finding.file).name == loser
 
 
+BESIDE_THE_LIFT = '/hall_3/lift: {{ros__parameters: {{steps: 10}}}}\n{}: {{ros__parameters: {{name: a}}}}\n'
+
+
 @pytest.mark.parametrize('block', ['/hall_3/lifft', '/hall_3/list'])
 def test_a_typo_is_found_beside_the_right_name(write, block):
-    path = write(f'/hall_3/lift: {{ros__parameters: {{steps: 10}}}}\n{block}: {{ros__parameters: {{name: a}}}}\n')
-    finding, = check_files(path, Descriptions(LIFT.values()))
+    finding, = check_files(write(BESIDE_THE_LIFT.format(block)), Descriptions(LIFT.values()))
     assert (finding.kind, finding.line) == ('unknown node', 2)
-    assert finding.message == (f'there is no node {block}, so rcl ignores this block. '
-                               'Did you mean /hall_3/lift?')
+    assert finding.message == f'there is no node {block}, so rcl ignores this block. Did you mean /hall_3/lift?'
 
 
 @pytest.mark.parametrize('block', ['/hall_3/lift_2', '/hall_4/lift', '/hall_3/left_lift', '/hall_3/crane'])
 def test_another_node_is_no_typo(write, block):
-    path = write(f'/hall_3/lift: {{ros__parameters: {{steps: 10}}}}\n{block}: {{ros__parameters: {{name: a}}}}\n')
-    assert check_files(path, Descriptions(LIFT.values())) == ()
+    assert check_files(write(BESIDE_THE_LIFT.format(block)), Descriptions(LIFT.values())) == ()
 
 
 # -- formats --------------------------------------------------------------------------------------------------
@@ -378,17 +350,14 @@ def test_findings_as_text_json_and_annotations(write):
 
 @pytest.mark.parametrize('content', ['', '# nothing\n', 'a', '[]', b'\xff\xfe\x00', '\x00', '{' * 3000])
 def test_what_is_no_parameter_file_is_a_finding(write, content):
-    path = write(content)
-    assert len(check_files(path, LIFT)) == 1
+    assert len(check_files(write(content), LIFT)) == 1
 
 
 @pytest.mark.parametrize('against', [None, LIFT])
-def test_a_name_that_is_no_pattern_is_a_finding_and_matches_nothing(tmp_path, against):
-    path = tmp_path / 'bad.yaml'
+def test_a_name_that_is_no_pattern_is_a_finding_and_matches_nothing(write, against):
     block = '{}:\n  ros__parameters:\n    speed: 0.5\n'
-    path.write_text(block.format('/hall_3/li[ft') + block.format('/hall_3.lift'))
-    kinds = [(each.line, each.kind) for each in check_files(path, against)]
-    assert kinds == [(2, 'unreadable'), (5, 'unreadable')]
+    found = check_files(write(block.format('/hall_3/li[ft') + block.format('/hall_3.lift')), against)
+    assert [(each.line, each.kind) for each in found] == [(2, 'unreadable'), (5, 'unreadable')]
 
 
 # -- whatever comes -------------------------------------------------------------------------------------------

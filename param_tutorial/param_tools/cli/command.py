@@ -5,6 +5,7 @@ import importlib
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from param_tools.cli.genuine import OWN_COMMANDS
 from param_tools.cli.session import (
     MORE_ELSEWHERE,
     CommandFailed,
@@ -25,9 +26,6 @@ if TYPE_CHECKING:
 _MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run'], 'service': ['service'],
             'topic': ['topic'], 'launch.verb': ['launch'], 'check': ['check', 'describe'],
             'system': ['snapshot', 'diff', 'restore'], 'changes': ['watch', 'history'], 'panel': ['panel']}
-
-# The commands that the genuine ros2 does not have.
-_OUR_OWN = ('check', 'describe', 'snapshot', 'diff', 'restore', 'watch', 'history', 'panel')
 
 # What is missing where a command needs ROS and there is none.
 _PACKAGES_OF_ROS = ('rclpy', 'rcl_interfaces', 'ament_index_python')
@@ -67,7 +65,7 @@ def steps(argv: Sequence[str], session: Session) -> Steps:
         command = argv[0] if argv else ''
         # `ros2 check` cannot be typed: it is this program's own.
         called = '%ros2' if session.in_notebook else 'python -m param_tools'
-        parser = _parser(command, called if command in _OUR_OWN else 'ros2')
+        parser = _parser(command, called if command in (*OWN_COMMANDS, 'panel') else 'ros2')
         args = parser.parse_args(argv)
         if not hasattr(args, 'verb'):
             getattr(args, 'help_of', parser).print_help()

@@ -61,8 +61,9 @@ def echo(session: Session, args: argparse.Namespace) -> Steps:
     try:
         while True:
             yield lambda: not heard.empty()
-            message = as_yaml(heard.get(), length=None if args.full_length else _SHOWN_LENGTH)
-            session.print(f'{message}---')
+            message = _plain(heard.get(), None if args.full_length else _SHOWN_LENGTH)
+            text = yaml.dump(message, allow_unicode=True, width=sys.maxsize, default_flow_style=False, sort_keys=False)
+            session.print(f'{text}---')
             session.stdout.flush()
             if args.once:
                 return 0
@@ -81,16 +82,8 @@ def _type_of(session: Session, topic: str) -> str:
     return types[0]
 
 
-def as_yaml(message: Any, length: int | None = None) -> str:
-    """Return a message as the genuine command prints it.
-
-    :param length: How many elements of an array, or characters of a text, are shown; None for all.
-    """
-    return yaml.dump(_plain(message, length), allow_unicode=True, width=sys.maxsize, default_flow_style=False,
-                     sort_keys=False)
-
-
 def _plain(value: Any, length: int | None) -> Any:
+    """Return a message as YAML has it, with so many elements of an array, or characters of a text; None for all."""
     if isinstance(value, bytes):
         value = value.decode('latin-1')
     if isinstance(value, (bool, int, float)):

@@ -45,11 +45,7 @@ class Catalog:
 
     def __init__(self, executor: BackgroundExecutor, on_change: Callable[[], None], *,
                  timeout_sec: float = TIMEOUT_SEC):
-        """
-        :param executor: Carries the requests.
-        :param on_change: Called whenever something is new, in any thread. It must not wait.
-        :param timeout_sec: How long a node may take for each answer.
-        """
+        """:param on_change: Called whenever something is new, in any thread. It must not wait."""
         self._executor, self._on_change, self._timeout_sec = executor, on_change, timeout_sec
         self._lock = threading.Lock()
         self._nodes: dict[str, CatalogNode] = {}

@@ -40,11 +40,8 @@ class Difference(NodesTable[ChangedParameter]):
     def __init__(self, labels: tuple[str, str], nodes: Mapping[str, Iterable[ChangedParameter]], *, equal: int,
                  only_before: Sequence[str] = (), only_after: Sequence[str] = (), is_of_one: bool = True):
         """
-        :param labels: What the two are called.
         :param nodes: What differs, for each node that is in both.
         :param equal: How many parameters are the same in both.
-        :param only_before: The nodes that are in the first only.
-        :param only_after: The nodes that are in the second only.
         :param is_of_one: True if one node was compared with another.
         """
         self.columns = ('parameter', 'difference', *(labels if is_of_one else ('before', 'after')))

@@ -95,9 +95,6 @@ def preview_file(path: str | Path, node: str, descriptors: Mapping[str, Descript
                  is_partial: bool = False) -> FilePreview:
     """Find out what loading a file into a node would do. The file is read as rcl reads it.
 
-    :param node: The fully qualified name of the node.
-    :param descriptors: The descriptors of its parameters, by the parameters' names.
-    :param present: The present values, by the parameters' names.
     :param is_partial: True if the node has more parameters: a panel may show only some.
     :raises ParameterFileError: the file cannot be read, or rcl would reject it.
     """

@@ -30,8 +30,6 @@ class ParameterHistory:
 
         :raises LookupError: there is no such snapshot.
         """
-        if self._has_moved_on():
-            self.keep()
         return self._go(-1, 'undo')
 
     def redo(self) -> Restored:
@@ -39,16 +37,12 @@ class ParameterHistory:
 
         :raises LookupError: nothing was undone, or something has changed since.
         """
-        if self._has_moved_on():
-            self.keep()
         return self._go(+1, 'redo')
 
-    def _has_moved_on(self) -> bool:
-        # A parameter that was declared later does not count: no undo can remove it.
-        here = self._snapshots[self._at]
-        return bool(compare(here, self._client, names=here))
-
     def _go(self, step: int, word: str) -> Restored:
+        here = self._snapshots[self._at]
+        if compare(here, self._client, names=here):  # a parameter that was declared later could not be removed
+            self.keep()
         goal = self._at + step
         if not 0 <= goal < len(self._snapshots):
             raise LookupError(f'there is nothing to {word} for {self._client.node}')

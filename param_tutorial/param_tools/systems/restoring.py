@@ -43,11 +43,7 @@ class _Outcomes(NodesTable[Outcome]):
 
     def __init__(self, label: str, nodes: Mapping[str, Iterable[Outcome]],
                  unanswered: Mapping[str, NodeError] | None = None):
-        """
-        :param label: Where the values come from.
-        :param nodes: The outcomes for each node that has answered.
-        :param unanswered: The other nodes, and why.
-        """
+        """:param nodes: The outcomes for each node that has answered; the others are in ``unanswered``."""
         self.unanswered = dict(unanswered or {})
         super().__init__(nodes, is_of_one=len(nodes) == 1 and not unanswered)
         whose = next(iter(nodes)) if self.is_of_one else format_count(len(nodes) + len(self.unanswered), 'node')
@@ -111,7 +107,6 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
     reported. The rest is set in one request, atomically: if the node rejects one, none is changed. Parameters that
     only the node has are left alone.
 
-    :param wanted: A ParameterSet or dictionary.
     :param one_by_one: If the node rejects the request, try each parameter for itself, again and again as long as that
         helps: rules across parameters may allow in one order what they reject in another.
     :param skip_read_only: Pass over read-only parameters without a word; the rest can then be complete.
@@ -135,7 +130,6 @@ def restore(node: NodeLike, wanted: Mapping[str, Any], *, one_by_one: bool = Fal
 def preview(node: NodeLike, wanted: Mapping[str, Any]) -> Preview:
     """Find out what ``restore`` would do, and change nothing.
 
-    :param wanted: A ParameterSet or dictionary.
     :raises ParameterToolError: the node does not answer.
     """
     client, target = as_client(node), as_set(wanted, 'given values')
@@ -155,10 +149,7 @@ def preview(node: NodeLike, wanted: Mapping[str, Any]) -> Preview:
 
 def preview_all(wanted: Mapping[str, Mapping[str, Any]], label: str, *, timeout_sec: float = TIMEOUT_SEC,
                 executor: BackgroundExecutor | None = None) -> Preview:
-    """Find out what ``restore_all`` would do, and change nothing.
-
-    :param wanted: As for ``restore_all``.
-    """
+    """Find out what ``restore_all`` would do, and change nothing."""
     outcomes, unanswered = ask_all(wanted, lambda client: preview(client, ParameterSet(wanted[client.node], label)),
                                    timeout_sec=timeout_sec, executor=executor)
     return Preview(label, _joined(outcomes), unanswered)

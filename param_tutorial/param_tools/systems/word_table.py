@@ -77,10 +77,7 @@ class NodesTable(WordTable[R]):
     """Records of one node, or of the nodes of a system: then the first column names the node."""
 
     def __init__(self, nodes: Mapping[str, Iterable[R]], *, is_of_one: bool):
-        """
-        :param nodes: The records of each node.
-        :param is_of_one: True if the table is about one node, which needs no column for its name.
-        """
+        """:param is_of_one: True if the table is about one node, which needs no column for its name."""
         self.nodes = {node: tuple(records) for node, records in nodes.items()}
         super().__init__(chain.from_iterable(self.nodes.values()))
         self.is_of_one = is_of_one
