@@ -25,8 +25,9 @@ def main() -> int:
         os.environ['ROS_DOMAIN_ID'] = '0'
     try:
         from param_tools.cli import command
+        from param_tools.cli.session import Session
 
-        status = command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=_start)
+        status = command.main(sys.argv[1:], Session(sys.stdout, sys.stderr, _start, in_notebook=False))
         sys.stdout.flush()  # at the interpreter's end a broken pipe could only be complained of
         return status
     except KeyboardInterrupt:

@@ -274,8 +274,8 @@ def test_a_rehearsal_leaves_the_environment_as_it_was_and_loads_no_ros(tmp_path)
     assert [given.value for given in launch.given(next(each for each in launch.nodes if each.name == '/set'))] == [
         'c:a:b;d', 1]
     assert dict(os.environ) == before
-    code = ('import sys; from param_tools.cli import command; '
-            'command.main(sys.argv[1:], stdout=sys.stdout, stderr=sys.stderr, get_executor=None, in_notebook=False); '
+    code = ('import sys; from param_tools.cli import command, session; '
+            'command.main(sys.argv[1:], session.Session(sys.stdout, sys.stderr, None, in_notebook=False)); '
             'print([name for name in ("rclpy", "IPython") if name in sys.modules])')
     shown = subprocess.run([sys.executable, '-c', code, 'check', '--launch', str(FOLDER / 'groups_launch.py')],
                            capture_output=True, text=True, check=True).stdout

@@ -1,17 +1,15 @@
 """All that writes files, where the disk gets full meanwhile: a clear word, and nothing lost."""
 
 import contextlib
-import io
 import resource
 from collections.abc import Iterator
 
 import pytest
 
-from param_tools.cli import command
-from param_tools.ros import stage
 from param_tools.systems.change_log import ChangeLog
 from param_tutorial import ParameterPanel
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
+from tests.support import commands
 
 NODE = '/simple_param_node'
 HAND_WRITTEN = f'{NODE}:\n  ros__parameters:\n    max_speed_rpm: 3  # as the motor has it\n    robot_name: Old\n'
@@ -31,10 +29,7 @@ def little_room() -> Iterator[None]:
 
 def run(*words):
     """Run a command; return what it says went wrong, and the exit status."""
-    stdout, stderr = io.StringIO(), io.StringIO()
-    status = command.main([str(word) for word in words], stdout=stdout, stderr=stderr, get_executor=stage.current,
-                          in_notebook=True)
-    return stderr.getvalue(), status
+    return commands.run(*words)[1:]
 
 
 def save_by_panel(path):

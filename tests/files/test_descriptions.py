@@ -112,10 +112,6 @@ def test_a_schema_of_generate_parameter_library_is_read():
     assert description.find('gains.elbow.p', {'joints': ['elbow']}).descriptor.type is values.DOUBLE
 
 
-def test_a_schema_can_be_for_a_node_of_another_name():
-    assert list(read(FILES / 'arm_controller_schema.yaml', '/cell/left_arm')) == ['/cell/left_arm']
-
-
 @pytest.mark.parametrize(('validation', 'good', 'bad', 'type_name'), [
     ('bounds<>: [1, 3]', 3, 4, 'int'), ('lt<>: [3]', 2, 3, 'int'), ('gt<>: 3', 4, 3, 'int'),
     ('lt_eq<>: [3]', 3, 4, 'int'), ('gt_eq: [3]', 3, 2, 'int'), ('one_of<>: [[1, 5]]', 5, 2, 'int'),

@@ -1,16 +1,15 @@
 """shell: a bash that remembers, shows what does not change from day to day, and leaves nothing behind."""
 
 import gc
-import io
 import shlex
 import sys
 
 import pytest
 from IPython.core.error import UsageError
 
-from param_tools.cli import command
 from param_tutorial import Shell
 from param_tutorial.notebook.shell import ShellError
+from tests.support.commands import run
 
 
 @pytest.fixture
@@ -91,82 +90,18 @@ def test_the_magic_types_a_cell_into_the_shell_it_names(shell, ipython, capsys):
         ipython.run_cell_magic('shell', 'nobody', 'echo lost')
 
 
-# -- ros2 pkg create ------------------------------------------------------------------------------------------------
+# -- ros2 pkg create: what it writes is recorded in tests/cli/transcripts ---------------------------------------------
 
 
 def create(*words):
     """Run ros2 pkg create in this process: standard output, standard error, exit status."""
-    stdout, stderr = io.StringIO(), io.StringIO()
-    status = command.main(['pkg', 'create', *words], stdout=stdout, stderr=stderr, get_executor=pytest.fail)
-    return stdout.getvalue(), stderr.getvalue(), status
+    return run('pkg', 'create', *words, in_notebook=False, get_executor=pytest.fail)
 
 
 @pytest.fixture
 def here(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     return tmp_path
-
-
-def test_a_package_is_what_the_genuine_command_writes(here):
-    out, err, status = create('--build-type', 'ament_python', 'param_tutorial')
-    assert (err, status) == ('', 0)
-    assert out.startswith('going to create a new package\npackage name: param_tutorial\n')
-    made = sorted(str(path.relative_to(here / 'param_tutorial')) for path in here.rglob('*') if path.is_file())
-    assert made == ['package.xml', 'param_tutorial/__init__.py', 'resource/param_tutorial', 'setup.cfg', 'setup.py',
-                    'test/test_copyright.py', 'test/test_flake8.py', 'test/test_pep257.py']
-    assert "[WARNING]: Unknown license 'TODO: License declaration'.  This has been set in the package.xml" in out
-
-
-# What ros2pkg 0.32.2 writes for `ros2 pkg create arm --build-type ament_python --node-name greeter --license MIT`.
-SETUP_PY = '''from setuptools import find_packages, setup
-
-package_name = 'arm'
-
-setup(
-    name=package_name,
-    version='0.0.0',
-    packages=find_packages(exclude=['test']),
-    data_files=[
-        ('share/ament_index/resource_index/packages',
-            ['resource/' + package_name]),
-        ('share/' + package_name, ['package.xml']),
-    ],
-    install_requires=['setuptools'],
-    zip_safe=True,
-    maintainer='learner',
-    maintainer_email='learner@todo.todo',
-    description='TODO: Package description',
-    license='MIT',
-    tests_require=['pytest'],
-    entry_points={
-        'console_scripts': [
-            'greeter = arm.greeter:main'
-        ],
-    },
-)
-'''
-TEST_FLAKE8 = '''from ament_flake8.main import main_with_errors
-import pytest
-
-
-@pytest.mark.flake8
-@pytest.mark.linter
-def test_flake8():
-    rc, errors = main_with_errors(argv=[])
-    assert rc == 0, \\
-        'Found %d code style errors / warnings:\\n' % len(errors) + \\
-        '\\n'.join(errors)
-'''
-
-
-def test_the_files_are_those_of_the_genuine_command(here):
-    create('arm', '--build-type', 'ament_python', '--node-name', 'greeter', '--license', 'MIT', '--maintainer-name',
-           'learner', '--maintainer-email', 'learner@todo.todo')
-    assert (here / 'arm' / 'setup.py').read_text() == SETUP_PY
-    head, _, text = (here / 'arm' / 'test' / 'test_flake8.py').read_text().partition('\n\n')
-    assert head.startswith('# Copyright 2017 Open Source Robotics Foundation, Inc.\n')
-    assert text == TEST_FLAKE8
-    assert 'pytest.mark.skip' in (here / 'arm' / 'test' / 'test_copyright.py').read_text()
 
 
 def test_a_question_mark_lists_the_licenses_and_writes_nothing(here):

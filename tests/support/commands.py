@@ -3,14 +3,14 @@
 import io
 
 from param_tools.cli import command
+from param_tools.cli.session import Session
 from param_tools.ros import stage
 
 
 def run(*words, in_notebook=True, get_executor=stage.current):
     """Run a command in this process: standard output, standard error, exit status."""
     stdout, stderr = io.StringIO(), io.StringIO()
-    status = command.main([str(word) for word in words], stdout=stdout, stderr=stderr, get_executor=get_executor,
-                          in_notebook=in_notebook)
+    status = command.main([str(word) for word in words], Session(stdout, stderr, get_executor, in_notebook))
     return stdout.getvalue(), stderr.getvalue(), status
 
 

@@ -2,25 +2,12 @@
 
 import functools
 import importlib
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from param_tools.cli.genuine import OWN_COMMANDS
-from param_tools.cli.session import (
-    MORE_ELSEWHERE,
-    CommandFailed,
-    CommandParser,
-    Printed,
-    Session,
-    TextStream,
-    run_verb,
-    what_else_to_type,
-)
+from param_tools.cli.session import MORE_ELSEWHERE, CommandFailed, CommandParser, Printed, Session, run_verb
 from param_tools.errors import ParameterToolError
 from param_tools.ros.waiting import Steps, to_end
-
-if TYPE_CHECKING:
-    from param_tools.ros.executor import BackgroundExecutor
 
 # The commands of each module. Imported when used: a process that runs one command need not pay for the others.
 _MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run'], 'service': ['service'],
@@ -45,22 +32,13 @@ def _parser(command: str, prog: str) -> CommandParser:
     return parser
 
 
-def main(argv: Sequence[str], *, stdout: TextStream, stderr: TextStream,
-         get_executor: 'Callable[[], BackgroundExecutor]', in_notebook: bool = False,
-         instead_of: Callable[[Sequence[str]], str] = what_else_to_type) -> int:
-    """Run one command.
-
-    :param argv: The words after ``ros2``.
-    :param get_executor: Gives the executor that carries the calls; called only by verbs that need one.
-    :param in_notebook: Reject what would keep the cell busy forever.
-    :param instead_of: See ``Session``.
-    :return: The exit status.
-    """
-    return to_end(steps(argv, Session(stdout, stderr, get_executor, in_notebook, instead_of)))
+def main(argv: Sequence[str], session: Session) -> int:
+    """Run the command that the words after ``ros2`` say, and return its exit status."""
+    return to_end(steps(argv, session))
 
 
 def steps(argv: Sequence[str], session: Session) -> Steps:
-    """Run one command, step by step if it goes on until somebody ends it."""
+    """Run a command likewise, step by step if it goes on until somebody ends it."""
     try:
         command = argv[0] if argv else ''
         # `ros2 check` cannot be typed: it is this program's own.

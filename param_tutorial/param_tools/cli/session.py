@@ -69,6 +69,7 @@ class Session:
     stdout: TextStream
     stderr: TextStream
     get_executor: 'Callable[[], BackgroundExecutor]'
+    """Called only by verbs that need an executor."""
     in_notebook: bool
     """True if the executor stays, and the command must not block forever."""
     instead_of: Callable[[Sequence[str]], str] = what_else_to_type

@@ -19,6 +19,7 @@ from rclpy.node import Node
 from rclpy.serialization import serialize_message
 
 from param_tools.cli import command
+from param_tools.cli.session import Session
 from param_tools.errors import (
     CallbackError,
     ExecutorError,
@@ -218,7 +219,7 @@ class Trial:
     def ros2(self, *words: str) -> str:
         """Type a command, as in a notebook, and return what it prints."""
         printed = io.StringIO()
-        command.main(words, stdout=printed, stderr=printed, get_executor=lambda: self.ros, in_notebook=True)
+        command.main(words, Session(printed, printed, lambda: self.ros, in_notebook=True))
         return printed.getvalue().strip()
 
     def call(self, what: str, function: Callable[..., Any], *args: Any) -> Any:

@@ -25,7 +25,7 @@ from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_
 
 from param_tools.cli import command as embedded
 from param_tools.cli import genuine
-from param_tools.cli.session import TextStream
+from param_tools.cli.session import Session, TextStream
 from param_tools.errors import ExecutorError
 from param_tools.panel.pending_clicks import from_pages
 from param_tools.ros import domain, host, stage
@@ -247,8 +247,8 @@ def _run(command: _Command) -> int:
         try:
             installed = genuine.path_for(command.words)
             if installed is None:
-                return embedded.main(command.words, stdout=streams.stdout, stderr=streams.stderr,
-                                 get_executor=stage.current, in_notebook=True, instead_of=_instead_of)
+                return embedded.main(command.words, Session(streams.stdout, streams.stderr, stage.current,
+                                                            in_notebook=True, instead_of=_instead_of))
             if command.words[0] in ('run', 'launch') and _ENDS_BY_ITSELF.isdisjoint(command.words):
                 streams.stderr.write(f'{_instead_of(command.words)}\n')
                 return 1
