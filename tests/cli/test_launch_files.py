@@ -77,20 +77,13 @@ def test_programs_of_timers_wait_and_have_the_environment_of_their_place(context
     ('<node pkg="p" exec="e" on_exit="stop"/>', 'on_exit of Entity node expected to be shutdown but got `stop`'),
     ('<node pkg="p" exec="e" respawn_delay="soon"/>', "'respawn_delay' of Entity 'node' has to be a number"),
     ('<node pkg="p" exec="e" args="\'open"/>', 'No closing quotation'),
-])
-def test_what_is_wrong_in_xml_is_named(write, text, why):
-    path = write(f'<launch>{text}</launch>', 'x.launch.xml')
-    with pytest.raises(LaunchFailed, match=why):
-        load(path)
-
-
-@pytest.mark.parametrize(('text', 'why'), [
     ('[node]', "what is below 'launch' has to be a list of entries with one key each"),
     ('[{node: 5}]', "'node' needs keys below it, and has 5"),
     ('[{arg: {name: x, default: true}}]', "'arg' has to be a text, and is True: put quotes around it"),
 ])
-def test_what_is_wrong_in_yaml_is_named(write, text, why):
-    path = write(f'launch: {text}', 'x.launch.yaml')
+def test_what_is_wrong_in_xml_and_in_yaml_is_named(write, text, why):
+    is_xml = text.startswith('<')
+    path = write(f'<launch>{text}</launch>', 'x.launch.xml') if is_xml else write(f'launch: {text}', 'x.launch.yaml')
     with pytest.raises(LaunchFailed, match=why):
         load(path)
 

@@ -58,11 +58,17 @@ def test_timers(ros):
     node.destroy_timer(timer)
 
 
-def test_a_timer_that_was_late_keeps_its_beat(ros):
-    clock = layer.Clock(ClockType.ROS_TIME)
+@pytest.fixture
+def clock(ros):
+    """Return a clock of ROS time that stands at 1000 ns."""
     ros.node()
+    clock = layer.Clock(ClockType.ROS_TIME)
     clock.set_ros_time_override_is_enabled(True)
     clock.set_ros_time_override(layer.rcl_time_point_t(1000, ClockType.ROS_TIME))
+    return clock
+
+
+def test_a_timer_that_was_late_keeps_its_beat(ros, clock):
     timer = layer.Timer(clock, ros.context.handle, 100, True)
     for now, is_ready, until in ((1050, False, 50), (1100, True, 0), (1101, True, 99), (1350, True, 50),
                                  (1400, True, 100)):
@@ -83,11 +89,7 @@ def test_a_timer_that_was_late_keeps_its_beat(ros):
     assert layer.Timer(clock, ros.context.handle, 1, False).is_timer_canceled()
 
 
-def test_what_is_left_of_a_timers_period_when_ros_time_goes(ros):
-    clock = layer.Clock(ClockType.ROS_TIME)
-    ros.node()
-    clock.set_ros_time_override_is_enabled(True)
-    clock.set_ros_time_override(layer.rcl_time_point_t(1000, ClockType.ROS_TIME))
+def test_what_is_left_of_a_timers_period_when_ros_time_goes(ros, clock):
     hour = 3600 * 10**9
     timer = layer.Timer(clock, ros.context.handle, hour, True)
     clock.set_ros_time_override(layer.rcl_time_point_t(1000 + hour // 4, ClockType.ROS_TIME))

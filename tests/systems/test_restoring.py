@@ -160,12 +160,18 @@ node    parameter  wanted  outcome    reason
 # -- going back and forth -------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
-def test_undo_and_redo(client):
+@pytest.fixture
+def history(client):
+    """Return a history of the speeds 100, 110 and 120."""
     history = ParameterHistory(client)
     for speed in (110, 120):
         client.set_parameter('speed', speed)
         history.keep()
+    return history
+
+
+@pytest.mark.slow
+def test_undo_and_redo(client, history):
     history.keep()  # nothing has changed
     client.set_parameter('speed', 130)  # not kept, and not lost
     seen = [client.get_parameter('speed') for _ in range(3) if history.undo().complete]
@@ -189,11 +195,7 @@ def test_a_change_after_an_undo_begins_anew(client):
     assert client.get_parameter('speed') == 100
 
 
-def test_an_undo_that_is_rejected_says_so_and_loses_nothing(ros, client):
-    history = ParameterHistory(client)
-    for speed in (110, 120):
-        client.set_parameter('speed', speed)
-        history.keep()
+def test_an_undo_that_is_rejected_says_so_and_loses_nothing(ros, client, history):
     history.undo()
     Rules(ros.nodes[0]).check('speed', lambda speed: speed > 100, 'must be above 100')
     assert history.undo()['speed'].word == 'rejected'
@@ -202,11 +204,7 @@ def test_an_undo_that_is_rejected_says_so_and_loses_nothing(ros, client):
     assert client.get_parameter('speed') == 120
 
 
-def test_a_parameter_that_came_later_does_not_stop_an_undo(ros, client):
-    history = ParameterHistory(client)
-    for speed in (110, 120):
-        client.set_parameter('speed', speed)
-        history.keep()
+def test_a_parameter_that_came_later_does_not_stop_an_undo(ros, client, history):
     ros.run(lambda: ros.nodes[0].declare_parameter('new', 1), 'declare')
     history.undo()
     history.undo()
