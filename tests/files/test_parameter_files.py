@@ -386,18 +386,6 @@ def test_a_dump_loads_back_into_a_live_node(ros, tmp_path):
     assert all(values.same(after[name], before[name]) for name in before)
 
 
-def test_a_read_only_parameter_with_another_value_is_rejected(ros, tmp_path):
-    ros.add(SimpleParamNode)
-    client = ParameterClient('/simple_param_node')
-    path = tmp_path / 'robot.yaml'
-    text = str(client.dump())
-    path.write_text(text.replace('SN-CLAW-001', 'SN-CLAW-002').replace('max_speed_rpm: 100', 'max_speed_rpm: 7'))
-    kinds = {result.name: result.kind for result in client.load(path)}
-    assert kinds['robot_serial_number'] == 'read only'
-    assert kinds['max_speed_rpm'] == 'accepted'
-    assert client.get_parameter('max_speed_rpm') == 7
-
-
 def test_an_empty_array_in_a_file_takes_the_type_of_the_parameter(ros, tmp_path):
     ros.add(Everything)
     client = ParameterClient('/lab/everything')

@@ -9,7 +9,15 @@ import re
 import time
 from pathlib import Path
 
-from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
+from param_tools.cli.session import (
+    CommandFailed,
+    Commands,
+    CommandTable,
+    Session,
+    add_commands,
+    add_graph_options,
+    compiled,
+)
 from param_tools.cli.system_arguments import pattern
 from param_tools.errors import ParameterToolError
 from param_tools.files.parsing import matches
@@ -37,7 +45,7 @@ def watch(session: Session, args: argparse.Namespace) -> Steps:
     """Print changes until somebody ends it."""
     if session.in_notebook and args.duration is None:
         raise CommandFailed(session.instead_of(['watch', *args.nodes]) + ' Or say how long: --duration 10')
-    wanted = _compiled(args.filter)
+    wanted = compiled(args.filter)
     session.wait_for_graph(args)
     patterns = list(map(pattern, args.nodes))
     happened: queue.SimpleQueue[list[LoggedChange] | ParameterToolError] = queue.SimpleQueue()
@@ -82,13 +90,6 @@ def _tell(session: Session, what: list[LoggedChange] | ParameterToolError, wante
     session.stdout.flush()
 
 
-def _compiled(text: str) -> re.Pattern[str]:
-    try:
-        return re.compile(text)
-    except re.error as error:
-        raise CommandFailed(f'{text!r} is not a regular expression: {error}') from None
-
-
 def add_history_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('log', metavar='FILE', help='a log that `watch --log` has written')
     parser.add_argument('nodes', nargs='*', metavar='NODE',
@@ -109,7 +110,7 @@ def history(session: Session, args: argparse.Namespace) -> int:
     if log.damaged:
         session.complain(f'{args.log}: line {", ".join(map(str, log.damaged))} cannot be read, and was passed over')
     patterns = list(map(pattern, args.nodes))
-    _compiled(args.filter)
+    compiled(args.filter)
     if args.at is not None:
         then = _state(log, args.log, args.at)
         session.stdout.write(Snapshot({node: each for node, each in then.items() if not patterns or any(

@@ -44,7 +44,6 @@ def add_check_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def check(session: Session, args: argparse.Namespace) -> int:
-    """Print what is wrong with files."""
     try:
         against = Descriptions(complete=args.complete)
         for word in args.against:
@@ -94,7 +93,6 @@ def add_describe_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def describe(session: Session, args: argparse.Namespace) -> int:
-    """Write down what nodes declare."""
     found = Descriptions()
     for word in args.sources:
         found.add(system_arguments.describe(session, word, args))

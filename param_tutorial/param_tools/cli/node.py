@@ -23,7 +23,6 @@ def add_to(commands: Commands) -> None:
 
 
 def list_nodes(session: Session, args: argparse.Namespace) -> None:
-    """Print the names of all nodes, or their number."""
     session.wait_for_graph(args)
     names = sorted(each.full_name for each in session.node_names(hidden=args.all))
     if args.count_nodes:
@@ -37,7 +36,6 @@ def list_nodes(session: Session, args: argparse.Namespace) -> None:
 
 
 def print_info(session: Session, args: argparse.Namespace) -> None:
-    """Print what a node publishes, subscribes to, offers and asks."""
     session.wait_for_graph(args)
     # With actions come many messages, which a list of nodes does without.
     from rclpy.action.graph import get_action_client_names_and_types_by_node as clients_of

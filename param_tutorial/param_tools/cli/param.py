@@ -5,7 +5,6 @@ is 0. That is so in the genuine command, and scripts rely on it.
 """
 
 import argparse
-import re
 from collections.abc import Callable
 from typing import Any
 
@@ -24,6 +23,7 @@ from param_tools.cli.session import (
     add_node_options,
     add_parameter_options,
     add_verbs,
+    compiled,
     without_services,
 )
 from param_tools.node.client import to_message
@@ -74,11 +74,7 @@ def add_to(commands: Commands) -> None:
 
 
 def list_parameters(session: Session, args: argparse.Namespace) -> None:
-    """Print the names of parameters, sorted."""
-    try:
-        wanted = re.compile(args.filter or '')
-    except re.error as error:
-        raise CommandFailed(f'{args.filter!r} is not a regular expression: {error}') from None
+    wanted = compiled(args.filter or '')
     if args.node_name:
         nodes = [NodeName.parse(session.find(args))]
         session.has_service(nodes[0].full_name, 'list_parameters')  # without it, that is what is printed
@@ -161,7 +157,6 @@ def _print_value(session: Session, message: ParameterValue, args: argparse.Names
 
 
 def set_parameter(session: Session, args: argparse.Namespace) -> None:
-    """Ask a node to set one parameter."""
     node = session.find(args)
     value = values.parse(args.value)
     # The genuine command knows nothing of the node's types, and takes an empty list for one of booleans.

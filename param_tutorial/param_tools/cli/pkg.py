@@ -66,7 +66,6 @@ def list_executables(session: Session, args: argparse.Namespace) -> None:
 
 
 def list_packages(session: Session, _args: argparse.Namespace) -> None:
-    """Print the names of the packages that have been sourced."""
     for package in index.sourced_packages():
         session.print(package)
 

@@ -20,7 +20,6 @@ def add_to(commands: Commands) -> None:
 
 
 def list_services(session: Session, args: argparse.Namespace) -> None:
-    """Print the names of all services, or their number."""
     session.wait_for_graph(args)
     listed_nodes(session, hidden=args.include_hidden_services)  # waits for the services of each
     services = [(name, types) for name, types in session.executor.tool_node.get_service_names_and_types()

@@ -7,6 +7,7 @@ once more.
 import argparse
 import functools
 import math
+import re
 import shlex
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
@@ -80,7 +81,6 @@ class Session:
         return self.get_executor()
 
     def print(self, *words: Any, sep: str = ' ', end: str = '\n') -> None:
-        """Print to standard output."""
         print(*words, sep=sep, end=end, file=self.stdout)
 
     def complain(self, *words: Any) -> None:
@@ -191,6 +191,14 @@ def run_verb(session: Session, args: argparse.Namespace) -> Steps:
     if isinstance(done, Generator):
         done = yield from done
     return done or 0
+
+
+def compiled(text: str) -> re.Pattern[str]:
+    """Return the regular expression that somebody has typed."""
+    try:
+        return re.compile(text)
+    except re.error as error:
+        raise CommandFailed(f'{text!r} is not a regular expression: {error}') from None
 
 
 def without_services(node: str | NodeName) -> str:

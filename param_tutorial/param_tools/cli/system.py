@@ -41,7 +41,6 @@ def add_snapshot_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def snapshot(session: Session, args: argparse.Namespace) -> int:
-    """Write the parameters of nodes as one parameter file."""
     found = take(session, args.nodes, args)
     if args.update is not None:
         _update(session, found, args.update)
@@ -105,7 +104,6 @@ class _Side:
 
 
 def diff(session: Session, args: argparse.Namespace) -> int:
-    """Print how one system differs from another."""
     try:
         before, after = _sides(session, args)
         for snapshot_side, other in ((before, after), (after, before)):
@@ -199,7 +197,6 @@ def add_restore_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def restore(session: Session, args: argparse.Namespace) -> int:
-    """Give nodes the values of a file."""
     then = past(args.file)
     wanted: Mapping[str, Mapping[str, Any]] = read_saved(args.file) if then is None else then
     if args.nodes:

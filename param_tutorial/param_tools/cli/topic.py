@@ -36,7 +36,6 @@ def add_to(commands: Commands) -> None:
 
 
 def list_topics(session: Session, args: argparse.Namespace) -> None:
-    """Print the names of all topics, or their number."""
     session.wait_for_graph(args)
     topics = [(name, types) for name, types in session.executor.tool_node.get_topic_names_and_types()
               if args.include_hidden_topics or not topic_or_service_is_hidden(name)]

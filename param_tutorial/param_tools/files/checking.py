@@ -161,7 +161,7 @@ class _Check:
                 continue
             left = [place for place, first, last in for_launch if first <= rejected.place.start <= last]
             if left and rejected.place.start:
-                self._leave_to_launch(file, left[0])
+                self._left_to_launch.add((file, left[0].line))
             elif not rejected.keys:
                 self._add(file, rejected.place, 'unreadable', f'rcl rejects the file here: {rejected}')
             else:
@@ -233,9 +233,6 @@ class _Check:
                   if start.file == file and _is_for_launch(start.name)]
         return blocks + [(each.place, each.place.start, each.place.end) for each in self._parser.assignments
                          if each.file == file and _is_for_launch(text[each.place.start:each.place.end])]
-
-    def _leave_to_launch(self, file: str, place: Place) -> None:
-        self._left_to_launch.add((file, place.line))
 
     # -- blocks -----------------------------------------------------------------------------------------
 
@@ -352,7 +349,7 @@ class _Check:
     def _check_value(self, assignment: Assignment, described: DescribedParameter, node: str) -> None:
         value, name = assignment.value, assignment.name
         if any(_is_for_launch(scalar.text) for scalar in assignment.scalars):
-            self._leave_to_launch(assignment.file, assignment.place)
+            self._left_to_launch.add((assignment.file, assignment.place.line))
             return
         if assignment.is_damaged:
             return
