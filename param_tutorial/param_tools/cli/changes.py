@@ -2,7 +2,6 @@
 
 import argparse
 import contextlib
-import datetime
 import math
 import queue
 import re
@@ -116,19 +115,15 @@ def history(session: Session, args: argparse.Namespace) -> int:
         session.stdout.write(Snapshot({node: each for node, each in then.items() if not patterns or any(
             matches(each, node) for each in patterns)}, {}, then.taken).dump().text)
         return 0
-    selected = log.select(
-        nodes=patterns, names=args.filter, kinds=KINDS if args.all else set(KINDS) - {'begin', 'seen'},
-        since=_time(log, args.since), until=_time(log, args.until))
+    since, until = (None if text is None else log.parse_time(text) for text in (args.since, args.until))
+    selected = log.select(nodes=patterns, names=args.filter, since=since, until=until,
+                          kinds=KINDS if args.all else set(KINDS) - {'begin', 'seen'})
     if args.format == 'json':
         for change in selected:
             session.print(change.as_line())
     else:
         session.print(selected)
     return 0
-
-
-def _time(log: ChangeLog, text: str | None) -> datetime.datetime | None:
-    return None if text is None else log.parse_time(text)
 
 
 def past(word: str) -> Snapshot | None:
