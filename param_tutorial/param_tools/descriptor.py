@@ -21,12 +21,12 @@ class Descriptor:
 
     name: str
     type: ParameterType
-    description: str
-    additional_constraints: str
+    description: str = ''
+    additional_constraints: str = ''
     """Text for people; no node enforces it."""
-    read_only: bool
-    dynamic_typing: bool
-    range: Range | None
+    read_only: bool = False
+    dynamic_typing: bool = False
+    range: Range | None = None
 
     @property
     def rules(self) -> list[str]:

@@ -27,10 +27,9 @@ def described_by(path, *nodes):
     parser.parse(path.read_bytes())
     result = []
     for node in nodes:
-        parameters = {name: DescribedParameter(Descriptor(name, values.type_of(entry.value()), '', '', False, False,
-                                                          None), entry.value())
-                      for name, entry in effective(parser, node).items()}
-        result.append(NodeDescription(node, parameters))
+        result.append(NodeDescription(node, {
+            name: DescribedParameter(Descriptor(name, values.type_of(entry.value())), entry.value())
+            for name, entry in effective(parser, node).items()}))
     return Descriptions(result, complete=True)
 
 

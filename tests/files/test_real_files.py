@@ -102,7 +102,7 @@ def test_a_list_that_holds_a_map_is_named_as_rcl_names_it(ros, tmp_path, value):
     parser = Parser()
     parser.parse(text.encode())
     assert {each.name for each in parser.assignments} >= effective(parser, '/lab/reader').keys()
-    described = {name: DescribedParameter(Descriptor(name, values.type_of(entry.value()), '', '', False, False, None))
+    described = {name: DescribedParameter(Descriptor(name, values.type_of(entry.value())))
                  for name, entry in effective(parser, '/lab/reader').items()}
     assert check(tmp_path, text, Descriptions([NodeDescription('/lab/reader', described)])) == ()
 
@@ -132,7 +132,7 @@ def written(text, style):
 @example(values.DOUBLE, '2.0', 'block')
 def test_what_a_finding_says_to_write_is_one_line_and_loads(tmp_path, wanted, text, style):
     against = Descriptions([NodeDescription('/lab/reader', {
-        'x': DescribedParameter(Descriptor('x', wanted, '', '', False, False, None))})])
+        'x': DescribedParameter(Descriptor('x', wanted))})])
     found = [each for each in check(tmp_path, f'{HEADER}    x: {written(text, style)}\n', against)
              if each.kind == 'wrong type']
     for each in found:
@@ -230,7 +230,7 @@ def test_a_controller_has_the_parameters_that_ros2_control_gives_it(tmp_path, sc
 def test_a_running_controller_declares_no_type(tmp_path):
     names = {'update_rate': values.INTEGER, 'is_async': values.BOOL}
     running = Descriptions([NodeDescription('/lab/reader', {
-        name: DescribedParameter(Descriptor(name, kind, '', '', False, False, None)) for name, kind in names.items()})])
+        name: DescribedParameter(Descriptor(name, kind)) for name, kind in names.items()})])
     assert check(tmp_path, f'{HEADER}    type: some/Wheels\n', running) == ()
     other = Descriptions([NodeDescription('/lab/reader', {})])
     assert [each.kind for each in check(tmp_path, f'{HEADER}    type: some/Wheels\n', other)] == ['unknown parameter']
@@ -250,7 +250,7 @@ def test_several_schemas_of_one_node_are_one_description(write):
 
 def test_a_running_node_keeps_its_types_and_gets_the_validators_of_its_schema(tmp_path):
     schema = read_schemas(tmp_path, WHEELS)['/lab/reader']
-    declared = Descriptor('radius', values.DOUBLE, 'from the node', '', True, False, None)
+    declared = Descriptor('radius', values.DOUBLE, 'from the node', read_only=True)
     running = NodeDescription('/lab/reader', {'radius': DescribedParameter(declared, 0.3)})
     both = running.joined(schema)
     assert both.parameters['radius'].descriptor is declared

@@ -11,7 +11,7 @@ from param_tools.values import ParameterType
 
 def _described(name: str, parameter_type: ParameterType, default: Any, *, read_only: bool = False) -> tuple[
         str, DescribedParameter]:
-    return name, DescribedParameter(Descriptor(name, parameter_type, '', '', read_only, False, None), default)
+    return name, DescribedParameter(Descriptor(name, parameter_type, read_only=read_only), default)
 
 
 OF_EVERY_NODE = dict((

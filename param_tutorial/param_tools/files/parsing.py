@@ -453,10 +453,8 @@ def effective(parser: Parser, node: str) -> dict[str, Entry]:
 
 
 def _place(event: yaml.Event) -> Place:
-    # Each event of a parser has its place; only one that a program makes may lack it.
     start, end = event.start_mark, event.end_mark
-    if start is None or end is None:
-        return Place()
+    assert start and end  # only an event that a program makes may lack them
     return Place(start.line + 1, start.column + 1, start.index, end.index)
 
 
