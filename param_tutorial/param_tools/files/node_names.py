@@ -1,6 +1,6 @@
 """Names of nodes and namespaces, and what is wrong with one. No ROS, no Jupyter.
 
-Texts and positions are those of rmw's validators, and a test compares both on thousands of names.
+Texts and positions are those of rmw's validators; a test compares with rcl's parser which names of blocks it takes.
 """
 
 import re
