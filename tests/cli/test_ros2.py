@@ -23,7 +23,6 @@ from param_tutorial import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook.interrupts import interruptible
 from tests.support.commands import run, source_package
-from tests.support.processes import CAN_STAND_STILL, standing_still
 
 EMBEDDED = [sys.executable, '-m', 'param_tools']
 
@@ -52,28 +51,6 @@ def start_process(ros):
     ros.remove_all()
     wait_until(lambda: ros.services.node_names(hidden=True) == [f'/{executor.TOOL_NODE_NAME}'],
                'the processes to leave the graph', 30)
-
-
-def program_of(name):
-    """Return the command line of a program with one node. It prints a line when it is ready, and ends when asked."""
-    return sys.executable, '-c', CAN_STAND_STILL + f'''
-import rclpy
-from rclpy.node import Node
-rclpy.init(signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
-node = Node({name!r})
-told = []
-signal.signal(signal.SIGINT, lambda *_: told.append(1))
-print('ready', flush=True)
-while not told:
-    rclpy.spin_once(node, timeout_sec=0.1)
-node.destroy_node()
-rclpy.shutdown()
-'''
-
-
-def ready(process):
-    """Wait for the line in which a program says that it is ready."""
-    assert process.stdout.readline() == 'ready\n'
 
 
 # -- usage ------------------------------------------------------------------------------------------------
@@ -245,20 +222,14 @@ def test_a_list_of_booleans_and_integers_is_one_of_integers(ros):
                                                                   "'Type.INTEGER_ARRAY'\n", 0)
 
 
-@pytest.mark.slow
-def test_a_busy_node_is_given_up_after_a_while(ros, monkeypatch, start_process):
+def test_a_busy_node_is_given_up_after_a_while(silent, monkeypatch):
     monkeypatch.setattr(session, 'SERVICE_TIMEOUT_SEC', 0.3)
-    sleeper = start_process(*program_of('sleeper'), stdout=subprocess.PIPE)
-    ready(sleeper)
-    for service in ('get_parameters', 'list_parameters'):
-        wait_until(lambda: ros.services.is_ready('/sleeper', service), service, 30)  # noqa: B023
-    with standing_still(sleeper):
-        stdout, stderr, status = run('param', 'get', '/sleeper', 'use_sim_time')
-        assert (stdout, status) == ('', 1)
-        assert '/sleeper did not answer get_parameters within 0.3 s' in stderr
-        stdout, stderr, status = run('param', 'list', '/sleeper')
-        assert (stdout, status) == ('', 0)
-        assert "Exception while calling service of node '/sleeper'" in stderr
+    stdout, stderr, status = run('param', 'get', '/silent', 'use_sim_time')
+    assert (stdout, status) == ('', 1)
+    assert '/silent did not answer get_parameters within 0.3 s' in stderr
+    stdout, stderr, status = run('param', 'list', '/silent')
+    assert (stdout, status) == ('', 0)
+    assert "Exception while calling service of node '/silent'" in stderr
 
 
 def test_a_callback_that_raises_is_reported(ros):
@@ -270,26 +241,39 @@ def test_a_callback_that_raises_is_reported(ros):
     assert run('param', 'get', '/simple_param_node', 'max_speed_rpm') == ('Integer value is: 100\n', '', 0)
 
 
-@pytest.mark.slow
-def test_two_nodes_of_one_name_are_warned_of(ros, start_process):
-    ros.add(SimpleParamNode)
-    start_process(*EMBEDDED, 'run', 'param_tutorial', 'simple_param_node',
-                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    wait_until(lambda: len(ros.node_incarnations('/simple_param_node')) == 2, 'the second node', 30)
+def test_two_nodes_of_one_name_are_warned_of(ros, silent):
+    ros.add(Node, 'silent')
     stdout, stderr, status = run('node', 'list')
-    assert (stdout, status) == ('/simple_param_node\n' * 2, 0)
+    assert (stdout, status) == ('/silent\n' * 2, 0)
     assert stderr == ('WARNING: Be aware that there are nodes in the graph that share an exact name, '
                       'which can have unintended side effects.\n')
-    assert run('param', 'list', '/simple_param_node')[0].count('robot_name') == 1
+    assert run('param', 'list', '/silent')[0].count('use_sim_time') == 1
 
 
 # -- discovery ----------------------------------------------------------------------------------------------
 
 
+# Prints a line when its node is there, and ends when it is asked to.
+LATE = '''
+import signal
+import rclpy
+from rclpy.node import Node
+rclpy.init(signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
+node = Node('late')
+told = []
+signal.signal(signal.SIGINT, lambda *_: told.append(1))
+print('ready', flush=True)
+while not told:
+    rclpy.spin_once(node, timeout_sec=0.1)
+node.destroy_node()
+rclpy.shutdown()
+'''
+
+
 @pytest.mark.slow
 def test_a_node_that_has_just_been_started_is_found_at_once(ros, start_process):
-    late = start_process(*program_of('late'), stdout=subprocess.PIPE)
-    ready(late)  # its participant exists, and nothing has been waited for
+    late = start_process(sys.executable, '-c', LATE, stdout=subprocess.PIPE)
+    assert late.stdout.readline() == 'ready\n'  # its participant exists, and nothing has been waited for
     assert run('param', 'get', '/late', 'use_sim_time') == ('Boolean value is: False\n', '', 0)
 
 

@@ -435,11 +435,6 @@ class Event:
                            if options.get(name) is not None), [])
         self.actions = expect_actions(found if is_list(found) else [] if callable(found) else [found])
 
-    @classmethod
-    def named(cls, name: str) -> 'type[Event]':
-        """Return a class with the name that launch files use."""
-        return type(name, (cls,), {})
-
 
 def carry_out(actions: Iterable[Action], context: Context) -> list[Program]:
     """Carry out actions and, after them, what timers have postponed; return the programs to start."""

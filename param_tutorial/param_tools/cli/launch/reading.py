@@ -22,7 +22,7 @@ def _named(module: ModuleType, names: str) -> dict[str, Any]:
 
 
 def _events(names: str) -> dict[str, Any]:
-    return {name: Event.named(name) for name in names.split()}
+    return {name: type(name, (Event,), {}) for name in names.split()}
 
 
 _MODULES: dict[str, dict[str, Any]] = {
