@@ -455,12 +455,6 @@ def test_without_an_executor_the_word_is_start():
         ParameterClient('/x').list_parameters()
 
 
-@pytest.mark.parametrize('nonsense', [3, None, b'x', Node])
-def test_what_is_not_a_node_raises_an_error(nonsense):
-    with pytest.raises(TypeError, match='is not a node: give its name'):
-        ParameterClient(nonsense)
-
-
 @pytest.mark.parametrize('verb', [
     'get_parameters', 'get_parameter_types', 'describe_parameters', 'delete_parameters', 'list_parameters',
     'reference'])
