@@ -426,14 +426,6 @@ export class ParameterPanel {
   }
 
   /**
-   * @param {string} name
-   * @param {number} number
-   */
-  answer(name, number) {
-    this.rows.get(name)?.answer(number);
-  }
-
-  /**
    * Show only rows in which all words of the search stand: in the name, the description or the value.
    * @param {string} [sought] Put into the search field first.
    */

@@ -56,7 +56,7 @@ function render({model, el}) {
     if ('plot' in message) plots.take(message);
     if (!panel || message.client !== client) return;
     if ('form' in message) form.answer(message);
-    else panel.answer(message.name, message.number);
+    else panel.rows.get(message.name)?.answer(message.number);
   }
 
   const showPlots = () => plots.show(model.get('plots'));
