@@ -357,15 +357,6 @@ def test_a_callback_error_that_nobody_here_asked_for_is_printed(ros, capfd):
 
 
 @pytest.mark.slow
-@pytest.mark.real_layer(reason='the node is in another process')
-def test_a_node_in_another_process(ros, remote_node):
-    client = ParameterClient('/remote', timeout_sec=30)
-    assert client.set_parameter('max_speed_rpm', 42).successful
-    assert client.get_parameter('max_speed_rpm') == 42
-    assert client.set_parameter('max_speed_rpm', -1).kind == 'rejected by the node'
-
-
-@pytest.mark.slow
 def test_a_lost_answer_is_asked_for_again_and_a_set_is_sent_once(ros, monkeypatch):
     """A server that does not know yet where to answer drops its answer (see Services._carry)."""
     node = ros.add(Counter)
