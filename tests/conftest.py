@@ -5,7 +5,10 @@ import contextlib
 import os
 import shutil
 import signal
+import subprocess
+import sys
 import tempfile
+import textwrap
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -22,6 +25,7 @@ from param_tools.ros import node_log, waiting
 from param_tools.ros.executor import BackgroundExecutor
 from param_tutorial.notebook import terminal
 from tests.support.kernels import KernelManager
+from tests.support.processes import CAN_STAND_STILL
 
 # A shell starts a job in the background with Ctrl+C ignored, and every process in it inherits that. The tests press
 # Ctrl+C, so they take back what a process has in the foreground.
@@ -47,6 +51,23 @@ node_log.NodeLog.read.__defaults__ = (None, 60.0)
 hypothesis.settings.register_profile(
     'ours', deadline=None, suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture])
 hypothesis.settings.load_profile('ours')
+
+
+REMOTE = CAN_STAND_STILL + textwrap.dedent('''
+    import signal, sys, threading, rclpy
+    from rclpy.node import Node
+    rclpy.init()
+    node = Node(sys.argv[1])
+    node.declare_parameter('x', 1)
+    print('ready', flush=True)
+    reader = threading.Thread(target=sys.stdin.read)
+    reader.start()
+    while reader.is_alive():
+        rclpy.spin_once(node, timeout_sec=0.05)
+    node.destroy_node()
+    # A process that ends while the news of its node is under way can leave a ghost in the graph.
+    signal.pause()
+''')
 
 
 @pytest.hookimpl(trylast=True)
@@ -85,6 +106,30 @@ def write(tmp_path: Path) -> Callable[..., Path]:
         return path
 
     return write
+
+
+@pytest.fixture
+def remote(ros: BackgroundExecutor) -> Iterator[Callable[[str], 'subprocess.Popen[str]']]:
+    """Yield a function that starts a node of a name in its own process, which can stand still."""
+    started: list[subprocess.Popen[str]] = []
+
+    def start(name: str) -> 'subprocess.Popen[str]':
+        process = subprocess.Popen([sys.executable, '-c', REMOTE, name],
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        started.append(process)
+        assert process.stdout.readline() == 'ready\n'
+        return process
+
+    yield start
+    for process in started:
+        process.stdin.close()  # which ends the node
+    # The next test may expect an empty stage.
+    ros.remove_all()
+    waiting.wait_until(lambda: not ros.services.node_names(), 'the nodes to leave the graph', 20)
+    for process in started:
+        process.kill()
+        process.wait()
+        process.stdout.close()
 
 
 @pytest.fixture

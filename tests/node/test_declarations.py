@@ -2,12 +2,11 @@
 
 import pytest
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, ParameterType
-from rclpy.exceptions import InvalidParameterTypeException
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from param_tools import check_declarations
-from param_tools.errors import DeclarationError, ExecutorError
+from param_tools.errors import DeclarationError
 from param_tools.node.declarations import Declaration, record_declarations
 from param_tutorial import ParameterClient
 
@@ -29,17 +28,6 @@ def test_declarations_come_in_their_order_with_default_and_value(ros):
     assert record_declarations(Robot, {'calibration': 0.5})[1][-1] == Declaration('calibration', None, 0.5)
     node, = ros.nodes
     assert type(node).__name__ == 'Robot' and isinstance(node, Robot)
-
-
-def test_an_override_of_the_wrong_type_is_the_nodes_own_error(ros):
-    with pytest.raises(InvalidParameterTypeException):
-        record_declarations(Robot, {'speed': 'fast'})
-    assert ros.nodes == ()
-
-
-def test_what_is_no_node_is_rejected(ros):
-    with pytest.raises(ExecutorError, match='class derived'):
-        record_declarations(dict)
 
 
 INTEGERS, DOUBLES = [IntegerRange(from_value=0, to_value=5)], [FloatingPointRange(from_value=0.0, to_value=5.0)]

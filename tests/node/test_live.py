@@ -144,14 +144,3 @@ def test_a_name_that_no_node_can_have_disturbs_nobody(ros, follow, capsys):
     ros.add(Node, 'other')  # the news of it comes to all that follow something
     assert list(ros.errors) == []
     assert 'Traceback' not in capsys.readouterr().err
-
-
-def test_closed_it_is_shown_no_more(ros, follow):
-    ros.add(Counter)
-    live = follow('counter')
-    live.close()
-    live.close()
-    count = len(live.shown)
-    ParameterClient('/counter').set_parameter('x', 7)
-    live.settle(TIMEOUT_SEC)
-    assert len(live.shown) == count

@@ -26,13 +26,14 @@ def test_what_is_held_back_comes_after_the_block():
     assert done
 
 
-def test_another_thread_holds_nothing_back():
-    before = signal.getsignal(signal.SIGINT)
-    found = []
+@pytest.mark.parametrize(('number', 'block'), [
+    (signal.SIGINT, held_back), (signal.SIGALRM, lambda: time_limit(0.05, ValueError))])
+def test_in_another_thread_nothing_is_held_back_and_nothing_has_a_limit(number, block):
+    before, found = signal.getsignal(number), []
 
     def look():
-        with held_back():
-            found.append(signal.getsignal(signal.SIGINT))
+        with block():
+            found.append(signal.getsignal(number))
     thread = threading.Thread(target=look)
     thread.start()
     thread.join()
@@ -57,18 +58,13 @@ def loop():
         pass
 
 
-def test_a_block_is_ended_when_its_time_is_over():
+def test_a_block_is_ended_when_its_time_is_over_also_one_that_catches_everything_once():
     before = signal.getsignal(signal.SIGALRM)
-    with pytest.raises(ValueError), time_limit(0.05, ValueError):
-        loop()
-    assert signal.getsignal(signal.SIGALRM) is before
-
-
-def test_a_block_that_catches_everything_once_is_ended_too():
     with pytest.raises(ValueError), time_limit(0.05, ValueError):
         with pytest.raises(ValueError):
             loop()
         loop()
+    assert signal.getsignal(signal.SIGALRM) is before
 
 
 @pytest.mark.parametrize('outer_sec', [0.05, 0.15])
@@ -77,18 +73,6 @@ def test_the_limit_of_a_block_waits_for_the_end_of_a_block_in_it(outer_sec):
         with pytest.raises(KeyError), time_limit(0.1, KeyError):
             loop()
         loop()
-
-
-def test_another_thread_has_no_limit():
-    before, found = signal.getsignal(signal.SIGALRM), []
-
-    def look():
-        with time_limit(0.05, ValueError):
-            found.append(signal.getsignal(signal.SIGALRM))
-    thread = threading.Thread(target=look)
-    thread.start()
-    thread.join()
-    assert found == [before]
 
 
 def test_a_thread_that_runs_python_is_interrupted():

@@ -129,18 +129,6 @@ def test_restart(kernel):
     assert kernel.end() == 0
 
 
-def test_two_kernels_do_not_see_each_other(kernel):
-    other = Kernel()
-    try:
-        kernel.run(START)
-        other.run(START)
-        other.run("client.set_parameter('max_speed_rpm', 3)")
-        assert kernel.run("client.get_parameter('max_speed_rpm')") == '100'
-        assert kernel.run('ros.domain_id') != other.run('ros.domain_id')
-    finally:
-        assert other.end() == 0
-
-
 def claims(number: int) -> set[str]:
     """Return the sockets on this machine that claim a ROS domain, by their numbers in Linux: at most one."""
     rows = [line.split() for line in Path('/proc/net/unix').read_text().splitlines()]
@@ -306,20 +294,13 @@ class Page:
 
 PANEL = START + """
 from pathlib import Path
-from param_tutorial.views import RobotView
-from param_tutorial.nodes.clawbot_node import ClawbotNode
 panel = ParameterPanel(node)
-robot = ros.add(ClawbotNode)
-view = RobotView(robot)
 """
 ENTER = {'do': 'enter', 'client': 'page', 'name': 'max_speed_rpm', 'number': 1}
 
 
-@pytest.mark.parametrize('wait', [
-    "ros.node_log.read(until='max_speed_rpm is now 55', timeout_sec=30)",
-    "param_tutorial.wait_until(lambda: client.get_parameter('max_speed_rpm') == 55, 'the hand', 30)",
-])
-def test_a_panel_answers_while_a_cell_waits_for_it(kernel, wait, tmp_path):
+def test_a_panel_answers_while_a_cell_waits_for_it(kernel, tmp_path):
+    wait = "ros.node_log.read(until='max_speed_rpm is now 55', timeout_sec=30)"
     kernel.run(PANEL)
     page, model_id = Page(kernel), kernel.run('print(panel._front.model_id)').strip()
     hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {**ENTER, 'text': '55'}))
@@ -328,7 +309,7 @@ def test_a_panel_answers_while_a_cell_waits_for_it(kernel, wait, tmp_path):
     # The next page has another subshell, and the one of this page is gone.
     page.close()
     Page(kernel).touch(model_id, {**ENTER, 'text': '60'})
-    assert kernel.run(wait.replace('55', '60')) in ("'[INFO] [simple_param_node]: max_speed_rpm is now 60'", 'True')
+    assert kernel.run(wait.replace('55', '60')) == "'[INFO] [simple_param_node]: max_speed_rpm is now 60'"
 
 
 @pytest.mark.skipif(not hasattr(BaseComm, '_reply_subshell_for'),
@@ -341,16 +322,6 @@ def test_a_cell_begins_when_all_is_done_that_was_done_on_the_page_before_it(kern
     for speed in (55, 56):
         page.touch(model_id, {**ENTER, 'text': f'{speed}'})
     assert kernel.run("panel.settle(); panel['max_speed_rpm'].value") == '56'
-
-
-def test_a_robot_drives_while_a_cell_waits_for_it(kernel, tmp_path):
-    kernel.run(PANEL)
-    page, model_id = Page(kernel), kernel.run('print(view._front.model_id)').strip()
-    hand = when_exists(tmp_path / 'waits', lambda: page.touch(model_id, {'do': 'drive'}))
-    wait = "ros.node_log.read(since='speeds', until='speeds', node='/clawbot_node', timeout_sec=30)"
-    text = kernel.run(f"Path('{tmp_path}/waits').touch()\n{wait}")
-    assert text == "'[INFO] [clawbot_node]: Clawbot speeds up with 0.5 m/s²'"
-    hand.join()
 
 
 def test_a_prediction_is_committed_while_the_cell_that_decides_it_runs(kernel, tmp_path):

@@ -86,18 +86,6 @@ def test_clear_and_overflow():
     assert log.read(until='after') == '[INFO] [a]: after'
 
 
-def test_listeners():
-    log, heard = NodeLog(), []
-    stop = log.on_line(heard.append)
-    log.receive(message('x'))
-    stop()
-    stop()
-    log.receive(message('y'))
-    assert [line.text for line in heard] == ['x']
-
-
-
-
 def test_after_a_mark_only_what_was_logged_later_is_read_even_if_the_rest_arrives_later(ros):
     class Talker(Node):
         def __init__(self):

@@ -47,6 +47,17 @@ def lamp(ros):
 
 
 @pytest.fixture
+def observe(ros, lamp):
+    """Return a function that steps in between a lamp and its parameters, and returns the one that steps out again."""
+    def observe(call_instead=lambda kind, callback, parameters: callback(parameters),
+                publish_instead=lambda publish, event: publish(event), set_instead=None):
+        stop = ros.run(lambda: rclpy_private.observe_changes(lamp, call_instead, publish_instead, set_instead),
+                       'observe')
+        return lambda: ros.run(stop, 'stop observing')
+    return observe
+
+
+@pytest.fixture
 def other_context():
     """A context and nodes apart from the stage."""
     context = rclpy.Context()
@@ -127,59 +138,52 @@ def test_what_is_written_into_the_own_descriptor_is_described(ros):
     assert ParameterClient(node).describe_parameter('serial').additional_constraints == 'one letter'
 
 
-def test_parameter_callbacks_are_called_by_going_through_three_lists(ros, lamp):
+def test_parameter_callbacks_are_called_by_going_through_three_lists(lamp, observe):
     calls = []
 
     def call_instead(kind, callback, parameters):
         calls.append((kind, callback))
         return callback(parameters)
 
-    stop = ros.run(lambda: rclpy_private.observe_changes(lamp, call_instead, lambda publish, event: publish(event)),
-                   'observe')
+    stop = observe(call_instead)
     ParameterClient(lamp).set_parameter('watts', 6)
-    ros.run(stop, 'stop observing')
+    stop()
     ParameterClient(lamp).set_parameter('watts', 7)
     assert [call for call in calls if getattr(call[1], '__self__', None) is lamp] == [
         ('pre-set', lamp.pre), ('on-set', lamp.judge), ('post-set', lamp.post)]
     assert lamp.seen == ['pre', 'judge', 'post'] * 2
 
 
-def test_parameter_callbacks_are_removed_while_they_are_observed_as_ever(ros, lamp):
-    stop = ros.run(lambda: rclpy_private.observe_changes(
-        lamp, lambda kind, callback, parameters: callback(parameters), lambda publish, event: publish(event)),
-        'observe')
+def test_parameter_callbacks_are_removed_while_they_are_observed_as_ever(lamp, observe):
+    stop = observe()
     lamp.remove_on_set_parameters_callback(lamp.judge)
-    ros.run(stop, 'stop observing')
+    stop()
     ParameterClient(lamp).set_parameter('watts', 6)
     assert lamp.seen == ['pre', 'post']
 
 
-def test_a_parameter_event_is_published_through_the_nodes_own_publisher(ros, lamp):
+def test_a_parameter_event_is_published_through_the_nodes_own_publisher(lamp, observe):
     events = []
-    stop = ros.run(lambda: rclpy_private.observe_changes(
-        lamp, lambda kind, callback, parameters: callback(parameters), lambda publish, event: events.append(event)),
-        'observe')
+    stop = observe(publish_instead=lambda publish, event: events.append(event))
     ParameterClient(lamp).set_parameter('watts', 6)
-    ros.run(stop, 'stop observing')
+    stop()
     ParameterClient(lamp).set_parameter('watts', 7)
     assert [event.changed_parameters[0].value.integer_value for event in events] == [6]
 
 
-def test_every_set_goes_through_one_method_of_the_node_and_no_declaration_does(ros, lamp):
+def test_every_set_goes_through_one_method_of_the_node_and_no_declaration_does(ros, lamp, observe):
     asked = []
 
     def set_instead(set_parameters, parameters):
         asked.append([each.value for each in parameters])
         return set_parameters(parameters)
 
-    stop = ros.run(lambda: rclpy_private.observe_changes(
-        lamp, lambda kind, callback, parameters: callback(parameters), lambda publish, event: publish(event),
-        set_instead), 'observe')
+    stop = observe(set_instead=set_instead)
     ParameterClient(lamp).set_parameter('watts', 6)
     ParameterClient(lamp).set_parameters_atomically({'watts': 7})
     ros.run(lambda: lamp.set_parameters([Parameter('watts', value=8)]), 'set')
     ros.run(lambda: lamp.declare_parameter('volts', 230), 'declare')
-    ros.run(stop, 'stop observing')
+    stop()
     ParameterClient(lamp).set_parameter('watts', 9)
     assert asked == [[6], [7], [8]]
 

@@ -42,6 +42,22 @@ class Arm(Node):
             integer_range=[IntegerRange(from_value=-INT64_MAX, to_value=INT64_MAX, step=1)]))
 
 
+class Band(Node):
+    """Accepts a lower end only below its upper one."""
+
+    def __init__(self):
+        super().__init__('band')
+        self.declare_parameters('', [('low', 1), ('high', 2), ('name', 'band')])
+        self.declare_parameter('serial', 'SN-1', Describe(read_only=True))
+        self.add_on_set_parameters_callback(self.judge)
+
+    def judge(self, parameters):
+        """Look at the values as they would be after the whole change."""
+        new = {parameter.name: parameter.value for parameter in parameters}
+        low, high = (new.get(name, self.get_parameter(name).value) for name in ('low', 'high'))
+        return SetParametersResult(successful=low < high, reason=f'{low} is not below {high}')
+
+
 class Gate(Node):
     """Lets each value through only when the test opens the gate, and keeps what it saw."""
 

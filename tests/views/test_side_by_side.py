@@ -45,4 +45,4 @@ def test_a_view_that_is_closed_leaves_it_before(views):
     assert both._box.children == (panel,)
     assert open_then == [True]
     both.close()
-    assert panel._on_close == []
+    assert len(panel._on_close) == 0

@@ -44,6 +44,7 @@ def test_what_the_controls_show_at_first(arm):
         'notes': ('one\ntwo',), 'flags': ('[true, false]',), 'order': ('[3, 1, 2]',), 'limits': ('[-1.5, inf]',),
         'names': ('[base, "elbow, left"]',), 'firmware': ('[0x00, 0xff]',), 'model': ('A1',), 'payload': ('1.5',),
         'calibrated_at': ('',), 'endless': ('1.0',), 'fixed': ('7',), 'huge': ('0',)}
+    assert 'value="" placeholder="not set"' in arm._front.markup
 
 
 @pytest.mark.parametrize(('name', 'entered', 'stored', 'shown'), [
@@ -103,25 +104,15 @@ def test_what_is_no_value_springs_back_and_says_why(arm, name, entered, reason):
     assert arm[name].message == reason
 
 
-def test_a_slider_reaches_its_valid_positions_and_both_ends(arm):
-    for position, stored in ((2, 9), (3, 12), (0, 1)):
-        slide(arm, 'joints', position)
+@pytest.mark.parametrize(('name', 'stored'), [
+    ('joints', {2: 9, 3: 12, 0: 1}), ('reach', {29: 0.3, 199: 2.0, 0: 0.01}), ('gains.kp', {3: 0.9, 4: 1.0, 0: 0.0})])
+def test_a_slider_reaches_round_numbers_and_both_ends(arm, name, stored):
+    for position, value in stored.items():
+        slide(arm, name, position)
         arm.settle()
-        assert arm['joints'].value == stored
-        assert arm['joints'].message == ''
-        assert shows(arm, 'joints') == (str(stored), position)
-
-
-def test_a_double_slider_counts_round_numbers_up_to_the_end(arm):
-    for position, stored in ((29, 0.3), (199, 2.0), (0, 0.01)):
-        slide(arm, 'reach', position)
-        arm.settle()
-        assert shows(arm, 'reach') == (repr(stored), position)
-    for position, stored in ((3, 0.9), (4, 1.0), (0, 0.0)):
-        slide(arm, 'gains.kp', position)
-        arm.settle()
-        assert arm['gains.kp'].message == ''
-        assert values.same(arm['gains.kp'].value, stored)
+        assert values.same(arm[name].value, value)
+        assert arm[name].message == ''
+        assert shows(arm, name) == (repr(value), position)
 
 
 @pytest.mark.slow
@@ -164,13 +155,6 @@ def test_a_locked_parameter_is_locked_and_the_node_has_the_last_word(arm):
     arm.settle()
     assert 'read-only' in arm['model'].message
     assert shows(arm, 'model') == ('A1',)
-
-
-def test_an_unset_parameter_says_so_until_it_is_set(arm):
-    assert 'value="" placeholder="not set"' in arm._front.markup
-    enter(arm, 'calibrated_at', 'now')
-    arm.settle()
-    assert shows(arm, 'calibrated_at') == ('now',)
 
 
 # -- whatever a node is called or describes ---------------------------------------------------------------

@@ -9,7 +9,7 @@ import re
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
@@ -21,7 +21,7 @@ from param_tools.panel.panel import ParameterPanel
 from param_tools.ros import stage
 from param_tools.ros.waiting import wait_until
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from tests.support.nodes import Arm, Counter, Gate
+from tests.support.nodes import Arm, Band, Counter, Gate
 from tests.support.processes import standing_still
 from tests.support.widgets import enter, is_locked, press, says, shows, slide
 
@@ -47,15 +47,6 @@ def test_a_rejected_value_springs_back_with_the_nodes_reason_until_the_next_chan
     panel.settle()
     assert (control.message, shows(panel, 'max_speed_rpm')) == ('', ('120',))
     assert says(panel, 'max_speed_rpm') is None
-
-
-def test_out_of_range_and_off_the_step_come_with_rclpys_words(arm):
-    arm['reach'].value = 2.5
-    arm['joints'].value = 6
-    arm.settle()
-    assert 'out of range' in arm['reach'].message
-    assert 'not a valid step' in arm['joints'].message
-    assert shows(arm, 'reach') == ('0.5', 49)
 
 
 def test_a_value_that_the_node_changes_is_shown_as_stored(ros):
@@ -272,21 +263,6 @@ def test_names_choose_and_order(ros):
     panel = ParameterPanel(NODE, names=['tool', 'use_sim_time', 'joints', 'no_such'])
     assert panel.names == ['tool', 'use_sim_time', 'joints']
     assert repr(panel) == '<ParameterPanel: /arm, 3 parameters>'
-
-
-class Band(Node):
-    """Accepts a lower end only below its upper one."""
-
-    def __init__(self):
-        super().__init__('band')
-        self.declare_parameters('', [('low', 1), ('high', 2), ('name', 'band')])
-        self.declare_parameter('serial', 'SN-1', ParameterDescriptor(read_only=True))
-        self.add_on_set_parameters_callback(self.judge)
-
-    def judge(self, parameters):
-        new = {parameter.name: parameter.value for parameter in parameters}
-        low, high = (new.get(name, self.get_parameter(name).value) for name in ('low', 'high'))
-        return SetParametersResult(successful=low < high, reason=f'{low} is not below {high}')
 
 
 def test_a_panel_made_again_resets_to_what_the_node_began_with(ros):

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 from rcl_interfaces.msg import SetParametersResult
-from rclpy.node import Node
 
 from param_tools import values
 from param_tools.errors import NodeNotFoundError, ParameterFileError
@@ -14,6 +13,7 @@ from param_tools.node.client import ParameterClient
 from param_tools.panel.panel import ParameterPanel
 from param_tools.ros.waiting import wait_until
 from param_tools.systems.restoring import MAY_BE_TAKEN
+from tests.support.nodes import Band
 from tests.support.widgets import enter, says
 
 NODE = '/arm'
@@ -150,19 +150,8 @@ def test_a_load_is_one_edit_and_says_what_was_left_out(arm):
 
 
 def test_a_rule_across_parameters_is_met_by_the_file_as_a_whole(ros):
-    class Band(Node):
-        def __init__(self):
-            super().__init__('band')
-            self.declare_parameters('', [('low', 1), ('high', 2), ('name', 'band')])
-            self.add_on_set_parameters_callback(self.judge)
-
-        def judge(self, parameters):
-            new = {parameter.name: parameter.value for parameter in parameters}
-            low, high = (new.get(name, self.get_parameter(name).value) for name in ('low', 'high'))
-            ok = low < high and new.get('name') != 'bad'
-            return SetParametersResult(successful=ok, reason=f'{low} is not below {high}' if low >= high else 'bad')
-
-    ros.add(Band)
+    ros.add(Band).add_on_set_parameters_callback(lambda parameters: SetParametersResult(
+        successful=all(each.value != 'bad' for each in parameters), reason='bad'))
     panel = ParameterPanel('/band')
     loaded = panel.load(write('band.yaml', 'band:\n  ros__parameters: {low: 10, high: 20}'))
     assert (loaded, loaded.names) == ({}, ('low', 'high'))

@@ -28,29 +28,22 @@ function render({model, el}) {
     className: 'param-search',
     type: 'search',
     placeholder: 'Search nodes and parameters: names, descriptions, values',
+    ariaLabel: 'Search nodes and parameters',
   });
-  search.setAttribute('aria-label', 'Search nodes and parameters');
-  const status = make('span', {className: 'param-status'});
-  status.setAttribute('role', 'status');
+  const status = make('span', {className: 'param-status', role: 'status'});
   const list = make('ul', {className: 'node-list'});
-  const tools = make('span', {className: 'param-tools'});
-  tools.setAttribute('role', 'group');
-  tools.setAttribute('aria-label', 'What is shown of the parameters');
+  const tools = make('span', {className: 'param-tools', role: 'group', ariaLabel: 'What is shown of the parameters'});
   for (const [name, [word, title]] of Object.entries(SHOWN)) {
-    const button = make('button', {type: 'button', title}, word);
-    button.setAttribute('aria-pressed', 'false');
+    const button = make('button', {type: 'button', title, ariaPressed: 'false'}, word);
     button.addEventListener('click', () => {
-      const isOn = el.closest('.param-browser')?.toggleAttribute(name);
-      button.setAttribute('aria-pressed', String(Boolean(isOn)));
+      button.ariaPressed = String(Boolean(el.closest('.param-browser')?.toggleAttribute(name)));
     });
     tools.append(button);
   }
   const plots = new Plots(content => model.send(content));
   const plot = make('button', {type: 'button', title: 'Plot the last 30 s of any number of a topic'}, 'Plot\u2026');
   plot.addEventListener('click', () => plots.toggle(''));
-  const title = make('span', {className: 'param-title'}, 'Parameters of all nodes');
-  title.setAttribute('role', 'heading');
-  title.setAttribute('aria-level', '3');
+  const title = make('span', {className: 'param-title', role: 'heading', ariaLevel: '3'}, 'Parameters of all nodes');
   el.append(make('div', {className: 'param-head'}, title, status, tools, plot, search));
   el.append(make('div', {className: 'param-plots'}), list);
   plots.settle(el);
@@ -98,7 +91,7 @@ function render({model, el}) {
       const at = lines.get(node.name) ?? line(node.name);
       lines.set(node.name, at);
       if (list.children[index] !== at) list.insertBefore(at, list.children[index] ?? null);
-      one(at, '.node-open').setAttribute('aria-expanded', String(node.is_open));
+      one(at, '.node-open').ariaExpanded = String(node.is_open);
       const says = one(at, '.node-says');
       says.textContent = node.says;
       says.classList.toggle('param-status-bad', node.is_bad);
@@ -117,23 +110,15 @@ function render({model, el}) {
 
   const showPlots = () => {
     plots.show(model.get('plots'));
-    plot.setAttribute('aria-expanded', String(plots.isOpen('')));
+    plot.ariaExpanded = String(plots.isOpen(''));
   };
-
-  /** @param {any} message */
-  const take = message => plots.take(message);
 
   show();
   showPlots();
   model.on('change:state', show);
   model.on('change:plots', showPlots);
-  model.on('msg:custom', take);
-  return () => {
-    plots.end();
-    model.off('change:state', show);
-    model.off('change:plots', showPlots);
-    model.off('msg:custom', take);
-  };
+  model.on('msg:custom', message => plots.take(message));
+  return () => plots.end();
 }
 
 export default {initialize, render};

@@ -41,19 +41,13 @@ function render({model, el}) {
   const drawer = new Drawer(client, content => model.send({client, ...content}));
   el.append(drawer.element);
   const show = () => drawer.show(model.get('state'));
-  /** @param {Answer} message */
-  const take = message => message.client === client && drawer.answer(message);
   /** @param {KeyboardEvent} event */
   const onKey = event => drawer.onPageKey(event);
   show();
   model.on('change:state', show);
-  model.on('msg:custom', take);
+  model.on('msg:custom', message => message.client === client && drawer.answer(message));
   document.addEventListener('keydown', onKey);
-  return () => {
-    model.off('change:state', show);
-    model.off('msg:custom', take);
-    document.removeEventListener('keydown', onKey);
-  };
+  return () => document.removeEventListener('keydown', onKey);
 }
 
 /** The form that saves a preset, with a name that it suggests until another one is typed. */
@@ -194,9 +188,9 @@ class Drawer {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   timer;
   list = make('ul', {className: 'drawer-list'});
-  said = make('div', {className: 'param-file drawer-said'});
+  said = make('div', {className: 'param-file drawer-said', role: 'status'});
   keys = make('dl', {className: 'drawer-keys', hidden: true});
-  keysOpener = make('button', {type: 'button', title: 'Keys (key: ?)'}, '?');
+  keysOpener = make('button', {type: 'button', title: 'Keys (key: ?)', ariaLabel: 'Keys'}, '?');
 
   /**
    * @param {string} id One that nothing else on the page has.
@@ -204,7 +198,6 @@ class Drawer {
    */
   constructor(id, ask) {
     this.ask = ask;
-    this.said.setAttribute('role', 'status');
     this.form = new SaveForm(`drawer-${id}`, (name, node) => {
       this.choose(undefined);
       this.send({do: 'save', name, node});
@@ -224,11 +217,10 @@ class Drawer {
       button.addEventListener('click', () => this.open(this.tab === tab ? '' : tab));
       return button;
     });
-    this.keysOpener.setAttribute('aria-label', 'Keys');
     this.keysOpener.addEventListener('click', () => this.toggleKeys());
     const bar = make('div', {className: 'drawer-bar'}, ...this.openers, this.keysOpener);
-    this.element = make('section', {className: 'drawer'}, bar, this.keys, this.body);
-    this.element.setAttribute('aria-label', 'Presets and history');
+    const what = {className: 'drawer', ariaLabel: 'Presets and history'};
+    this.element = make('section', what, bar, this.keys, this.body);
     this.element.addEventListener('keydown', event => {
       // JupyterLab has meanings of its own for keys.
       if (event.target instanceof HTMLInputElement) event.stopPropagation();
@@ -321,8 +313,8 @@ class Drawer {
   }
 
   draw() {
-    for (const each of this.openers) each.setAttribute('aria-expanded', String(each.name === this.tab));
-    this.keysOpener.setAttribute('aria-expanded', String(!this.keys.hidden));
+    for (const each of this.openers) each.ariaExpanded = String(each.name === this.tab);
+    this.keysOpener.ariaExpanded = String(!this.keys.hidden);
     this.body.hidden = !this.tab;
     this.form.element.hidden = this.tab !== 'presets' || Boolean(this.state.is_read_only);
     this.form.show(this.state);

@@ -141,7 +141,8 @@ class ParameterDrawer(FollowingView):
     def _do(self, content: dict[str, Any]) -> dict[str, Any]:
         do, name = content['do'], content.get('name', '')
         if do == 'look':
-            preview, notes = self._preview(content)
+            wanted, label, notes = self._wanted(content)
+            preview = preview_all(wanted, label, executor=self._executor)
             return {'markup': _told(preview, notes), 'can': bool(preview.count('would be set'))}
         if do == 'open' or self._is_read_only():
             return {}
@@ -176,10 +177,6 @@ class ParameterDrawer(FollowingView):
         absent = [node for node in mine if node not in running]
         notes = [f'Not running: {", ".join(absent)}.'] if absent else []
         return {node: each for node, each in mine.items() if node in running}, label, notes
-
-    def _preview(self, content: Mapping[str, Any]) -> tuple[Preview, list[str]]:
-        wanted, label, notes = self._wanted(content)
-        return preview_all(wanted, label, executor=self._executor), notes
 
 
 def _lines(log: Sequence[LoggedChange]) -> list[dict[str, Any]]:

@@ -53,9 +53,12 @@ export class FileForm {
     this.shown = one(this.element, '.param-file-look');
     this.path.addEventListener('input', () => {
       this.isNamed = true;
-      this.lookSoon();
+      // What is typed now is another file than the one that was looked at.
+      this.can = false;
+      this.draw();
+      this.lookAfter(200);
     });
-    this.changedOnly.addEventListener('change', () => this.look());
+    this.changedOnly.addEventListener('change', () => this.send('look'));
     one(this.element, '.param-file-close').addEventListener('click', () => this.close());
     this.element.addEventListener('submit', event => {
       event.preventDefault();
@@ -114,7 +117,7 @@ export class FileForm {
     one(this.element, '.param-file-changed').hidden = !isSave;
     this.button.textContent = isSave ? 'Save' : 'Load';
     this.shown.replaceChildren();
-    this.look();
+    this.send('look');
     this.path.focus();
   }
 
@@ -137,21 +140,10 @@ export class FileForm {
     });
   }
 
-  lookSoon() {
-    // What is typed now is another file than the one that was looked at.
-    this.can = false;
-    this.draw();
-    this.lookAfter(200);
-  }
-
   /** @param {number} milliseconds */
   lookAfter(milliseconds) {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.look(), milliseconds);
-  }
-
-  look() {
-    this.send('look');
+    this.timer = setTimeout(() => this.send('look'), milliseconds);
   }
 
   act() {
@@ -180,7 +172,7 @@ export class FileForm {
         this.isNamed = true;
         this.path.value = suggested;
         this.path.select();
-        this.look();
+        this.send('look');
         return;
       }
       this.offered.replaceChildren(...offered.map(each => new Option('', each)));

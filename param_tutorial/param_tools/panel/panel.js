@@ -18,9 +18,8 @@ import {all, focusedBeside, make, one} from './dom.js';
  * was taken hold of.
  * @typedef {{text?: string, position?: number, items?: string[], number: number, grip: number}} Entry
  *
- * Takes what is entered, and what the buttons do. `bringBack` gets null for all parameters.
- * @typedef {{enter: (name: string, entry: Entry) => void, bringBack: (name: string | null) => void, undo: () => void,
- *   redo: () => void, gather: (isWanted: boolean) => void, apply: () => void}} Wire
+ * What a person does: enters something, or presses a button. Without a name, a button is for all parameters.
+ * @typedef {{do: string, name?: string} & Partial<Entry>} Wish
  *
  * @typedef {HTMLElement & {value: string, disabled: boolean}} Box
  */
@@ -69,8 +68,7 @@ class Elements {
    * @param {() => void} onClick
    */
   makeButton(text, label, onClick) {
-    const made = make('button', {type: 'button'}, text);
-    made.setAttribute('aria-label', label);
+    const made = make('button', {type: 'button', ariaLabel: label}, text);
     made.addEventListener('click', onClick);
     return made;
   }
@@ -78,15 +76,15 @@ class Elements {
   /** @param {boolean} isWanted */
   open(isWanted) {
     this.element.hidden = !isWanted;
-    this.button.setAttribute('aria-expanded', String(isWanted));
+    this.button.ariaExpanded = String(isWanted);
     this.draw();
   }
 
   /** @param {string} text */
   append(text) {
     const number = this.list.children.length + 1;
-    const box = make('input', {type: 'text', value: text, autocomplete: 'off', spellcheck: false});
-    box.setAttribute('aria-label', `Element ${number} of ${this.row.name}`);
+    const label = `Element ${number} of ${this.row.name}`;
+    const box = make('input', {type: 'text', value: text, autocomplete: 'off', spellcheck: false, ariaLabel: label});
     box.addEventListener('input', () => {
       this.isTyping = true;
     });
@@ -188,7 +186,7 @@ class PanelRow {
       slider.addEventListener('keydown', event => panel.keep(event));
       slider.addEventListener('input', () => this.enter({position: Number(slider.value)}));
     }
-    this.back?.addEventListener('click', () => panel.wire.bringBack(this.name));
+    this.back?.addEventListener('click', () => panel.send({do: 'reset', name: this.name}));
   }
 
   /**
@@ -237,12 +235,12 @@ class PanelRow {
   }
 
   /**
-   * Pass on what was entered; the wire calls `answer` with the number as soon as that has been taken up.
+   * Pass on what was entered; the kernel answers with the number as soon as that has been taken up.
    * @param {Partial<Entry>} entry
    */
   enter(entry) {
     this.entered += 1;
-    this.panel.wire.enter(this.name, {...entry, number: this.entered, grip: this.grip});
+    this.panel.send({do: 'enter', name: this.name, ...entry, number: this.entered, grip: this.grip});
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.drawMessage(), 1000);
   }
@@ -298,7 +296,7 @@ class PanelRow {
       box.value = text;
     }
     if (slider && position !== undefined) slider.value = String(position);
-    slider?.setAttribute('aria-valuetext', text);
+    if (slider) slider.ariaValueText = text;
   }
 
   drawBack() {
@@ -313,7 +311,7 @@ class PanelRow {
     if (first !== undefined && back.title !== words) {
       back.textContent = `\u21ba ${first}`;
       back.title = words;
-      back.setAttribute('aria-label', `${words}: ${this.name}`);
+      back.ariaLabel = `${words}: ${this.name}`;
     }
   }
 
@@ -324,9 +322,9 @@ class PanelRow {
     this.said.dataset.said = `${kind} ${words}`;
     this.said.replaceChildren();
     if (!kind) return;
-    const told = make('span', {className: `param-message param-${kind}`});
     // An alert is read out when it comes onto the page.
-    told.setAttribute('role', kind === 'rejected' || kind === 'failed' ? 'alert' : 'status');
+    const role = kind === 'rejected' || kind === 'failed' ? 'alert' : 'status';
+    const told = make('span', {className: `param-message param-${kind}`, role});
     if (kind === 'rejected') told.append(make('b', {}, 'Rejected:'), ' ');
     told.append(words);
     this.said.append(told);
@@ -341,11 +339,11 @@ export class ParameterPanel {
 
   /**
    * @param {HTMLElement} root
-   * @param {Wire} wire
+   * @param {(wish: Wish) => void} send
    */
-  constructor(root, wire) {
+  constructor(root, send) {
     this.root = root;
-    this.wire = wire;
+    this.send = send;
     for (const element of all(root, '.param-row')) {
       const row = new PanelRow(this, element);
       this.rows.set(row.name, row);
@@ -362,24 +360,24 @@ export class ParameterPanel {
 
   /** Return the buttons by which changes are made together, undone and taken back, and the bar of gathered changes. */
   findTools() {
-    const {root, wire} = this;
+    const {root} = this;
     const bar = one(root, '.param-bar');
-    /** @type {(name: string, act: () => void) => HTMLButtonElement} */
-    const button = (name, act) => {
+    /** @param {string} name */
+    const button = name => {
       const found = one(root, `.param-${name}`, HTMLButtonElement);
-      found.addEventListener('click', act);
+      found.addEventListener('click', () => this.send({do: name === 'gather' && !bar.hidden ? 'discard' : name}));
       return found;
     };
     root.addEventListener('keydown', event => this.onKey(event));
     return {
       bar,
       gathered: one(bar, '.param-gathered'),
-      gather: button('gather', () => wire.gather(Boolean(bar.hidden))),
-      undo: button('undo', wire.undo),
-      redo: button('redo', wire.redo),
-      reset: button('reset', () => wire.bringBack(null)),
-      apply: button('apply', wire.apply),
-      discard: button('discard', () => wire.gather(false)),
+      gather: button('gather'),
+      undo: button('undo'),
+      redo: button('redo'),
+      reset: button('reset'),
+      apply: button('apply'),
+      discard: button('discard'),
     };
   }
 
@@ -398,8 +396,7 @@ export class ParameterPanel {
     // In a text that is being typed these keys are the browser's.
     if (!isUndo || [...this.rows.values()].some(row => row.isTyping || row.elements?.isTyping)) return;
     event.preventDefault();
-    if (event.shiftKey) this.wire.redo();
-    else this.wire.undo();
+    this.send({do: event.shiftKey ? 'redo' : 'undo'});
   }
 
   /** @param {PanelState} state */
@@ -419,21 +416,13 @@ export class ParameterPanel {
     const {tools} = this;
     const isGathering = gathered !== undefined;
     tools.gather.disabled = this.isLocked;
-    tools.gather.setAttribute('aria-pressed', String(isGathering));
+    tools.gather.ariaPressed = String(isGathering);
     tools.bar.hidden = !isGathering;
     tools.apply.disabled = this.isLocked || !gathered;
     tools.gathered.textContent = note;
     tools.undo.disabled = this.isLocked || !undo;
     tools.redo.disabled = this.isLocked || !redo;
     tools.reset.disabled = this.isLocked || ![...this.rows.values()].some(row => 'first' in row.state);
-  }
-
-  /**
-   * @param {string} name
-   * @param {number} number
-   */
-  answer(name, number) {
-    this.rows.get(name)?.answer(number);
   }
 
   /**

@@ -8,26 +8,19 @@ import {Plots} from './plots.js';
 
 /**
  * @import {RenderProps} from '@anywidget/types'
- * @import {PanelState, Wire} from './panel.js'
+ * @import {PanelState} from './panel.js'
  * @import {PlotState} from './plots.js'
  */
 
 /** @param {RenderProps<{markup: string, state: PanelState, search: string, plots: PlotState}>} props */
 function render({model, el}) {
   const client = uniqueName();
-  /** @type {Wire} */
-  const wire = {
-    enter: (name, entry) => model.send({do: 'enter', name, client, ...entry}),
-    bringBack: name => model.send({do: 'reset', name}),
-    undo: () => model.send({do: 'undo'}),
-    redo: () => model.send({do: 'redo'}),
-    gather: isWanted => model.send({do: isWanted ? 'gather' : 'discard'}),
-    apply: () => model.send({do: 'apply'}),
-  };
+  /** @param {Record<string, unknown>} content */
+  const send = content => model.send({client, ...content});
   const root = make('div');
   el.append(root);
-  const form = new FileForm(`param-file-${client}`, wish => model.send({client, ...wish}));
-  const plots = new Plots(content => model.send(content));
+  const form = new FileForm(`param-file-${client}`, send);
+  const plots = new Plots(send);
   /** @type {ParameterPanel | undefined} */
   let panel;
   let search = model.get('search');
@@ -39,7 +32,7 @@ function render({model, el}) {
     // A notebook may show a panel twice.
     const shown = make('div', {innerHTML: model.get('markup').replaceAll('panel-NAME', `panel-${client}`)});
     const old = panel;
-    panel = new ParameterPanel(shown, wire);
+    panel = new ParameterPanel(shown, send);
     if (old) panel.takeOver(old);
     // At first there may be too few parameters for a search.
     if (panel.search && search) [panel.search.value, search] = [search, ''];
@@ -63,7 +56,7 @@ function render({model, el}) {
     if ('plot' in message) plots.take(message);
     if (!panel || message.client !== client) return;
     if ('form' in message) form.answer(message);
-    else panel.answer(message.name, message.number);
+    else panel.rows.get(message.name)?.answer(message.number);
   }
 
   const showPlots = () => plots.show(model.get('plots'));
@@ -74,13 +67,7 @@ function render({model, el}) {
   model.on('change:markup', build);
   model.on('change:state', show);
   model.on('msg:custom', onMessage);
-  return () => {
-    plots.end();
-    model.off('change:plots', showPlots);
-    model.off('change:markup', build);
-    model.off('change:state', show);
-    model.off('msg:custom', onMessage);
-  };
+  return () => plots.end();
 }
 
 /**

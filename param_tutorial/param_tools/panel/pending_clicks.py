@@ -13,18 +13,17 @@ class Backlog:
     """Counts the messages that have come, and those that have been handled, in the order in which they came."""
 
     def __init__(self) -> None:
-        self._lock = threading.RLock()
-        self._changed = threading.Condition(self._lock)
+        self._changed = threading.Condition()
         self._came = self._handled = 0
 
     def add(self) -> None:
         """A message has come, and is about to be handed to the thread that handles it."""
-        with self._lock:
+        with self._changed:
             self._came += 1
 
     def take(self) -> None:
         """A message has been handled."""
-        with self._lock:
+        with self._changed:
             self._handled = min(self._handled + 1, self._came)
             self._changed.notify_all()
 
@@ -34,7 +33,7 @@ class Backlog:
         :param timeout_sec: After that, they count as lost, and nobody waits for them again.
         :return: False if some were lost.
         """
-        with self._lock:
+        with self._changed:
             came = self._came
             if self._changed.wait_for(lambda: self._handled >= came, timeout_sec):
                 return True

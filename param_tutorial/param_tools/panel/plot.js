@@ -66,6 +66,8 @@ export class Plot {
     const list = uniqueName();
     this.element = make('div', {
       className: 'param-plot',
+      role: 'group',
+      ariaLabel: row ? `Plot of ${row}` : 'Plot',
       innerHTML: `<ul class="param-plot-key"></ul>
         <canvas tabindex="0" role="img"></canvas>
         <details class="param-plot-changes" hidden><summary></summary><ol></ol></details>
@@ -81,8 +83,6 @@ export class Plot {
         <button type="button" data-act="close">Close</button></div>
         <div class="param-plot-said param-message" role="status"></div>`,
     });
-    this.element.setAttribute('role', 'group');
-    this.element.setAttribute('aria-label', row ? `Plot of ${row}` : 'Plot');
     this.key = one(this.element, '.param-plot-key');
     this.canvas = one(this.element, 'canvas', HTMLCanvasElement);
     this.changes = one(this.element, '.param-plot-changes', HTMLDetailsElement);
@@ -104,7 +104,7 @@ export class Plot {
       in: () => this.zoom(0.5),
       out: () => this.zoom(2),
       each: () => {
-        this.button('each').setAttribute('aria-pressed', String(!this.isScaledEach));
+        this.button('each').ariaPressed = String(!this.isScaledEach);
         this.draw();
       },
       csv: () => this.saveTable(),
@@ -117,7 +117,9 @@ export class Plot {
       if (event.target === input || !(event.ctrlKey || event.metaKey)) event.stopPropagation();
     });
     canvas.addEventListener('keydown', event => this.onKey(event));
-    canvas.addEventListener('focus', () => canvas.setAttribute('aria-label', this.describe()));
+    canvas.addEventListener('focus', () => {
+      canvas.ariaLabel = this.describe();
+    });
     canvas.addEventListener('wheel', event => {
       // Without a key, the wheel scrolls the page.
       if (!event.ctrlKey && !event.shiftKey) return;
@@ -205,7 +207,7 @@ export class Plot {
     if (isWanted) this.still ??= this.copy();
     else [this.still, this.from, this.to] = [undefined, -SPAN, 0];
     const button = this.button('pause');
-    button.setAttribute('aria-pressed', String(isWanted));
+    button.ariaPressed = String(isWanted);
     button.textContent = isWanted ? 'Go on' : 'Pause';
     this.draw();
   }
@@ -252,7 +254,7 @@ export class Plot {
   // -- what it shows ------------------------------------------------------------------------------------
 
   get isScaledEach() {
-    return this.button('each').getAttribute('aria-pressed') === 'true';
+    return this.button('each').ariaPressed === 'true';
   }
 
   /** @param {string} curve */
@@ -337,15 +339,15 @@ export class Plot {
           innerHTML: `<svg width="24" height="8" aria-hidden="true"><line x1="1" x2="23" y1="4" y2="4" stroke-width="2"
             stroke="${colorOf(style)}" stroke-dasharray="${dash}"/></svg>`,
         });
-        const remove = make('button', {type: 'button', title: `Remove ${name}`}, '\u00d7');
-        remove.setAttribute('aria-label', `Remove ${name}`);
+        const words = `Remove ${name}`;
+        const remove = make('button', {type: 'button', title: words, ariaLabel: words}, '\u00d7');
         remove.addEventListener('click', () => this.plots.send({act: 'remove', row: this.row, curve: name}));
         line.append(make('span', {className: 'param-plot-name'}, name), make('output'), remove);
         return line;
       }),
     );
     this.told = 0;
-    this.canvas.setAttribute('aria-label', this.describe());
+    this.canvas.ariaLabel = this.describe();
     this.draw();
   }
 

@@ -75,7 +75,7 @@ export class Plots {
     }
     for (const button of all(this.root ?? make('div'), '.param-plot-open')) {
       const row = /** @type {HTMLElement} */ (button.closest('.param-row')).dataset.name ?? '';
-      button.setAttribute('aria-expanded', String(this.plots.has(row)));
+      button.ariaExpanded = String(this.plots.has(row));
     }
   }
 

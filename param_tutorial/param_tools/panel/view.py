@@ -17,6 +17,7 @@ from param_tools.panel.close_with_cell import close_looks, close_with_cell
 from param_tools.panel.front import Front
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
+from param_tools.ros.listeners import Listeners
 from param_tools.ros.schedule import Job
 from param_tools.ros.services import full_name
 
@@ -37,7 +38,7 @@ class View(widgets.VBox):
         self._closed = False
         # Held by the thread that writes to the widgets.
         self._drawing = threading.RLock()
-        self._on_close: list[Callable[[View], object]] = []
+        self._on_close: Listeners[[View]] = Listeners()
         super().__init__(list(parts))
         self.add_class(css_class)
         for widget in (self, *_all_within(self)):
@@ -60,19 +61,13 @@ class View(widgets.VBox):
 
         :return: Call it to stop listening.
         """
-        self._on_close.append(listener)
-
-        def unregister() -> None:
-            if listener in self._on_close:
-                self._on_close.remove(listener)
-        return unregister
+        return self._on_close.add(listener)
 
     def close(self) -> None:
         """Stop following, and remove the view from the page. Safe to call more than once."""
         if self._closed:
             return
-        for listener in list(self._on_close):
-            listener(self)
+        self._on_close.call(self)
         with self._drawing:
             self._closed = True
             self._end()

@@ -67,7 +67,7 @@ class Guard:
 
 
 class Child:
-    """A command in a process of its own."""
+    """A command in a process of its own; ``host.Command`` says what can be done with it."""
 
     def __init__(self, command: Sequence[str], output: Output | None = None, *,
                  environment: Mapping[str, str] | None = None, folder: Path | None = None,
@@ -129,17 +129,14 @@ class Child:
             self._terminal = -1
 
     def poll(self) -> int | None:
-        """Return its exit status, negative if a signal ended it; None if it runs."""
         return self.process.poll()
 
     def send(self, number: int) -> None:
-        """Send it a signal; in a session of its own, also to what it has started in its turn."""
         if self.process.poll() is None:
             with contextlib.suppress(ProcessLookupError):
                 (os.killpg if self._has_session else os.kill)(self.process.pid, number)
 
     def wait(self, timeout_sec: float) -> bool:
-        """Wait until it has ended, and return whether it has."""
         try:
             self.process.wait(None if timeout_sec == math.inf else timeout_sec)
         except subprocess.TimeoutExpired:

@@ -73,21 +73,11 @@ def destroy_unfinished(node: Node) -> None:
 
 
 def destroy_by_force(node: Node) -> None:
-    """Destroy a node whose executor will never run again."""
-    handles = [*_waited_for(node), *(publisher.handle for publisher in node.publishers), node.handle]
+    """Destroy a node whose executor will never run again, and still holds the handles of what it waits for."""
+    entities: list[Any] = [*node.subscriptions, *node.clients, *node.services, *node.timers, *node.publishers]
+    handles: list[Any] = [*node.waitables, *(entity.handle for entity in entities), node.handle]
     node.destroy_node()
-    _release(handles)
-
-
-def _waited_for(node: Node) -> list[Any]:
-    """Return the handles of what a node has created and its executor waits for."""
-    entities: list[Any] = [*node.subscriptions, *node.clients, *node.services, *node.timers]
-    return [*node.waitables, *(entity.handle for entity in entities)]
-
-
-def _release(handles: list[Any]) -> None:
-    """Leave handles with ``__exit__``, as at the end of a ``with`` block, until they have no user."""
-    for handle in handles:
+    for handle in handles:  # each is left, as at the end of a ``with`` block, until it has no user
         with contextlib.suppress(RuntimeError):  # raised when there is no user left
             while True:
                 handle.__exit__(None, None, None)
