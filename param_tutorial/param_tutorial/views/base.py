@@ -53,6 +53,12 @@ class PictureView(AnimatedView):
         """What the view is of; no node is asked."""
         return self._picture.subject
 
+    def _replace(self, picture: svg.AnimatedPicture) -> str:
+        """Play another picture from now on, and return it in words."""
+        self._picture = picture
+        self._draw()
+        return picture.text
+
     def _draw(self) -> None:
         with self._drawing:
             if not self._closed:

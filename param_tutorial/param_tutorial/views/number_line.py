@@ -13,10 +13,10 @@ from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
 from param_tools.panel.view import FollowingView, nothing
 from param_tools.ros.executor import BackgroundExecutor
-from param_tutorial.views.asking import Asking
 from param_tutorial.views.base import AnimatedView, name_of
 from param_tutorial.views.drawing import svg
 from param_tutorial.views.drawing.number_line import NumberLine, Request, Scale
+from param_tutorial.views.handle import Asking
 from param_tutorial.views.set_recorder import RecordedSet, follow_sets, record_set
 
 

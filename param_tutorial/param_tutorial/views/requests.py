@@ -11,7 +11,7 @@ from param_tools.errors import InvalidValueError, ParameterNotDeclaredError
 from param_tools.node.client import ParameterClient, SetResult
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.requests import Request, Requests
-from param_tutorial.views.ordering import Ordering
+from param_tutorial.views.handle import Ordering
 
 
 @dataclass
@@ -125,9 +125,8 @@ class RequestsView(PictureView):
             side.bring_back()
             side.pairs.sort(key=lambda pair: order.index(pair[0]))
             side.send(requests)
-        self._requests = self._picture = requests
-        self._draw()
-        return requests.text
+        self._requests = requests
+        return self._replace(requests)
 
 
 def _sent(client: ParameterClient, name: str, value: Any) -> Request:
