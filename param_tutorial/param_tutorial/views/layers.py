@@ -27,7 +27,6 @@ class LayersView(PictureView):
         :param has: What the node has in the end, if it was asked.
         :param start: Starts a node with sources, whose names it gets in their order, and returns the value that the
             node has. It never gets the first source, which is the default; the names of the others differ.
-        :raises ValueError: there is no source.
         """
         sources = list(sources)
         if start is None:

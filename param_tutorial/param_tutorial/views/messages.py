@@ -47,7 +47,6 @@ class MessageView(PictureView):
 
     @property
     def node(self) -> str:
-        """The fully qualified name of the node."""
         return self._result.node
 
     def _ask_node(self) -> MessageTraffic:

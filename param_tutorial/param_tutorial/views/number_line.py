@@ -62,7 +62,6 @@ class NumberLineView(AnimatedView, FollowingView):
 
     @property
     def node(self) -> str:
-        """The fully qualified name of the node."""
         return self._subject
 
     def _ask(self, value: Any) -> str:

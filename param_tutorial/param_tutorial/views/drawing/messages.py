@@ -77,7 +77,6 @@ class MessageTraffic(svg.AnimatedPicture):
 
     @property
     def sentence(self) -> str:
-        """What happens."""
         if not self._sender:
             return 'Nothing has changed yet.'
         got = sum(not each.problem for each in self._listens.values())
