@@ -40,7 +40,7 @@ from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer, Hint, Result
 from param_tutorial.learner import ticks
-from param_tutorial.learner.progress import RENUMBERED, own_progress
+from param_tutorial.learner.progress import own_progress
 
 
 def _chapters() -> Iterator[Chapter]:
@@ -151,9 +151,6 @@ def _remember_prediction(number: str, choice: str, is_right: bool) -> str:
 
 
 def _unknown(number: Any, what: str = 'exercise', existing: Mapping[str, object] = EXERCISES) -> Answer:
-    if new := RENUMBERED.get(str(number)):
-        return Answer(f'This {what} has a new number: {number} is now {" and ".join(new)}. Open the new chapter from '
-                      'the start page; what you had solved still counts.')
     return Answer(f'There is no {what} {number!r}{nearest(str(number), list(existing), "There are none")}')
 
 
