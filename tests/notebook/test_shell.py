@@ -117,58 +117,6 @@ def test_a_package_is_what_the_genuine_command_writes(here):
     assert "[WARNING]: Unknown license 'TODO: License declaration'.  This has been set in the package.xml" in out
 
 
-# What ros2pkg 0.32.2 writes for `ros2 pkg create arm --build-type ament_python --node-name greeter --license MIT`.
-SETUP_PY = '''from setuptools import find_packages, setup
-
-package_name = 'arm'
-
-setup(
-    name=package_name,
-    version='0.0.0',
-    packages=find_packages(exclude=['test']),
-    data_files=[
-        ('share/ament_index/resource_index/packages',
-            ['resource/' + package_name]),
-        ('share/' + package_name, ['package.xml']),
-    ],
-    install_requires=['setuptools'],
-    zip_safe=True,
-    maintainer='learner',
-    maintainer_email='learner@todo.todo',
-    description='TODO: Package description',
-    license='MIT',
-    tests_require=['pytest'],
-    entry_points={
-        'console_scripts': [
-            'greeter = arm.greeter:main'
-        ],
-    },
-)
-'''
-TEST_FLAKE8 = '''from ament_flake8.main import main_with_errors
-import pytest
-
-
-@pytest.mark.flake8
-@pytest.mark.linter
-def test_flake8():
-    rc, errors = main_with_errors(argv=[])
-    assert rc == 0, \\
-        'Found %d code style errors / warnings:\\n' % len(errors) + \\
-        '\\n'.join(errors)
-'''
-
-
-def test_the_files_are_those_of_the_genuine_command(here):
-    create('arm', '--build-type', 'ament_python', '--node-name', 'greeter', '--license', 'MIT', '--maintainer-name',
-           'learner', '--maintainer-email', 'learner@todo.todo')
-    assert (here / 'arm' / 'setup.py').read_text() == SETUP_PY
-    head, _, text = (here / 'arm' / 'test' / 'test_flake8.py').read_text().partition('\n\n')
-    assert head.startswith('# Copyright 2017 Open Source Robotics Foundation, Inc.\n')
-    assert text == TEST_FLAKE8
-    assert 'pytest.mark.skip' in (here / 'arm' / 'test' / 'test_copyright.py').read_text()
-
-
 def test_a_question_mark_lists_the_licenses_and_writes_nothing(here):
     out, err, status = create('arm', '--license', '?')
     assert out.startswith('Supported licenses:\nApache-2.0\nBSL-1.0\n')
