@@ -135,15 +135,6 @@ def test_a_word_is_asked_again_and_does_not_count():
     assert given == [('1-2', '150', True)]
 
 
-def test_an_unforeseen_value_has_a_sentence_too():
-    assert TYPED.choice('99').sentence == 'It is 150.'
-
-
-def test_a_choice_that_does_not_exist_is_an_error():
-    with pytest.raises(KeyError):
-        CHOICE.choice('a list')
-
-
 @pytest.mark.parametrize('prediction', [CHOICE, TYPED])
 def test_the_text_in_its_place_does_not_give_the_answer_away(prediction):
     view = PredictionView(prediction, remember_nothing)

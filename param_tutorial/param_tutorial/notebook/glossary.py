@@ -64,9 +64,6 @@ class Glossary:
             raise KeyError(word)
         return Glossary(found)
 
-    def __len__(self) -> int:
-        return len({entry.plain_word for entry in self.entries})
-
     def __repr__(self) -> str:
         width = max((len(entry.plain_word) for entry in self.entries), default=0)
         return '\n'.join(f'{entry.plain_word:{width}}  {entry.meaning.replace("`", "")} ({entry.chapter})'

@@ -72,7 +72,7 @@ class Cart(Vehicle):
                 f'<path class="robot-shelves" d="{shelves}"/>'
                 f'<rect class="robot-floor" y="{GROUND}" width="{WIDTH}" height="{HEIGHT - GROUND}"/>'
                 f'{driving.ruler(self, self.settings.stop_m)}{driving.post(self, 0.0, "start")}'
-                f'{driving.legend(WIDTH * .45)}')
+                f'{driving.legend()}')
 
     def in_front(self, moment: Moment) -> str:
         words = 'end of the aisle' if self.shown_m[1] > 20 else 'end'

@@ -408,15 +408,16 @@ def ruler(vehicle: Vehicle, end_m: float) -> str:
     return ''.join(parts)
 
 
-def post(vehicle: Vehicle, position_m: float, words: str, css_class: str = '', *, top: float = 30.0) -> str:
+def post(vehicle: Vehicle, position_m: float, words: str, css_class: str = '') -> str:
     """Return a dashed line across the track, with words above it."""
     x = vehicle.x(position_m)
-    return (f'<path class="robot-line robot-post {css_class}" d="M{x:.1f} {GROUND}V{top:g}"/>'
-            f'{svg.words(x, top - 7, words, css_class=css_class)}')
+    return (f'<path class="robot-line robot-post {css_class}" d="M{x:.1f} {GROUND}V30"/>'
+            f'{svg.words(x, 23, words, css_class=css_class)}')
 
 
-def legend(x: float) -> str:
+def legend() -> str:
     """Return what the bar before the vehicle means."""
+    x = WIDTH * .45
     words = svg.words(x + 36, 24, 'way it needs to stop', anchor='start')
     return f'<path class="robot-brake" d="M{x:g} 19h28"/>{words}'
 

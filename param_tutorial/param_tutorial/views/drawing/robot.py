@@ -86,7 +86,7 @@ class Robot(Vehicle):
                  f'<rect class="robot-floor" y="{GROUND}" width="{WIDTH}" height="{HEIGHT - GROUND}"/>',
                  driving.ruler(self, self.settings.track_m), driving.post(self, 0.0, 'start'),
                  svg.words(215, 24, f'{"❄ " if cold else ""}air {degrees}', anchor='start', css_class='robot-weather'),
-                 driving.legend(WIDTH * .45)]
+                 driving.legend()]
         if cold:
             parts.append(f'<path class="robot-ice" d="{_drift(0, self.x(self.settings.track_m))}"/>')
         return ''.join(parts)

@@ -253,11 +253,10 @@ def path(way: str, kind: str = 'line', style: str = '') -> str:
     return f'<path d="{way}"{_class(kind)}{style}/>'
 
 
-def box(x: float, y: float, width: float, height: float, kind: str = 'box', *, rounding: float = 4,
-        style: str = '') -> str:
+def box(x: float, y: float, width: float, height: float, kind: str = 'box', *, rounding: float = 4) -> str:
     """Return a box with its upper left corner at a place."""
     return (f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" rx="{rounding:.1f}"'
-            f'{_class(kind)}{style}/>')
+            f'{_class(kind)}/>')
 
 
 def named_box(x: float, y: float, width: float, height: float, name: str, note: str = '', kind: str = 'blank', *,
