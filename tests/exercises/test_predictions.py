@@ -278,10 +278,3 @@ def test_predict_writes_nothing_without_the_variable(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     answered(exercises.predict('6.1-2'), '5')
     assert list(tmp_path.iterdir()) == []
-
-
-def test_one_shell_is_followed_once(bare_ipython):
-    for _ in range(3):
-        PredictionView(CHOICE, remember_nothing)
-    hooks = bare_ipython.events.callbacks['post_run_cell']
-    assert sum(each.__func__ is predicting._Watch._on_end for each in hooks if hasattr(each, '__func__')) == 1

@@ -46,7 +46,6 @@ class ChapterProgress(Answer):
 
     @property
     def is_solved(self) -> bool:
-        """True if all exercises of the chapter are solved."""
         return all(each.number in self._solved for each in self._chapter.exercises)
 
     @property

@@ -31,7 +31,6 @@ class GlossaryEntry(NamedTuple):
 
     @property
     def plain_word(self) -> str:
-        """The word without Markdown."""
         return self.word.replace('`', '')
 
 

@@ -39,7 +39,6 @@ class PictureView(AnimatedView):
     """A picture of what was measured before. It follows nothing, and plays anew when something is added to it."""
 
     def __init__(self, picture: svg.AnimatedPicture, *below: widgets.Widget) -> None:
-        """:param below: What stands below the picture."""
         self._picture = picture
         super().__init__(*below)
         self._draw()

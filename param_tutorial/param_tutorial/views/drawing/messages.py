@@ -51,7 +51,6 @@ class _Layout:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """The middle of the topic."""
         return self.topic_x + self.topic_width / 2, self.topic_y + self.topic_height / 2
 
 
