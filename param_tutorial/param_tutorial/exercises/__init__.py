@@ -107,10 +107,7 @@ def predict(number: str = '') -> PredictionView | Answer:
 
     :param number: Of the prediction, e.g. '3-1' or '5.2-4'.
     """
-    prediction = PREDICTIONS.get(str(number))
-    if prediction is None:
-        return _unknown(number, 'prediction', PREDICTIONS)
-    return PredictionView(prediction, _remember_prediction)
+    return _ask(number, 'prediction', PREDICTIONS)
 
 
 def recall(number: str = '') -> PredictionView | Answer:
@@ -118,10 +115,7 @@ def recall(number: str = '') -> PredictionView | Answer:
 
     :param number: Of the chapter, and its own, e.g. '4-r1'.
     """
-    question = RECALLS.get(str(number))
-    if question is None:
-        return _unknown(number, 'question', RECALLS)
-    return PredictionView(question, _remember_prediction)
+    return _ask(number, 'question', RECALLS)
 
 
 def progress(number: str = '') -> Answer:
@@ -143,6 +137,11 @@ def certificate(name: str = '') -> Answer:
     :param name: The learner's, for the page; by default there is a line to write it on.
     """
     return Certificate(tuple(CHAPTERS.values()), own_progress(), name)
+
+
+def _ask(number: Any, what: str, questions: Mapping[str, Prediction]) -> PredictionView | Answer:
+    question = questions.get(str(number))
+    return _unknown(number, what, questions) if question is None else PredictionView(question, _remember_prediction)
 
 
 def _remember_prediction(number: str, choice: str, is_right: bool) -> str:
