@@ -1,14 +1,13 @@
 """What learners see of their own progress: ticks, a picture, and a certificate, none of it in the stored outputs."""
 
-import json
 
 import nbformat
 import pytest
 
 from param_tutorial import exercises
-from param_tutorial.exercises import CHAPTERS, EXERCISES, PREDICTIONS, RECALLS, achievements
+from param_tutorial.exercises import CHAPTERS, EXERCISES, achievements
 from param_tutorial.exercises.results import Finding, Result
-from param_tutorial.learner.progress import RENUMBERED, VARIABLE, ProgressFile
+from param_tutorial.learner.progress import VARIABLE, ProgressFile
 from tests.support.paths import NOTEBOOKS
 
 
@@ -129,28 +128,3 @@ def test_a_certificate_of_all_says_so(file):
     for number in EXERCISES:
         file.add_solved(number)
     assert f'has solved all of {len(EXERCISES)} exercises' in exercises.certificate('Ada')._repr_html_()
-
-
-# -- numbers that were given again -----------------------------------------------------------------------------
-
-def test_what_was_solved_under_an_old_number_still_counts(file):
-    file.add_solved('6a')
-    file.add_prediction('6-5', 'GR-0043', right=True)
-    assert '✓ 6.1c' in repr(exercises.progress('6.1')) and '· 6.1a' in repr(exercises.progress('6.1'))
-    assert '✓ 6.2c' in repr(exercises.progress('6.2')) and '6.2-1 ✓' in repr(exercises.progress('6.2'))
-    # The next change writes all of it, and nothing is lost for an older version of the course.
-    file.add_solved('3b')
-    assert set(json.loads(file.path.read_text())['solved']) == {'6a', '6.1c', '6.2c', '3b'}
-
-
-def test_every_new_number_is_one_of_the_course():
-    known = {*EXERCISES, *PREDICTIONS, *RECALLS, *CHAPTERS}
-    assert {number for new in RENUMBERED.values() for number in new} <= known
-    assert not known & set(RENUMBERED)
-
-
-@pytest.mark.parametrize(('say', 'old', 'new'), [
-    (exercises.check, '6a', '6.1c and 6.2c'), (exercises.hint, '6b', '6.2a'), (exercises.predict, '6-1', '6.1-1'),
-    (exercises.recall, '6-r1', '6.1-r1'), (exercises.progress, '6', '6.1 and 6.2')])
-def test_a_copy_of_a_chapter_that_was_divided_says_where_its_exercises_are(say, old, new):
-    assert f'{old} is now {new}. Open the new chapter' in repr(say(old)).replace('\n', ' ')

@@ -433,13 +433,6 @@ def test_a_check_without_work_shows_how_to_call_it(number):
     assert EXERCISES[number].takes.name in shown
 
 
-class PrintsMuch(Node):
-    def __init__(self):
-        super().__init__('rover')
-        for number in range(10_000):
-            print('flood', number)
-
-
 @pytest.mark.parametrize('number', EXERCISES)
 def test_an_exercise_leads_to_sections_that_exist(number):
     headings = re.findall(r'^#+ (.*)', '\n'.join(each.source for each in notebook(number)), re.MULTILINE)

@@ -135,15 +135,6 @@ def test_a_word_is_asked_again_and_does_not_count():
     assert given == [('1-2', '150', True)]
 
 
-def test_an_unforeseen_value_has_a_sentence_too():
-    assert TYPED.choice('99').sentence == 'It is 150.'
-
-
-def test_a_choice_that_does_not_exist_is_an_error():
-    with pytest.raises(KeyError):
-        CHOICE.choice('a list')
-
-
 @pytest.mark.parametrize('prediction', [CHOICE, TYPED])
 def test_the_text_in_its_place_does_not_give_the_answer_away(prediction):
     view = PredictionView(prediction, remember_nothing)
@@ -287,10 +278,3 @@ def test_predict_writes_nothing_without_the_variable(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     answered(exercises.predict('6.1-2'), '5')
     assert list(tmp_path.iterdir()) == []
-
-
-def test_one_shell_is_followed_once(bare_ipython):
-    for _ in range(3):
-        PredictionView(CHOICE, remember_nothing)
-    hooks = bare_ipython.events.callbacks['post_run_cell']
-    assert sum(each.__func__ is predicting._Watch._on_end for each in hooks if hasattr(each, '__func__')) == 1

@@ -4,15 +4,10 @@ import errno
 import json
 import os
 import subprocess
-import tempfile
-from collections.abc import Callable
 from pathlib import Path
 
 import nbformat
 import pytest
-from hypothesis import settings
-from hypothesis import strategies as st
-from hypothesis.stateful import RuleBasedStateMachine, rule
 from nbformat.sign import NotebookNotary
 
 from param_tutorial.learner import command
@@ -317,20 +312,26 @@ def test_make_reset_says_which_chapter_it_wants():
 # What goes wrong on the way
 
 
-@pytest.mark.parametrize(('number', 'told'), [
-    (errno.ENOSPC, 'The disk is full'), (errno.EROFS, 'Read-only file system'), (errno.EACCES, 'Permission denied')])
-def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, monkeypatch, number, told):
-    edit(copies.folder / FIRST, 1, 'speed = 1')
+@pytest.mark.parametrize(('number', 'told', 'written'), [
+    (errno.ENOSPC, 'The disk is full', 0), (errno.EROFS, 'Read-only file system', 0),
+    (errno.EACCES, 'Permission denied', 0), (errno.ENOSPC, 'The disk is full', 1)])  # 1 is the backup
+@pytest.mark.parametrize('work', [Copies.deliver, lambda copies: copies.reset('1')], ids=['deliver', 'reset'])
+def test_what_the_system_rejects_is_one_sentence_and_changes_no_copy(copies, monkeypatch, work, number, told, written):
+    mine = edit(copies.folder / FIRST, 1, 'speed = 1')
     write_chapter(copies.chapters / FIRST, 'speed = 2')
     before = files(copies.folder)
+    writes, real = iter(range(written)), os.fsync
 
     def reject(file: int) -> None:
-        raise OSError(number, os.strerror(number), 'the file')
+        if next(writes, None) is None:
+            raise OSError(number, os.strerror(number), 'the file')
+        real(file)
 
     monkeypatch.setattr(os, 'fsync', reject)
     with pytest.raises(CopiesError, match=told):
-        copies.deliver()
-    assert files(copies.folder) == before
+        work(copies)
+    assert {name: content for name, content in files(copies.folder).items() if 'backups/' not in name} == before
+    assert backups(copies) == [mine] * written
     assert not [path for path in copies.folder.rglob('*.new')]
     monkeypatch.undo()
     copies.deliver()
@@ -341,82 +342,3 @@ def test_a_file_in_the_place_of_the_folder_is_named(course):
     (course / 'my_lessons').touch()
     with pytest.raises(CopiesError, match=r'could not be brought up to date.*Not a directory: .*my_lessons'):
         Copies(course).deliver()
-
-
-some_text = st.sampled_from(['speed = 1', 'speed = 2', 'speed = 99', 'stop()', ''])
-# How many files can be written before the disk is full.
-some_room = st.one_of(st.just(1000), st.integers(0, 6))
-
-
-class NothingIsEverLost(RuleBasedStateMachine):
-    """A learner, a course that changes, and a disk that fills up, in any order."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._course = tempfile.TemporaryDirectory()
-        self.copies = Copies(Path(self._course.name))
-        write_course(Path(self._course.name))
-        self.copies.deliver()
-        # What the learner has written or run, and not deleted.
-        self.work: set[bytes] = set()
-
-    def teardown(self) -> None:
-        self._course.cleanup()
-
-    @rule(texts=st.lists(some_text, max_size=3), name=st.sampled_from([FIRST, SECOND]))
-    def the_course_changes(self, texts: list[str], name: str) -> None:
-        write_chapter(self.copies.chapters / name, *texts)
-
-    @rule(text=some_text)
-    def a_page_changes(self, text: str) -> None:
-        (self.copies.chapters / 'index.md').write_text(text)
-
-    @rule(name=st.sampled_from([FIRST, SECOND]), number=st.integers(1, 2), text=some_text)
-    def the_learner_changes_a_cell(self, name: str, number: int, text: str) -> None:
-        path = self.copies.folder / name
-        try:
-            before = path.read_bytes()
-            after = edit(path, number, text)
-        except (OSError, ValueError, AttributeError, IndexError):
-            return  # it was deleted, or is no notebook with so many cells
-        self.work = self.work - {before} | {after}
-
-    @rule(name=st.sampled_from([FIRST, 'index.md', 'own.ipynb']), content=st.sampled_from([b'', b'mine', b'{"cells":']))
-    def the_learner_writes_a_file(self, name: str, content: bytes) -> None:
-        (self.copies.folder / name).write_bytes(content)
-
-    @rule(name=st.sampled_from([FIRST, SECOND, 'index.md']))
-    def the_learner_deletes_a_file(self, name: str) -> None:
-        path = self.copies.folder / name
-        if path.exists():
-            self.work.discard(path.read_bytes())
-            path.unlink()
-
-    @rule(full_after=some_room)
-    def make_lab(self, full_after: int) -> None:
-        self._and_nothing_is_lost(self.copies.deliver, full_after)
-
-    @rule(chapter=st.sampled_from(['1', '5.1']), full_after=some_room)
-    def make_reset(self, chapter: str, full_after: int) -> None:
-        self._and_nothing_is_lost(lambda: self.copies.reset(chapter), full_after)
-
-    def _and_nothing_is_lost(self, work: Callable[[], object], full_after: int) -> None:
-        before = set(files(self.copies.folder).values())
-        writes, real = iter(range(full_after)), os.fsync
-
-        def fill_up(file: int) -> None:
-            if next(writes, None) is None:
-                raise OSError(errno.ENOSPC, 'No space left on device')
-            real(file)
-
-        with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(os, 'fsync', fill_up)
-            try:
-                work()
-            except CopiesError as error:
-                assert 'The disk is full' in str(error)
-        assert self.work & before <= set(files(self.copies.folder).values())
-
-
-NothingIsEverLost.TestCase.settings = settings(max_examples=60, stateful_step_count=12)
-TestNothingIsEverLost = pytest.mark.slow(NothingIsEverLost.TestCase)

@@ -49,9 +49,3 @@ def test_marks_change_and_go():
 def test_a_page_that_is_not_there_is_not_made(tmp_path):
     tick(tmp_path, EXERCISES, solved('3b'))
     assert list(tmp_path.iterdir()) == []
-
-
-def test_the_page_in_a_folder_is_written(tmp_path):
-    (tmp_path / 'index.md').write_text(PAGE)
-    tick(tmp_path, EXERCISES, solved('3a', '3b', '3c', '3d'))
-    assert marks((tmp_path / 'index.md').read_text())['3'] == '✓'

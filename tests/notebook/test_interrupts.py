@@ -40,12 +40,6 @@ def press_ctrl_c_when():
     threads[0].join()
 
 
-def test_without_help_a_child_ignores_it_too():
-    with subprocess.Popen([sys.executable, '-c', 'import signal; print(signal.getsignal(signal.SIGINT).name)'],
-                          stdout=subprocess.PIPE, text=True) as child:
-        assert child.communicate()[0] == 'SIG_IGN\n'
-
-
 def test_a_terminals_command_ends_with_ctrl_c():
     terminal = Terminal(WAITS)
     terminal.read(until='1')

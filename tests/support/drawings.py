@@ -15,6 +15,16 @@ def drawn(picture: AnimatedPicture) -> ElementTree.Element:
     return root
 
 
+def parsed(picture) -> ElementTree.Element:
+    """Return a picture that does not move."""
+    return ElementTree.fromstring(picture._repr_html_())
+
+
+def labels(picture) -> list[str]:
+    """Return the texts of a picture that does not move."""
+    return [text.text for text in parsed(picture).iter('text')]
+
+
 def kinds(picture: AnimatedPicture) -> list[str]:
     """Return the classes of all parts, without their prefix."""
     return [part.get('class', '').replace('motion-', '') for part in drawn(picture).iter()]

@@ -62,5 +62,6 @@ def client(robot):
     return ParameterClient(robot)
 
 
-def wait_for_text(view, words):
-    param_tutorial.wait_until(lambda: words in view.text, f'{words!r} in the picture')
+def shows(view, words):
+    """Wait until a view says this."""
+    param_tutorial.wait_until(lambda: words in view.text, f'the view to say {words!r}; it says {view.text!r}')

@@ -7,13 +7,14 @@ from types import SimpleNamespace
 import pytest
 from rclpy.node import Node
 
-from param_tutorial import ParameterClient, wait_until
+from param_tutorial import ParameterClient
 from param_tutorial.nodes.cart_node import AISLE_M, CartNode
 from param_tutorial.nodes.clawbot_node import SAFETY_GAP_M, Settings, State, plan
 from param_tutorial.views import CartView
 from param_tutorial.views import cart as cart_module
 from param_tutorial.views.drawing import driving
 from param_tutorial.views.drawing.cart import Cart
+from tests.views.conftest import shows
 
 
 def cart(speed, acceleration, **others):
@@ -55,13 +56,7 @@ def clock(monkeypatch):
 @pytest.fixture
 def view(ros):
     ros.add(CartNode)
-    view = CartView('/cart_node')
-    yield view
-    view.close()
-
-
-def shows(view, text):
-    wait_until(lambda: text in view.text, f'the view to say {text}; it says {view.text!r}')
+    return CartView('/cart_node')
 
 
 def test_it_stands_then_drives_as_the_node_calculates_and_arrives(view, clock):

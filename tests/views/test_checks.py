@@ -34,11 +34,6 @@ def test_a_long_name_makes_room_for_the_token():
     assert 'max_speed_rpm' in words(CHECKS) and 'max_speed_rpm = 900' not in words(CHECKS)
 
 
-def test_checks_of_nothing_are_rejected():
-    with pytest.raises(ValueError, match='one request at least'):
-        Checks('/strict', [])
-
-
 # -- the view ------------------------------------------------------------------------------------------------
 
 class Strict(Node):

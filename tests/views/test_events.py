@@ -18,9 +18,7 @@ class Arm(Node):
 
 @pytest.fixture
 def view(ros):
-    view = EventView('arm')
-    yield view
-    view.close()
+    return EventView('arm')
 
 
 @pytest.mark.slow
@@ -47,4 +45,3 @@ def test_it_follows_one_node_or_all(ros, view):
     assert {change.node for change in view.changes} == {'/arm'}
     assert {change.node for change in everything.changes} == {'/arm', '/leg'}
     assert (repr(everything), repr(view)) == ('<EventView: all nodes>', '<EventView: /arm>')
-    everything.close()

@@ -86,11 +86,6 @@ def test_long_words_are_wrapped_and_cut():
     assert all(len(text) < 60 for text in words(climb(steps, 'because ' * 30)) if 'rejected' not in text)
 
 
-def test_a_climb_of_nothing_is_rejected():
-    with pytest.raises(ValueError, match='one step'):
-        climb([])
-
-
 # -- the view ------------------------------------------------------------------------------------------------
 
 def test_a_value_climbs_down_the_ladder_or_returns_from_it(robot):

@@ -39,11 +39,6 @@ def test_a_source_that_ends_with_its_value_says_it_once(source):
     assert {source, 'default: 100'} < set(words(layers))
 
 
-def test_layers_of_nothing_are_rejected():
-    with pytest.raises(ValueError, match='one source'):
-        LayersView('speed', [])
-
-
 # -- the view ------------------------------------------------------------------------------------------------
 
 def test_sources_are_put_into_another_order_and_a_node_is_started_with_them(ros):

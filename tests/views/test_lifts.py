@@ -4,7 +4,6 @@ import re
 
 import pytest
 
-from param_tutorial.views import LiftsView
 from param_tutorial.views.drawing.lifts import Lifts
 from param_tutorial.views.drawing.svg import Animation
 from tests.support.drawings import words
@@ -38,9 +37,3 @@ def test_a_lift_goes_by_its_points_evenly():
     # The second way takes as long, and is two and a half times as far.
     assert (times[3] - times[2]) == pytest.approx(times[2] - times[1], abs=.02)
     assert (places[2] - places[3]) / (places[1] - places[2]) == pytest.approx(2.5, rel=.02)
-
-
-@pytest.mark.parametrize('heights', [{}, {'a': [(0, 0)]}, {'a': [(0, 0), (0, 1)]}])
-def test_what_cannot_rise_is_rejected(heights):
-    with pytest.raises(ValueError, match='Lifts'):
-        LiftsView(heights)

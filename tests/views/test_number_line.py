@@ -14,7 +14,7 @@ from param_tutorial.views import NumberLineView
 from param_tutorial.views.drawing.number_line import NumberLine, Request, Scale
 from tests.support.drawings import drawn, kinds
 from tests.support.widgets import texts
-from tests.views.conftest import Robot, wait_for_text
+from tests.views.conftest import Robot, shows
 
 GRIPPER = Scale(0, 85, 10)
 
@@ -80,20 +80,20 @@ def test_the_number_line_shows_range_value_and_request(robot, client):
     view = NumberLineView(robot, 'opening')
     assert view.text == 'Number line of opening of /robot: 0 to 85 in steps of 10; stored is 40. opening = 40'
     client.set_parameter('opening', 45)
-    wait_for_text(view, 'opening = 45 is rejected; 40 stays. The parameter value for opening is not a valid step')
+    shows(view, 'opening = 45 is rejected; 40 stays. The parameter value for opening is not a valid step')
     client.set_parameter('opening', 85)
-    wait_for_text(view, 'stored is 85. opening = 85 is stored.')
+    shows(view, 'stored is 85. opening = 85 is stored.')
 
 
 def test_a_locked_number_and_one_without_limits(robot, client):
     locked, free = NumberLineView(robot, 'serial'), NumberLineView(robot, 'speed')
     client.set_parameter('serial', 8)
-    wait_for_text(locked, 'no limits, read-only; stored is 7. serial = 8 is rejected; 7 stays.')
+    shows(locked, 'no limits, read-only; stored is 7. serial = 8 is rejected; 7 stays.')
     client.set_parameter('speed', -5)
-    wait_for_text(free, 'speed = -5 is rejected')
+    shows(free, 'speed = -5 is rejected')
     client.set_parameter('speed', 900)
     # A callback trims it.
-    wait_for_text(free, 'stored is 300')
+    shows(free, 'stored is 300')
 
 
 def test_the_number_line_of_no_number_says_so(robot):
@@ -105,19 +105,19 @@ def test_the_number_line_of_no_number_says_so(robot):
 def test_the_number_line_of_a_node_that_leaves_and_comes_back(ros, robot):
     view = NumberLineView(robot, 'opening')
     ros.remove(robot)
-    wait_for_text(view, '/robot')
+    shows(view, '/robot')
     param_tutorial.wait_until(lambda: 'stored' not in view.text, 'the node to be gone')
     ParameterClient(ros.add(Robot)).set_parameter('opening', 20)
-    wait_for_text(view, 'stored is 20')
+    shows(view, 'stored is 20')
 
 
 def test_a_value_is_typed_below_the_number_line_where_it_follows_the_node(robot):
     view = NumberLineView(robot, 'opening')
     *_, below = view.children
     below._handle_custom_msg({'chosen': '45'}, [])
-    wait_for_text(view, 'opening = 45 is rejected; 40 stays.')
+    shows(view, 'opening = 45 is rejected; 40 stays.')
     below._handle_custom_msg({'chosen': '50'}, [])
-    wait_for_text(view, 'opening = 50 is stored.')
+    shows(view, 'opening = 50 is stored.')
     assert len(NumberLineView(robot, 'opening', 45).children) == len(view.children) - 1
 
 
@@ -125,7 +125,7 @@ def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, cl
     asked, other = NumberLineView(client, 'opening', 45), NumberLineView(robot, 'opening')
     before = texts(asked)
     client.set_parameter('opening', 50)
-    wait_for_text(other, 'opening = 50')
+    shows(other, 'opening = 50')
     assert repr(asked) == '<NumberLineView: opening = 45 is rejected; 40 stays.>' and texts(asked) == before
     with pytest.raises(NodeNotFoundError, match='/nobody'):
         NumberLineView('nobody', 'opening', 1)
@@ -135,13 +135,13 @@ def test_asked_for_a_value_it_shows_what_comes_of_it_and_nothing_after(robot, cl
 def test_it_lets_go_of_a_node_and_follows_the_next_stage(robot, client):
     view, other = NumberLineView(robot, 'speed'), NumberLineView(robot, 'speed')
     client.set_parameter('speed', 5)
-    wait_for_text(view, 'speed = 5')
+    shows(view, 'speed = 5')
     view.close()
     view.close()
     client.set_parameter('speed', 6)
-    wait_for_text(other, 'speed = 6')
+    shows(other, 'speed = 6')
     assert 'speed = 6' not in view.text and 'closed' in repr(view)
     param_tutorial.stop()
     param_tutorial.start().add(Robot)
     ParameterClient('/robot').set_parameter('speed', 9)
-    wait_for_text(other, '9')
+    shows(other, '9')

@@ -1,13 +1,13 @@
 """The line plot: its words, axes and lines, and that what is named in it stays text."""
 
 import re
-from xml.etree import ElementTree
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from param_tutorial.views.drawing.plots import Band, LinePlot, _scale
+from tests.support.drawings import labels, parsed
 
 RAMP = [(0.0, 0.0), (2.0, 1.0)]
 
@@ -21,7 +21,7 @@ def test_it_tells_in_words_what_it_draws():
 
 
 def test_its_lines_go_through_its_points():
-    picture = ElementTree.fromstring(LinePlot({'ramp': RAMP}, x='x', y='y')._repr_html_())
+    picture = parsed(LinePlot({'ramp': RAMP}, x='x', y='y'))
     corners = picture.find('polyline').get('points')
     assert corners == '44.0,180.0 408.0,40.0'
 
@@ -36,7 +36,7 @@ def test_lines_differ_without_color():
     (('ramp', 'p'), [['ramp', 'p']]), (('reference', 'p', 'conditional_integration'), [
         [], ['reference', 'p'], ['conditional_integration']])])
 def test_each_name_in_the_key_keeps_to_its_own_stroke(names, rows):
-    picture = ElementTree.fromstring(LinePlot(dict.fromkeys(names, RAMP), x='x', y='speed in m/s')._repr_html_())
+    picture = parsed(LinePlot(dict.fromkeys(names, RAMP), x='x', y='speed in m/s'))
     strokes = {(float(line.get('x2')), float(line.get('y1'))): float(line.get('x1')) for line in picture.iter('line')}
     found = [[] for _ in rows]
     ends = [8.0 * len('speed in m/s'), *[0.0] * len(rows)]
@@ -54,8 +54,7 @@ def test_each_name_in_the_key_keeps_to_its_own_stroke(names, rows):
 
 
 def test_names_are_text():
-    picture = ElementTree.fromstring(LinePlot({'<b>"': RAMP}, x='a & b', y='<i>')._repr_html_())
-    assert {'<b>"', 'a & b', '<i>'} <= {text.text for text in picture.iter('text')}
+    assert {'<b>"', 'a & b', '<i>'} <= set(labels(LinePlot({'<b>"': RAMP}, x='a & b', y='<i>')))
 
 
 @given(st.floats(1e-6, 1e9))

@@ -76,13 +76,9 @@ def test_the_frame_is_around_all_rows_in_whatever_order_they_are_sent():
     assert all(top < float(y) < bottom for y in heights(ways, '1')) and len(set(heights(ways, '1'))) == 3
 
 
-def test_what_cannot_be_drawn_is_rejected(worlds):
+def test_there_is_room_for_two(worlds):
     with pytest.raises(ValueError, match='room for 2 sides'):
         worlds.add('ROS 3', '/robot', {}, [Request('gain', '1', '1')])
-    with pytest.raises(ValueError, match='one request at least'):
-        Requests('gain').add('ROS 2', '/robot', {}, [])
-    with pytest.raises(ValueError, match='add a side'):
-        Requests('gain').conclude('nothing')
 
 
 # -- the view ------------------------------------------------------------------------------------------------

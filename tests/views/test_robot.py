@@ -16,6 +16,7 @@ from param_tutorial.views import RobotView
 from param_tutorial.views.drawing import driving
 from param_tutorial.views.drawing.robot import Robot
 from tests.support.widgets import press
+from tests.views.conftest import shows
 
 FAST, SLOW, UNSAFE = Settings(1.0, 0.5), Settings(0.2, 0.5), Settings(1.0, 0.5, safety_on=False)
 READY, STOPPED = State('READY', 0.0), State('STOPPED', 3.8)
@@ -168,14 +169,7 @@ def robot(ros):
 
 @pytest.fixture
 def view(robot):
-    view = RobotView(robot)
-    yield view
-    view.close()
-
-
-def shows(view, word):
-    """Wait until the view says this."""
-    wait_until(lambda: view.text.startswith(word), f'the view to say {word}; it says {view.text!r}')
+    return RobotView(robot)
 
 
 @pytest.mark.slow

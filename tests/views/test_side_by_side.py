@@ -10,10 +10,7 @@ from param_tutorial.views import RobotView, SideBySide
 @pytest.fixture
 def views(ros):
     robot = ros.add(ClawbotNode, real_time=False)
-    views = RobotView(robot), ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode'])
-    yield views
-    for view in views:
-        view.close()
+    return RobotView(robot), ParameterPanel(robot, names=['max_speed_rpm', 'enable_safety_mode'])
 
 
 def test_its_repr_names_both_and_says_nothing_of_the_moment(ros, views):

@@ -2,7 +2,6 @@
 
 import math
 import re
-from xml.etree import ElementTree
 
 import pytest
 from rclpy.node import Node
@@ -13,6 +12,8 @@ from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.views import StepResponseView, plot_responses
 from param_tutorial.views.drawing.step_response import Wheel
 from param_tutorial.views.step_response import verdicts
+from tests.support.drawings import labels, parsed
+from tests.views.conftest import shows
 
 KP, KI = 'gains.wheel_joint.p', 'gains.wheel_joint.i'
 START = ('wheel_joint with p = 0.1, i = 0, d = 0: rise time 0.26 s, overshoot 4.5 %, settling time 0.67 s, '
@@ -26,13 +27,7 @@ def controller(ros):
 
 @pytest.fixture
 def view(controller):
-    view = StepResponseView(controller)
-    yield view
-    view.close()
-
-
-def shows(view, words):
-    wait_until(lambda: words in view.text, f'the view to say {words}; it says {view.text!r}')
+    return StepResponseView(controller)
 
 
 def markup(view):
@@ -130,7 +125,6 @@ def test_values_that_cannot_be_simulated_are_reported(ros, controller, others):
     ros.add(Careless, controller, **others)
     view = StepResponseView('careless')
     assert view.text.startswith('/careless holds values with which nothing can be simulated: ')
-    view.close()
 
 
 # -- the plot and the wheel ----------------------------------------------------------------------------------
@@ -156,11 +150,11 @@ def test_what_cannot_be_plotted_is_rejected(responses, error, words):
 def test_a_wheel_that_turns_backwards_is_drawn_below_the_axis():
     swinging = respond(0.0, 2.0)
     assert min(swinging.speeds) < -10
-    plot = ElementTree.fromstring(plot_responses({'I': swinging})._repr_html_())
-    heights = [float(corner.split(',')[1]) for line in plot.findall('polyline')
+    plot = plot_responses({'I': swinging})
+    heights = [float(corner.split(',')[1]) for line in parsed(plot).findall('polyline')
                for corner in line.get('points').split()]
     assert min(heights) >= 40 and max(heights) <= 216
-    assert '-20' in {text.text for text in plot.iter('text')}
+    assert '-20' in labels(plot)
 
 
 def test_the_wheel_turns_as_far_as_the_speed_says_and_rests_there():

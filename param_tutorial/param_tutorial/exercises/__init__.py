@@ -40,7 +40,7 @@ from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import Prediction
 from param_tutorial.exercises.results import Answer, Hint, Result
 from param_tutorial.learner import ticks
-from param_tutorial.learner.progress import RENUMBERED, own_progress
+from param_tutorial.learner.progress import own_progress
 
 
 def _chapters() -> Iterator[Chapter]:
@@ -107,10 +107,7 @@ def predict(number: str = '') -> PredictionView | Answer:
 
     :param number: Of the prediction, e.g. '3-1' or '5.2-4'.
     """
-    prediction = PREDICTIONS.get(str(number))
-    if prediction is None:
-        return _unknown(number, 'prediction', PREDICTIONS)
-    return PredictionView(prediction, _remember_prediction)
+    return _ask(number, 'prediction', PREDICTIONS)
 
 
 def recall(number: str = '') -> PredictionView | Answer:
@@ -118,10 +115,7 @@ def recall(number: str = '') -> PredictionView | Answer:
 
     :param number: Of the chapter, and its own, e.g. '4-r1'.
     """
-    question = RECALLS.get(str(number))
-    if question is None:
-        return _unknown(number, 'question', RECALLS)
-    return PredictionView(question, _remember_prediction)
+    return _ask(number, 'question', RECALLS)
 
 
 def progress(number: str = '') -> Answer:
@@ -145,15 +139,17 @@ def certificate(name: str = '') -> Answer:
     return Certificate(tuple(CHAPTERS.values()), own_progress(), name)
 
 
+def _ask(number: Any, what: str, questions: Mapping[str, Prediction]) -> PredictionView | Answer:
+    question = questions.get(str(number))
+    return _unknown(number, what, questions) if question is None else PredictionView(question, _remember_prediction)
+
+
 def _remember_prediction(number: str, choice: str, is_right: bool) -> str:
     file = own_progress()
     return '' if file is None else file.add_prediction(number, choice, right=is_right)
 
 
 def _unknown(number: Any, what: str = 'exercise', existing: Mapping[str, object] = EXERCISES) -> Answer:
-    if new := RENUMBERED.get(str(number)):
-        return Answer(f'This {what} has a new number: {number} is now {" and ".join(new)}. Open the new chapter from '
-                      'the start page; what you had solved still counts.')
     return Answer(f'There is no {what} {number!r}{nearest(str(number), list(existing), "There are none")}')
 
 

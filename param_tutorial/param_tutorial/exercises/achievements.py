@@ -39,14 +39,13 @@ class ChapterProgress(Answer):
     def __init__(self, chapter: Chapter, file: ProgressFile | None):
         """:param file: The learner's; None if nothing is remembered."""
         self._chapter, self._remembers = chapter, file is not None
-        progress, note = file.read() if file else (None, '')
-        self._solved = {number: _day(at) for number, at in progress.solved.items()} if progress else {}
-        self._predicted = progress.predicted if progress else {}
+        progress, note = file.read() if file else (Progress(), '')
+        self._solved = {number: _day(at) for number, at in progress.solved.items()}
+        self._predicted = progress.predicted
         super().__init__(note)
 
     @property
     def is_solved(self) -> bool:
-        """True if all exercises of the chapter are solved."""
         return all(each.number in self._solved for each in self._chapter.exercises)
 
     @property

@@ -115,7 +115,6 @@ class Recall(Prediction):
 
     @property
     def pointer(self) -> str:
-        """The sentence that says where to look it up."""
         return f'You learned it in chapter {self.chapter}, “{self.section}”.'
 
 

@@ -229,7 +229,6 @@ def _digest(name: Path, content: bytes) -> str:
 
 
 def _bytes_of(path: Path) -> bytes | None:
-    """Return what a file holds, or None if it isn't there."""
     try:
         return path.read_bytes()
     except FileNotFoundError:

@@ -20,20 +20,6 @@ VARIABLE = 'PARAM_TUTORIAL_PROGRESS'
 FILE = 'progress.json'
 _VERSION = 1
 
-# Old numbers, from before a chapter was divided, and the new ones that an achievement under the old number counts for.
-# An exercise that asks for more than its predecessor is not among them and has to be solved anew.
-RENUMBERED = {
-    '6a': ('6.1c', '6.2c'), '6b': ('6.2a',), '6c': ('6.1b',),
-    '6-1': ('6.1-1',), '6-2': ('6.1-2',), '6-3': ('6.1-3',), '6-4': ('6.1-6',),
-    '6-5': ('6.2-1',), '6-6': ('6.2-2',), '6-8': ('6.2-6',),
-    '6-r1': ('6.1-r1',), '6-r2': ('6.1-r2',),
-    '6': ('6.1', '6.2'),
-    '9a': ('9.1c',), '9b': ('9.2b',), '9c': ('9.1a',),
-    '9-1': ('9.2-1',), '9-2': ('9.2-2',), '9-3': ('9.1-4',), '9-4': ('9.2-4',), '9-5': ('9.1-7',),
-    '9-r1': ('9.1-r1',), '9-r2': ('9.1-r2',),
-    '9': ('9.1', '9.2'),
-}
-
 
 class ProgressError(ParameterToolError):
     """A file of a learner's progress is damaged, or is none."""
@@ -74,7 +60,7 @@ class Progress:
 
 
 def parse(content: bytes) -> Progress:
-    """Return what a file holds, with what it holds under old numbers under the new ones as well.
+    """Return what a file holds.
 
     :raises ProgressError: it is damaged, or no file of progress at all.
     """
@@ -99,13 +85,6 @@ def parse(content: bytes) -> Progress:
                 raise ProgressError('a failed check in it is damaged')
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise ProgressError(f'it holds no progress ({type(error).__name__})') from None
-    # The old numbers stay: an older version of the course may read the file next.
-    for old, new in RENUMBERED.items():
-        for number in new:
-            if old in progress.solved:
-                progress.solved.setdefault(number, progress.solved[old])
-            if old in progress.predicted:
-                progress.predicted.setdefault(number, progress.predicted[old])
     return progress
 
 

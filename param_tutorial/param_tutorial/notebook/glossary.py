@@ -31,7 +31,6 @@ class GlossaryEntry(NamedTuple):
 
     @property
     def plain_word(self) -> str:
-        """The word without Markdown."""
         return self.word.replace('`', '')
 
 
@@ -63,9 +62,6 @@ class Glossary:
         if not found:
             raise KeyError(word)
         return Glossary(found)
-
-    def __len__(self) -> int:
-        return len({entry.plain_word for entry in self.entries})
 
     def __repr__(self) -> str:
         width = max((len(entry.plain_word) for entry in self.entries), default=0)

@@ -238,7 +238,6 @@ def _instead_of(words: Sequence[str]) -> str:
 
 
 def _run(command: _Command) -> int:
-    """Run a command and return its exit status."""
     with interruptible(), ExitStack() as stack:
         output: TextStream = sys.stdout
         if command.target is not None:

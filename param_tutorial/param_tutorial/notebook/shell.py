@@ -127,14 +127,14 @@ class Shell:
         output, self.status = self._type(commands, timeout_sec)
         return self._stable(output)
 
-    async def run_awaited(self, commands: str, timeout_sec: float = 120.0) -> str:
+    async def run_awaited(self, commands: str) -> str:
         """Do what ``run`` says, and let the event loop of this thread go on meanwhile.
 
         :raises ShellError: as ``run``.
         """
         # A signal comes to the main thread only, and there it would cancel the cell.
         with handed_to(self._bash.pid):
-            return await asyncio.to_thread(self.run, commands, timeout_sec)
+            return await asyncio.to_thread(self.run, commands)
 
     @property
     def can_run(self) -> bool:

@@ -200,7 +200,6 @@ def _embedded(words: Sequence[str]) -> Steps:
 
 @atexit.register
 def end_all() -> None:
-    """End all commands that still run."""
     for terminal in list(_open):
         terminal.interrupt(8.0)
 

@@ -3,7 +3,6 @@
    JupyterLab draws a text when it comes into sight, and anew when it was edited. */
 
 import {all} from '../../param_tools/panel/dom.js';
-import {initialize} from '../../param_tools/panel/front.js';
 import {ownNotebook} from './own_notebook.js';
 import {entriesOf, hide, markerOf} from './terms.js';
 
@@ -17,9 +16,8 @@ const TITLE = /^# ([\d.]+) · /;
 
 /** @param {InitializeProps<{own_id: string, words: Record<string, Meaning[]>}>} props */
 async function begin(props) {
-  await initialize(props);
   const {model} = props;
-  const notebook = await ownNotebook(model);
+  const notebook = await ownNotebook(props);
   if (!notebook) return;
   const {context, shell, views} = notebook;
   const [, chapter] = TITLE.exec(context.model.cells.get(0).sharedModel.getSource()) ?? [];

@@ -2,7 +2,6 @@
 
    JupyterLab keeps the element of a cell that it takes off the page while one scrolls, and so the mark on it. */
 
-import {initialize} from '../../param_tools/panel/front.js';
 import {ownNotebook} from './own_notebook.js';
 
 /** @import {InitializeProps} from '@anywidget/types' */
@@ -35,9 +34,8 @@ export function marksOf(cells, lifted) {
 
 /** @param {InitializeProps<{own_id: string, lifted: string[]}>} props */
 async function begin(props) {
-  await initialize(props);
   const {model} = props;
-  const notebook = await ownNotebook(model);
+  const notebook = await ownNotebook(props);
   if (!notebook) return;
   const {context, shell, views} = notebook;
   const sessions = context.sessionContext;

@@ -19,7 +19,7 @@ function render(props) {
     event.preventDefault();
     ask(props, box.value);
   });
-  const detach = attach(props, form, [], () => {});
+  const detach = attach(props, form);
   const endDragging = dragMarker(form, text => {
     box.value = text;
     ask(props, text);

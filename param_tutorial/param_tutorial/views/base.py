@@ -39,7 +39,6 @@ class PictureView(AnimatedView):
     """A picture of what was measured before. It follows nothing, and plays anew when something is added to it."""
 
     def __init__(self, picture: svg.AnimatedPicture, *below: widgets.Widget) -> None:
-        """:param below: What stands below the picture."""
         self._picture = picture
         super().__init__(*below)
         self._draw()
@@ -52,6 +51,12 @@ class PictureView(AnimatedView):
     def node(self) -> str:
         """What the view is of; no node is asked."""
         return self._picture.subject
+
+    def _replace(self, picture: svg.AnimatedPicture) -> str:
+        """Play another picture from now on, and return it in words."""
+        self._picture = picture
+        self._draw()
+        return picture.text
 
     def _draw(self) -> None:
         with self._drawing:

@@ -92,8 +92,9 @@ class CartView(DrivingView, ParameterView):
             if status:
                 self._draw_nothing(status)
                 return None
+            assert self._settings is not None  # it was taken
             elapsed_sec = self._elapsed_sec
-            self._draw(self._cart(), elapsed_sec)
+            self._draw(_cart(self.node, self._settings, self._motion, self._before_sec), elapsed_sec)
             for phase in self._motion.phases:
                 if elapsed_sec < phase.duration_sec:
                     return phase.duration_sec - elapsed_sec
@@ -119,7 +120,3 @@ class CartView(DrivingView, ParameterView):
             if state.word not in ('READY', 'STOPPED'):
                 self._go(state, driven_sec)
         return ''
-
-    def _cart(self) -> Cart:
-        assert self._settings is not None
-        return _cart(self.node, self._settings, self._motion, self._before_sec)

@@ -21,7 +21,6 @@ class ChecksView(PictureView):
         """
         :param node: The node, or its name.
         :param requests: Names and values, one request for each; None deletes a parameter.
-        :raises ValueError: there is no request.
         :raises InvalidValueError: no parameter can hold a value.
         :raises NodeNotFoundError: there is no such node.
         """

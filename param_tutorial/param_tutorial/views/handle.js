@@ -16,11 +16,10 @@ export function ask({model, el}, chosen) {
  * Put a line on the page.
  * @param {import('@anywidget/types').RenderProps<any>} props
  * @param {HTMLElement} line
- * @param {string[]} traits What is drawn again when it has changed.
- * @param {() => void} draw
+ * @param {() => void} [draw] Draws again what may have changed.
  * @returns {() => void} Ends it.
  */
-export function attach({model, el}, line, traits, draw) {
+export function attach({model, el}, line, draw) {
   line.classList.add('motion-handle');
   // A screen reader hears what changes in these two; what came of it, the picture shows to everybody else.
   const said = make('span');
@@ -33,15 +32,14 @@ export function attach({model, el}, line, traits, draw) {
   const show = () => {
     said.textContent = model.get('said');
     told.textContent = model.get('told');
-    draw();
+    draw?.();
   };
   show();
   const stopWaiting = () => line.classList.remove('motion-waiting');
   model.on('change:answered', stopWaiting);
-  const changes = ['said', 'told', ...traits].map(each => `change:${each}`).join(' ');
-  model.on(changes, show);
+  model.on('change', show);
   return () => {
-    model.off(changes, show);
+    model.off('change', show);
     model.off('change:answered', stopWaiting);
   };
 }

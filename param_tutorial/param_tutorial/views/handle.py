@@ -1,11 +1,13 @@
-"""What the lines below pictures have in common, from which a reader asks a node without a cell."""
+"""The lines below pictures from which a reader asks a node without a cell: what all have in common, and the kinds."""
 
 from collections.abc import Callable
 from typing import Any
 
 import traitlets
 
+from param_tools import values
 from param_tools.errors import ParameterToolError, describe_error
+from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
 from param_tools.panel.front import Front
 
@@ -43,3 +45,41 @@ class Handle(Front):
             self.said = f'{describe_error(error)}.'
         finally:
             self.answered += 1
+
+
+class Asking(Handle):
+    """A line for another value, which has the type that ``ros2 param set`` would give it."""
+
+    _esm = bundle('param_tutorial/views/asking.js')
+    name = traitlets.Unicode().tag(sync=True)
+    """The parameter's."""
+    text = traitlets.Unicode().tag(sync=True)
+    """What the line begins with."""
+
+    def _answer(self, chosen: str) -> str:
+        return super()._answer(values.parse(chosen))
+
+
+class Ordering(Handle):
+    """A line of things to put in order; hidden unless there are two. What is chosen are all items, in order."""
+
+    _esm = bundle('param_tutorial/views/ordering.js')
+    items = traitlets.List(traitlets.Unicode()).tag(sync=True)
+    """The names of the things, each once, in the order in which the node was asked last."""
+
+    def _answer(self, chosen: list[str]) -> str:
+        told = super()._answer(chosen)
+        self.items = chosen
+        return told
+
+
+class Choosing(Handle):
+    """A line for each of several things. A choice is a thing, one of its properties, and that property's new value."""
+
+    _esm = bundle('param_tutorial/views/choosing.js')
+    caption = traitlets.Unicode().tag(sync=True)
+    """Stands above the lines."""
+    options = traitlets.Dict().tag(sync=True)
+    """For each property its possible values."""
+    things = traitlets.Dict().tag(sync=True)
+    """For each thing the value of each property."""

@@ -6,9 +6,9 @@ from rclpy.node import Node
 
 from param_tools import values
 from param_tools.node.client import ParameterClient
-from param_tutorial.views.asking import Asking
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.ladder import Climb
+from param_tutorial.views.handle import Asking
 from param_tutorial.views.set_recorder import record_set
 
 
@@ -34,6 +34,5 @@ class LadderView(PictureView):
         return Climb(record.timeline.node, self._name, record.timeline.steps, record.objection)
 
     def _ask(self, value: Any) -> str:
-        self._picture = self._climb(self.node, value)
-        self._draw()
+        self._replace(self._climb(self.node, value))
         return self._picture.sentence

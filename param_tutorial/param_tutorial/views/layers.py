@@ -5,7 +5,7 @@ from typing import Any
 
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.layers import Layers
-from param_tutorial.views.ordering import Ordering
+from param_tutorial.views.handle import Ordering
 
 Source = tuple[str, Any] | tuple[str, str, Any]
 """Its name and the value, with the name of the layer in between if several sources go into one."""
@@ -27,7 +27,6 @@ class LayersView(PictureView):
         :param has: What the node has in the end, if it was asked.
         :param start: Starts a node with sources, whose names it gets in their order, and returns the value that the
             node has. It never gets the first source, which is the default; the names of the others differ.
-        :raises ValueError: there is no source.
         """
         sources = list(sources)
         if start is None:
@@ -38,10 +37,4 @@ class LayersView(PictureView):
         def started(order: Iterable[str]) -> Layers:
             return Layers(name, [*sources[:1], *(by_name[each] for each in order)], has=start(*order))
 
-        self._started = started
-        super().__init__(started(by_name), Ordering(self._ask, items=list(by_name)))
-
-    def _ask(self, order: list[str]) -> str:
-        self._picture = self._started(order)
-        self._draw()
-        return self._picture.text
+        super().__init__(started(by_name), Ordering(lambda order: self._replace(started(order)), items=list(by_name)))

@@ -14,6 +14,5 @@ class LiftsView(PictureView):
         """
         :param heights: By lift, points in time in s and its height there in m; in between it rises evenly.
         :param marks: What happens, by the time in s.
-        :raises ValueError: there is no lift, or one without two points, or no time passes.
         """
         super().__init__(Lifts(heights, marks))

@@ -12,9 +12,9 @@ from param_tools.node.client import ParameterClient
 from param_tools.ros import stage
 from param_tools.ros.waiting import wait, wait_until
 from param_tutorial.views.base import PictureView
-from param_tutorial.views.choosing import Choosing
 from param_tutorial.views.drawing.messages import MessageTraffic
 from param_tutorial.views.events import EventRow, changes_in
+from param_tutorial.views.handle import Choosing
 from param_tutorial.views.listeners import POLICIES, arrivals, qos_words, subscribe_again, subscriptions
 from param_tutorial.views.ros_graph import ends_of_parameter_events
 
@@ -47,7 +47,6 @@ class MessageView(PictureView):
 
     @property
     def node(self) -> str:
-        """The fully qualified name of the node."""
         return self._result.node
 
     def _ask_node(self) -> MessageTraffic:
@@ -87,6 +86,4 @@ class MessageView(PictureView):
         if name not in here:
             raise NodeNotFoundError(name, list(here))
         subscribe_again(ros, *here[name], policy, word)
-        self._picture = self._ask_node()
-        self._draw()
-        return self._picture.text
+        return self._replace(self._ask_node())

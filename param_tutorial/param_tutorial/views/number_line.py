@@ -13,10 +13,10 @@ from param_tools.node.client import ParameterClient, node_name
 from param_tools.node.live import LiveParameters
 from param_tools.panel.view import FollowingView, nothing
 from param_tools.ros.executor import BackgroundExecutor
-from param_tutorial.views.asking import Asking
 from param_tutorial.views.base import AnimatedView, name_of
 from param_tutorial.views.drawing import svg
 from param_tutorial.views.drawing.number_line import NumberLine, Request, Scale
+from param_tutorial.views.handle import Asking
 from param_tutorial.views.set_recorder import RecordedSet, follow_sets, record_set
 
 
@@ -38,22 +38,21 @@ class NumberLineView(AnimatedView, FollowingView):
         """
         self._subject, self._name = node_name(node), name
         # What is shown, and whether it is to stay.
-        self._sentence, self._is_held = '', False
+        self._sentence, self._is_held = '', value is not ...
         self._followed: Node | None = None
         self._stop_sets: Callable[[], None] = nothing
         self._latest: RecordedSet | None = None
         self._live: LiveParameters | None = None
         self._shown: tuple[Descriptor, float, RecordedSet | None] | None = None
-        super().__init__(*([Asking(self._ask, name=name)] if value is ... else []))
+        super().__init__(*([] if self._is_held else [Asking(self._ask, name=name)]))
         self._begin()
         self._live = LiveParameters(self._subject, self._job.wake, names=[name])
         self._live.first_look()
         self._job.call_now(1.0)
-        if value is not ...:
+        if self._is_held:
             record_set(node, name, value)
             self._job.call_now(1.0)
-            with self._drawing:
-                self._is_held = True
+            self._job.end()
             self._stop()
 
     def __repr__(self) -> str:
@@ -62,7 +61,6 @@ class NumberLineView(AnimatedView, FollowingView):
 
     @property
     def node(self) -> str:
-        """The fully qualified name of the node."""
         return self._subject
 
     def _ask(self, value: Any) -> str:
@@ -100,10 +98,6 @@ class NumberLineView(AnimatedView, FollowingView):
         if record.timeline.name == self._name:
             self._latest = record
             self._job.wake()
-
-    def _step(self) -> float | None:
-        with self._drawing:
-            return None if self._is_held else super()._step()
 
     def _say(self, words: str) -> None:
         """Put a sentence in the place of the picture."""

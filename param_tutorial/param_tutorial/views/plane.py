@@ -20,11 +20,8 @@ class PlaneView(PictureView):
         """
         :param node: The node, or its name.
         :param values: Two parameters by name, to the right and upward, and the values to ask for.
-        :raises ValueError: there are not two parameters, or one has not two values.
         :raises NodeNotFoundError: there is no such node.
         """
-        if len(values) != 2:
-            raise ValueError(f'a PlaneView takes two parameters, not {list(values)}')
         self._client = node if isinstance(node, ParameterClient) else ParameterClient(node)
         self._names = list(values)
         before = self._pair()
@@ -40,7 +37,7 @@ class PlaneView(PictureView):
         :param name: What the way is called.
         :param start: Both values with which it begins.
         :param requests: Each is one atomic change of one value or both.
-        :raises ValueError: the node does not take the start, or there is no request.
+        :raises ValueError: the node does not take the start.
         """
         before = self._pair()
         if not self._ask(start):

@@ -11,7 +11,7 @@ from param_tools.errors import InvalidValueError, ParameterNotDeclaredError
 from param_tools.node.client import ParameterClient, SetResult
 from param_tutorial.views.base import PictureView
 from param_tutorial.views.drawing.requests import Request, Requests
-from param_tutorial.views.ordering import Ordering
+from param_tutorial.views.handle import Ordering
 
 
 @dataclass
@@ -68,7 +68,7 @@ class RequestsView(PictureView):
         :param node: The node, or its name.
         :param requests: Names and values; of pairs, a name may be there more than once.
         :param atomically: Whether all go as one request, in which each name is there once.
-        :raises ValueError: there are two sides already, or there is no request.
+        :raises ValueError: there are two sides already.
         :raises InvalidValueError: no parameter can hold a value of an atomic request. A single request of that kind
             is shown as rejected.
         :raises NodeNotFoundError: there is no such node.
@@ -92,7 +92,7 @@ class RequestsView(PictureView):
         :param has: What is kept at first.
         :param requests: Names and values.
         :param server: Who keeps the values for the node.
-        :raises ValueError: there are two sides already, or there is no request.
+        :raises ValueError: there are two sides already.
         """
         told = [Request(name, shown, shown) for name, shown in
                 ((name, values.format_value(value)) for name, value in requests)]
@@ -106,7 +106,6 @@ class RequestsView(PictureView):
         """Say below the last side what it comes to.
 
         :param note: The words, or what returns them: it is asked again when the requests are sent again.
-        :raises ValueError: there is no side yet.
         """
         tell = note if callable(note) else lambda: note
         self._requests.conclude(tell())
@@ -125,9 +124,8 @@ class RequestsView(PictureView):
             side.bring_back()
             side.pairs.sort(key=lambda pair: order.index(pair[0]))
             side.send(requests)
-        self._requests = self._picture = requests
-        self._draw()
-        return requests.text
+        self._requests = requests
+        return self._replace(requests)
 
 
 def _sent(client: ParameterClient, name: str, value: Any) -> Request:

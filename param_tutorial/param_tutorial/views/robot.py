@@ -43,7 +43,6 @@ class RobotView(DrivingView, FollowingView):
 
     @property
     def node(self) -> str:
-        """The fully qualified name of the robot's node."""
         return self._name
 
     # -- following the node ------------------------------------------------------------------------------

@@ -14,7 +14,6 @@ class TrailView(PictureView):
         """
         :param subject: What the picture is of, e.g. a node's name or a file's.
         :param places: Their names, from the left to the right; each stands in the heading of a column.
-        :raises ValueError: there is no place, or two have one name.
         """
         self._trail = Trail(subject, places)
         super().__init__(self._trail)
@@ -28,8 +27,6 @@ class TrailView(PictureView):
         :param moves: What travels: from which place ('' for from outside) and to which. For what the second place
             does not take, also the value, and why.
         :param note: What is worth seeing in this moment.
-        :raises ValueError: there are not as many values as places, or no such place, or a value arrives where there
-            is none afterwards.
         """
         self._trail.add(words, values, *moves, note=note)
         self._draw()

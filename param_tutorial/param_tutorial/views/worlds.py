@@ -24,9 +24,8 @@ class WorldsView(PictureView):
         :param values: What each node has set the parameter to, as it was measured.
         :param killed: The node that is killed and started again.
         :param successor: What the new node of that name begins with.
-        :param server: Who keeps the values of all nodes; empty if each node keeps its own.
-        :raises ValueError: there are two worlds already, or no value belongs to the node that is killed, or there is
-            another one below a server.
+        :param server: Who keeps the values of all nodes, which is then only one; empty if each node keeps its own.
+        :raises ValueError: there are two worlds already.
         """
         self._worlds.add(title, values, killed=killed, successor=successor, server=server)
         self._draw()

@@ -88,12 +88,10 @@ class Calls(svg.AnimatedPicture):
         self._calls = list(calls)
 
     def add(self, call: Call) -> None:
-        """Add a call."""
         self._calls.append(call)
 
     @property
     def sentence(self) -> str:
-        """What came of the last call."""
         return self._calls[-1].sentence if self._calls else 'Nothing has been asked yet.'
 
     @property

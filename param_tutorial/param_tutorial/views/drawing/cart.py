@@ -27,17 +27,14 @@ class Cart(Vehicle):
 
     @property
     def label(self) -> str:
-        """The name of its node."""
         return self.node
 
     @property
     def shown_m(self) -> tuple[float, float]:
-        """Where the picture begins and ends, in meters from the start line."""
         return -_LENGTH_M - _MARGIN_M, self.settings.stop_m + _MARGIN_M
 
     @property
     def wheel_radius_m(self) -> float:
-        """How far it drives while a wheel turns by one radian."""
         return _WHEEL_M
 
     @property
@@ -46,11 +43,9 @@ class Cart(Vehicle):
         return f'{self.settings.max_speed_mps:g} m/s, {self.settings.max_acceleration_mps2:g} m/s²'
 
     def numbers(self, state: 'State', elapsed_sec: float) -> str:
-        """Return how fast it is, and for how long it has driven."""
         return f'speed {state.velocity_mps:.2f} m/s, {self.before_sec + elapsed_sec:.1f} s on its way'
 
     def predicate(self, state: 'State') -> str:
-        """Return what it is doing: a sentence without its name and its full stop."""
         match state.word:
             case 'READY':
                 return 'stands at the beginning of the aisle'
@@ -66,7 +61,6 @@ class Cart(Vehicle):
         return super().predicate(state)
 
     def behind(self, moment: Moment) -> str:
-        """Return SVG of the shelves, the ruler and the line at which it starts."""
         shelves = ''
         for n, x in enumerate(range(18, WIDTH, 164)):
             shelves += f'M{x} {GROUND}V48h126V{GROUND}M{x} 92h126M{x} 142h126'
@@ -78,10 +72,9 @@ class Cart(Vehicle):
                 f'<path class="robot-shelves" d="{shelves}"/>'
                 f'<rect class="robot-floor" y="{GROUND}" width="{WIDTH}" height="{HEIGHT - GROUND}"/>'
                 f'{driving.ruler(self, self.settings.stop_m)}{driving.post(self, 0.0, "start")}'
-                f'{driving.legend(WIDTH * .45)}')
+                f'{driving.legend()}')
 
     def in_front(self, moment: Moment) -> str:
-        """Return SVG of the line at which it arrives."""
         words = 'end of the aisle' if self.shown_m[1] > 20 else 'end'
         return driving.post(self, self.settings.stop_m, words, 'robot-stop')
 

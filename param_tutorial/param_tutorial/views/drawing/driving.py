@@ -137,7 +137,6 @@ class Vehicle(ABC):
 
     @property
     def units_per_m(self) -> float:
-        """The scale of the picture."""
         begin_m, end_m = self.shown_m
         return WIDTH / (end_m - begin_m)
 
@@ -164,12 +163,10 @@ class Moment:
 
     @property
     def numbers(self) -> str:
-        """How fast it is, and what else changes on the way."""
         return self.vehicle.numbers(self.state, self.elapsed_sec)
 
     @property
     def sentence(self) -> str:
-        """What it is doing."""
         return f'{self.vehicle.name} {self.vehicle.predicate(self.state)}.'
 
     @property
@@ -203,7 +200,6 @@ class Scene(NamedTuple):
 
 
 def still(moment: Moment) -> str:
-    """Return the picture of a vehicle at one moment."""
     return _picture(moment, None)
 
 
@@ -271,7 +267,6 @@ class _Animation:
         return f'animation:{self._name}-{kind} {self._timing};' if kind in (*self._kinds, 'strip') else ''
 
     def keyframes(self) -> str:
-        """Return the keyframes of every kind, as a style element."""
         steps = {kind: ''.join(self._steps(kind)) for kind in self._kinds}
         # A strip that is pulled past a window is moved by the browser's compositor, like the vehicle itself. Text
         # that really changes would make the page's own thread lay it out again for each frame.
@@ -408,15 +403,16 @@ def ruler(vehicle: Vehicle, end_m: float) -> str:
     return ''.join(parts)
 
 
-def post(vehicle: Vehicle, position_m: float, words: str, css_class: str = '', *, top: float = 30.0) -> str:
+def post(vehicle: Vehicle, position_m: float, words: str, css_class: str = '') -> str:
     """Return a dashed line across the track, with words above it."""
     x = vehicle.x(position_m)
-    return (f'<path class="robot-line robot-post {css_class}" d="M{x:.1f} {GROUND}V{top:g}"/>'
-            f'{svg.words(x, top - 7, words, css_class=css_class)}')
+    return (f'<path class="robot-line robot-post {css_class}" d="M{x:.1f} {GROUND}V30"/>'
+            f'{svg.words(x, 23, words, css_class=css_class)}')
 
 
-def legend(x: float) -> str:
+def legend() -> str:
     """Return what the bar before the vehicle means."""
+    x = WIDTH * .45
     words = svg.words(x + 36, 24, 'way it needs to stop', anchor='start')
     return f'<path class="robot-brake" d="M{x:g} 19h28"/>{words}'
 

@@ -60,10 +60,7 @@ class Climb(svg.AnimatedPicture):
         """
         :param steps: What happened, as it was recorded.
         :param objection: Why the node did not take the value; empty if it did.
-        :raises ValueError: there is no step.
         """
-        if not steps:
-            raise ValueError('a Climb takes one step at least')
         self.subject, self._name, self._objection = node, name, objection
         self._rungs = tuple(_rungs(name, steps, objection))
         self._reached = [rung for rung in self._rungs if rung.mark != 'unreached']
@@ -72,7 +69,6 @@ class Climb(svg.AnimatedPicture):
 
     @property
     def sentence(self) -> str:
-        """What came of it."""
         asked, last = self._rungs[_REQUEST].value, self._reached[-1]
         told = f'{self._name} = {svg.cut(asked, 40)}'
         if not self._is_answered:

@@ -35,15 +35,12 @@ class Layers(svg.AnimatedPicture):
         for number, (source, *layer, value) in enumerate(sources):
             entry = _Entry(str(source), repr(value), _BEGIN_SEC + number * _EACH_SEC)
             self._layers.setdefault(layer[0] if layer else entry.source, []).append(entry)
-        if not self._layers:
-            raise ValueError('Layers takes one source at least')
         self._top = list(self._layers.values())[-1][-1]
         self._has = self._top.value if has is ... else repr(has)
         self._end_sec = _BEGIN_SEC + sum(map(len, self._layers.values())) * _EACH_SEC
 
     @property
     def sentence(self) -> str:
-        """What counts."""
         if self._has != self._top.value:
             return f'The node has {self.subject} = {self._has}, which these layers do not explain.'
         return f'{self.subject} = {self._has}, from {self._top.source}.'

@@ -51,7 +51,6 @@ class _Layout:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """The middle of the topic."""
         return self.topic_x + self.topic_width / 2, self.topic_y + self.topic_height / 2
 
 
@@ -77,7 +76,6 @@ class MessageTraffic(svg.AnimatedPicture):
 
     @property
     def sentence(self) -> str:
-        """What happens."""
         if not self._sender:
             return 'Nothing has changed yet.'
         got = sum(not each.problem for each in self._listens.values())

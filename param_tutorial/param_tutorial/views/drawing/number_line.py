@@ -104,7 +104,6 @@ class NumberLine(svg.AnimatedPicture):
 
     @property
     def sentence(self) -> str:
-        """What came of the request, or what is stored."""
         if self._request is None:
             return f'{self._name} = {_number(self._stored)}'
         outcome = f'is rejected; {_number(self._stored)} stays' if self._request.objection else 'is stored'

@@ -34,24 +34,18 @@ class Plane(svg.AnimatedPicture):
     def __init__(self, names: tuple[str, str], answers: Mapping[Point, bool]) -> None:
         """
         :param names: The parameter to the right, and the one upward.
-        :param answers: Pairs that the node was asked for, and whether it took them.
-        :raises ValueError: no pair was asked for, or all in one line.
+        :param answers: Pairs that the node was asked for, and whether it took them; they differ in both values.
         """
         self.subject = ' and '.join(names)
         self._names, self._answers = names, dict(answers)
         self._ways: list[_Way] = []
-        if any(low == high for low, high in self._ends):
-            raise ValueError('a Plane takes pairs that differ in both values')
 
     def add_way(self, name: str, start: Point, steps: Sequence[Step]) -> None:
         """Add a way.
 
         :param start: The pair with which it begins.
         :param steps: Its requests: in words, the pair that was asked for, and the pair that the node had afterwards.
-        :raises ValueError: there is no step.
         """
-        if not steps:
-            raise ValueError('a way takes one step at least')
         self._ways.append(_Way(name, start, tuple(steps)))
 
     @property
@@ -60,11 +54,10 @@ class Plane(svg.AnimatedPicture):
         points = [*self._answers]
         for way in self._ways:
             points += [way.start, *(wanted for _, wanted, _ in way.steps)]
-        return [(min(values), max(values)) for values in zip(*points, strict=True)] or [(0.0, 0.0)]
+        return [(min(values), max(values)) for values in zip(*points, strict=True)]
 
     @property
     def sentence(self) -> str:
-        """Where the ways end."""
         if not self._ways:
             return f'The node takes {sum(self._answers.values())} of {len(self._answers)} pairs.'
         return '; '.join(f'{way.name}: ends at {_pair(way.steps[-1][2])}' for way in self._ways) + '.'

@@ -101,11 +101,9 @@ class Requests(svg.AnimatedPicture):
         """Add a side.
 
         :param before: What was kept at first, by name; also of what is not asked for on this side.
-        :raises ValueError: there are two sides already, or there is no request.
+        :raises ValueError: there are two sides already.
         """
         self.require_room()
-        if not requests:
-            raise ValueError('a side of Requests takes one request at least')
         self._sides.append(_Side(title, node, before, requests, server, is_one))
 
     def require_room(self) -> None:
@@ -114,17 +112,11 @@ class Requests(svg.AnimatedPicture):
             raise ValueError(f'there is room for {_MOST_SIDES} sides')
 
     def conclude(self, note: str) -> None:
-        """Say below the last side what it comes to.
-
-        :raises ValueError: there is no side yet.
-        """
-        if not self._sides:
-            raise ValueError('add a side before you conclude it')
+        """Say below the last side what it comes to."""
         self._sides[-1].note = note
 
     @property
     def sentence(self) -> str:
-        """How many were accepted on each side."""
         told = [f'{side.title}: {sum(not each.objection for each in side.requests)} of {len(side.requests)} accepted'
                 for side in self._sides]
         return f'{"; ".join(told)}.' if told else 'Nothing has been sent yet.'

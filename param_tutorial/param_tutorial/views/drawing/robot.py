@@ -39,22 +39,18 @@ class Robot(Vehicle):
 
     @property
     def label(self) -> str:
-        """Its name and its serial number."""
         return f'{self.name} ({self.serial_number})'
 
     @property
     def shown_m(self) -> tuple[float, float]:
-        """Where the picture begins and ends, in meters from the start line."""
         return -_BEFORE_START_M, self.settings.track_m + _BEHIND_WALL_M
 
     @property
     def wheel_radius_m(self) -> float:
-        """How far it drives while a wheel turns by one radian."""
         return self.wheel_m
 
     @property
     def mode(self) -> str:
-        """Whether the safety mode is on."""
         return f'safety {"on" if self.settings.safety_on else "off"}'
 
     def gap_m(self, state: 'State') -> float:
@@ -62,11 +58,9 @@ class Robot(Vehicle):
         return self.settings.track_m - state.position_m
 
     def numbers(self, state: 'State', elapsed_sec: float) -> str:
-        """Return how fast it is, and how far from the wall."""
         return f'speed {state.velocity_mps:.2f} m/s, {self.gap_m(state):.2f} m to the wall'
 
     def predicate(self, state: 'State') -> str:
-        """Return what it is doing: a sentence without its name and its full stop."""
         match state.word:
             case 'READY':
                 return 'stands at the start'
@@ -92,7 +86,7 @@ class Robot(Vehicle):
                  f'<rect class="robot-floor" y="{GROUND}" width="{WIDTH}" height="{HEIGHT - GROUND}"/>',
                  driving.ruler(self, self.settings.track_m), driving.post(self, 0.0, 'start'),
                  svg.words(215, 24, f'{"❄ " if cold else ""}air {degrees}', anchor='start', css_class='robot-weather'),
-                 driving.legend(WIDTH * .45)]
+                 driving.legend()]
         if cold:
             parts.append(f'<path class="robot-ice" d="{_drift(0, self.x(self.settings.track_m))}"/>')
         return ''.join(parts)

@@ -108,7 +108,6 @@ class Animation:
 
     @property
     def moves(self) -> bool:
-        """True if anything is animated."""
         return bool(self._keyframes)
 
     def keyframes(self) -> str:
@@ -230,7 +229,6 @@ def paragraph(x: float, y: float, lines: Sequence[str], kind: str = '', *, ancho
 
 
 def line(x1: float, y1: float, x2: float, y2: float, attributes: str) -> str:
-    """Return a line."""
     return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" {attributes}/>'
 
 
@@ -249,15 +247,13 @@ def arrow(x1: float, y1: float, x2: float, y2: float, kind: str = 'line', *, att
 
 
 def path(way: str, kind: str = 'line', style: str = '') -> str:
-    """Return a line along an SVG path."""
     return f'<path d="{way}"{_class(kind)}{style}/>'
 
 
-def box(x: float, y: float, width: float, height: float, kind: str = 'box', *, rounding: float = 4,
-        style: str = '') -> str:
+def box(x: float, y: float, width: float, height: float, kind: str = 'box', *, rounding: float = 4) -> str:
     """Return a box with its upper left corner at a place."""
     return (f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" rx="{rounding:.1f}"'
-            f'{_class(kind)}{style}/>')
+            f'{_class(kind)}/>')
 
 
 def named_box(x: float, y: float, width: float, height: float, name: str, note: str = '', kind: str = 'blank', *,
@@ -270,18 +266,15 @@ def named_box(x: float, y: float, width: float, height: float, name: str, note: 
 
 
 def circle(x: float, y: float, radius: float, kind: str = 'fill') -> str:
-    """Return a circle around a place."""
     return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}"{_class(kind)}/>'
 
 
 def check(x: float, y: float, reach: float = 6) -> str:
-    """Return a check mark around a place."""
     return path(f'M{x - reach:.1f} {y:.1f}l{.75 * reach:.1f} {.8 * reach:.1f}l{1.3 * reach:.1f} {-1.8 * reach:.1f}',
                 'check')
 
 
 def cross(x: float, y: float, reach: float = 6, kind: str = 'cross') -> str:
-    """Return a cross around a place."""
     return path(f'M{x - reach:.1f} {y - reach:.1f}l{2 * reach} {2 * reach}'
                 f'M{x + reach:.1f} {y - reach:.1f}l{-2 * reach} {2 * reach}', kind)
 
@@ -299,7 +292,6 @@ def token(text: str, kind: str = 'token') -> str:
 
 
 def token_width(text: str) -> float:
-    """Return how wide a token is."""
     return max(34.0, LETTER_WIDTH * len(text) + 20)
 
 

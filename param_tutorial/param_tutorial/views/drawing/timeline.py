@@ -42,11 +42,8 @@ class Timeline:
         """
         :param node: The node that was asked.
         :param name: The parameter that was to change.
-        :raises ValueError: there is no step.
         """
         self.node, self.name, self.steps = node, name, tuple(steps)
-        if not self.steps:
-            raise ValueError('a Timeline takes one step at least')
 
     @property
     def text(self) -> str:

@@ -56,8 +56,6 @@ class Trail(svg.AnimatedPicture):
     """What some places hold; at rest all moments stand below each other. TrailView explains the arguments."""
 
     def __init__(self, subject: str, places: Sequence[str]) -> None:
-        if not places or len(set(places)) < len(places):
-            raise ValueError(f'a Trail takes one place at least, and each once, not {list(places)}')
         self.subject, self._places = subject, tuple(places)
         self._moments: list[_Moment] = []
         self._column_width = (self._width - _COLUMNS_X - _MARGIN + _GAP) / len(places) - _GAP
@@ -66,18 +64,10 @@ class Trail(svg.AnimatedPicture):
 
     def add(self, words: str, values: Sequence[Any], *moves: tuple[str, str] | tuple[str, str, Any, str],
             note: str = '') -> None:
-        """Add a moment."""
-        if len(values) != len(self._places):
-            raise ValueError(f'{len(values)} values for {len(self._places)} places')
         held = {place: _told(value) for place, value in zip(self._places, values, strict=True) if value is not ...}
         self._moments.append(_Moment(words, note, held, tuple(self._move(held, *move) for move in moves)))
 
     def _move(self, held: dict[str, str], source: str, target: str, value: Any = ..., objection: str = '') -> _Move:
-        for place in filter(None, (source, target)):
-            if place not in self._places:
-                raise ValueError(f'{place!r} is not one of the places {list(self._places)}')
-        if value is ... and target not in held:
-            raise ValueError(f'{target} holds nothing, so nothing can have arrived there')
         return _Move(source, target, held[target] if value is ... else _told(value), objection)
 
     @property
