@@ -120,7 +120,7 @@ def make_lists() -> None:
                           'dependsOn': [f'pkg:pypi/{name}@{number}' for name, (number, *_) in packages.items()]}],
     }, indent=1) + '\n')
     installed = licenses.table((name, number, stated) for name, (number, stated, _) in packages.items())
-    in_a_page = licenses.table(licenses.of_a_page(lite.WORK))
+    in_a_page = licenses.table(licenses.of_a_page())
     (TARGET / 'LICENSES.md').write_text(
         f'# What param-tutorial {version} is installed with\n\nThe course is under Apache-2.0. What each package '
         f'states of itself:\n\n{installed}\n# What the course in a browser is made of\n\n{in_a_page}')

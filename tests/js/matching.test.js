@@ -74,6 +74,16 @@ test('a section with the word in its heading comes first, and what is no lesson 
   assert.deepEqual(search('declare'), {isAll: true, found: ['Declaring', 'Errors', 'Claims']});
 });
 
+test('a section with the whole word comes before one that has it often inside of others', () => {
+  const parts = {page: '01', title: '', lesson: true, sections: [section('Parts', 'Reset, presets, offset, reset.')]};
+  const whole = {page: '02', title: '', lesson: true, sections: [section('Whole', 'Many other words, then sets.')]};
+  const {hits} = find(sectionsOf([parts, whole]), 'set');
+  assert.deepEqual(
+    hits.map(hit => hit.section.anchor),
+    ['Whole', 'Parts'],
+  );
+});
+
 test('all words are wanted, and some are better than none', () => {
   assert.deepEqual(search('range parameter'), {isAll: true, found: ['Ranges']});
   assert.deepEqual(search('range nobodywroteit'), {isAll: false, found: ['Ranges']});

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pytest
 
-from param_tutorial.learner.storage import only_one
 from param_tutorial.site.browser import page_python
 from param_tutorial.site.live import python_files, running
 from tests.support import missing
@@ -22,9 +21,7 @@ def _pyodide():
 def run_in_a_page(tmp_path_factory):
     """Return a function that runs a notebook in the kernel of a page; see ``running.run_notebook``."""
     folder = tmp_path_factory.mktemp('page')
-    page_python.WORK.mkdir(parents=True, exist_ok=True)
-    with only_one(page_python.WORK):  # the first one compiles, and the others have it from there
-        page_python.gather(folder / 'pyodide', page_python.WORK)
+    page_python.gather(folder / 'pyodide')
     (folder / 'packages').write_bytes(python_files.packages(folder / 'pyodide', NOTEBOOKS))
 
     def run(notebook: Path) -> list[dict]:

@@ -5,23 +5,20 @@ browser, and the network that nobody reaches.
 """
 
 import contextlib
-import functools
 import json
 import re
-import threading
-from http.server import BaseHTTPRequestHandler, SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import NamedTuple
 
 import nbformat
 import pytest
 
 from param_tutorial.exercises import PREDICTIONS
-from param_tutorial.learner.storage import only_one
 from param_tutorial.site.browser import lite
 from tests.support import lab, missing
 from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import chromium
 from tests.support.paths import ROOT
+from tests.support.server import Server
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -118,52 +115,18 @@ class ChromiumPage:
             self._page.keyboard.press(key)
 
 
-class Server:
-    """A server on this machine; what it was asked for is in ``asked``."""
-
-    def __init__(self, folder=None):
-        server = self
-        self.asked = []
-
-        class Handler(SimpleHTTPRequestHandler if folder else BaseHTTPRequestHandler):
-            def do_GET(self):
-                server.asked.append(self.path)
-                if folder:
-                    super().do_GET()
-                else:  # it lets anybody read
-                    self.send_response(200)
-                    self.send_header('Access-Control-Allow-Origin', '*')
-                    self.end_headers()
-
-            def log_message(self, *_):
-                pass
-
-        self._server = ThreadingHTTPServer(
-            ('127.0.0.1', 0), functools.partial(Handler, directory=folder) if folder else Handler)
-        self.url = f'http://127.0.0.1:{self._server.server_port}/'
-        threading.Thread(target=self._server.serve_forever, daemon=True).start()
-
-    def stop(self):
-        self._server.shutdown()
-        self._server.server_close()
-
-
 @pytest.fixture(scope='module')
 def built(tmp_path_factory):
     """Return the folder of the built site."""
     folder = tmp_path_factory.mktemp('lite') / 'site'
-    lite.WORK.mkdir(parents=True, exist_ok=True)
-    with only_one(lite.WORK):
-        lite.build(folder)
+    lite.build(folder)
     return folder
 
 
 @pytest.fixture
 def site(built):
-    server = Server(built)
-    yield server
-    with contextlib.suppress(OSError):  # a test has stopped it
-        server.stop()
+    with Server(built) as server:
+        yield server
 
 
 class Visit:
@@ -174,7 +137,7 @@ class Visit:
 
     def load(self, address):
         """Open an address of the site."""
-        self.page.open(f'{self.site.url}{address}')
+        self.page.open(f'{self.site.url}/{address}')
         self.page.wait_for('window.jupyterapp?.commands.hasCommand("docmanager:open")')
         self.page.evaluate(f'(() => {{ {HELP} }})()')
 
@@ -233,7 +196,6 @@ class Visit:
     def wait_for_text(self, index, text):
         self.page.wait_for(f'test.output({index}).innerText.includes({json.dumps(text)})')
 
-
     def complaints(self):
         """Return what the browser complained about, apart from what is known."""
         return [each for each in self.page.complaints if not re.search(KNOWN, each)]
@@ -268,14 +230,14 @@ class Visits:
 class VisitsOfLearners(Visits):
     """The first visit of a learner, from the link on, as one test: a kernel takes long to come."""
 
-    def test_five_chapters_worked_through_and_gone_on_with_without_a_network(self, visit, built):
+    def test_five_chapters_worked_through_and_gone_on_with_without_a_network(self, visit, built, tmp_path):
         page = visit.page
         visit.load('')
         page.wait_for("document.querySelector('.jp-MarkdownViewer img')?.naturalWidth > 0")
         page.click('.jp-MarkdownViewer a[href*="01_what"]')
         visit.wait_for_kernel(FIRST.name)
         # Now, since no service worker stood between page and server when the page came.
-        self._reach_nobody(visit)
+        self._reach_nobody(visit, tmp_path)
         for chapter in CHAPTERS:
             if chapter is not FIRST:
                 visit.close()
@@ -286,9 +248,8 @@ class VisitsOfLearners(Visits):
         if self.browser is in_chromium:  # Firefox names no source, so what is JupyterLab's own can't be told apart
             assert visit.complaints() == []
 
-    def _reach_nobody(self, visit):
-        outside = Server()
-        try:
+    def _reach_nobody(self, visit, folder):
+        with Server(folder) as outside:
             for code in (f'import js; await js.fetch({outside.url!r})',
                          f'import pyodide.http; await pyodide.http.pyfetch({outside.url!r})',
                          f'import pyodide.http; pyodide.http.open_url({outside.url!r})',
@@ -296,8 +257,6 @@ class VisitsOfLearners(Visits):
                 assert visit.ask(f'{code}\nprint("reached")') not in ('', 'reached'), code
             assert visit.page.evaluate(
                 f'fetch({json.dumps(outside.url)}).then(() => "reached", error => "forbidden")') == 'forbidden'
-        finally:
-            outside.stop()
         assert outside.asked == []
 
     def _work_through(self, visit, chapter):

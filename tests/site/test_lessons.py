@@ -114,7 +114,7 @@ def test_the_verdict_on_a_recall_links_to_the_section_that_answers_it(number):
         (page, place), = re.findall(r'<a href="(\w+)\.html#([^"]+)">“', said)
         there = links.Links(NOTEBOOKS / f'{page}.ipynb', notebooks[page], set())
         assert html.unescape(place) in there.anchors
-        assert chapter.title(NOTEBOOKS / f'{page}.ipynb').startswith(f'{recall.chapter} · ')
+        assert notebooks[page].cells[0].source.startswith(f'# {recall.chapter} · ')
     nowhere = links.Links(path, notebooks[path.stem], {path.stem}, is_alone=True)
     assert '<a ' not in nowhere.in_verdict('You learned it in chapter 3, “Declare”.')
     assert shown.in_verdict('You learned it in chapter 99, “Declare”.') == 'You learned it in chapter 99, “Declare”.'

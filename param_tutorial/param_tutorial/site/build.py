@@ -8,7 +8,6 @@ one as it was.
 """
 
 import html
-import os
 from pathlib import Path
 
 import nbformat
@@ -16,13 +15,12 @@ import nbformat
 from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.archive import course_archive, provenance
 from param_tutorial.site.browser import lite
-from param_tutorial.site.console import format_path, say
 from param_tutorial.site.live.site import Live
 from param_tutorial.site.pages.chapter import COURSE, chapter_source
 from param_tutorial.site.pages.front_page import front_page_source
 from param_tutorial.site.pages.links import LAB, NOTEBOOKS
 from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
-from param_tutorial.site.replacing import recover, replace
+from param_tutorial.site.replacing import replace
 
 _NOT_FOUND = '''---
 orphan: true
@@ -33,17 +31,21 @@ The lesson may have another name now. [The first page](index.md) lists all lesso
 '''
 
 
+def format_path(path: Path) -> str:
+    """Return a path as short as it can be: from the current folder if it is below that."""
+    return str(path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path)
+
+
 class Site:
     """One build: which notebooks, and where everything goes."""
 
     def __init__(self, notebooks: Path, target: Path, work: Path, names: list[str] | None = None, *,
-                 processes: int = 0, address: str = '', has_lab: bool = False):
+                 address: str = '', has_lab: bool = False):
         """
         :param notebooks: The folder of the chapters.
         :param target: Where the site will be.
         :param work: Where runs of chapters and Sphinx's memory are kept from one build to the next.
         :param names: What the names of the wanted chapters begin with; by default all.
-        :param processes: How many chapters run at once; by default one for each processor.
         :param address: Where the site will be on the web, for search engines; by default nobody knows.
         :param has_lab: True if JupyterLab for the browser is a part of the site.
         :raises BuildError: there is no such chapter.
@@ -57,7 +59,6 @@ class Site:
             raise BuildError(f'there is no chapter {" or ".join(names or [])} in {notebooks}: '
                              f'there are {", ".join(path.stem for path in found) or "none"}')
         self.notebooks, self.target, self.work = notebooks, target, work
-        self._processes = processes or os.cpu_count() or 1
         self.live = Live(work / 'live')
 
     def build(self) -> None:
@@ -67,21 +68,19 @@ class Site:
         :raises BuildError: Sphinx is not content.
         :raises PagePythonError: the Python of a page can't be put together.
         """
-        recover(self.target)
-        self.run()
+        self.live.run(self.chapters)
         self._write_sources()
-        say('Writing the pages')
+        print('Writing the pages', flush=True)
         settings = {**self.live.settings(), 'html_context.lab': LAB if self._has_lab else '',
                     'html_baseurl': self.address}
-        write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', processes=self._processes,
-                    settings=settings)
+        write_pages(self.work / 'source', self.work / 'html', self.work / 'doctrees', settings=settings)
         self._remove_strangers()
         self._write_sitemap()
         if self._has_lab:
-            say('Building JupyterLab for the browser')
+            print('Building JupyterLab for the browser', flush=True)
             lite.build(self.work / 'html' / LAB)
         replace(self.work / 'html', self.target)
-        say(f'The lessons are in {format_path(self.target / "index.html")}')
+        print(f'The lessons are in {format_path(self.target / "index.html")}')
 
     def _remove_strangers(self) -> None:
         """Remove the pages of chapters that an earlier build had and this one has not: Sphinx leaves them there."""
@@ -100,14 +99,6 @@ class Site:
             path.write_text('<?xml version="1.0" encoding="UTF-8"?>\n'
                             f'<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n{pages}</urlset>\n',
                             encoding='utf-8')
-
-    def run(self) -> None:
-        """Run every chapter that has changed.
-
-        :raises ChapterError: a chapter fails, or does not do what is stored in it.
-        :raises PagePythonError: the Python of a page can't be put together.
-        """
-        self.live.run(self.chapters, self._processes)
 
     def _write_sources(self) -> None:
         """Write what Sphinx reads; files that stay the same are not touched, so that Sphinx need not read them."""

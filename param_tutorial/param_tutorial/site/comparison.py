@@ -4,7 +4,6 @@ nbval compares in a method of its pytest items. These are made here as pytest ma
 plugin but nbval and no settings from files; only how a difference is written is ours.
 """
 
-import copy
 import difflib
 import functools
 import json
@@ -33,12 +32,13 @@ class Cell(IPyNbCell):  # type: ignore[misc]  # nbval ships no annotations
         return bool(self.options['skip'])
 
     def difference(self, outputs: list[NotebookNode]) -> str:
-        """Return how outputs differ from the stored ones, for people; an empty text if nbval accepts them."""
+        """Return how outputs differ from the stored ones, for people; an empty text if nbval accepts them.
+
+        The pieces of a text become one in either.
+        """
         if not self.options['check']:
             return ''
-        # It merges the texts in place.
-        new, stored = (coalesce_streams(copy.deepcopy(each)) for each in (outputs, self.cell.outputs))
-        if self.compare_outputs(new, stored):
+        if self.compare_outputs(coalesce_streams(outputs), coalesce_streams(self.cell.outputs)):
             return ''
         lines = '\n'.join(map(str, self.comparison_traceback)).splitlines()
         return '\n'.join(f'    {line[:_LINE_LENGTH]}' for line in lines[:_DIFFERENT_LINES])

@@ -7,8 +7,7 @@ import nbformat
 
 from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.archive import provenance
-from param_tutorial.site.build import Site
-from param_tutorial.site.console import format_path, say
+from param_tutorial.site.build import Site, format_path
 from param_tutorial.site.pages.chapter import chapter_source
 from param_tutorial.site.pages.inlining import inline_page
 from param_tutorial.site.pages.writing import BuildError, write_pages, write_static
@@ -34,7 +33,7 @@ def build(site: Site) -> Path:
         names = ', '.join(path.stem for path in site.chapters)
         raise BuildError(f'this means more than one chapter: {names}. Write more of its name.')
     path, = site.chapters
-    site.run()
+    site.live.run(site.chapters)
     folder = site.work / 'single' / path.stem
     shutil.rmtree(folder, ignore_errors=True)
     source = folder / 'source'
@@ -47,5 +46,5 @@ def build(site: Site) -> Path:
                 settings={'root_doc': path.stem, **site.live.settings(), **_SETTINGS})
     target = site.target.parent / f'{path.stem}.html'
     target.write_text(inline_page(folder / 'html' / f'{path.stem}.html'), encoding='utf-8')
-    say(f'The lesson is in {format_path(target)}, {target.stat().st_size / 1e6:.1f} MB')
+    print(f'The lesson is in {format_path(target)}, {target.stat().st_size / 1e6:.1f} MB')
     return target

@@ -37,15 +37,12 @@ def of_installed(name: str) -> str:
     return stated_in(importlib.metadata.metadata(name), (Path(each.locate()) for each in files))  # type: ignore[arg-type]
 
 
-def of_a_page(work: Path) -> list[tuple[str, str, str]]:
-    """Return the name, the version and the license of each package that a page loads.
-
-    :param work: As for ``page_python.gather``.
-    """
+def of_a_page() -> list[tuple[str, str, str]]:
+    """Return the name, the version and the license of each package that a page loads."""
     rows = [*_OTHERS]
     for name in page_python.installed_distributions():
         rows.append((name, importlib.metadata.version(name), of_installed(name)))
-    for path in page_python.wheels(work):
+    for path in page_python.wheels():
         with zipfile.ZipFile(path) as wheel:
             metadata = next(each for each in wheel.namelist() if each.endswith('.dist-info/METADATA'))
             about = email.message_from_bytes(wheel.read(metadata))

@@ -19,7 +19,7 @@ from param_tutorial.site.archive import ROOT
 from param_tutorial.site.browser import licenses, page_python
 from param_tutorial.site.replacing import replace
 
-TARGET, WORK = ROOT / 'build' / 'lite', page_python.WORK
+TARGET = ROOT / 'build' / 'lite'
 _HERE = Path(__file__).parent
 # Neither the page nor a kernel in it may ask another host for anything. JupyterLab makes style sheets, and Pyodide
 # machine code, of their own.
@@ -56,10 +56,10 @@ def build(target: Path) -> None:
         for path in files.glob('.*'):  # notes for later deliveries, of which there are none in a browser
             shutil.rmtree(path)
         _adapt(files)
-        page_python.gather(Path(folder, PYODIDE), WORK)
+        page_python.gather(Path(folder, PYODIDE))
         (lite / 'jupyter-lite.json').write_text(json.dumps(_configuration()), encoding='utf-8')
         (lite / 'jupyter_lite_config.json').write_text(json.dumps({'LiteBuildConfig': {
-            'federated_extensions': [str(page_python.kernel_wheel(WORK)), str(_OUR_EXTENSION)]}}), encoding='utf-8')
+            'federated_extensions': [str(page_python.kernel_wheel()), str(_OUR_EXTENSION)]}}), encoding='utf-8')
         (lite / 'overrides.json').write_text(json.dumps(_settings()), encoding='utf-8')
         subprocess.run([sys.executable, '-W', 'ignore', '-m', 'jupyterlite_core', 'build', '--log-level', 'ERROR',
                         '--lite-dir', lite, '--contents', files, '--output-dir', site, '--apps', 'lab',
@@ -73,7 +73,7 @@ def build(target: Path) -> None:
 def _write_licenses(site: Path) -> None:
     (site / 'LICENSES.md').write_text(
         f'# What comes into the page\n\nThe course is under Apache-2.0. What each package states of itself:\n\n'
-        f'{licenses.table(licenses.of_a_page(WORK))}\nJupyterLite and JupyterLab are under BSD-3-Clause; what they '
+        f'{licenses.table(licenses.of_a_page())}\nJupyterLite and JupyterLab are under BSD-3-Clause; what they '
         f'contain is listed in `build/third-party-licenses.json`.\n', encoding='utf-8')
 
 

@@ -8,6 +8,7 @@ compiles every module beforehand, in Node.js, so that no page has to.
 import hashlib
 import importlib.metadata
 import importlib.util
+import io
 import json
 import re
 import shutil
@@ -19,6 +20,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from param_tools.errors import ParameterToolError
+from param_tutorial.learner.storage import only_one, write_whole
 from param_tutorial.notebook import stored
 from param_tutorial.notebook.browser_kernel import STORED
 from param_tutorial.site.archive import PACKAGE_ROOT, ROOT
@@ -61,33 +63,34 @@ class PagePythonError(ParameterToolError):
     """The Python of a page can't be put together."""
 
 
-def gather(target: Path, work: Path) -> None:
+def gather(target: Path) -> None:
     """Put Pyodide, the wheels and their lock into a folder.
 
     :param target: Afterwards holds what a page loads, and nothing else.
-    :param work: What is kept from one time to the next.
     :raises PagePythonError: something is missing; the error says how to get it.
     """
     if not PYODIDE.exists():
         raise PagePythonError('Pyodide, the Python of web pages, is not there: `make lite` gets it from npm')
     shutil.rmtree(target, ignore_errors=True)
     target.mkdir(parents=True)
+    WORK.mkdir(parents=True, exist_ok=True)
     for name in _PYODIDE_FILES:
         shutil.copy(PYODIDE / name, target / name)
     with zipfile.ZipFile(PYODIDE / _STDLIB) as stdlib:
         files = {name: stdlib.read(name) for name in stdlib.namelist()
                  if not name.endswith('/') and not name.startswith(_STDLIB_LEFT_OUT)}
-    shutil.copy(_made('stdlib', files, work, _only_compiled), target / _STDLIB)
     lock = json.loads((PYODIDE / 'pyodide-lock.json').read_text(encoding='utf-8'))
-    lock['packages'] = {name: _make_wheel(name, files, target, work) for name, files in _wheels(work).items()}
+    with only_one(WORK):  # the first one compiles, and the others have it from there
+        shutil.copy(_made('stdlib', files, _only_compiled), target / _STDLIB)
+        lock['packages'] = {name: _make_wheel(name, files, target) for name, files in _wheels().items()}
     (target / 'pyodide-lock.json').write_text(json.dumps(lock, indent=1), encoding='utf-8')
 
 
-def _wheels(work: Path) -> dict[str, dict[str, bytes]]:
+def _wheels() -> dict[str, dict[str, bytes]]:
     """Return the files of each wheel: the packages that the kernel asks for, the course, and all that it needs."""
     needs = dict(_installed_files(_INSTALLED))
     packages: dict[str, dict[str, bytes]] = {}
-    for path in wheels(work):
+    for path in wheels():
         name = _name(path)
         with zipfile.ZipFile(path) as wheel:
             files = {each: wheel.read(each) for each in wheel.namelist()
@@ -100,25 +103,24 @@ def _wheels(work: Path) -> dict[str, dict[str, bytes]]:
             _NEEDS: needs, _COURSE: dict(_course_files()), _START: _start_files()}
 
 
-def wheels(work: Path) -> list[Path]:
+def wheels() -> list[Path]:
     """Return the wheels of Python packages that a page loads, those of the lock and those in the kernel's.
 
-    :param work: As for ``gather``.
     :raises PagePythonError: they can't be fetched.
     """
-    fetched = _fetched(work)
-    inside = work / 'wheels' / 'of_the_kernel'
+    fetched = _fetched()
+    inside = WORK / 'wheels' / 'of_the_kernel'
     inside.mkdir(exist_ok=True)
-    with zipfile.ZipFile(kernel_wheel(work)) as kernel:
+    with zipfile.ZipFile(kernel_wheel()) as kernel:
         for name in kernel.namelist():
             if name.endswith('.whl') and not name.rpartition('/')[2].startswith(('piplite-', 'widgetsnbextension-')):
                 (inside / Path(name).name).write_bytes(kernel.read(name))
-    return [*(path for path in fetched if path != kernel_wheel(work)), *sorted(inside.glob('*.whl'))]
+    return [*(path for path in fetched if path != kernel_wheel()), *sorted(inside.glob('*.whl'))]
 
 
-def kernel_wheel(work: Path) -> Path:
+def kernel_wheel() -> Path:
     """Return the wheel of JupyterLite's kernel: an extension of JupyterLab, with Python packages in it."""
-    return next(path for path in _fetched(work) if path.name.startswith('jupyterlite_pyodide_kernel-'))
+    return next(path for path in _fetched() if path.name.startswith('jupyterlite_pyodide_kernel-'))
 
 
 def _name(wheel: Path) -> str:
@@ -132,12 +134,12 @@ def installed_distributions() -> list[str]:
     return sorted({min(of[package], key=lambda name: not name.startswith('ros-')) for package in _INSTALLED})
 
 
-def _fetched(work: Path) -> list[Path]:
+def _fetched() -> list[Path]:
     """Return the wheels of the lock, each checked against its hash, and fetch them if the lock has changed.
 
     :raises PagePythonError: they can't be fetched.
     """
-    folder = work / 'wheels'
+    folder = WORK / 'wheels'
     stamp = folder / _LOCK.name
     if not stamp.exists() or stamp.read_bytes() != _LOCK.read_bytes():
         shutil.rmtree(folder, ignore_errors=True)
@@ -201,37 +203,45 @@ def _stored_cells() -> list[stored.Cell]:
     return [cell for path in notebooks for cell in stored.collect(json.loads(path.read_text(encoding='utf-8')))]
 
 
-def _make_wheel(name: str, files: dict[str, bytes], target: Path, work: Path) -> dict[str, object]:
+def _make_wheel(name: str, files: dict[str, bytes], target: Path) -> dict[str, object]:
     """Write a wheel, and return what Pyodide's lock says of it."""
-    kept = _made(name, files, work, _with_compiled)
+    archive = _made(name, files, _with_compiled)
     # A wheel is of one package, with metadata; everything else is a plain archive.
     is_wheel = name != _NEEDS and any(each.endswith('.dist-info/METADATA') for each in files)
     file_name = f'{name.replace("-", "_")}-{VERSION}-py3-none-any.whl' if is_wheel else f'{name}.zip'
-    path = Path(shutil.copy(kept, target / file_name))
+    path = Path(shutil.copy(archive, target / file_name))
     return {'name': name, 'version': VERSION, 'file_name': file_name, 'install_dir': 'site', 'depends': [],
             'imports': [], 'sha256': hashlib.sha256(path.read_bytes()).hexdigest(), 'package_type': 'package',
             'unvendored_tests': False}
 
 
-def _made(name: str, files: dict[str, bytes], work: Path,
-          content: Callable[[dict[str, bytes]], dict[str, bytes]]) -> Path:
-    """Return an archive of modules and what Pyodide makes of them, which is made anew only if something has changed.
+def _made(name: str, files: dict[str, bytes], content: Callable[[dict[str, bytes]], dict[str, bytes]]) -> Path:
+    """Return an archive of modules and what Pyodide makes of them.
 
     :param content: Returns what stands in the archive.
     """
-    digest = hashlib.sha256(b''.join((_COMPILE.read_bytes(), (PYODIDE / 'package.json').read_bytes(),
-                                      *(part for each in sorted(files) for part in (each.encode(), files[each])))))
-    kept = work / 'made' / f'{name}-{digest.hexdigest()[:16]}.zip'
-    if not kept.exists():
-        for old in kept.parent.glob(f'{name}-{16 * "?"}.*'):
+    depends_on = b''.join((_COMPILE.read_bytes(), (PYODIDE / 'package.json').read_bytes(),
+                           *(part for each in sorted(files) for part in (each.encode(), files[each]))))
+    return kept(WORK / 'made', name, depends_on, lambda: _archive(content(files)))
+
+
+def kept(folder: Path, name: str, depends_on: bytes, make: Callable[[], bytes]) -> Path:
+    """Return a file that is made anew only if what it depends on has changed."""
+    path = folder / f'{name}-{hashlib.sha256(depends_on).hexdigest()[:16]}.kept'
+    if not path.exists():
+        for old in folder.glob(f'{name}-{16 * "?"}.*'):
             old.unlink()
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        with zipfile.ZipFile(beside := kept.with_suffix('.new'), 'w', zipfile.ZIP_DEFLATED) as archive:
-            for inside, data in sorted(content(files).items()):
-                # The same files make the same archive, byte for byte.
-                archive.writestr(zipfile.ZipInfo(inside), data, zipfile.ZIP_DEFLATED)
-        beside.rename(kept)
-    return kept
+        write_whole(path, make())
+    return path
+
+
+def _archive(files: dict[str, bytes]) -> bytes:
+    """Return files as an archive: the same files make the same one, byte for byte."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, 'w', zipfile.ZIP_DEFLATED) as archive:
+        for name, content in sorted(files.items()):
+            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
+    return buffer.getvalue()
 
 
 def _with_compiled(files: dict[str, bytes]) -> dict[str, bytes]:

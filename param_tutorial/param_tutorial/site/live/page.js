@@ -110,7 +110,6 @@ export class Page {
     this.worker = new Worker(address);
     this.worker.addEventListener('message', ({data}) => this.hear(data));
     this.worker.addEventListener('error', event => this.die(event.message));
-    performance.mark('live-begin');
     try {
       await loadPython(one(document, 'script[data-live-python]'));
     } catch (error) {
@@ -180,7 +179,6 @@ export class Page {
   /** @param {any} said */
   hear(said) {
     if (said.is === 'ready') {
-      performance.mark('live-ready');
       this.say('awake', this.running ? 'Running the cells above.' : '');
       return;
     }
@@ -267,7 +265,6 @@ export class Page {
       this.views.delete(view);
     }
     if (!this.running) this.say('awake');
-    if (!this.running) performance.mark('live-idle');
   }
 }
 

@@ -45,18 +45,6 @@ _SHARED = ('_esm', '_css')
 class ChapterError(Exception):
     """A chapter does not run, or does not do what is stored in it; the message names the notebook and the cell."""
 
-    def __init__(self, path: Path, cell: int, source: str, what: str):
-        """
-        :param cell: Its number as a reader counts cells, from 1; 0 for the notebook as a whole.
-        :param what: What is wrong, over several lines if need be.
-        """
-        super().__init__(path, cell, source, what)
-
-    def __str__(self) -> str:
-        path, cell, source, what = self.args
-        first_line = source.strip().splitlines()[0] if source.strip() else ''
-        return f'{path.name}, cell {cell} ({first_line}): {what}' if cell else f'{path.name}: {what}'
-
 
 class LiveCell(NamedTuple):
     """What a page has to know of a code cell."""
@@ -87,11 +75,12 @@ def run_chapter(path: Path, pyodide: Path, packages: Path) -> LiveChapter:
     :raises ChapterError: an output is not the stored one, for no known reason.
     """
     ran = run_notebook(path, pyodide, packages, to_rest=True)
-    for cell, difference in compare(path, ran).different:
+    for cell, difference in differing_cells(path, ran):
         if not cell.cell.source.startswith(tuple(EXPLAINED.get(path.stem, ()))):
             number = 1 + [each.id for each in nbformat.read(path, as_version=4).cells].index(cell.cell.id)
-            raise ChapterError(path, number, cell.cell.source,
-                               f"its page's node says something else than is stored with it\n{difference}")
+            first_line = cell.cell.source.strip().splitlines()[0]
+            raise ChapterError(f"{path.name}, cell {number} ({first_line}): its page's node says something else than "
+                               f'is stored with it\n{difference}')
     return _chapter(path, ran)
 
 
@@ -114,29 +103,26 @@ def run_notebook(path: Path, pyodide: Path, packages: Path, *, to_rest: bool = F
             ran = process.stdout.read()
             if process.wait():
                 said.seek(0)
-                raise ChapterError(path, 0, '', f'its page has no kernel: {said.read()[-2000:]}')
+                raise ChapterError(f'{path.name}: its page has no kernel: {said.read()[-2000:]}')
     return list(json.loads(ran))
 
 
-class Comparison(NamedTuple):
-    """What a page puts out beside what is stored."""
+def differing_cells(path: Path, ran: list[dict[str, Any]]) -> list[tuple[Cell, str]]:
+    """Compare what ``run_notebook`` has returned with what is stored in the notebook, as nbval does.
 
-    different: list[tuple[Cell, str]]
-    """Cells with other outputs, each with the difference in words."""
-    without_shell: int
-    """How many cells say that there is no shell, and show what is stored."""
-
-
-def compare(path: Path, ran: list[dict[str, Any]]) -> Comparison:
-    """Compare what ``run_notebook`` has returned with what is stored in the notebook, as nbval does."""
-    different, without_shell = [], 0
+    :return: Cells with other outputs, each with the difference in words.
+    """
+    different = []
     for cell, result in zip(cells_of(path), ran, strict=True):
         outputs = [nbformat.from_dict(_as_stored(each)) for each in result['outputs']]
-        if outputs and outputs[0].get('text', '').startswith(DOES_NOT_RUN):
-            without_shell += 1
-        elif not cell.is_skipped and (difference := cell.difference(outputs)):
+        if not (cell.is_skipped or says_why_not(result)) and (difference := cell.difference(outputs)):
             different.append((cell, difference))
-    return Comparison(different, without_shell)
+    return different
+
+
+def says_why_not(result: Mapping[str, Any]) -> bool:
+    """True if a cell says that there is no shell, and shows what is stored."""
+    return any(each.get('text', '').startswith(DOES_NOT_RUN) for each in result['outputs'][:1])
 
 
 def _as_stored(output: dict[str, Any]) -> dict[str, Any]:

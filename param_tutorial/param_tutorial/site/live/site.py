@@ -1,8 +1,8 @@
 """All live chapters of a build, and the scripts that their pages share."""
 
 import concurrent.futures
-import hashlib
 import json
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,7 +10,6 @@ from typing import Any
 from param_tools.markup.scripts import bundle
 from param_tutorial.site.archive import ROOT
 from param_tutorial.site.browser import page_python
-from param_tutorial.site.console import say
 from param_tutorial.site.live import python_files
 from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter, run_chapter
 
@@ -34,28 +33,27 @@ class Live:
         self.chapters: dict[Path, LiveChapter] = {}
         self._python = ''
 
-    def run(self, paths: list[Path], processes: int) -> None:
+    def run(self, paths: list[Path]) -> None:
         """Run all chapters, several at a time.
 
         :raises PagePythonError: the Python of a page can't be put together.
         :raises ChapterError: a chapter fails, or its page's node says something else than is stored.
         """
-        for folder in (self.work, page_python.WORK):
-            folder.mkdir(parents=True, exist_ok=True)
+        self.work.mkdir(parents=True, exist_ok=True)
         pyodide = self.work / 'pyodide'
-        say('Gathering the Python of the pages')
-        page_python.gather(pyodide, page_python.WORK)
+        print('Gathering the Python of the pages', flush=True)
+        page_python.gather(pyodide)
         packed = python_files.packages(pyodide, paths[0].parent)
         (self.work / 'packages').write_bytes(packed)
         surroundings = packed + b''.join((_HERE / name).read_bytes() for name in _RUNS)
         # Most of a run is waiting for what moves.
-        with concurrent.futures.ThreadPoolExecutor(2 * processes) as pool:
+        with concurrent.futures.ThreadPoolExecutor(2 * (os.cpu_count() or 1)) as pool:
             runs = {pool.submit(self._run, path, pyodide, surroundings): path for path in paths}
             for number, run in enumerate(concurrent.futures.as_completed(runs), 1):
                 run.result()
-                say(f'[{number}/{len(paths)}] {runs[run].stem}: ran in its page as stored')
+                print(f'[{number}/{len(paths)}] {runs[run].stem}: ran in its page as stored', flush=True)
         self.chapters = {path: run.result() for run, path in runs.items()}
-        say('Packing the Python of the pages')
+        print('Packing the Python of the pages', flush=True)
         everything = python_files.everything(pyodide, packed)
         self._python = self._kept('python', everything, lambda: python_files.script(everything))
 
@@ -67,14 +65,7 @@ class Live:
 
     def _kept(self, name: str, key: bytes, make: Callable[[], str]) -> str:
         """Return a text, which is made anew only if what it depends on has changed."""
-        kept = self.work / f'{name}-{hashlib.sha256(key).hexdigest()[:16]}.text'
-        if not kept.exists():
-            for old in self.work.glob(f'{name}-{16 * "?"}.*'):
-                old.unlink()
-            beside = kept.with_suffix('.new')
-            beside.write_text(make(), encoding='utf-8')
-            beside.rename(kept)
-        return kept.read_text(encoding='utf-8')
+        return page_python.kept(self.work, name, key, lambda: make().encode()).read_text(encoding='utf-8')
 
     def scripts(self) -> dict[str, str]:
         """Return the scripts of the pages, by name: the Python, the worker's, and those that widgets bring along."""

@@ -88,12 +88,9 @@ export class Handle {
     }
   }
 
-  /** @param {string} [names] @param {Function} [listener] */
+  /** @param {string} names @param {Function} listener */
   off(names, listener) {
-    for (const name of names?.split(' ') ?? [...this.listeners.keys()]) {
-      if (listener) this.listeners.get(name)?.delete(listener);
-      else this.listeners.delete(name);
-    }
+    for (const name of names.split(' ')) this.listeners.get(name)?.delete(listener);
   }
 
   /** @param {string} name @param {...any} values */

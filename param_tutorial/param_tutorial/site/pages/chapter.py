@@ -102,12 +102,6 @@ def _draw_predictions(notebook: nbformat.NotebookNode, links: Links) -> None:
                 cell.metadata.tags = [*cell.metadata.get('tags', ()), 'remove-input']
 
 
-def title(path: Path) -> str:
-    """Return the title of a chapter."""
-    source: str = nbformat.read(path, as_version=4).cells[0].source
-    return source.splitlines()[0].removeprefix('# ')
-
-
 def _html_cell(name: str, content: str) -> nbformat.NotebookNode:
     """Make a cell of which the page shows the output alone; without any source myst-nb would leave it out."""
     cell: nbformat.NotebookNode = nbformat.v4.new_code_cell(

@@ -28,8 +28,8 @@ class Section:
     anchor: str
     """By which a link finds it on its page; empty for the top of the page."""
     heading: str
-    prose: str = ''
-    code: str = ''
+    prose: str
+    code: str
     """Code, and what it puts out."""
 
 

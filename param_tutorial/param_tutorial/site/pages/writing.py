@@ -1,5 +1,6 @@
 """Lets Sphinx write pages; its configuration, and the site's style and script, are in ``site/theme``."""
 
+import os
 import re
 import shutil
 from collections.abc import Mapping
@@ -13,6 +14,9 @@ from param_tools.markup.scripts import bundle
 from param_tools.markup.styles import sheet
 
 THEME = Path(__file__).parents[1] / 'theme'
+# The styles of the notebook's own views.
+SHEETS = ('param_tutorial/views/drawing/track.css', 'param_tools/panel/panel.css', 'param_tutorial/views/driving.css',
+          'param_tutorial/views/side_by_side.css', 'param_tutorial/notebook/terms.css')
 _COLOR = re.compile(r'\x1b\[[0-9;]*m')
 
 
@@ -31,13 +35,11 @@ def write_static(source: Path, live: Mapping[str, str]) -> None:
     # A page on a disk can load no module, and the names in a script that is none are the whole page's.
     script = f"(() => {{\n'use strict';\n{bundle('param_tutorial/site/scripts/main.js')}}})();\n"
     (source / 'static' / 'lessons.js').write_text(script, encoding='utf-8')
-    for path in ('param_tutorial/views/drawing/track.css', 'param_tools/panel/panel.css',
-                 'param_tutorial/views/driving.css', 'param_tutorial/views/side_by_side.css',
-                 'param_tutorial/notebook/terms.css'):
+    for path in SHEETS:
         (source / 'static' / Path(path).name).write_text(sheet(path), encoding='utf-8')
 
 
-def write_pages(source: Path, target: Path, doctrees: Path, *, processes: int = 1,
+def write_pages(source: Path, target: Path, doctrees: Path, *,
                 settings: dict[str, Any] | None = None) -> None:
     """Let Sphinx write pages.
 
@@ -52,7 +54,7 @@ def write_pages(source: Path, target: Path, doctrees: Path, *, processes: int = 
     warnings.parent.mkdir(parents=True, exist_ok=True)
     with warnings.open('w+', encoding='utf-8') as said, docutils_namespace():
         app = Sphinx(str(source), str(THEME), str(target), str(doctrees), 'html', confoverrides=settings,
-                     status=None, warning=said, parallel=processes)
+                     status=None, warning=said, parallel=os.cpu_count() or 1)
         app.build()
         said.seek(0)
         text = _COLOR.sub('', said.read()).strip()

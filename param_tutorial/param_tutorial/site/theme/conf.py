@@ -10,6 +10,7 @@ from docutils import nodes  # type: ignore[import-untyped]
 from sphinx.application import Sphinx
 
 from param_tutorial.site.pages.search_index import FILE_NAME, index_script
+from param_tutorial.site.pages.writing import SHEETS
 
 project = 'Mastering ROS 2 Parameters with Python'
 author = 'the course'
@@ -29,12 +30,9 @@ myst_heading_slug_func = 'param_tutorial.site.pages.links.anchor'
 
 html_theme = 'pydata_sphinx_theme'
 html_title = 'ROS 2 Parameters'
-html_baseurl = ''
 html_favicon = '_static/icon.svg'
-html_static_path = ['_static']
 templates_path = ['_templates']
-html_css_files = ['track.css', 'panel.css', 'driving.css', 'side_by_side.css', 'terms.css',
-                  'lesson.css']
+html_css_files = [*(Path(path).name for path in SHEETS), 'lesson.css']
 html_js_files = ['lessons.js']
 html_additional_pages = {'search': 'search.html'}
 html_sidebars = {'**': ['lessons.html']}
