@@ -3,7 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
-from tests.support.lab import open_cells, wait_for
+from tests.support.lab import RESTART_KERNEL, wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -22,23 +22,16 @@ CELLS = (
 SETTINGS, AGAIN, OTHER = 2, 4, 6
 
 
-@pytest.fixture(scope='module')
-def opened(browser, tmp_path_factory):
-    """Return a page with the notebook."""
-    with open_cells(browser, tmp_path_factory.mktemp('beside'), CELLS) as (_, page):
-        yield page
-        assert page.strange_errors() == []
-
-
 @pytest.fixture
 def page(opened):
     """Return the page, wide, with the cells run up to the second that shows the robot and its speed."""
-    opened.page.set_viewport_size({'width': 1280, 'height': 800})
-    opened.run_all()
-    opened.run_cell(SETTINGS)
-    opened.run_cell(AGAIN)
-    expect(beside(opened).get_by_label('max_speed_rpm', exact=True)).to_be_visible()
-    return opened
+    _, page = opened
+    page.page.set_viewport_size({'width': 1280, 'height': 800})
+    page.run_all()
+    page.run_cell(SETTINGS)
+    page.run_cell(AGAIN)
+    expect(beside(page).get_by_label('max_speed_rpm', exact=True)).to_be_visible()
+    return page
 
 
 def beside(page):
@@ -107,7 +100,7 @@ def test_a_reload_brings_it_back(page):
 
 
 def test_a_kernel_that_has_ended_leaves_nothing_beside_the_text(page):
-    page.page.evaluate('() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
+    page.page.evaluate(RESTART_KERNEL)
     expect(beside(page)).to_be_hidden()
     page.select_cell(SETTINGS)
     expect(page.page.locator('.jp-OutputArea-output .robot-view:visible').first).to_be_visible()

@@ -4,7 +4,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.support import lesson
-from tests.support.lab import CourseLab, LabPage, wait_for
+from tests.support.lab import RESTART_KERNEL, CourseLab, LabPage, wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
 
@@ -47,7 +47,7 @@ def test_after_a_restart_and_in_a_notebook_opened_again_a_click_brings_a_view_ba
     notebook.run_all()
     expect_live_panel(page)
 
-    page.evaluate('() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()')
+    page.evaluate(RESTART_KERNEL)
     expect_words(page)
     # What cannot answer does not take the mouse, so that the click is for the whole output.
     expect(page.locator('.param-reset')).to_have_css('pointer-events', 'none')

@@ -6,11 +6,10 @@ import re
 import signal
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect
 
-from tests.support.lab import open_cells, wait_for
-from tests.tools.site_rules import AXE_OPTIONS
+from tests.support.axe import violations_in_both_themes
+from tests.support.lab import wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -49,13 +48,6 @@ DOUBLE_IDS = '''() => {
     const ids = [...document.querySelectorAll('.param-panel [id]')].map(each => each.id);
     return ids.filter((each, index) => ids.indexOf(each) !== index);
 }'''
-
-
-@pytest.fixture(scope='module')
-def opened(browser, tmp_path_factory):
-    """Return a server on the notebook, and a page with it."""
-    with open_cells(browser, tmp_path_factory.mktemp('planner'), CELLS) as both:
-        yield both
 
 
 @pytest.fixture
@@ -232,19 +224,13 @@ def test_nothing_on_the_panel_keeps_anybody_from_using_it(planner):
     button(page, 'Load…').click()
     page.page.get_by_label('File', exact=True).fill('none.yaml')
     expect(page.page.locator('.param-file-look')).to_contain_text('there is no file none.yaml')
-    for scheme, theme in (('light', 'JupyterLab Light'), ('dark', 'JupyterLab Dark')):
-        page.page.emulate_media(color_scheme=scheme)  # which JupyterLab follows
-        expect(page.page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
-        found = Axe().run(page.page, context='.param-panel', options=AXE_OPTIONS).response['violations']
-        assert [f'{theme}, {rule["id"]}: {node["html"][:200]} {node["failureSummary"]}' for rule in found
-                for node in rule['nodes']] == []
+    assert violations_in_both_themes(page.page, '.param-panel') == []
     page.page.evaluate("""() => document.querySelectorAll('.param-panel').forEach(
         each => { each.style.width = '400px'; })""")
     assert page.page.evaluate("""() => { return [...document.querySelectorAll('.param-panel *')].filter(each => {
             const [box, panel] = [each, each.closest('.param-panel')].map(one => one.getBoundingClientRect());
             return box.width && box.right > panel.right + 1; })
             .map(each => each.outerHTML.slice(0, 120)) }""") == []
-    page.page.emulate_media(color_scheme='light')
 
 
 def test_what_is_being_typed_outlives_whatever_else_happens(planner):

@@ -12,13 +12,12 @@ import urllib.request
 
 import psutil
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect
 
 from param_tools.ros import domain
+from tests.support.axe import violations
 from tests.support.lab import wait_for
 from tests.support.processes import wait_or_kill
-from tests.tools.site_rules import AXE_OPTIONS
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -202,8 +201,7 @@ def test_the_drawer_saves_what_is_there_and_brings_it_back(browser, arm, page_pr
     press('Presets')
     press('calm')
     expect(drawer.get_by_role('listitem')).to_contain_text('1 value would be set.parameternowthen/arm speed2.51.5')
-    found = Axe().run(page, context='.param-drawer', options=AXE_OPTIONS).response['violations']
-    assert [(rule['id'], node['html'], node['failureSummary']) for rule in found for node in rule['nodes']] == []
+    assert violations(page, '.param-drawer') == []
     assert page.evaluate('document.documentElement.scrollWidth') <= width
     press('Apply')
     expect(speed).to_have_value('1.5')

@@ -4,13 +4,12 @@ The stage beside the text, a prediction and the veil, the words that are explain
 """
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect
 
 from tests.support import lesson
+from tests.support.axe import violations_in_both_themes
 from tests.support.firefox import firefox
-from tests.support.lab import CourseLab, LabPage
-from tests.tools.site_rules import AXE_OPTIONS
+from tests.support.lab import RESTART_KERNEL, CourseLab, LabPage
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
 
@@ -31,7 +30,6 @@ CELLS = (
 STALE = '.jp-OutputArea-output:has(> .jupyter-widgets-disconnected)'
 PARTS = ('.beside-text', '.jp-NotebookPanel .side-by-side', '.param-predict', '.param-check', '.lesson-term',
          '.lesson-meaning', '.param-veiled :is(.jp-OutputArea, .jp-MarkdownOutput)', STALE)
-RESTART = 'jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()'
 
 
 @pytest.fixture(scope='module')
@@ -52,15 +50,8 @@ def lab(started):
 
 def faults(page):
     """Return what axe finds in the parts that are there, in both themes."""
-    found = []
-    there = [each for each in PARTS if page.locator(each).count()]
-    for scheme, theme in (('light', 'JupyterLab Light'), ('dark', 'JupyterLab Dark')):
-        page.emulate_media(color_scheme=scheme)  # which JupyterLab follows
-        expect(page.locator('body')).to_have_attribute('data-jp-theme-name', theme)
-        rules = Axe().run(page, context={'include': [[each] for each in there]}, options=AXE_OPTIONS).response
-        found += [f'{scheme}, {rule["id"]}: {node["html"][:200]} {node["failureSummary"]}'
-                  for rule in rules['violations'] for node in rule['nodes']]
-    return found
+    there = [[each] for each in PARTS if page.locator(each).count()]
+    return violations_in_both_themes(page, {'include': there})
 
 
 def test_axe_finds_nothing(lab, browser):
@@ -81,7 +72,7 @@ def test_axe_finds_nothing(lab, browser):
     lab_page.run_cell(4)
     expect(form).to_contain_text('Not so.')
     assert faults(page) == []
-    page.evaluate(RESTART)
+    page.evaluate(RESTART_KERNEL)
     expect(page.locator('.beside-text')).to_be_hidden()
     expect(page.locator(STALE).first).to_be_visible()
     assert faults(page) == []
@@ -120,7 +111,7 @@ def test_they_work_in_firefox(lab, tmp_path):
         page.wait_for(f'{hidden.replace(".param-veiled ", ".jp-CodeCell:nth-of-type(5) ")}?.checkVisibility()')
         page.click('.beside-text .robot-drive')
         page.wait_for("document.querySelector('.beside-text .robot-word').textContent === 'STOPPED'")
-        page.evaluate(RESTART)
+        page.evaluate(RESTART_KERNEL)
         page.wait_for(f"document.querySelector('{STALE}')")
         page.click(STALE)
         page.wait_for("document.querySelector('.beside-text .robot-word')?.textContent === 'READY'")

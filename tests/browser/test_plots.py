@@ -4,11 +4,10 @@ import csv
 import re
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import expect
 
-from tests.support.lab import open_cells, wait_for
-from tests.tools.site_rules import AXE_OPTIONS
+from tests.support.axe import violations
+from tests.support.lab import wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -51,13 +50,6 @@ COLORED = '''canvas => {
     }
     return count;
 }'''
-
-
-@pytest.fixture(scope='module')
-def opened(browser, tmp_path_factory):
-    """Return a server on the notebook, and a page with it."""
-    with open_cells(browser, tmp_path_factory.mktemp('wheel'), CELLS) as both:
-        yield both
 
 
 @pytest.fixture
@@ -110,8 +102,7 @@ def test_it_draws_what_comes_and_marks_what_changed(plot):
     plot.locator('canvas').focus()
     expect(plot.locator('canvas')).to_have_attribute('aria-label', re.compile(
         r'The last 30 seconds\. height: now 5\.5, from 2 to 5\.5\. /wheel/turn\.from_value: now .*\. 1 change\.$'))
-    found = Axe().run(page.page, context='.param-plot', options=AXE_OPTIONS)
-    assert found.violations_count == 0, found.generate_report()
+    assert violations(page.page, '.param-plot') == []
 
 
 def test_paused_it_stands_still_and_a_drag_shows_a_part(plot):

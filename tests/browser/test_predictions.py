@@ -7,7 +7,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.support import lesson
-from tests.support.lab import CourseLab, LabPage, chromium
+from tests.support.lab import RESTART_KERNEL, CourseLab, LabPage, chromium
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]
 
@@ -137,11 +137,10 @@ def test_what_follows_is_veiled_until_one_commits_or_skips(tmp_path):
         assert lab_page.strange_errors() == []
 
         # The next kernel knows what was committed to. The one that has ended hides nothing.
-        restart = 'jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()'
-        page.evaluate(restart)
+        page.evaluate(RESTART_KERNEL)
         run_all_again(lab_page)
         expect_shown(page, shown=OF_FIRST, hidden=OF_SECOND)
-        page.evaluate(restart)
+        page.evaluate(RESTART_KERNEL)
         expect_shown(page, shown=OF_FIRST + OF_SECOND)
         run_all_again(lab_page)
         expect_shown(page, hidden=OF_SECOND)
@@ -149,7 +148,7 @@ def test_what_follows_is_veiled_until_one_commits_or_skips(tmp_path):
         lab_page.command('notebook:delete-cell')
         expect_shown(page, shown=OF_SECOND)
 
-    lab.set_environment(PARAM_TUTORIAL_VEIL='off')
+    lab.environment['PARAM_TUTORIAL_VEIL'] = 'off'
     (lab.copies / 'progress.json').unlink()
     with lab, chromium() as browser:
         lab_page = LabPage(lab, browser, CHAPTER)

@@ -3,7 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
-from tests.support.lab import open_cells, wait_for
+from tests.support.lab import wait_for
 
 pytestmark = [pytest.mark.slow, pytest.mark.thorough, pytest.mark.timeout(600)]  # each wait may take lab.TIMEOUT_SEC
 
@@ -34,13 +34,6 @@ FRONT_M = """() => { const scene = document.querySelector('.robot-scene'), svg =
 INTO_VIEW = "each => each.scrollIntoView({block: 'center'})"
 RUNNING = """() => document.getAnimations().filter(
     each => /^robot-/.test(each.animationName) && each.playState === 'running').length"""
-
-
-@pytest.fixture(scope='module')
-def opened(browser, tmp_path_factory):
-    """Return a server on the notebook, and a page with it."""
-    with open_cells(browser, tmp_path_factory.mktemp('robot'), CELLS) as both:
-        yield both
 
 
 @pytest.fixture

@@ -4,12 +4,8 @@ A site of two small chapters, made once for all tests; each page runs its own Py
 pages of the course to the same rules when it has built them, see `tests/tools/site_rules.py`.
 """
 
-import contextlib
-import functools
-import http.server
 import re
 import shutil
-import threading
 import zipfile
 
 import nbformat
@@ -25,6 +21,7 @@ from param_tutorial.site.pages import writing
 from tests.support import lesson, missing
 from tests.support.firefox import FIREFOX, firefox
 from tests.support.lab import ROOT
+from tests.support.server import Server
 from tests.tools.site_rules import check_page, open_page
 
 # Sphinx and its extensions tell each other, in each release, what the next one will bring.
@@ -163,7 +160,7 @@ def made(tmp_path_factory):
     nbformat.write(solved, path)
     (notebooks / 'claims.md').write_text('# The claims\n\n| id | claim | verdict |\n| --- | --- | --- |\n'
                                         '| A001 | one | true: so it is |\n| A002 | two | false |\n')
-    site = Site(notebooks, folder / 'html', folder / 'work', processes=2, address='https://lessons.example/ros')
+    site = Site(notebooks, folder / 'html', folder / 'work', address='https://lessons.example/ros')
     site.build()
     return site
 
@@ -173,23 +170,6 @@ def page(made, browser, request):
     """Return a chapter's page, from the disk; nothing may be requested elsewhere, or complained of."""
     with open_page(browser, (made.target / request.param).as_uri()) as page:
         yield page
-
-
-@contextlib.contextmanager
-def served(folder):
-    """Serve a folder like any web server, and yield its address."""
-    class Quiet(http.server.SimpleHTTPRequestHandler):
-        def log_message(self, *_):
-            pass
-
-    with http.server.ThreadingHTTPServer(('127.0.0.1', 0), functools.partial(Quiet, directory=folder)) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        try:
-            yield f'http://127.0.0.1:{server.server_port}'
-        finally:
-            server.shutdown()
-            thread.join()
 
 
 def files(folder):
@@ -295,10 +275,8 @@ def test_settings_stand_in_the_address_and_a_reload_brings_them_back(page):
 @limits
 def test_what_a_file_has_set_stands_in_the_address(page):
     own = cell_with(page, 'the end')
-    own.get_by_role('button', name='Edit the code of this cell').click()
-    editor = own.get_by_role('textbox', name='The code of this cell')
-    editor.fill("from pathlib import Path\n"
-                "Path('mine.yaml').write_text('/heater: {ros__parameters: {power_w: 150}}')\nprint('written')")
+    editor = edit(own, "from pathlib import Path\n"
+                       "Path('mine.yaml').write_text('/heater: {ros__parameters: {power_w: 150}}')\nprint('written')")
     editor.press('Shift+Enter')
     expect(own.locator('.cell_output')).to_have_text('written', timeout=60_000)
     page.get_by_role('button', name='Load…').first.click()
@@ -316,9 +294,7 @@ def test_an_address_names_only_what_is_there_when_it_is_followed(page):
     cell_with(page, "ParameterPanel('/heater')").get_by_role('button', name='Run this cell').click()
     wait_for_the_node(page)
     own = cell_with(page, 'the end')
-    own.get_by_role('button', name='Edit the code of this cell').click()
-    editor = own.get_by_role('textbox', name='The code of this cell')
-    editor.fill("ParameterPanel('/heater')")
+    editor = edit(own, "ParameterPanel('/heater')")
     editor.press('Shift+Enter')
     name = own.get_by_label('name', exact=True)
     name.fill('Rex')
@@ -346,13 +322,19 @@ def cell_with(page, code):
     return page.locator('.' + found.evaluate("each => [...each.classList].find(name => name.startsWith('tag_live-'))"))
 
 
+def edit(cell, code):
+    """Write code into a cell, and return the box in which it stands."""
+    cell.get_by_role('button', name='Edit the code of this cell').click()
+    editor = cell.get_by_role('textbox', name='The code of this cell')
+    editor.fill(code)
+    return editor
+
+
 @limits
 def test_a_cell_is_edited_and_run_and_kept(page):
     cell = cell_with(page, 'panel.settle()')
     cell.hover()
-    cell.get_by_role('button', name='Edit the code of this cell').click()
-    editor = cell.get_by_role('textbox', name='The code of this cell')
-    editor.fill("panel['power_w'].value = 120\npanel.settle()\nprint(panel['power_w'].value + 1)")
+    editor = edit(cell, "panel['power_w'].value = 120\npanel.settle()\nprint(panel['power_w'].value + 1)")
     editor.press('Shift+Enter')
     expect(cell.locator('.cell_output')).to_have_text('121', timeout=60_000)
     wait_for_the_node(page)
@@ -372,9 +354,7 @@ def test_a_cell_is_edited_and_run_and_kept(page):
 @limits
 def test_a_cell_that_never_ends_is_stopped(page):
     cell = cell_with(page, 'panel.settle()')
-    cell.get_by_role('button', name='Edit the code of this cell').click()
-    editor = cell.get_by_role('textbox', name='The code of this cell')
-    editor.fill('while True:\n    pass')
+    editor = edit(cell, 'while True:\n    pass')
     editor.press('Shift+Enter')
     stop = page.get_by_role('button', name='Stop it')
     expect(stop).to_be_visible()
@@ -389,10 +369,8 @@ def test_a_cell_that_never_ends_is_stopped(page):
 @limits
 def test_the_readers_code_reaches_no_network(page):
     cell = cell_with(page, 'panel.settle()')
-    cell.get_by_role('button', name='Edit the code of this cell').click()
-    editor = cell.get_by_role('textbox', name='The code of this cell')
-    editor.fill('from js import fetch\ntry:\n    await fetch("https://example.org/")\nexcept Exception as error:\n'
-                '    print("no way out")')
+    editor = edit(cell, 'from js import fetch\ntry:\n    await fetch("https://example.org/")\n'
+                        'except Exception as error:\n    print("no way out")')
     # What the policy forbids the browser reports; that is the proof, and no complaint.
     page.evaluate("document.addEventListener('securitypolicyviolation', event => event.preventDefault())")
     editor.press('Shift+Enter')
@@ -488,8 +466,7 @@ def test_an_exercise_is_solved_in_its_cell_and_remembered(page):
     expect(page.get_by_role('heading', name='Two sources')).to_be_in_viewport()
     expect(page).to_have_url(re.compile('#Two-sources$'))
     expect(page.locator('.lesson-mark')).to_have_count(0)
-    exercise.get_by_role('button', name='Edit the code of this cell').click()
-    exercise.get_by_role('textbox', name='The code of this cell').fill(SOLVED)
+    edit(exercise, SOLVED)
     exercise.get_by_role('button', name='Run this cell').click()
     check.get_by_role('button', name='Run this cell').click()
     expect(check.locator('.param-check')).to_contain_text('Exercise 7.3a: done, 2 of 2 done')
@@ -689,7 +666,8 @@ def test_paper_is_white_and_all_code_is_on_it(page):
 
 @pytest.mark.parametrize('way', ['file', 'server'])
 def test_every_page_from_the_disk_and_from_a_server(made, browser, way):
-    with served(made.target) if way == 'server' else contextlib.nullcontext(made.target.as_uri()) as address:
+    with Server(made.target) as server:
+        address = server.url if way == 'server' else made.target.as_uri()
         for name in ('index', '1_limits', '2_robot'):
             with open_page(browser, f'{address}/{name}.html') as page:
                 expect(page.get_by_role('navigation', name='Lessons')).to_be_visible()

@@ -15,17 +15,13 @@ import yaml
 
 from param_tutorial.learner.progress import VARIABLE
 from tests.support.paths import ROOT
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from tests.support.toml import read_toml
 
 WORKFLOWS = sorted((ROOT / '.github' / 'workflows').glob('*.yml'))
 # In JSON with comments, which Python's json does not read.
 DEVCONTAINER = json.loads(
     re.sub('^//.*\n', '', (ROOT / '.devcontainer' / 'devcontainer.json').read_text(), flags=re.MULTILINE))
-PYPROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())
+PYPROJECT = read_toml(ROOT / 'pyproject.toml')
 TARGETS = re.findall(r'^([a-z-]+):', (ROOT / 'Makefile').read_text(), re.MULTILINE)
 
 
@@ -98,7 +94,7 @@ def conda() -> list[str]:
 
 
 def pixi() -> dict:
-    return tomllib.loads((ROOT / 'environment' / 'pixi.toml').read_text())
+    return read_toml(ROOT / 'environment' / 'pixi.toml')
 
 
 def test_conda_and_pixi_ask_for_the_same_versions():

@@ -33,7 +33,7 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[CourseLab]:
     for name in ('.bashrc', '.profile', '.bash_profile', '.zshrc'):
         (home / name).write_text(START_UP)
     lab = CourseLab(tmp_path_factory.mktemp('lab') / 'a lab', [NOTEBOOKS / '01_what_are_parameters.ipynb'])
-    lab.set_environment(HOME=str(home), MAKEFLAGS=' -- ARGS=--no-browser', ARGS='--no-browser')
+    lab.environment |= {'HOME': str(home), 'MAKEFLAGS': ' -- ARGS=--no-browser', 'ARGS': '--no-browser'}
     # What a crash has left behind, and another process has its number now.
     lab.runtime.mkdir()
     (lab.runtime / f'jpserver-{os.getpid()}.json').write_text(json.dumps(

@@ -16,16 +16,12 @@ import pytest
 from param_tools import __version__
 from param_tools.cli.run import node_programs
 from tests.support.paths import PACKAGE, ROOT, ROS_PACKAGE, TOOLS
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from tests.support.toml import read_toml
 
 LOCKS = {path.name: path.read_text() for path in (ROOT / 'environment').glob('*.lock')}
 # Everything, and the part that a learner gets.
 LOCK, LEARNER_LOCK = LOCKS['requirements-dev.lock'], LOCKS['requirements.lock']
-PYPROJECT = tomllib.loads((ROOT / 'pyproject.toml').read_text())
+PYPROJECT = read_toml(ROOT / 'pyproject.toml')
 PROJECT = PYPROJECT['project']
 EXTRAS = {extra: [each for each in requirements if not each.startswith('param-tutorial[')]
           for extra, requirements in PROJECT['optional-dependencies'].items()}

@@ -11,13 +11,9 @@ import pytest
 
 from param_tools import __version__
 from tests.support.paths import TOOLS
+from tests.support.toml import read_toml
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
-PYPROJECT = tomllib.loads((TOOLS / 'pyproject.toml').read_text())
+PYPROJECT = read_toml(TOOLS / 'pyproject.toml')
 BAD = '/n:\n  ros__parameters:\n    a: [1, x]\n'
 
 

@@ -121,7 +121,7 @@ class PlainLab(CourseLab):
         return ['--no-browser']
 
     def _find_url(self) -> str | None:
-        info = self._folder / 'runtime' / f'jpserver-{self._process.pid}.json'
+        info = self.runtime / f'jpserver-{self._process.pid}.json'
         with contextlib.suppress(OSError, ValueError):
             self.token = json.loads(info.read_text())['token']
         return super()._find_url()

@@ -24,7 +24,6 @@ from jupyter_client import BlockingKernelClient
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 from param_tools.ros.waiting import wait_until
-from tests.support import lesson
 from tests.support.paths import ROOT
 from tests.support.processes import wait_or_kill
 
@@ -47,22 +46,16 @@ KNOWN_ERRORS = (
     r'\[anywidget\] Failed to initialize model',
 )
 
-CHROMIUM_FLAGS = (
-    '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-    '--disable-component-update', '--disable-sync', '--disable-default-apps', '--disable-domain-reliability',
-    '--disable-client-side-phishing-detection', '--no-pings', '--metrics-recording-only',
-    '--disable-features=MediaRouter,OptimizationHints,Translate,AutofillServerCommunication',
-    '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1',
-)
+# As JupyterLab's menu does.
+RESTART_KERNEL = 'jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()'
 
 
 class Lab:
-    """A JupyterLab server on copies of some notebooks, in folders of its own."""
+    """A JupyterLab server on copies of some notebooks, which are in ``folder``; ``environment`` is the server's."""
 
     def __init__(self, folder: Path, notebooks: list[Path]):
-        self._folder = folder
-        self._work = folder / 'work'
-        self._work.mkdir(parents=True)
+        self._scratch, self.folder, self.runtime = folder, folder / 'work', folder / 'runtime'
+        self.folder.mkdir(parents=True)
         # These have the server load all of nbconvert's exporters for a menu, each time a page is opened.
         page_config = folder / 'config' / 'labconfig' / 'page_config.json'
         page_config.parent.mkdir(parents=True)
@@ -74,28 +67,23 @@ class Lab:
         # Each test's kernels choose a domain of their own, as a learner's do.
         inherited = {name: value for name, value in os.environ.items()
                      if name == 'ROS_LOG_DIR' or not name.startswith(('JUPYTER', 'ROS_', 'FASTRTPS_', 'PYTEST'))}
-        self._environment = {
+        self.environment = {
             **inherited,
             'JUPYTER_CONFIG_PATH': str(ROOT / 'environment' / 'jupyter'),
             'JUPYTER_CONFIG_DIR': str(folder / 'config'),
             'JUPYTER_DATA_DIR': str(folder / 'data'),
-            'JUPYTER_RUNTIME_DIR': str(folder / 'runtime'),
+            'JUPYTER_RUNTIME_DIR': str(self.runtime),
             'JUPYTERLAB_SETTINGS_DIR': str(folder / 'settings'),
             'JUPYTERLAB_WORKSPACES_DIR': str(folder / 'workspaces'),
             'IPYTHONDIR': str(folder / 'ipython'),
         }
 
-    @property
-    def folder(self) -> Path:
-        """The folder that the notebooks are in."""
-        return self._work
-
     def add(self, notebook: Path) -> None:
         """Put a fresh copy of a notebook into the server's folder."""
-        shutil.copy(notebook, self._work)
+        shutil.copy(notebook, self.folder)
 
     def _command(self) -> list[str]:
-        return [sys.executable, '-m', 'jupyterlab', '--allow-root', f'--ServerApp.root_dir={self._work}',
+        return [sys.executable, '-m', 'jupyterlab', '--allow-root', f'--ServerApp.root_dir={self.folder}',
                 '--LabApp.extension_manager=readonly', *self._options()]
 
     def _options(self) -> list[str]:
@@ -103,9 +91,9 @@ class Lab:
         return ['--no-browser', '--ip=127.0.0.1', '--port=0', f'--IdentityProvider.token={self.token}']
 
     def __enter__(self) -> 'Lab':
-        self._log = (self._folder / 'server.log').open('w')
+        self._log = (self._scratch / 'server.log').open('w')
         self._process = subprocess.Popen(
-            self._command(), env=self._environment, stdin=subprocess.DEVNULL, stdout=self._log,
+            self._command(), env=self.environment, stdin=subprocess.DEVNULL, stdout=self._log,
             stderr=subprocess.STDOUT)
         try:
             self.url = wait_for(self._find_url, 'the JupyterLab server')
@@ -123,7 +111,7 @@ class Lab:
     def _find_url(self) -> str | None:
         if self._process.poll() is not None:
             raise RuntimeError(f'JupyterLab ended with status {self._process.returncode}:\n{self.log()}')
-        info = self._folder / 'runtime' / f'jpserver-{self._process.pid}.json'
+        info = self.runtime / f'jpserver-{self._process.pid}.json'
         with contextlib.suppress(OSError, ValueError):
             url = json.loads(info.read_text())['url']
             with urllib.request.urlopen(f'{url}api/status?token={self.token}', timeout=5):
@@ -132,7 +120,7 @@ class Lab:
 
     def log(self) -> str:
         """Return what the server printed."""
-        return (self._folder / 'server.log').read_text()
+        return (self._scratch / 'server.log').read_text()
 
     def kernels(self) -> list[dict]:
         """Return what the server says about its kernels."""
@@ -150,7 +138,7 @@ class Lab:
         """Return the repr of an expression in the only kernel, without the browser."""
         kernel, = self.kernels()
         client = BlockingKernelClient(
-            connection_file=str(self._folder / 'runtime' / f'kernel-{kernel["id"]}.json'))
+            connection_file=str(self.runtime / f'kernel-{kernel["id"]}.json'))
         client.load_connection_file()
         client.start_channels(iopub=False, stdin=False, hb=False)
         try:
@@ -165,7 +153,7 @@ class Lab:
     def ros_environment(self) -> dict[str, str]:
         """Return the environment for a process that should see the kernel's nodes."""
         environment = ast.literal_eval(self.ask_kernel("dict(__import__('os').environ)"))
-        return {**self._environment, **{name: value for name, value in environment.items()
+        return {**self.environment, **{name: value for name, value in environment.items()
                                         if name.startswith(('ROS_', 'FASTRTPS_'))}}
 
 
@@ -173,7 +161,8 @@ class Lab:
 def chromium() -> Iterator[Browser]:
     """Start Chromium, which can reach this machine and nothing else, and end it afterwards."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=list(CHROMIUM_FLAGS))
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=[
+            '--disable-gpu', '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'])
         try:
             yield browser
         finally:
@@ -204,21 +193,12 @@ class CourseLab(Lab):
             shutil.copy(notebook, self.course / 'notebooks')
 
     def _command(self) -> list[str]:
-        return [sys.executable, '-c', MAKE_LAB, str(self.course / 'environment'), str(self._folder), *self._options()]
-
-    @property
-    def runtime(self) -> Path:
-        """The folder in which Jupyter Server writes down what runs."""
-        return self._folder / 'runtime'
+        return [sys.executable, '-c', MAKE_LAB, str(self.course / 'environment'), str(self._scratch), *self._options()]
 
     def start_again(self) -> str:
         """Type `make lab` while it runs; return what it prints."""
-        return subprocess.run(self._command(), env=self._environment, stdin=subprocess.DEVNULL, capture_output=True,
+        return subprocess.run(self._command(), env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=TIMEOUT_SEC).stdout
-
-    def set_environment(self, **variables: str) -> None:
-        """Add to what `make lab` finds in its environment."""
-        self._environment |= variables
 
 
 class LabPage:
@@ -250,18 +230,15 @@ class LabPage:
         return self.strange_errors() + printed.all_inner_texts()
 
     def _wait_for_kernel(self) -> None:
-        self._wait_js('() => window.jupyterapp && window.jupyterapp.restored.then(() => true)')
+        self.page.wait_for_function('() => window.jupyterapp && window.jupyterapp.restored.then(() => true)')
         # The kernel is there when the notebook's session says so; running cells before would ask for one.
-        self._wait_js('''() => {
+        self.page.wait_for_function('''() => {
             const panel = window.jupyterapp.shell.currentWidget;
             const kernel = panel && panel.sessionContext && panel.sessionContext.session &&
                 panel.sessionContext.session.kernel;
             return kernel && kernel.connectionStatus === 'connected' && panel.content.widgets.length > 0 &&
                 ['idle', 'starting', 'unknown'].includes(kernel.status);
         }''')
-
-    def _wait_js(self, condition: str) -> None:
-        self.page.wait_for_function(condition, timeout=TIMEOUT_SEC * 1000)
 
     def command(self, name: str, **arguments: object) -> None:
         """Execute one of JupyterLab's commands, as its menus do."""
@@ -271,7 +248,7 @@ class LabPage:
     def run_all(self) -> None:
         """Run all cells and wait until each has its number."""
         self.command('notebook:run-all-cells')
-        self._wait_js("""() => window.jupyterapp.shell.currentWidget.content.widgets
+        self.page.wait_for_function("""() => window.jupyterapp.shell.currentWidget.content.widgets
             .filter(cell => cell.model.type === 'code' && cell.model.sharedModel.source.trim())
             .every(cell => cell.model.executionCount !== null && cell.model.executionState !== 'running')""")
 
@@ -286,7 +263,7 @@ class LabPage:
         before = self.page.evaluate(number) or 0
         self.select_cell(index)
         self.command('notebook:run-cell')
-        self._wait_js(f'() => {number} > {before}')
+        self.page.wait_for_function(f'() => {number} > {before}')
 
     def row(self, name: str) -> Locator:
         """Find a parameter's row on the panel that is seen, by its label."""
@@ -304,13 +281,6 @@ class LabPage:
     def message(self, name: str) -> Locator:
         """Find the message beside a parameter's control."""
         return self.row(name).locator('.param-message')
-
-
-@contextlib.contextmanager
-def open_cells(browser: Browser, folder: Path, cells: tuple[str, ...]) -> Iterator[tuple[Lab, LabPage]]:
-    """Open a notebook of these cells, not run, in a server of its own, and yield both."""
-    with Lab(folder / 'lab', [lesson.write(folder / 'lesson.ipynb', cells)]) as lab:
-        yield lab, LabPage(lab, browser, 'lesson.ipynb')
 
 
 def wait_for(condition, what: str, timeout_sec: float = TIMEOUT_SEC):

@@ -7,14 +7,11 @@ import contextlib
 import sys
 from pathlib import Path
 
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 
+from tests.support.axe import violations
 from tests.support.lab import chromium
 
-WCAG = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa']
-# Without preload axe fetches no style sheets, which a page on a disk may not do.
-AXE_OPTIONS = {'runOnly': {'type': 'tag', 'values': WCAG}, 'resultTypes': ['violations'], 'preload': False}
 MAX_LESSON_BYTES = 3_000_000
 # Up to here web.dev calls a page good: https://web.dev/articles/cls.
 MAX_LAYOUT_SHIFT = 0.1
@@ -43,17 +40,6 @@ _SCROLLS_UNNOTICED = '''() => [...document.querySelectorAll('.bd-article :is(pre
     return overflowX === 'auto' && each.scrollWidth > each.clientWidth
         && (each.tabIndex !== 0 || !`${backgroundImage}${maskImage}`.includes('gradient')) })
     .map(each => each.outerHTML.slice(0, 100))'''
-
-# Puts answers and sizes among what the browser keeps, each with its key: see progress.js.
-KEEP = """async ([answers, sizes]) => {
-    const db = await new Promise(resolve => {
-        const request = indexedDB.open('ros2-parameters-lessons');
-        request.onsuccess = () => resolve(request.result) });
-    const transaction = db.transaction(['answers', 'sizes'], 'readwrite');
-    const done = new Promise(resolve => { transaction.oncomplete = resolve });
-    for (const [key, value] of answers) transaction.objectStore('answers').put(value, key);
-    for (const [key, value] of sizes) transaction.objectStore('sizes').put(value, key);
-    await done }"""
 
 
 @contextlib.contextmanager
@@ -90,8 +76,7 @@ def check_page(page):
     unnoticed = page.evaluate(_SCROLLS_UNNOTICED)
     # Axe judges no colors before a gradient, and one lies behind all code: the sign that it scrolls.
     page.add_style_tag(content='.bd-article * { background-image: none !important; }')
-    found = [f'{rule["id"]}: {node["html"][:200]}'
-             for rule in Axe().run(page, options=AXE_OPTIONS).response['violations'] for node in rule['nodes']]
+    found = violations(page)
     found += [f'{each} scrolls sideways without a sign, or out of the keyboard’s reach' for each in unnoticed]
     too_wide = page.evaluate('document.documentElement.scrollWidth > innerWidth')
     undrawn = page.evaluate('''() => [...document.querySelectorAll('.live-view')]
