@@ -4,7 +4,7 @@ chapter       a chapter as a source for Sphinx
 predictions   predictions as forms
 links         a chapter's links, led to where the site has what they mean
 front_page    the first page of the site
-terms         the words that a page explains
+drawing       small pieces of HTML that several pages have
 writing       lets Sphinx write pages
 search_index  the sections of all pages, for the site's search
 inlining      one page as one file

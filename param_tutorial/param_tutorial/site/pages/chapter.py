@@ -1,6 +1,5 @@
 """A chapter as a source for Sphinx: its views drawn, its exercises with hints and solutions."""
 
-import json
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -62,7 +61,7 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: 
 
 def _terms_script(glossary: Glossary, chapter: str) -> str:
     """Return a script that holds the words that the page explains."""
-    words = json.dumps(words_of(glossary), ensure_ascii=False, separators=(',', ':')).replace('</', r'<\/')
+    words = drawing.json_in_script(words_of(glossary))
     return f'<script type="text/plain" class="lesson-glossary" data-chapter="{chapter}">{words}</script>'
 
 
@@ -86,9 +85,8 @@ def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter, explained: M
 
 def live_cells(cells: Sequence[LiveCell]) -> str:
     """Return what the page's script has to know of the cells that it can run."""
-    facts = json.dumps([each._asdict() for each in cells], ensure_ascii=False, separators=(',', ':'))
-    inside = facts.replace('</', '<\\/')
-    return f'<script type="application/json" class="live-cells">{inside}</script>'
+    facts = drawing.json_in_script([each._asdict() for each in cells])
+    return f'<script type="application/json" class="live-cells">{facts}</script>'
 
 
 def _draw_predictions(notebook: nbformat.NotebookNode, links: Links) -> None:
