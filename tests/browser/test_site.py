@@ -200,7 +200,7 @@ robot = pytest.mark.parametrize('page', ['2_robot.html'], indirect=True)
 def wait_for_the_node(page):
     """Wait until the page's node has done all that it was asked."""
     page.wait_for_function(
-        "document.documentElement.dataset.node === 'awake' && !document.querySelector('[aria-busy]')")
+        "document.documentElement.dataset.node === 'awake' && !document.querySelector('[aria-busy]')", timeout=60_000)
 
 
 @limits
