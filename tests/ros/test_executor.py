@@ -412,6 +412,30 @@ def test_an_executor_of_ones_own_spins_in_any_other_thread(ros):
     rclpy.shutdown(context=context)
 
 
+def test_a_call_that_the_end_overtakes_ends_without_a_word():
+    done = run_python('''
+        import threading, time
+        from rcl_interfaces.srv import ListParameters
+        import param_tools
+        from param_tools.errors import ExecutorError
+
+        ros, called = param_tools.start(), threading.Event()
+        def call_as_the_stage_ends():
+            ros.services.call_async('/nobody', 'list_parameters', ListParameters.Request())
+            called.set()
+            while ros.is_running:
+                time.sleep(0.001)
+        ros.create_task(call_as_the_stage_ends)
+        called.wait()
+        param_tools.stop()
+        try:
+            ros.services.call_async('/nobody', 'list_parameters', ListParameters.Request())
+        except ExecutorError as error:
+            print(error)
+        ''')
+    assert (done.stdout, done.stderr) == ('this executor is stopped: call start() for a new one\n', '')
+
+
 def test_stop_leaves_all_of_rclpy_as_it_was():
     param_tutorial.stop()
     places = {rclpy: ('spin', 'spin_once', 'spin_until_future_complete', 'init', 'shutdown', 'try_shutdown'),

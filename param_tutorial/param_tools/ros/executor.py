@@ -14,6 +14,7 @@ import sys
 import threading
 import time
 import traceback
+import weakref
 from collections import deque
 from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import dataclass
@@ -154,6 +155,7 @@ class BackgroundExecutor:
         self.failures: deque[Failure] = deque(maxlen=100)
         """The exceptions that callbacks raised, oldest first; those that repeat are counted in one."""
         self._nodes: list[Node] = []
+        self._coroutines: weakref.WeakSet[Coroutine[Any, Any, object]] = weakref.WeakSet()
         self._first_values: dict[str, dict[str, ParameterValue]] = {}
         self._event_listeners: Listeners[[ParameterEvent]] = Listeners()
         self._graph_listeners: Listeners[[]] = Listeners()
@@ -352,6 +354,10 @@ class BackgroundExecutor:
 
     def create_task(self, task: Coroutine[Any, Any, object] | Callable[[], object]) -> None:
         """Run a function, or a coroutine that awaits rclpy's futures, in the executor's thread, between callbacks."""
+        if isinstance(task, Coroutine):
+            self._coroutines.add(task)
+            if not self.is_running:
+                task.close()
         self._require_running()
         self._executor.create_task(task)
 
@@ -478,6 +484,8 @@ class BackgroundExecutor:
             self._loop.interrupt(_CallbackInterrupted) and self._loop.join(INTERRUPT_TIMEOUT_SEC))
         if has_ended:
             self._executor.shutdown()
+            for each in list(self._coroutines):  # of one that has not begun, Python would say that nobody awaited it
+                each.close()
         for node in [*reversed(self._nodes), self.tool_node]:
             if has_ended:
                 node.destroy_node()
