@@ -355,8 +355,9 @@ class BackgroundExecutor:
     def create_task(self, task: Coroutine[Any, Any, object] | Callable[[], object]) -> None:
         """Run a function, or a coroutine that awaits rclpy's futures, in the executor's thread, between callbacks."""
         if isinstance(task, Coroutine):
-            self._coroutines.add(task)
-            if not self.is_running:
+            if self.is_running:
+                self._coroutines.add(task)
+            else:
                 task.close()
         self._require_running()
         self._executor.create_task(task)
