@@ -23,6 +23,7 @@ const opened = openDatabase(NAME, ['answers', 'sizes']);
 const news = new BroadcastChannel(NAME);
 /** @type {Record<string, Lesson>} */
 let lessons = {};
+let writes = 0;
 /** What a lesson has to answer or to solve. */
 const QUESTIONS = '.lesson-prediction, [class*="tag_live-check-"]';
 const DAY_MS = 24 * 3600 * 1000;
@@ -33,14 +34,17 @@ function page(path) {
   return decodeURIComponent(name).replace(/\.html$/, '') || 'index';
 }
 
-/** Read what is kept. */
+/** Read what is kept; what this page changes meanwhile is newer. */
 async function load() {
   const db = await opened;
   if (!db) return;
   try {
-    const transaction = db.transaction(['answers', 'sizes']);
-    const stores = ['sizes', 'answers'].map(each => entries(transaction.objectStore(each)));
-    const [sizes, answers] = await Promise.all(stores);
+    let sizes, answers, before;
+    do {
+      before = writes;
+      const transaction = db.transaction(['answers', 'sizes']);
+      [sizes, answers] = await Promise.all(['sizes', 'answers'].map(each => entries(transaction.objectStore(each))));
+    } while (writes !== before);
     lessons = {};
     for (const [name, of] of sizes) {
       if (Number.isInteger(of)) lessons[name] = {of, answers: {}};
@@ -61,6 +65,7 @@ async function load() {
  * @param {(answers: IDBObjectStore, sizes: IDBObjectStore) => void} how
  */
 async function write(how) {
+  writes += 1;
   show();
   const db = await opened;
   if (!db) return;
