@@ -23,13 +23,11 @@ const page = new Kernel(python, (each) => {
 // The stored outputs are those of somebody whose progress is not kept.
 python.runPython("import os; os.environ.pop('PARAM_TUTORIAL_PROGRESS')");
 
-// What moves has come to rest when nothing was heard for so long, which is more than the longest phase of a drive. On a busy
-// machine, what stands may still be waiting for the answers of its nodes.
-const MOVING_MS = 4500;
-const STANDING_MS = 1000;
+// What moves has come to rest when nothing was heard for so long: more than the longest phase of a drive, and than an answer
+// of a node takes on a busy machine.
+const QUIET_MS = 4500;
 async function rest() {
-  const quietMs = said.some((each) => each.state?.picture) ? MOVING_MS : STANDING_MS;
-  while (performance.now() - heardAt < quietMs) {
+  while (performance.now() - heardAt < QUIET_MS) {
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
 }
