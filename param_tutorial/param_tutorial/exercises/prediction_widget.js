@@ -54,7 +54,6 @@ function render({model, el}) {
 
   show();
   model.on('change', show);
-  return () => model.off('change', show);
 }
 
 export default {initialize, render};

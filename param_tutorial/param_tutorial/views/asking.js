@@ -19,15 +19,11 @@ function render(props) {
     event.preventDefault();
     ask(props, box.value);
   });
-  const detach = attach(props, form);
-  const endDragging = dragMarker(form, text => {
+  attach(props, form);
+  return dragMarker(form, text => {
     box.value = text;
     ask(props, text);
   });
-  return () => {
-    endDragging();
-    detach();
-  };
 }
 
 export default {initialize, render};

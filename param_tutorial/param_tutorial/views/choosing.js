@@ -29,7 +29,7 @@ function render(props) {
     return make('div', {}, make('span', {className: 'motion-code'}, thing), make('span', {}, ...choices));
   }
 
-  return attach(props, whole, () => {
+  attach(props, whole, () => {
     const things = model.get('things');
     // A line that is drawn anew would take the keyboard away.
     if (drawn !== Object.keys(things).join('\n')) {

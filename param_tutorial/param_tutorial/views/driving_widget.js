@@ -29,10 +29,6 @@ function render({model, el}) {
   // All that belongs together comes at once, and is told of one after the other.
   model.on('change:take', show);
   model.on('change:scene', show);
-  return () => {
-    model.off('change:take', show);
-    model.off('change:scene', show);
-  };
 }
 
 export default {initialize, render};

@@ -17,7 +17,6 @@ export function ask({model, el}, chosen) {
  * @param {import('@anywidget/types').RenderProps<any>} props
  * @param {HTMLElement} line
  * @param {() => void} [draw] Draws again what may have changed.
- * @returns {() => void} Ends it.
  */
 export function attach({model, el}, line, draw) {
   line.classList.add('motion-handle');
@@ -35,11 +34,6 @@ export function attach({model, el}, line, draw) {
     draw?.();
   };
   show();
-  const stopWaiting = () => line.classList.remove('motion-waiting');
-  model.on('change:answered', stopWaiting);
+  model.on('change:answered', () => line.classList.remove('motion-waiting'));
   model.on('change', show);
-  return () => {
-    model.off('change', show);
-    model.off('change:answered', stopWaiting);
-  };
 }

@@ -87,7 +87,7 @@ function render(props) {
     list.addEventListener('pointercancel', end, {signal});
   });
 
-  return attach(props, line, () => {
+  attach(props, line, () => {
     line.hidden = model.get('items').length < 2;
     // A line that is drawn anew would take the keyboard away.
     if (model.get('answered') >= due && order().join('\n') !== model.get('items').join('\n')) draw(model.get('items'));

@@ -88,11 +88,6 @@ export class Handle {
     }
   }
 
-  /** @param {string} names @param {Function} listener */
-  off(names, listener) {
-    for (const name of names.split(' ')) this.listeners.get(name)?.delete(listener);
-  }
-
   /** @param {string} name @param {...any} values */
   emit(name, ...values) {
     for (const listener of [...(this.listeners.get(name) ?? [])]) listener(...values);
