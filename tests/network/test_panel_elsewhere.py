@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect, sync_playwright
+from playwright.sync_api import Browser, expect
 
 from tests.network.conftest import Host
 from tests.support import lab, missing
@@ -80,11 +80,8 @@ def tablet(hosts, tmp_path) -> Iterator[Browser]:
     start = tmp_path / 'chromium'
     start.write_text(f'#!/bin/sh\nexec ip netns exec {laptop.name} {lab.CHROMIUM} "$@"\n')
     start.chmod(0o755)
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=start, args=[
-            '--disable-gpu', f'--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE {robot.address}'])
+    with lab.chromium(start, robot.address) as browser:
         yield browser
-        browser.close()
 
 
 def ask(host: Host, *words: str | Path) -> str:

@@ -253,7 +253,6 @@ def test_descriptors_and_values_are_of_the_same_parameters_though_some_are_delet
 
 
 @pytest.mark.slow
-@hypothesis.settings(suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture], deadline=None)
 @hypothesis.given(VALUES)
 def test_any_value_arrives_and_comes_back_unchanged(ros, value):
     if not ros.nodes:

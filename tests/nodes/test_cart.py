@@ -3,7 +3,7 @@
 import itertools
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from rclpy.exceptions import InvalidParameterValueException
 
@@ -35,7 +35,6 @@ def test_the_curve_covers_the_aisle_and_ends_with_the_trip(cart, client, speed, 
 LIMITED = st.floats(0.1, 2.0)
 
 
-@settings(deadline=None)
 @given(speed=LIMITED, acceleration=LIMITED)
 def test_it_rejects_settings_with_which_it_could_not_stop_in_time(speed, acceleration):
     # It comes to rest after the time speed / acceleration, at half its speed on average.

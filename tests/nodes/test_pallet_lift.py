@@ -19,7 +19,7 @@ SETTINGS = st.builds(
 
 
 @pytest.mark.slow
-@hypothesis.settings(deadline=None, max_examples=25)
+@hypothesis.settings(max_examples=25)
 @hypothesis.given(SETTINGS, st.floats(0.0, 2.0), st.floats(0.0, 2.0))
 def test_a_ride_is_what_small_steps_of_its_law_add_up_to(settings, start_m, target_m):
     corners = settings.ride(start_m, target_m)

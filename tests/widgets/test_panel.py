@@ -7,7 +7,7 @@ import html
 import re
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
@@ -384,7 +384,7 @@ def test_what_a_callback_changes_is_undone_with_it(ros):
 
 @pytest.mark.slow
 @pytest.mark.thorough
-@settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=3)
 @given(st.lists(st.sampled_from([
     ('enabled', 'true'), ('enabled', 'false'), ('tool', 'saw'), ('tool', 'drill'), ('offset', '1'), ('offset', '2.5'),
     ('joints', '9'), ('joints', '77'), ('gains.kp', '0.9'), ('names', '[a]'), ('order', '[]'), ('serial', 'x')]),

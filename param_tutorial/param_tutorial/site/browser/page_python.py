@@ -108,14 +108,14 @@ def wheels() -> list[Path]:
 
     :raises PagePythonError: they can't be fetched.
     """
-    fetched = _fetched()
+    the_kernels = kernel_wheel()
     inside = WORK / 'wheels' / 'of_the_kernel'
     inside.mkdir(exist_ok=True)
-    with zipfile.ZipFile(kernel_wheel()) as kernel:
+    with zipfile.ZipFile(the_kernels) as kernel:
         for name in kernel.namelist():
             if name.endswith('.whl') and not name.rpartition('/')[2].startswith(('piplite-', 'widgetsnbextension-')):
                 (inside / Path(name).name).write_bytes(kernel.read(name))
-    return [*(path for path in fetched if path != kernel_wheel()), *sorted(inside.glob('*.whl'))]
+    return [*(path for path in _fetched() if path != the_kernels), *sorted(inside.glob('*.whl'))]
 
 
 def kernel_wheel() -> Path:
