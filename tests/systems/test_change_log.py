@@ -4,6 +4,8 @@ import datetime
 import signal
 import subprocess
 import sys
+import threading
+import time
 
 import hypothesis.strategies as st
 import pytest
@@ -116,9 +118,9 @@ def test_what_is_no_time_gets_a_sentence(text):
 def test_a_time_of_day_is_the_last_one_that_the_log_has_reached():
     times = [datetime.datetime(2026, 11, day, hour, tzinfo=datetime.timezone.utc).astimezone()
              for day, hour in ((21, 10), (22, 9))]
-    log = ChangeLog(LoggedChange(time, 'begin') for time in times)
-    for time in times:
-        assert log.parse_time(f'{time:%H:%M}') == time
+    log = ChangeLog(LoggedChange(each, 'begin') for each in times)
+    for each in times:
+        assert log.parse_time(f'{each:%H:%M}') == each
     assert log.parse_time('2026-11-21T10:00+00:00') == times[0]
 
 
@@ -169,6 +171,28 @@ def test_a_change_whose_event_got_lost_is_found_when_a_new_node_is_read_again(ro
         ParameterClient(node).set_parameter('offset', 0.75)
         wait_until(lambda: find(changes, kind='changed'), 'the change to be told')
     assert [(each.name, each.old, each.new) for each in find(changes, kind='changed')] == [('offset', 0.5, 0.75)]
+
+
+@pytest.mark.slow
+def test_a_reading_does_not_overtake_the_events_before_it(ros):
+    node, changes, may_go_on = ros.add(Arm), [], threading.Event()
+    began = time.monotonic()
+
+    def listen(told):
+        changes.extend(told)
+        if find(told, kind='changed'):
+            may_go_on.wait(30)
+
+    with ChangeFollower(listen):
+        client = ParameterClient(node)
+        for value in (1.0, 2.0, 3.0):
+            client.set_parameter('offset', value)
+        client.set_parameter('tool', 'hook')
+        # The node is to be read again, and that comes first.
+        wait_until(lambda: time.monotonic() > began + 1, 'the next reading to be due')
+        may_go_on.set()
+        wait_until(lambda: find(changes, name='tool', kind='changed'), 'the changes to be told')
+    assert [each.new for each in find(changes, kind='changed')] == [1.0, 2.0, 3.0, 'hook']
 
 
 @pytest.mark.slow

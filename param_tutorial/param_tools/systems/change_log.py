@@ -11,14 +11,13 @@ at any time follow from the lines before it.
 
 import contextlib
 import datetime
-import itertools
 import json
 import math
 import os
 import queue
 import re
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -322,8 +321,10 @@ class ChangeFollower:
         self._executor = executor or stage.current()
         self._known: dict[str, dict[str, Any]] = {}
         self._incarnations: dict[str, frozenset[bytes]] = {}
-        self._new: dict[str, list[float]] = {}
-        """When each new node is to be read again."""
+        self._new: dict[str, tuple[float, Sequence[float]]] = {}
+        """When each new node is to be read again, and how long to wait before each reading after that."""
+        self._read: dict[str, Mapping[str, Any]] = {}
+        """What each node had when it was last read."""
         self._silent: dict[str, list[float]] = {}
         """How long to wait before each new question to a node that has not answered."""
         self._look_again_at: float | None = None
@@ -381,7 +382,7 @@ class ChangeFollower:
 
     def _next(self, wait_sec: float) -> Callable[[], list[LoggedChange]] | None:
         """Return what to do next. Wait for it at most until a node is to be read again, or asked again."""
-        dues = [times[0] for times in self._new.values()]
+        dues = [due for due, _ in self._new.values()]
         due = min(dues if self._look_again_at is None else [*dues, self._look_again_at], default=math.inf)
         if due <= time.monotonic():  # however much happens
             return self._read_again
@@ -397,12 +398,12 @@ class ChangeFollower:
         now = time.monotonic()
         if self._look_again_at is not None and self._look_again_at <= now:
             return self._look()
-        due = {node: times[1:] for node, times in self._new.items() if times[0] <= now}
-        self._new = {node: times for node, times in self._new.items() if node not in due}
-        answers, _ = ask_all(sorted(self._known.keys() & due), ParameterClient.get_parameters,
+        waits = {node: waits for node, (due, waits) in self._new.items() if due <= now}
+        self._new = {node: each for node, each in self._new.items() if node not in waits}
+        answers, _ = ask_all(sorted(self._known.keys() & waits), ParameterClient.get_parameters,
                              timeout_sec=self._timeout_sec, executor=self._executor)
         # A node that did not answer isn't asked again, because all other changes would have to wait.
-        self._new |= {node: later for node, later in due.items() if later and node in answers}
+        self._read_later({node: each for node, each in waits.items() if each and node in answers})
         return [change for node, parameters in answers.items() for change in self._seen(node, parameters)]
 
     def _changes_of(self, event: ParameterEvent, time: datetime.datetime) -> list[LoggedChange]:
@@ -411,7 +412,7 @@ class ChangeFollower:
         for kind, parameters in (('declared', event.new_parameters), ('changed', event.changed_parameters)):
             for each in parameters:
                 new = values.to_python_or_none(each.value)
-                if each.name in known and values.same(known[each.name], new):
+                if _holds(known, each.name, new):
                     continue  # it was read after the event, or set to the value that it had
                 old = known.get(each.name)
                 kind_now = 'changed' if each.name in known else kind
@@ -431,15 +432,19 @@ class ChangeFollower:
                    if node not in now or (node in came and self._incarnations.get(node))]
         for change in changes:
             self._known.pop(change.node, None)
+            self._read.pop(change.node, None)
         answers, unanswered = ask_all(came, ParameterClient.get_parameters, timeout_sec=self._timeout_sec,
                                       executor=self._executor) if came else ({}, {})
         for node, parameters in answers.items():
             changes += self._seen(node, parameters)
-        again = list(itertools.accumulate(_READ_AGAIN_SEC, initial=time.monotonic()))[1:]
-        self._new |= dict.fromkeys(answers, again)
+        self._read_later(dict.fromkeys(answers, _READ_AGAIN_SEC))
         self._incarnations = {node: each for node, each in now.items() if node not in unanswered}
         self._note_silence(unanswered)
         return changes
+
+    def _read_later(self, waits: Mapping[str, Sequence[float]]) -> None:
+        now = time.monotonic()
+        self._new |= {node: (now + first, later) for node, (first, *later) in waits.items()}
 
     def _note_silence(self, unanswered: Mapping[str, NodeError]) -> None:
         """Report the nodes that have not answered, each once, and plan when to ask them again."""
@@ -453,12 +458,24 @@ class ChangeFollower:
         self._silent = {node: each[1:] or each for node, each in waits.items()}
 
     def _seen(self, node: str, parameters: Mapping[str, Any]) -> list[LoggedChange]:
+        """Return what a reading of a node tells that is not known.
+
+        A known value that differs has changed, and its event, with those before it, is usually still to come. So it is
+        believed only if the reading before has found it, too.
+        """
         known, time = self._known.setdefault(node, {}), _now()
-        # A known value that differs has changed, and its event is still to come.
-        changes = [LoggedChange(time, 'changed' if name in known else 'seen', node, name, known.get(name), value)
-                   for name, value in parameters.items() if not (name in known and values.same(known[name], value))]
-        known.update(parameters)
+        before, self._read[node] = self._read.get(node, {}), parameters
+        changes = []
+        for name, value in parameters.items():
+            if name not in known or (not values.same(known[name], value) and _holds(before, name, value)):
+                kind = 'changed' if name in known else 'seen'
+                changes.append(LoggedChange(time, kind, node, name, known.get(name), value))
+                known[name] = value
         return changes
+
+
+def _holds(parameters: Mapping[str, Any], name: str, value: Any) -> bool:
+    return name in parameters and values.same(parameters[name], value)
 
 
 def _now() -> datetime.datetime:
