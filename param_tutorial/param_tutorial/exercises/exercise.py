@@ -146,6 +146,7 @@ class Exercise:
                 for requirement in self.requirements:
                     try:
                         findings.append(_try_out(requirement, trial))
+                        trial.met[requirement.examine] = bool(findings[-1].done)
                     except NoUse as error:
                         findings.append(_finding(requirement, error))
                         break

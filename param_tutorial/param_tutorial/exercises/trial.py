@@ -34,7 +34,7 @@ from param_tools.node.declarations import describe_wrong_field
 from param_tools.ros import interrupts, stage
 from param_tools.ros.executor import BackgroundExecutor, Failure
 from param_tools.ros.service_types import SERVICE_TYPES
-from param_tools.ros.waiting import wait, wait_until
+from param_tools.ros.waiting import deadline, wait, wait_until
 
 NodeT = TypeVar('NodeT', bound=Node)
 
@@ -80,17 +80,21 @@ class NoStart(NoUse):
 
 
 def take_for_granted(trial: 'Trial', *earlier: Callable[['Trial'], None]) -> None:
-    """Raise NotTried unless earlier requirements are met.
+    """Raise NotTried unless earlier requirements, or parts of them, are met.
 
-    :param earlier: The functions that try them out.
+    :param earlier: The functions that try them out. Each is called once in a trial.
     """
     for examine in earlier:
-        try:
-            examine(trial)
-        except (NoAnswerError, ExecutorError):
-            raise
-        except Exception:  # also what a callback has raised: it is told where it comes up first
-            raise NotTried from None
+        if examine not in trial.met:
+            try:
+                examine(trial)
+                trial.met[examine] = True
+            except (NoAnswerError, ExecutorError):
+                raise
+            except Exception:  # also what a callback has raised: it is told where it comes up first
+                trial.met[examine] = False
+        if not trial.met[examine]:
+            raise NotTried
 
 
 def expect(met: Any, expected: str, happened: str) -> None:
@@ -128,8 +132,10 @@ class Trial:
         """The names of the nodes that were made of the work."""
         self.picture = ''
         """What the work made a robot do, as HTML, solved or not: a requirement that lets a robot drive puts it here."""
+        self.met: dict[Callable[[Trial], None], bool] = {}
+        """What has been tried out: whether the requirement is met that the function examines."""
         self._has_waited_in_vain = False
-        self._began_sec = time.monotonic()
+        self._should_end_at = deadline(_WHOLE_CHECK_SEC)
         self.begin()
 
     def begin(self) -> None:
@@ -213,7 +219,7 @@ class Trial:
 
     def _limit_sec(self) -> float:
         """Return how long a constructor, function or answer may take now."""
-        left_sec = self._began_sec + _WHOLE_CHECK_SEC - time.monotonic()
+        left_sec = self._should_end_at - time.monotonic()
         return min(TIME_LIMIT_SEC, max(_SHORT_TIME_LIMIT_SEC, round(left_sec, 1)))
 
     def ros2(self, *words: str) -> str:
