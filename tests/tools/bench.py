@@ -405,7 +405,8 @@ def many_parameters(rounds: int) -> list[Row]:
     took = in_kernel(SCALE.replace('ROUNDS', str(rounds)).replace('COUNTS', str(counts))
                      .replace('ELSEWHERE', repr(ELSEWHERE)))
     rows = [Row(f'{way} of 1, 100, 1,000 and 10,000 parameters',
-                ' '.join(f'{1000 * took[f"{way} {count}"]:.0f}' for count in counts) + ' ms')
+                ' '.join(f'{1000 * took[f"{way} {count}"]:.0f}' for count in counts) + ' ms', 'in proportion',
+                took[f'{way} 10000'] <= 15 * took[f'{way} 1000'])
             for way in ('list', 'dump', 'load', 'snapshot', 'difference')]
     ratio = took['one by one elsewhere'] / took['dump elsewhere']
     return [*rows, Row('a dump of 1,000 parameters of a node in another process, against a call for each',

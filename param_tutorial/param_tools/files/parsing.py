@@ -202,6 +202,8 @@ class Parser:
         """:param tolerant: Note what rcl would reject in ``rejected``, and read on as far as that is possible."""
         self.blocks: dict[str, list[Entry]] = {}
         """What was read so far, by the names of the blocks, in the order in which the names first appeared."""
+        # Where in each block the entries of a name are: a file may hold ten thousand.
+        self._places: dict[str, dict[str, set[int]]] = {}
         self.starts: list[BlockStart] = []
         self.assignments: list[Assignment] = []
         self.rejected: list[Rejected] = []
@@ -361,8 +363,9 @@ class Parser:
             self._select(name, place)
         else:
             self._select(self.parameter_path, place)
+            self._rename(f'{self.parameter_path}.{name}')
             entry = self.block[self.entry]
-            entry.name, entry.place = f'{self.parameter_path}.{name}', place
+            entry.place = place
             if self.in_sequence and self.assignment in entry.assignments:
                 # A map in a list: rcl gives the list the longer name.
                 self.assignment.name, self.assignment.name_place = entry.name, place
@@ -387,10 +390,20 @@ class Parser:
         self.in_parameters = True
 
     def _select(self, name: str, place: Place) -> None:
-        found = next((index for index, entry in enumerate(self.block) if entry.name == name), None)
-        if found is None:
+        places = self._places_of(name)
+        if not places:
+            places.add(len(self.block))
             self.block.append(Entry(name, place))
-        self.entry = len(self.block) - 1 if found is None else found
+        self.entry = min(places)
+
+    def _rename(self, name: str) -> None:
+        entry = self.block[self.entry]
+        self._places_of(entry.name).remove(self.entry)
+        self._places_of(name).add(self.entry)
+        entry.name = name
+
+    def _places_of(self, name: str) -> set[int]:
+        return self._places.setdefault(self.block_name, {}).setdefault(name, set())
 
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:
