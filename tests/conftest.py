@@ -50,7 +50,7 @@ node_log.NodeLog.read.__defaults__ = (None, 60.0)
 # example of a test has the folder and the stage that the ones before it had. CI has time for many.
 hypothesis.settings.register_profile(
     'ours', deadline=None, suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture],
-    max_examples=300 if os.environ.get('CI') else 50)
+    max_examples=150 if os.environ.get('CI') else 50)
 hypothesis.settings.load_profile('ours')
 
 
