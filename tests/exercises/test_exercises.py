@@ -52,6 +52,21 @@ def test_a_requirement_that_builds_on_one_that_is_not_met_is_not_tried(ros):
     assert not result.done
 
 
+@pytest.mark.parametrize('is_met', [True, False])
+def test_what_several_requirements_build_on_is_tried_once(ros, is_met):
+    tried = []
+
+    def examine(_):
+        tried.append(None)
+        trial.expect(is_met, 'this', 'that')
+
+    attempt = trial.Trial(ros, None)
+    for _ in range(2):
+        with contextlib.nullcontext() if is_met else pytest.raises(trial.NotTried):
+            trial.take_for_granted(attempt, examine)
+    assert len(tried) == 1
+
+
 def own_names(ros):
     """Return the nodes in the graph that can come from this process; other processes may have nodes, too."""
     return [name for name in ros.services.node_names(hidden=True)
