@@ -47,10 +47,9 @@ waiting.wait_until.__defaults__ = (60.0,)
 node_log.NodeLog.read.__defaults__ = (None, 60.0)
 
 # By default an example fails that takes more than 0.2 s, as any may on a machine that does much else beside. And each
-# example of a test has the folder and the stage that the ones before it had. CI has time for many.
+# example of a test has the folder and the stage that the ones before it had.
 hypothesis.settings.register_profile(
-    'ours', deadline=None, suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture],
-    max_examples=150 if os.environ.get('CI') else 50)
+    'ours', deadline=None, suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture])
 hypothesis.settings.load_profile('ours')
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import hypothesis.strategies as st
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 
 from param_tools import values
 from param_tools.descriptor import Descriptor
@@ -359,6 +359,7 @@ def test_a_name_that_is_no_pattern_is_a_finding_and_matches_nothing(write, again
 
 
 @pytest.mark.slow
+@settings(max_examples=300)
 @given(st.one_of(DOCUMENTS, st.text(max_size=60), st.binary(max_size=60)))
 def test_a_file_is_rejected_by_the_strict_reader_just_where_a_finding_says_so(write, content):
     path = write(content)

@@ -6,7 +6,7 @@ from pathlib import Path
 import hypothesis.strategies as st
 import pytest
 import yaml
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 
@@ -189,6 +189,7 @@ JSON = st.recursive(
 
 
 @pytest.mark.slow
+@settings(max_examples=300)
 @given(st.one_of(JSON.map(yaml.safe_dump), JSON.map(lambda tree: yaml.safe_dump(
     {'parameter_descriptions': 1, 'nodes': {'/n': {'parameters': tree}}})), st.text(), st.binary(max_size=50)))
 @example('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: {type: []}}}}')

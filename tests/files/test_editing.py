@@ -5,7 +5,7 @@ import re
 
 import hypothesis.strategies as st
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 
@@ -66,6 +66,7 @@ def test_only_the_value_changes(write, name, node, new, lines):
 
 
 @pytest.mark.slow
+@settings(max_examples=300)
 @given(DOCUMENTS, st.dictionaries(NAMES, VALUES, min_size=1, max_size=3))
 @example('/lab/reader: {ros__parameters: {a: 1}}\n', {'b.c': 'x'})
 @example('/lab/reader:\r\n  ros__parameters:\r\n    a: |\r\n      x\r\n    b: 2\r\n', {'a': 'z', 'c': [1, 2]})
@@ -210,6 +211,7 @@ ITEMS = st.lists(st.integers(0, 9), min_size=1, max_size=4)
 
 
 @pytest.mark.slow
+@settings(max_examples=300)
 @given(ITEMS, ITEMS, st.sampled_from(['brackets', 'lines', 'lines at the name']), st.booleans(), st.data())
 def test_a_list_of_any_length_keeps_every_comment(before, after, style, is_first, data):
     comments = [f' # c{number}' * data.draw(st.booleans()) for number in range(len(before))]

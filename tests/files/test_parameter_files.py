@@ -11,7 +11,7 @@ from pathlib import Path
 import hypothesis.strategies as st
 import pytest
 import yaml
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -25,6 +25,8 @@ from param_tools.files.rcl_parser import first_rejection
 from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from tests.support.strategies import TEXT, VALUES
+
+property_test = settings(max_examples=150)
 
 
 class Reader(Node):
@@ -85,6 +87,7 @@ TRICKY = [
 
 
 @pytest.mark.slow
+@property_test
 @given(PARAMETERS)
 @example({text or 'empty': text for text in TRICKY})
 @example({'texts': TRICKY})
@@ -156,6 +159,7 @@ SCALARS = st.one_of(NUMBERS, WORDS, st.floats().map(repr), st.integers().map(str
 
 
 @pytest.mark.slow
+@property_test
 @given(st.lists(SCALARS, max_size=20))
 @example(['08', '0x', '-0x10', '9223372036854775807', '9223372036854775808', '-9223372036854775809', '1e400',
           '4.9e-324', '0x1p-1074', '0x1p-1075', '2.2250738585072011e-308', '0e999999999', '1e-999999999', 'nan(1)',
@@ -193,6 +197,7 @@ DOCUMENTS = st.lists(st.tuples(NODE, BLOCK), max_size=3).map(
 
 
 @pytest.mark.slow
+@settings(max_examples=400)
 @given(DOCUMENTS)
 @example('/**: {ros__parameters: {a: 1}}\n/lab/reader: {ros__parameters: {a: 2}}\n/**: {ros__parameters: {a: 3}}')
 @example('/**: {ros__parameters: {1: b, 1: {a: 1, b: 1.5, b: {p: 3}, b: true}}}')
@@ -213,6 +218,7 @@ def test_documents_are_read_or_rejected_as_rcl_reads_or_rejects_them(ros, text):
 
 
 @pytest.mark.slow
+@settings(max_examples=400)
 @given(DOCUMENTS)
 @example('/n:\n  ros__parameters:\n    a: [1, x]\n')
 @example('/n:\n  ros__parameters:\n    a: 1\n    b: *x\n')

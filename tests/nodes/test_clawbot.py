@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from param_tutorial import ParameterClient, wait_until
@@ -72,6 +72,7 @@ def test_every_motion_is_continuous(position, velocity, speed, acceleration, saf
 
 @pytest.mark.slow
 @given(speeds, accelerations, st.lists(st.tuples(st.floats(0.0, 3.0), speeds, accelerations), max_size=8))
+@settings(max_examples=300)
 def test_with_safety_on_and_the_right_offset_it_keeps_its_gap_whatever_changes(speed, acceleration, changes):
     position = velocity = 0.0
     for seconds, next_speed, next_acceleration in [*changes, (FOREVER, 0.0, 0.0)]:
