@@ -11,6 +11,7 @@ import codecs
 import ctypes
 import re
 import sys
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -203,7 +204,7 @@ class Parser:
         self.blocks: dict[str, list[Entry]] = {}
         """What was read so far, by the names of the blocks, in the order in which the names first appeared."""
         # Where in each block the entries of a name are: a file may hold ten thousand.
-        self._places: dict[str, dict[str, set[int]]] = {}
+        self._places: defaultdict[tuple[str, str], set[int]] = defaultdict(set)
         self.starts: list[BlockStart] = []
         self.assignments: list[Assignment] = []
         self.rejected: list[Rejected] = []
@@ -363,9 +364,10 @@ class Parser:
             self._select(name, place)
         else:
             self._select(self.parameter_path, place)
-            self._rename(f'{self.parameter_path}.{name}')
             entry = self.block[self.entry]
-            entry.place = place
+            self._places[self.block_name, entry.name].remove(self.entry)
+            entry.name, entry.place = f'{self.parameter_path}.{name}', place
+            self._places[self.block_name, entry.name].add(self.entry)
             if self.in_sequence and self.assignment in entry.assignments:
                 # A map in a list: rcl gives the list the longer name.
                 self.assignment.name, self.assignment.name_place = entry.name, place
@@ -390,20 +392,11 @@ class Parser:
         self.in_parameters = True
 
     def _select(self, name: str, place: Place) -> None:
-        places = self._places_of(name)
+        places = self._places[self.block_name, name]
         if not places:
             places.add(len(self.block))
             self.block.append(Entry(name, place))
         self.entry = min(places)
-
-    def _rename(self, name: str) -> None:
-        entry = self.block[self.entry]
-        self._places_of(entry.name).remove(self.entry)
-        self._places_of(name).add(self.entry)
-        entry.name = name
-
-    def _places_of(self, name: str) -> set[int]:
-        return self._places.setdefault(self.block_name, {}).setdefault(name, set())
 
     def _value(self, event: yaml.ScalarEvent, place: Place) -> None:
         if not self.in_parameters or not self.block:
