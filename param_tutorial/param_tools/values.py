@@ -6,7 +6,7 @@ rcl_interfaces/msg/ParameterValue, and which Python values fit. Everything else 
 
 import array
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -235,3 +235,8 @@ def same(left: Any, right: Any) -> bool:
             return math.isnan(right)
         return left == right and math.copysign(1, left) == math.copysign(1, right)
     return bool(left == right)
+
+
+def holds(parameters: Mapping[str, Any], name: str, value: Any) -> bool:
+    """True if there is a parameter of this name, and it has this value."""
+    return name in parameters and same(parameters[name], value)

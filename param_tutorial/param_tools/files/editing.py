@@ -53,7 +53,7 @@ def edit(text: str, node: str, new: Mapping[str, Any]) -> tuple[str, list[str]]:
         if reason := why_not_expressible(name, value):
             raise ParameterFileError(f'{name} of {node}: {reason}')
         held, _ = _read(text, node)
-        if name in held and values.same(held[name], value):
+        if values.holds(held, name, value):
             continue
         text = _with(text, node, name, value)
         changed.append(name)

@@ -398,7 +398,7 @@ class ChangeFollower:
         now = time.monotonic()
         if self._look_again_at is not None and self._look_again_at <= now:
             return self._look()
-        waits = {node: waits for node, (due, waits) in self._new.items() if due <= now}
+        waits = {node: later for node, (due, later) in self._new.items() if due <= now}
         self._new = {node: each for node, each in self._new.items() if node not in waits}
         answers, _ = ask_all(sorted(self._known.keys() & waits), ParameterClient.get_parameters,
                              timeout_sec=self._timeout_sec, executor=self._executor)
@@ -412,7 +412,7 @@ class ChangeFollower:
         for kind, parameters in (('declared', event.new_parameters), ('changed', event.changed_parameters)):
             for each in parameters:
                 new = values.to_python_or_none(each.value)
-                if _holds(known, each.name, new):
+                if values.holds(known, each.name, new):
                     continue  # it was read after the event, or set to the value that it had
                 old = known.get(each.name)
                 kind_now = 'changed' if each.name in known else kind
@@ -467,15 +467,11 @@ class ChangeFollower:
         before, self._read[node] = self._read.get(node, {}), parameters
         changes = []
         for name, value in parameters.items():
-            if name not in known or (not values.same(known[name], value) and _holds(before, name, value)):
+            if name not in known or (not values.same(known[name], value) and values.holds(before, name, value)):
                 kind = 'changed' if name in known else 'seen'
                 changes.append(LoggedChange(time, kind, node, name, known.get(name), value))
                 known[name] = value
         return changes
-
-
-def _holds(parameters: Mapping[str, Any], name: str, value: Any) -> bool:
-    return name in parameters and values.same(parameters[name], value)
 
 
 def _now() -> datetime.datetime:

@@ -183,7 +183,7 @@ _SET: _Verdict = ('set', '')
 def _differing(client: ParameterClient, target: ParameterSet) -> tuple[ParameterValues, dict[str, Descriptor | None]]:
     """Return what a node holds, and each parameter that differs from a set, with its descriptor if it is declared."""
     present = client.get_parameters()
-    names = [name for name in target if not (name in present and values.same(present[name], target[name]))]
+    names = [name for name in target if not values.holds(present, name, target[name])]
     descriptors = client.describe_parameters([name for name in names if name in present])
     return present, {name: descriptors.get(name) for name in names}
 
