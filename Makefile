@@ -59,23 +59,24 @@ $(JS_TOOLS): package.json package-lock.json | setup-all
 # Tests mostly wait, so many workers share two cores, and what they wait for may take twice as long.
 SUITE := PARAM_TOOLS_PATIENCE=2 $(VENV) -m pytest --dist loadscope --no-loadscope-reorder --nbval
 
-# All but the tests marked `thorough`.
+# All but the tests marked `thorough` or `rare`.
 test: setup-all  ## run the test suite before you commit: every chapter is a test
-	@$(SUITE) -n 8 -m "not thorough" $(ARGS) tests notebooks
+	@$(SUITE) -n 8 -m "not thorough and not rare" $(ARGS) tests notebooks
 
-test-all: setup-all $(JS_TOOLS)  ## the same and what takes long: fresh set-ups, networks, JupyterHub, the website, the solutions, each answer; CI runs it
-	@$(SUITE) -n 4 $(ARGS) tests notebooks
+test-all: setup-all $(JS_TOOLS)  ## the same with browsers, the website, builds and a fresh set-up; CI runs it
+	@$(SUITE) -n 4 -m "not rare" $(ARGS) tests notebooks
 
 # All but the tests marked `slow`, the notebooks, and the lint.
 test-fast: setup-all  ## run the tests that take seconds in all, while you edit
-	@$(VENV) -m pytest -n 3 --dist loadscope -m "not slow" $(ARGS) tests
+	@$(VENV) -m pytest -n 3 --dist loadscope -m "not slow and not rare" $(ARGS) tests
 
-# On two cores two or three minutes for each; a version that isn't here is named and passed over.
-test-pythons: setup-all  ## run the chapters and the tests that talk to rclpy on every other CPython from 3.10 to 3.14 that is here
-	@$(VENV) -m tests.tools.pythons $(ARGS)
-
-test-beside-ros: setup-all  ## run the chapters as on a machine with ROS 2 installed and a workspace sourced
-	@$(VENV) -m tests.tools.beside_ros $(ARGS)
+# GitHub runs it once a week. Each part runs also when the one before has failed.
+test-rare: setup-all $(JS_TOOLS)  ## what seldom breaks alone: every known answer, two hosts, other Pythons, a machine with ROS
+	@failed=0; \
+	    $(SUITE) -n 4 -m rare $(ARGS) tests notebooks || failed=1; \
+	    $(VENV) -m tests.tools.pythons || failed=1; \
+	    $(VENV) -m tests.tools.beside_ros || failed=1; \
+	    exit $$failed
 
 html: setup-all $(JS_TOOLS)  ## make the website in build/html/, with a node in each page and JupyterLab for the browser
 	@$(VENV) -m param_tutorial.site $(ARGS)
@@ -123,5 +124,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build node_modules .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class plans hub test test-all test-fast test-pythons \
-    test-beside-ros html lesson bench lint lite release lock clean
+.PHONY: help setup setup-all lab reset reset-progress class plans hub test test-all test-fast test-rare \
+    html lesson bench lint lite release lock clean
