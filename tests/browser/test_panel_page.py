@@ -151,8 +151,6 @@ def test_the_list_of_nodes_says_what_is_shown_of_their_parameters(browser, arm, 
     expect(page.locator('.drawer-keys')).to_contain_text('Ctrl+Z')
     page.locator('body').press('/')
     expect(page.get_by_role('searchbox', name='Search nodes and parameters')).to_be_focused()
-    page.get_by_role('button', name='Plot…').click()
-    expect(page.get_by_label('Add a curve')).to_be_focused()
     # As dark as the system.
     expect(page.locator('.param-panel').first).to_have_css('background-color', 'rgb(33, 33, 33)')
     page.close()

@@ -11,7 +11,7 @@ from tests.support.paths import ROOT
 PATHS = [
     'tests/conformance', 'tests/node', 'tests/systems', 'tests/files/test_parameter_files.py',
     'tests/ros/test_rclpy_private.py', 'tests/ros/test_services.py', 'tests/widgets/test_panel.py',
-    'tests/widgets/test_panel_files.py', 'tests/widgets/test_plots.py']
+    'tests/widgets/test_panel_files.py']
 
 
 @pytest.mark.slow

@@ -254,38 +254,6 @@ SCROLL = '''async index => {
     return 1000 * frames / (performance.now() - start);
 }'''
 
-# Twenty curves of a topic with fifty messages a second.
-PLOTTED = (
-    '# Plotted\nOne node turns:',
-    '''import math
-import param_tutorial
-from param_tutorial import ParameterPanel
-from param_tools import wait_until
-from rcl_interfaces.msg import ParameterValue
-from rclpy.node import Node
-
-
-class Wheels(Node):
-    def __init__(self):
-        super().__init__('wheels')
-        self.declare_parameter('speed', 1.0)
-        self.turns = self.create_publisher(ParameterValue, '/turns', 10)
-        self.create_timer(0.02, self.turn)
-
-    def turn(self):
-        now = self.get_clock().now().nanoseconds / 1e9
-        self.turns.publish(ParameterValue(double_array_value=[math.sin(now + 0.3 * each) for each in range(20)]))
-
-
-ros = param_tutorial.start()
-ros.add(Wheels)
-wait_until(lambda: ros.tool_node.count_publishers('/turns'), 'the topic')
-panel = ParameterPanel('/wheels')
-panel.plot('speed', *(f'/turns.double_array_value[{each}]' for each in range(20)))
-panel''',
-)
-PLOTTED_SEC = 30.0
-
 END_KERNEL = '() => window.jupyterapp.shell.currentWidget.sessionContext.shutdown()'
 START_AND_RUN_ALL = """async () => {
     await window.jupyterapp.shell.currentWidget.sessionContext.changeKernel({name: 'python3'});
@@ -464,25 +432,6 @@ def large_panels(rounds: int) -> list[Row]:
             Row('50 nodes of 42 parameters on screen', f'{nodes:.2f} s', 'at most 2 s', nodes <= 2)]
 
 
-def plots(seconds: float) -> list[Row]:
-    """Measure what a plot costs the browser's page: the processor time of its process, not how long it takes."""
-    with _opened(PLOTTED) as (_, page):
-        page.run_all()
-        expect(page.page.locator('.param-plot-key li')).to_have_count(21)
-        page.page.locator('.param-plot canvas').scroll_into_view_if_needed()  # or nothing would be drawn
-        renderers = [each for each in psutil.Process().children(recursive=True) if '--type=renderer' in each.cmdline()]
-        page.page.wait_for_timeout(1000 * PLOTTED_SEC)  # until it is full
-        before, start = _processor_sec(renderers), time.monotonic()
-        page.page.wait_for_timeout(1000 * seconds)
-        share = 100 * (_processor_sec(renderers) - before) / (time.monotonic() - start)
-    return [Row('20 curves of 50 messages a second plotted, in the browser', f'{share:.1f} % of a core', 'at most 15 %',
-                share <= 15)]
-
-
-def _processor_sec(processes: list[psutil.Process]) -> float:
-    return sum(sum(each.cpu_times()[:2]) for each in processes)
-
-
 @contextlib.contextmanager
 def _opened(cells: tuple[str, ...]) -> Iterator[tuple[Lab, LabPage]]:
     """Open a notebook of these cells in JupyterLab."""
@@ -507,7 +456,7 @@ def main() -> int:
     for measure in (lambda: latency(100 if quick else 1000), lambda: command(3 if quick else 10),
                     lambda: whole_system(1 if quick else 5), lambda: many_parameters(1 if quick else 5),
                     lambda: lesson_in_browser(1 if quick else 10, 5.0 if quick else 20.0),
-                    lambda: large_panels(1 if quick else 5), lambda: plots(5.0 if quick else 20.0)):
+                    lambda: large_panels(1 if quick else 5)):
         for row in measure():
             rows.append(row)
             verdict = {True: 'met', False: 'NOT MET', None: ''}[row.met]

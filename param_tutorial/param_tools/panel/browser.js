@@ -5,14 +5,12 @@
 
 import {all, make, one} from './dom.js';
 import {initialize} from './front.js';
-import {Plots} from './plots.js';
 
 /**
  * @import {RenderProps} from '@anywidget/types'
- * @import {PlotState} from './plots.js'
  *
  * @typedef {{name: string, says: string, is_bad: boolean, is_open: boolean, hits: [string, string][]}} ListedNode
- * @typedef {{state: {nodes: ListedNode[], status: string}, plots: PlotState}} Traits
+ * @typedef {{state: {nodes: ListedNode[], status: string}}} Traits
  */
 
 /** What is to be seen of the opened panels: attributes of all that is shown, and words. */
@@ -40,13 +38,8 @@ function render({model, el}) {
     });
     tools.append(button);
   }
-  const plots = new Plots(content => model.send(content));
-  const plot = make('button', {type: 'button', title: 'Plot the last 30 s of any number of a topic'}, 'Plot\u2026');
-  plot.addEventListener('click', () => plots.toggle(''));
   const title = make('span', {className: 'param-title', role: 'heading', ariaLevel: '3'}, 'Parameters of all nodes');
-  el.append(make('div', {className: 'param-head'}, title, status, tools, plot, search));
-  el.append(make('div', {className: 'param-plots'}), list);
-  plots.settle(el);
+  el.append(make('div', {className: 'param-head'}, title, status, tools, search), list);
   /** @type {Map<string, HTMLElement>} */
   const lines = new Map();
 
@@ -108,17 +101,8 @@ function render({model, el}) {
     });
   }
 
-  const showPlots = () => {
-    plots.show(model.get('plots'));
-    plot.ariaExpanded = String(plots.isOpen(''));
-  };
-
   show();
-  showPlots();
   model.on('change:state', show);
-  model.on('change:plots', showPlots);
-  model.on('msg:custom', message => plots.take(message));
-  return () => plots.end();
 }
 
 export default {initialize, render};

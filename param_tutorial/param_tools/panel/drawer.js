@@ -30,7 +30,6 @@ const KEYS = [
   ['Ctrl+Z', 'undo, in the panel that has the focus; with Shift: redo'],
   ['← → PgUp PgDn', 'move a slider by a step, or by many'],
   ['Enter', 'send what was typed'],
-  ['Space + \u2212 \u2190 \u2192', 'in a plot: pause, show a shorter or longer time, move'],
   ['Esc', 'forget what was typed; empty the search; close what is open here'],
   ['?', 'this list'],
 ];

@@ -224,13 +224,10 @@ class _Drawing:
                  f'<button type="button" class="param-items" aria-expanded="false" hidden '
                  f'aria-label="Elements of {html.escape(label)}">Elements</button>')
         back = '' if row.is_read_only else '<button type="button" class="param-back" hidden></button>'
-        plot = ('' if not row.is_number else
-                '<button type="button" class="param-plot-open" aria-expanded="false" hidden title="Plot the last 30 s" '
-                f'aria-label="Plot of {html.escape(label)}">∿</button>')
         return (f'<div class="param-row{kinds}" data-name="{html.escape(row.name)}" data-editor="{row.editor}">'
                 f'<div class="param-line"><label for="{name}" title="{html.escape(row.description)}">'
                 f'{html.escape(label)}</label>'
-                f'{_box(row, state, common)}{unit}{items}{slider}{plot}{back}</div>'
+                f'{_box(row, state, common)}{unit}{items}{slider}{back}</div>'
                 f'<div class="param-note param-help" id="{name}-help">{_help(row)}</div>'
                 f'<div class="param-note" id="{name}-said" data-role="said">{_message(state)}</div></div>')
 

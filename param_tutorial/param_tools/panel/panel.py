@@ -42,7 +42,7 @@ from param_tools.node.text import format_value
 from param_tools.panel.control import Control
 from param_tools.panel.drawing import PanelRow, arrange, panel_markup
 from param_tools.panel.edits import Edits, State
-from param_tools.panel.plot import PlotFront, Plots
+from param_tools.panel.front import Front
 from param_tools.panel.view import FollowingView, ParameterView
 from param_tools.ros import host, stage
 from param_tools.ros.executor import BackgroundExecutor
@@ -52,12 +52,12 @@ from param_tools.systems.catalog import Catalog, CatalogNode
 if TYPE_CHECKING:  # what reads and checks files is imported when a file is first named: most panels never need it
     from param_tools.systems.file_preview import FilePreview, Loaded
 
-_STYLE = style('param_tools/panel/panel.css') + style('param_tools/panel/plot.css')
+_STYLE = style('param_tools/panel/panel.css')
 # Of a node in which a search finds more, these are shown; its panel shows all.
 _HITS = 8
 
 
-class _Front(PlotFront):
+class _Front(Front):
     """The panel in the browser: markup, and what changes in it."""
 
     _esm = bundle('param_tools/panel/panel_widget.js')
@@ -66,12 +66,11 @@ class _Front(PlotFront):
     search = traitlets.Unicode().tag(sync=True)
 
 
-class _BrowserFront(PlotFront):
+class _BrowserFront(Front):
     """The list of nodes in the browser."""
 
     _esm = bundle('param_tools/panel/browser.js')
-    _css = (sheet('param_tools/panel/panel.css') + sheet('param_tools/panel/plot.css')
-            + sheet('param_tools/panel/browser.css'))
+    _css = sheet('param_tools/panel/panel.css') + sheet('param_tools/panel/browser.css')
     state = traitlets.Dict().tag(sync=True)
 
 
@@ -112,7 +111,6 @@ class ParameterPanel(ParameterView):
         self._not_restored: dict[str, str] = {}
         self._front = _Front(search=search)
         self._front.on_msg(self._on_message)
-        self._plots = Plots(self._front, self._present)
         self._live = LiveParameters(node_name(node), self._show, names=names, timeout_sec=timeout_sec)
         super().__init__([self._front], 'param-panel')
         self._begin(patience_sec)
@@ -161,16 +159,6 @@ class ParameterPanel(ParameterView):
     def gathered(self) -> State | None:
         """The changes that ``apply`` will send, by the parameters' names; None if each change is sent at once."""
         return None if self._gathered is None else dict(self._gathered)
-
-    def plot(self, name: str, *others: str) -> None:
-        """Open the plot of a numeric parameter below its row, or add curves to it.
-
-        :param others: What else to draw in it: fields of topics, such as ``'/odom.twist.twist.linear.x'``, and numeric
-            parameters of the node.
-        :raises ParameterNotDeclaredError: the node has no parameter of this name.
-        :raises ParameterToolError: one of them is not a number; the message says what there is.
-        """
-        self._plots.open(self[name].name, name, *others)
 
     def gather(self) -> None:
         """From now on gather changes, until ``apply`` sends them together or ``discard`` forgets them."""
@@ -356,8 +344,6 @@ class ParameterPanel(ParameterView):
         """Do what a person did in the browser; called by ipywidgets."""
         if content['do'] == 'enter':
             self._enter(content)
-        elif content['do'] == 'plot':
-            self._plots.serve(content)
         elif content['do'] in ('look', 'act'):
             host.host.run(functools.partial(self._serve_form, content), f'file of {self.node}')
         else:
@@ -424,15 +410,6 @@ class ParameterPanel(ParameterView):
                     'rows': {name: state.as_json() for name, state in states.items()},
                     **self._surroundings(),
                     **self._gathering()}
-            self._plots.follow()
-
-    def _present(self) -> tuple[State, str]:
-        """Return what the node has confirmed, and why nothing is known of it now."""
-        return {name: control.value for name, control in self._controls.items()}, self._live.status
-
-    def _end(self) -> None:
-        super()._end()
-        self._plots.end()
 
     def _surroundings(self) -> dict[str, Any]:
         """Return which machine the node is on, as far as it is known, and whether nothing can be set from here."""
@@ -515,7 +492,6 @@ class ParameterBrowser(FollowingView):
         self._front.add_class('param-panel')
         self._front.add_class('param-nodes')
         self._front.on_msg(self._on_message)
-        self._plots = Plots(self._front)
         self._box = widgets.Box()
         self._box.add_class('node-panels')
         super().__init__([self._front, self._box], 'param-browser')
@@ -565,13 +541,6 @@ class ParameterBrowser(FollowingView):
         if len(self.nodes) == 1:
             self.show(self.nodes[0])
 
-    def plot(self, *fields: str) -> None:
-        """Open a plot of numeric fields of topics, such as ``'/odom.twist.twist.linear.x'``, or add them to it.
-
-        :raises ParameterToolError: one of them is not a number; the message says what there is.
-        """
-        self._plots.open('', *fields)
-
     def hide(self, node: str) -> None:
         """Close the panel of a node, if it is open."""
         with self._drawing:
@@ -585,8 +554,6 @@ class ParameterBrowser(FollowingView):
         if content['do'] == 'find':
             self._search = content['text']
             self._job.wake()
-        elif content['do'] == 'plot':
-            self._plots.serve(content)
         elif content['do'] == 'toggle' and content['node'] in self._panels:
             self.hide(content['node'])
         else:
@@ -623,7 +590,6 @@ class ParameterBrowser(FollowingView):
 
     def _end(self) -> None:
         super()._end()
-        self._plots.end()
         for node in list(self._panels):
             self._panels.pop(node).close()
 

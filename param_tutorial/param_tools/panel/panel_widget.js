@@ -1,18 +1,16 @@
 /* A parameter panel in JupyterLab: the kernel holds the state, and takes what is entered; see `panel.py`. */
 
-import {focusedBeside, make, one, uniqueName} from './dom.js';
+import {focusedBeside, make, uniqueName} from './dom.js';
 import {FileForm} from './file_form.js';
 import {initialize} from './front.js';
 import {ParameterPanel} from './panel.js';
-import {Plots} from './plots.js';
 
 /**
  * @import {RenderProps} from '@anywidget/types'
  * @import {PanelState} from './panel.js'
- * @import {PlotState} from './plots.js'
  */
 
-/** @param {RenderProps<{markup: string, state: PanelState, search: string, plots: PlotState}>} props */
+/** @param {RenderProps<{markup: string, state: PanelState, search: string}>} props */
 function render({model, el}) {
   const client = uniqueName();
   /** @param {Record<string, unknown>} content */
@@ -20,7 +18,6 @@ function render({model, el}) {
   const root = make('div');
   el.append(root);
   const form = new FileForm(`param-file-${client}`, send);
-  const plots = new Plots(send);
   /** @type {ParameterPanel | undefined} */
   let panel;
   let search = model.get('search');
@@ -37,11 +34,10 @@ function render({model, el}) {
     // At first there may be too few parameters for a search.
     if (panel.search && search) [panel.search.value, search] = [search, ''];
     form.settle(shown);
-    plots.settle(shown, one(shown, '.param-node').textContent);
     root.replaceChildren(shown);
     show();
     panel.find();
-    if (focused && (form.element.contains(focused) || plots.has(focused))) focused.focus();
+    if (focused && form.element.contains(focused)) focused.focus();
     else if (focused && old?.root.contains(focused)) focusHeir(panel, focused);
   }
 
@@ -53,21 +49,15 @@ function render({model, el}) {
 
   /** @param {any} message */
   function onMessage(message) {
-    if ('plot' in message) plots.take(message);
     if (!panel || message.client !== client) return;
     if ('form' in message) form.answer(message);
     else panel.rows.get(message.name)?.answer(message.number);
   }
 
-  const showPlots = () => plots.show(model.get('plots'));
-
   build();
-  showPlots();
-  model.on('change:plots', showPlots);
   model.on('change:markup', build);
   model.on('change:state', show);
   model.on('msg:custom', onMessage);
-  return () => plots.end();
 }
 
 /**

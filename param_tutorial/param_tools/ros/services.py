@@ -30,7 +30,6 @@ from param_tools.errors import (
     ReadOnlyError,
 )
 from param_tools.ros import domain, graph, waiting
-from param_tools.ros.listeners import Listeners
 from param_tools.ros.service_types import SERVICE_TYPES
 from param_tools.ros.waiting import deadline
 
@@ -116,7 +115,6 @@ class Services:
         self._lock = threading.RLock()
         self.is_read_only = False
         """True if no parameter of any node may be set from this process."""
-        self._set_listeners: Listeners[[str, list[str]]] = Listeners()
         # Gives coroutines their turns while they wait for something that doesn't wake the executor.
         self._clock = self._tool_node.create_timer(_TURN_PERIOD_SEC, lambda: None, autostart=False)
         self._waiting_coroutines = 0
@@ -124,14 +122,6 @@ class Services:
     def node_names(self, *, hidden: bool = False) -> list[str]:
         """Return the fully qualified names of the nodes in the graph, as ``graph.node_names`` does."""
         return graph.node_names(self._tool_node, hidden=hidden)
-
-    def on_set(self, listener: Callable[[str, list[str]], None]) -> Callable[[], None]:
-        """Call a listener whenever this process is about to ask a node to set parameters, in the thread that asks.
-
-        :param listener: Takes the node's name and the parameters' names.
-        :return: Call it to stop listening.
-        """
-        return self._set_listeners.add(listener)
 
     def call(self, node: str, service: str, request: Any, *, timeout_sec: float = TIMEOUT_SEC) -> Any:
         """Call a parameter service of a node and wait for its answer.
@@ -169,10 +159,8 @@ class Services:
         :raises NodeNotFoundError: the name cannot be that of any node.
         :raises ReadOnlyError: it would set something, and nothing may be set from here.
         """
-        if service in _SETS and request.parameters:
-            if self.is_read_only:
-                raise ReadOnlyError(node)
-            self._set_listeners.call(node, [each.name for each in request.parameters])
+        if service in _SETS and request.parameters and self.is_read_only:
+            raise ReadOnlyError(node)
         with self._lock:
             if (node, service) in self._answered and not self._lines.get(node) and self.is_ready(node, service):
                 return self._send(node, service, request, timeout_sec)

@@ -1,19 +1,12 @@
-"""What can be heard on a topic: the class of its messages, the numbers in them, and a profile that hears everybody."""
+"""What can be heard on a topic: the class of its messages, and a profile that hears everybody."""
 
 import importlib
-import operator
-import re
-from collections.abc import Callable, Iterator
 from typing import Any
 
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 _DEPTH = 100
-# A type as rosidl writes it: what one element is, and what follows if there are several, e.g. double[36].
-_TYPE = re.compile(r'(?:sequence<)?(?P<one>[\w/]+)(?:<\d+>)?(?P<many>\[\d+\]|, \d+>|>)?')
-_NUMBER = re.compile(r'boolean|octet|float|double|long double|u?int\d+')
-_STEP = re.compile(r'\.?(\w+)|\[(\d+)\]')
 
 
 def message_class(name: str) -> Any:
@@ -33,34 +26,3 @@ def matching_qos(node: Node, topic: str) -> QoSProfile:
     return QoSProfile(depth=_DEPTH,
                       reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
                       durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE)
-
-
-def numeric_fields(message: Any) -> Iterator[str]:
-    """Yield the fields of a message's class that hold a number or a truth value, as in ``pose.position.x``.
-
-    Of an array, all elements are one field: ``ranges[]``.
-    """
-    for name, kind in message.get_fields_and_field_types().items():
-        found = _TYPE.fullmatch(kind)
-        if found is None:
-            continue
-        field = f'{name}[]' if found['many'] else name
-        if _NUMBER.fullmatch(found['one']):
-            yield field
-        elif '/' in found['one'] and (inner := message_class(found['one'])):
-            yield from (f'{field}.{each}' for each in numeric_fields(inner))
-
-
-def getter(field: str) -> Callable[[Any], Any]:
-    """Return a function that takes a field out of a message; an element of an array is named as in ``ranges[5]``.
-
-    The function raises an IndexError if the array is shorter, and an AttributeError if there is no such field.
-    """
-    steps = [operator.attrgetter(name) if name else operator.itemgetter(int(index))
-             for name, index in _STEP.findall(field)]
-
-    def get(message: Any) -> Any:
-        for step in steps:
-            message = step(message)
-        return message
-    return get
