@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from param_tools.ros.stage import stop as stop
     from param_tools.ros.waiting import wait_until as wait_until
     from param_tutorial import views as views
+    from param_tutorial.notebook.glossary import Glossary as Glossary
     from param_tutorial.notebook.magics import load_ipython_extension as load_ipython_extension
     from param_tutorial.notebook.magics import unload_ipython_extension as unload_ipython_extension
     from param_tutorial.notebook.shell import Shell as Shell
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 _HOMES = {
     'ros1': 'param_tutorial.views.drawing.ros1',
     'views': 'param_tutorial.views',
+    'Glossary': 'param_tutorial.notebook.glossary',
     'ParameterClient': 'param_tools.node.client',
     'ParameterPanel': 'param_tools.panel.panel',
     'Shell': 'param_tutorial.notebook.shell',

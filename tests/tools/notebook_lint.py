@@ -29,6 +29,8 @@ LINK = re.compile(r'(?<!!)\[[^\]]*\]\(<?([^)\s>]+)>?[^)]*\)')
 IMAGE = re.compile(r'!\[([^\]]*)\]\(<?([^)\s>]+)>?[^)]*\)')
 HTML_IMAGE = re.compile(r'<img\b[^>]*>', re.IGNORECASE)
 HTML_ALT = re.compile(r'\balt\s*=\s*(["\'])\s*\S.*?\1', re.IGNORECASE | re.DOTALL)
+# A lesson imports what a reader may use: the two packages, a room of them, or a node, which is a file of its own.
+TOO_DEEP = re.compile(r'^ *(?:from|import) (param_t(?:ools|utorial)\.(?!nodes\.)\w+\.[\w.]+)', re.MULTILINE)
 ELSEWHERE = re.compile(r'^[a-z][a-z+.-]*:')
 
 
@@ -95,6 +97,8 @@ def check_sources(cells: list[tuple[int, Any]]) -> Found:
             if match := MACHINE_PATH.search(text):
                 yield number, f'holds a path of one machine, {match[0]}: it would differ everywhere else.'
                 break
+        if match := TOO_DEEP.search(cell.source):
+            yield number, f'imports from {match[1]}: let a room of the package offer it.'
 
 
 def output_texts(cell: Any) -> Iterator[str]:
