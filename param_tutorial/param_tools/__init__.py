@@ -59,7 +59,6 @@ if TYPE_CHECKING:
     from param_tools.systems.comparing import compare as compare
     from param_tools.systems.comparing import compare_systems as compare_systems
     from param_tools.systems.describe import describe as describe
-    from param_tools.systems.history import ParameterHistory as ParameterHistory
     from param_tools.systems.restoring import preview as preview
     from param_tools.systems.restoring import restore as restore
     from param_tools.systems.sets import ParameterSet as ParameterSet
@@ -77,7 +76,6 @@ _HOMES = {
     'ParameterBrowser': 'param_tools.panel.panel',
     'ParameterClient': 'param_tools.node.client',
     'ParameterDrawer': 'param_tools.panel.drawer',
-    'ParameterHistory': 'param_tools.systems.history',
     'ParameterPanel': 'param_tools.panel.panel',
     'ParameterSet': 'param_tools.systems.sets',
     'Rules': 'param_tools.node.rules',

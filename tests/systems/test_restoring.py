@@ -7,7 +7,7 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 
-from param_tools import ParameterHistory, ParameterSet, Rules, all_parameters, compare, preview, restore, values
+from param_tools import ParameterSet, Rules, all_parameters, compare, preview, restore, values
 from param_tools.errors import NoAnswerError, NodeGoneError, NodeNotFoundError
 from param_tools.systems.restoring import MAY_BE_TAKEN, Outcome, Restored
 from param_tutorial import ParameterClient
@@ -155,57 +155,3 @@ node    parameter  wanted  outcome    reason
 /left                      gone
 /right                     not there
 /lift                      no answer'''
-
-
-# -- going back and forth -------------------------------------------------------------------------------------
-
-
-@pytest.fixture
-def history(client):
-    """Return a history of the speeds 100, 110 and 120."""
-    history = ParameterHistory(client)
-    for speed in (110, 120):
-        client.set_parameter('speed', speed)
-        history.keep()
-    return history
-
-
-@pytest.mark.slow
-def test_undo_and_redo(client, history):
-    history.keep()  # nothing has changed
-    client.set_parameter('speed', 130)  # not kept, and not lost
-    seen = [client.get_parameter('speed') for _ in range(3) if history.undo().complete]
-    assert seen == [120, 110, 100]
-    with pytest.raises(LookupError, match='nothing to undo for /robot'):
-        history.undo()
-    assert [client.get_parameter('speed') for _ in range(3) if history.redo().complete] == [110, 120, 130]
-    with pytest.raises(LookupError, match='nothing to redo'):
-        history.redo()
-    assert repr(history) == '<ParameterHistory: /robot, snapshot 4 of 4>'
-
-
-def test_a_change_after_an_undo_begins_anew(client):
-    history = ParameterHistory(client)
-    client.set_parameter('speed', 110)
-    history.undo()
-    client.set_parameter('speed', 7)
-    with pytest.raises(LookupError):
-        history.redo()
-    history.undo()
-    assert client.get_parameter('speed') == 100
-
-
-def test_an_undo_that_is_rejected_says_so_and_loses_nothing(ros, client, history):
-    history.undo()
-    Rules(ros.nodes[0]).check('speed', lambda speed: speed > 100, 'must be above 100')
-    assert history.undo()['speed'].word == 'rejected'
-    assert client.get_parameter('speed') == 110
-    assert history.redo().complete
-    assert client.get_parameter('speed') == 120
-
-
-def test_a_parameter_that_came_later_does_not_stop_an_undo(ros, client, history):
-    ros.run(lambda: ros.nodes[0].declare_parameter('new', 1), 'declare')
-    history.undo()
-    history.undo()
-    assert client.get_parameter('speed') == 100
