@@ -5,7 +5,6 @@
     exercises.predict('3-1')          a question, before the cell that answers it
     exercises.recall('4-r1')          a question about an earlier chapter
     exercises.progress('3')           what you have solved of the chapter
-    exercises.certificate('Ada')      a page that lists what you have proved
 
 One module for each chapter holds its exercises, each as a list of requirements: a sentence, and a small function
 that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutions/``; neither is repeated here.
@@ -18,7 +17,7 @@ that tries it out. Stubs stand in the chapters, solutions in ``notebooks/solutio
     questions       the predictions and recalls, as data
     prediction      what a prediction is
     predicting      the widget that asks for one, and what it says afterwards
-    achievements    a chapter's ticks, and the certificate
+    chapter_progress  what is solved of a chapter
 
 How an answer gets its verdict. ``check`` finds the exercise by its number. ``Exercise.check`` borrows the stage, and
 tries one requirement after the other: each is a function of ``chapters`` that is given a ``Trial``. With that it puts
@@ -34,7 +33,7 @@ from typing import Any
 
 from param_tools.errors import nearest
 from param_tutorial.exercises import chapters
-from param_tutorial.exercises.achievements import Certificate, Chapter, ChapterProgress, CourseProgress
+from param_tutorial.exercises.chapter_progress import Chapter, ChapterProgress
 from param_tutorial.exercises.exercise import Exercise
 from param_tutorial.exercises.predicting import PredictionView
 from param_tutorial.exercises.prediction import Prediction
@@ -121,22 +120,12 @@ def recall(number: str = '') -> PredictionView | Answer:
 def progress(number: str = '') -> Answer:
     """Return what there is to solve in a chapter, with a tick at what the learner has solved.
 
-    :param number: Of the chapter, e.g. '3' or '5.2'; by default all chapters, a row for each.
+    :param number: Of the chapter, e.g. '3' or '5.2'.
     """
-    if not number:
-        return CourseProgress(tuple(CHAPTERS.values()), own_progress())
     chapter = CHAPTERS.get(str(number))
     if chapter is None:
         return _unknown(number, 'chapter', CHAPTERS)
     return ChapterProgress(chapter, own_progress())
-
-
-def certificate(name: str = '') -> Answer:
-    """Write a page that lists the solved exercises with their dates, beside the learner's chapters, and return it.
-
-    :param name: The learner's, for the page; by default there is a line to write it on.
-    """
-    return Certificate(tuple(CHAPTERS.values()), own_progress(), name)
 
 
 def _ask(number: Any, what: str, questions: Mapping[str, Prediction]) -> PredictionView | Answer:
@@ -153,5 +142,5 @@ def _unknown(number: Any, what: str = 'exercise', existing: Mapping[str, object]
     return Answer(f'There is no {what} {number!r}{nearest(str(number), list(existing), "There are none")}')
 
 
-__all__ = ['CHAPTERS', 'EXERCISES', 'PREDICTIONS', 'RECALLS', 'Answer', 'Hint', 'Result', 'certificate', 'check',
-           'hint', 'predict', 'progress', 'recall']
+__all__ = ['CHAPTERS', 'EXERCISES', 'PREDICTIONS', 'RECALLS', 'Answer', 'Hint', 'Result', 'check', 'hint',
+           'predict', 'progress', 'recall']
