@@ -39,12 +39,9 @@ reset: setup  ## make your copy of one chapter fresh again, and keep what was th
 reset-progress: setup  ## forget which exercises you have solved, and keep the file of before
 	@$(VENV) -m param_tutorial.learner reset-progress $(ARGS)
 
-class: setup  ## a table of a class's progress files and a page of what to talk about: make class FOLDER=…, or with ARGS=--csv
+class: setup  ## a table of a class's progress files, and what to talk about: make class FOLDER=…
 	@test -n "$(FOLDER)" || { echo "Where are the files? make class FOLDER=…" >&2; exit 1; }
-	@$(VENV) -m param_tutorial.teacher class "$(FOLDER)" $(ARGS)
-
-plans: setup  ## a plan for each lesson, with minutes, questions to ask and what they test, in build/plans.html
-	@$(VENV) -m param_tutorial.teacher plans build
+	@$(VENV) -m param_tutorial.teacher "$(FOLDER)"
 
 hub:  ## start JupyterHub for a class on this machine: see environment/jupyterhub/README.md
 	@$(SET_UP) build/jupyterhub requirements.lock requirements-hub.lock
@@ -124,5 +121,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build node_modules .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class plans hub test test-all test-fast test-rare \
+.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-rare \
     html lesson bench lint lite release lock clean

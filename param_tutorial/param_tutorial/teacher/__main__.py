@@ -1,4 +1,4 @@
-"""``python -m param_tutorial.teacher``: the table and the page of a class, or the plans of the lessons."""
+"""``python -m param_tutorial.teacher``: the table of a class, and what to talk about next."""
 
 import sys
 

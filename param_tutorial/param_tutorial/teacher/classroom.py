@@ -1,7 +1,5 @@
 """The progress files of a class, and what each student has solved, as one table."""
 
-import csv
-import io
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,11 +13,6 @@ class Student(NamedTuple):
 
     name: str
     progress: Progress
-
-    @property
-    def has_begun(self) -> bool:
-        """True if an exercise was tried or a question answered."""
-        return bool(self.progress.solved or self.progress.tried or self.progress.predicted)
 
 
 def read_class(folder: Path) -> tuple[list[Student], list[str]]:
@@ -43,8 +36,8 @@ def read_class(folder: Path) -> tuple[list[Student], list[str]]:
     return sorted(students, key=lambda each: each.name.casefold()), bad
 
 
-def rows(students: list[Student]) -> list[list[str]]:
-    """Return the headings and a row for each student: exercises solved, by chapter and in all, and predictions made."""
+def format_table(students: list[Student]) -> str:
+    """Return a row for each student, in columns: exercises solved, by chapter and in all, and predictions made."""
     questions = {**PREDICTIONS, **RECALLS}
     table = [['student', *CHAPTERS, 'all', 'predicted', 'right']]
     for name, progress in students:
@@ -53,23 +46,9 @@ def rows(students: list[Student]) -> list[list[str]]:
         made = [each for number, each in progress.predicted.items() if number in questions]
         pairs = [*zip(solved, totals), (sum(solved), len(EXERCISES)), (len(made), len(questions))]
         table.append([name, *(f'{count}/{total}' for count, total in pairs), str(sum(each.right for each in made))])
-    return table
-
-
-def format_table(students: list[Student]) -> str:
-    """Return a table for people, in columns."""
-    table = rows(students)
     widths = [max(map(len, column)) for column in zip(*table)]
     return '\n'.join('  '.join([row[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(
         row[1:], widths[1:]))]) for row in table)
-
-
-def format_csv(students: list[Student]) -> str:
-    """Return the table as comma-separated values, for a spreadsheet; counts only, which no program takes for dates."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator='\n')
-    writer.writerows([name, *(cell.partition('/')[0] for cell in cells)] for name, *cells in rows(students))
-    return text.getvalue().rstrip('\n')
 
 
 def _name_of(path: Path, folder: Path) -> str:

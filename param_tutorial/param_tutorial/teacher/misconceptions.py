@@ -1,6 +1,7 @@
 """Which wrong answers a class has given, and at which requirements of an exercise its students are stuck."""
 
 from collections import defaultdict
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from param_tutorial.exercises import CHAPTERS
@@ -31,6 +32,25 @@ class Stuck(NamedTuple):
     """Who tried, and has not solved it."""
     solved: int
     """How many students have solved it."""
+
+
+def describe(students: list[Student]) -> Iterator[str]:
+    """Yield what to talk about, as lines for a teacher; what concerns the most students comes first."""
+    yield '\nQuestions that were answered wrongly'
+    for asked in answers(students):
+        yield f'\n{asked.question.number} · {asked.wrong} of {asked.total} wrong: {asked.question.question}'
+        for choice, names in asked.by_choice:
+            yield f'    {len(names)} {"✓" if choice.is_right else "✗"} {choice.text} ({", ".join(names)})'
+            if not choice.is_right and choice.sentence:
+                yield f'        {choice.sentence}'
+    yield '\nExercises that hold somebody up'
+    for exercise in stuck(students):
+        yield (f'\n{exercise.number} · {exercise.title}: {len(exercise.names)} tried it and have not solved it; '
+               f'{exercise.solved} solved it')
+        for sentence, by_student in exercise.by_requirement:
+            yield f'    {len(by_student)} ✗ {sentence}'
+            for name, happened in by_student.items():
+                yield f'        {name}: {happened or "not met"}'
 
 
 def answers(students: list[Student]) -> list[Answered]:
