@@ -624,22 +624,6 @@ def test_a_button_copies_the_code_of_a_cell(page):
 
 
 @limits
-def test_a_lecture_has_pictures_and_questions_in_large_and_no_text(page):
-    text = page.get_by_text('Two predictions, one to choose and one to type:')
-    question = page.locator('.lesson-prediction').first
-    code = page.locator('div.cell_input').first
-    before = code.bounding_box()['height']
-    page.get_by_role('button', name='Projector').click()
-    expect(text).to_be_hidden()
-    expect(question).to_be_visible()
-    assert float(page.evaluate('parseFloat(getComputedStyle(document.documentElement).fontSize)')) == 24
-    assert code.bounding_box()['height'] < before / 4
-    page.get_by_role('button', name='Projector').click()
-    expect(text).to_be_visible()
-    assert code.bounding_box()['height'] == before
-
-
-@limits
 def test_paper_is_white_and_all_code_is_on_it(page):
     page.evaluate("document.documentElement.dataset.theme = 'dark'")
     page.emulate_media(media='print')

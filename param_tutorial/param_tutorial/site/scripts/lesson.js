@@ -4,7 +4,6 @@ import {all, make, one} from '../../../param_tools/panel/dom.js';
 import {copy} from './clipboard.js';
 import {askForPrediction, foldAnswers} from './predictions.js';
 import {beginProgress} from './progress.js';
-import {offerProjector} from './projector.js';
 import {reachPictures, wrapSentences} from './wide.js';
 
 /** Put a button beside each cell's code that copies it. */
@@ -31,7 +30,6 @@ export async function beginLesson() {
   layOut();
   reachPictures(document);
   offerCopies();
-  offerProjector();
   const remembered = beginProgress();
   for (const form of all(document, '.lesson-prediction', HTMLFormElement)) {
     askForPrediction(form, JSON.parse(one(form, 'script').textContent ?? ''));
