@@ -1,6 +1,5 @@
 """The commands check and describe: exit status, formats, and what files are checked against."""
 
-import json
 import os
 import subprocess
 import sys
@@ -9,11 +8,9 @@ from pathlib import Path
 import pytest
 import yaml
 
-from param_tools.cli.run_isolated import describe_program
-from param_tools.cli.session import CommandFailed
 from param_tools.files import descriptions
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
-from tests.support.commands import run, source_package
+from tests.support.commands import run
 
 GOOD = '/simple_param_node:\n  ros__parameters:\n    max_speed_rpm: 120\n'
 BAD = GOOD.replace('max_speed', 'max_sped')
@@ -45,28 +42,6 @@ def test_what_a_running_node_declares_is_saved_and_checked_against(ros, write, t
     assert (stderr, status) == ('', 0)
 
 
-@pytest.mark.slow
-def test_a_program_is_started_described_and_stopped(ros, write):
-    """The program runs in its own domain, where no node of this process hears it."""
-    found = describe_program('param_tutorial', 'simple_param_node')['/simple_param_node']
-    assert found.defaults_from == 'as declared'
-    assert found.parameters['max_speed_rpm'].default == 100
-    assert ros.services.node_names() == []
-    stdout, _, status = run('check', write(BAD), '--against', 'param_tutorial/simple_param_node', '--format', 'json')
-    assert (json.loads(stdout)[0]['kind'], status) == ('unknown parameter', 1)
-
-
-@pytest.mark.slow
-def test_a_program_without_a_node_is_reported(ros, tmp_path, monkeypatch):
-    source_package('broken', tmp_path, monkeypatch)
-    program = tmp_path / 'lib/broken/program'
-    program.parent.mkdir(parents=True)
-    program.write_text('#!/bin/sh\necho no robot here\nexit 3\n')
-    program.chmod(0o755)
-    with pytest.raises(CommandFailed, match='it ended with exit status 3: no robot here'):
-        describe_program('broken', 'program')
-
-
 def test_a_schema_may_be_for_a_node_of_another_name(ros, write):
     schema = write('lift:\n  speed: {type: double}\n', 'schema.yaml')
     path = write('/hall/left_lift:\n  ros__parameters:\n    speed: 1\n')
@@ -89,7 +64,6 @@ def test_github_annotations_and_the_order_of_files(ros, write):
     (['nowhere.yaml'], 'cannot read nowhere.yaml: No such file'),
     (['FILE', '--against', '/nobody'], 'there is no node /nobody'),
     (['FILE', '--against', '/robots/**'], 'no running node matches /robots/**'),
-    (['FILE', '--against', 'no_such_package/node'], "Package 'no_such_package' not found"),
     (['FILE', '--against', 'FILE'], 'it is neither a saved description'),
     (['FILE', '--against', 'nowhere.yaml'], 'cannot read nowhere.yaml'),
     (['FILE', '--format', 'xml'], "invalid choice: 'xml'"),

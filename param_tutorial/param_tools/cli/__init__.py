@@ -34,7 +34,6 @@ What a command cannot do raises ``CommandFailed`` in any module; ``command`` say
     changes           watch and history: every change of a parameter
     panel             panel: the parameter panel as a page in the browser
     system_arguments  what the commands of check, system and changes take for a system, and the files they write
-    run_isolated      a program in a ROS domain of its own, to describe its nodes
     extension         the commands of check, system and changes for the genuine ros2
     index             where packages are installed
     session           what the verbs share

@@ -12,7 +12,6 @@ from typing import Any
 from param_tools import values
 from param_tools.cli import system_arguments
 from param_tools.cli.changes import past
-from param_tools.cli.run_isolated import describe_program
 from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
 from param_tools.errors import ParameterToolError
 from param_tools.files import descriptions, parameter_files
@@ -155,8 +154,6 @@ def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
 
 
 def _running(session: Session, word: str, args: argparse.Namespace) -> _Side:
-    if system_arguments.is_program(word):
-        return _Side(word, defaults_of(describe_program(*word.split('/'))))
     found = take(session, [word], args)
     if not found:
         raise CommandFailed(f'no node of {word} has answered')

@@ -15,17 +15,12 @@ from param_tools.files.parameter_files import Dump
 from param_tools.files.parsing import matches
 from param_tools.markup.wording import format_count
 
-HELP = 'a running node (/talker), several (/robot1/**, /**), a program (package/executable), or a file'
+HELP = 'a running node (/talker), several (/robot1/**, /**), or a file'
 
 
 def is_file(word: str) -> bool:
     """True if a word is the path of a file, or can be nothing else."""
     return Path(word).is_file() or '.' in word or '@' in word
-
-
-def is_program(word: str) -> bool:
-    """True if a word names a package and a program in it."""
-    return not is_file(word) and word.count('/') == 1 and all(word.split('/'))
 
 
 def pattern(word: str) -> str:
@@ -99,10 +94,6 @@ def describe(session: Session, word: str, args: argparse.Namespace) -> Descripti
         return descriptions.read(rest, node)
     if is_file(word):
         return descriptions.read(word)
-    if is_program(word):
-        from param_tools.cli.run_isolated import describe_program
-
-        return describe_program(*word.split('/'))
     from param_tools.systems.describe import describe as describe_nodes
 
     found = describe_nodes(nodes_of(session, word, args), timeout_sec=args.timeout, executor=session.executor)
