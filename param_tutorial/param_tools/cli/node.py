@@ -48,7 +48,7 @@ def print_info(session: Session, args: argparse.Namespace) -> None:
         session.complain(f'There are {count} nodes in the graph with the exact name "{args.node_name}". '
                          f'You are seeing information about only one of them.')
     # What a node has is announced apart from its name.
-    session.has_service(args.node_name, 'list_parameters')
+    session.executor.services.find(args.node_name, 'list_parameters')
     name, namespace, _ = NodeName.parse(args.node_name)
     tool = session.executor.tool_node
     try:

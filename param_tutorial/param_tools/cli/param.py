@@ -77,7 +77,7 @@ def list_parameters(session: Session, args: argparse.Namespace) -> None:
     wanted = compiled(args.filter or '')
     if args.node_name:
         nodes = [NodeName.parse(session.find(args))]
-        session.has_service(nodes[0].full_name, 'list_parameters')  # without it, that is what is printed
+        session.executor.services.find(nodes[0].full_name, 'list_parameters')  # without it, that is what is printed
     else:
         session.wait_for_graph(args)
         nodes = listed_nodes(session, hidden=args.include_hidden_nodes)
@@ -212,7 +212,7 @@ def dump_parameters(session: Session, args: argparse.Namespace) -> None:
     and one parameter without a value empties the whole dump. ``ParameterClient.dump`` has no such traps.
     """
     node = session.find(args)
-    if not session.has_service(node, 'list_parameters'):
+    if not session.executor.services.find(node, 'list_parameters'):
         # With exit status 0, as the genuine command.
         session.complain(without_services(node))
         return

@@ -13,7 +13,7 @@ from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol, TypeAlias
 
-from param_tools.errors import NodeNotFoundError, ParameterToolError
+from param_tools.errors import ParameterToolError
 from param_tools.ros import waiting
 from param_tools.ros.waiting import Steps
 
@@ -120,29 +120,11 @@ class Session:
         is_alone = self.in_notebook or domain.is_limited_to_this_host()
         at_least = max(self.patience(args), getattr(args, 'timeout', None) or 0.0,
                        0.0 if is_alone else graph.NETWORK_SEC)
-        if (hidden and not args.include_hidden_nodes) or not self.is_there(node, at_least):
+        if (hidden and not args.include_hidden_nodes) or not self.executor.services.find(node, at_least_sec=at_least):
             if is_alone:
                 raise CommandFailed('Node not found')
             raise CommandFailed(f'Node not found on this machine, nor within {at_least:g} s on the network')
         return node
-
-    def is_there(self, node: str, at_least_sec: float) -> bool:
-        """True if there is a node of this name, or one comes soon.
-
-        :param node: Fully qualified.
-        :param at_least_sec: How long to look for it at least.
-        """
-        def is_known() -> bool:
-            # A node's services may be known before its name.
-            try:
-                return self.executor.services.is_ready(node) or node in {
-                    each.full_name for each in self.node_names(hidden=True)}
-            except NodeNotFoundError:  # this cannot be the name of any node
-                return False
-
-        from param_tools.ros import graph
-
-        return graph.wait_for(is_known, at_least_sec)
 
     def patience(self, args: argparse.Namespace) -> float:
         """Return how long to look for nodes at least, in seconds."""
@@ -154,15 +136,9 @@ class Session:
 
     def call(self, node: str, service: str, request: Any) -> Any:
         """Call a parameter service of a node that has been found."""
-        if not self.has_service(node, service):
+        if not self.executor.services.find(node, service):
             raise CommandFailed(without_services(node))
         return self.executor.services.call(node, service, request, timeout_sec=SERVICE_TIMEOUT_SEC)
-
-    def has_service(self, node: str, service: str) -> bool:
-        """Wait until a service of a node that has been found can be called; return False if the node has none."""
-        from param_tools.ros import graph
-
-        return graph.wait_for(lambda: self.executor.services.is_ready(node, service))
 
     def call_all(self, nodes: Sequence[str], service: str, request: Any) -> dict[str, Any]:
         """Call the same service of several nodes at once.

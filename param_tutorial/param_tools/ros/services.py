@@ -201,7 +201,7 @@ class Services:
                     self._clock.cancel()
 
     async def _find(self, node: str, service: str, timeout_sec: float) -> None:
-        """Wait until a service of a node is ready: not for long, unless the caller has more time than usual.
+        """Do in a coroutine what ``find`` does: not for long, unless the caller has more time than usual.
 
         :raises NodeNotFoundError: there is no such node.
         :raises NodeError: it has no such service.
@@ -237,6 +237,24 @@ class Services:
     def is_ready(self, node: str, service: str = 'set_parameters') -> bool:
         """True if the node is there, so that a call now would reach it."""
         return self._client(node, service).service_is_ready()
+
+    def find(self, node: str, service: str = '', at_least_sec: float = 0.0) -> bool:
+        """Wait until a node, or one of its parameter services, is in the graph, and return whether it is.
+
+        :param node: Fully qualified name.
+        :param service: One of SERVICE_TYPES; without it, a node that has none is found by its name.
+        :param at_least_sec: Where discovery takes longer than ``graph.DISCOVERY_SEC``, as on a network.
+        """
+        def is_known() -> bool:
+            if service:
+                return self.is_ready(node, service)
+            # A node's services may be known before its name.
+            return self.is_ready(node) or node in self.node_names(hidden=True)
+
+        try:
+            return graph.wait_for(is_known, at_least_sec)
+        except NodeNotFoundError:  # this cannot be the name of any node
+            return False
 
     def graph_changed(self, before: graph.Incarnations, now: graph.Incarnations) -> None:
         """Take note that nodes came, went or were replaced; the executor's thread calls this.
