@@ -38,14 +38,5 @@ setup(
         # Not each node's own main(): a signal would find it unprepared until it spins.
         'console_scripts': [f'{node} = {PACKAGE}.nodes.__main__:program' for node in NODES],
         'param_tools.packages': [f'{PACKAGE} = {PACKAGE}.nodes'],
-        'ros2cli.command': [
-            'param_check = param_tools.cli.extension:CheckCommand',
-            'param_describe = param_tools.cli.extension:DescribeCommand',
-            'param_diff = param_tools.cli.extension:DiffCommand',
-            'param_history = param_tools.cli.extension:HistoryCommand',
-            'param_restore = param_tools.cli.extension:RestoreCommand',
-            'param_snapshot = param_tools.cli.extension:SnapshotCommand',
-            'param_watch = param_tools.cli.extension:WatchCommand',
-        ],
     },
 )
