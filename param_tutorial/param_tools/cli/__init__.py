@@ -22,11 +22,9 @@ What a command cannot do raises ``CommandFailed`` in any module; ``command`` say
 
     command           one command, in this process
     param             param list, get, set, describe, dump, load, delete
-    node              node list, info
+    node              node list
     run               run: the nodes of provided packages, and the programs of packages that colcon has built
-    service           service list
-    topic             topic list, echo
-    pkg               pkg create: a new Python package; executables, list, prefix
+    pkg               pkg create: a new Python package
     launch            launch: what a launch file describes
     check             check and describe: parameter files against what nodes declare
     system            snapshot, diff and restore: the parameters of whole systems

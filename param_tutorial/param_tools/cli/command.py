@@ -10,9 +10,9 @@ from param_tools.errors import ParameterToolError
 from param_tools.ros.waiting import Steps, to_end
 
 # The commands of each module. Imported when used: a process that runs one command need not pay for the others.
-_MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run'], 'service': ['service'],
-            'topic': ['topic'], 'launch.verb': ['launch'], 'check': ['check', 'describe'],
-            'system': ['snapshot', 'diff', 'restore'], 'changes': ['watch', 'history'], 'panel': ['panel']}
+_MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run'], 'launch.verb': ['launch'],
+            'check': ['check', 'describe'], 'system': ['snapshot', 'diff', 'restore'],
+            'changes': ['watch', 'history'], 'panel': ['panel']}
 
 # What is missing where a command needs ROS and there is none.
 _PACKAGES_OF_ROS = ('rclpy', 'rcl_interfaces', 'ament_index_python')

@@ -87,15 +87,6 @@ class Session:
         """Print to standard error."""
         print(*words, file=self.stderr)
 
-    def print_names_and_types(self, entries: Sequence[tuple[str, Sequence[str]]], *, only_count: bool,
-                              show_types: bool) -> None:
-        """Print topics or services, one to a line, or how many there are."""
-        if only_count:
-            self.print(len(entries))
-            return
-        for name, types in entries:
-            self.print(f'{name} [{", ".join(types)}]' if show_types else name)
-
     def node_names(self, *, hidden: bool) -> list[NodeName]:
         """Return the nodes in the graph as far as it is known; a name twice if two nodes have it."""
         from param_tools.ros.graph import nodes_in_graph
