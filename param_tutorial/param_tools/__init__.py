@@ -33,11 +33,9 @@ them. ``cli.session`` finds the node in the graph. ``values.parse`` turns the te
 genuine command does, and ``cli.param`` prints what the node answers.
 """
 
-from typing import TYPE_CHECKING, Any
-
 from param_tools import lazy
 
-if TYPE_CHECKING:
+with lazy.Imports(__name__) as _imports:
     from param_tools.files import descriptions as descriptions
     from param_tools.files import parameter_files as parameter_files
     from param_tools.files.checking import check_files as check_files
@@ -66,42 +64,4 @@ if TYPE_CHECKING:
     from param_tools.systems.snapshot import all_parameters as all_parameters
 
 __version__ = '0.1.0'
-
-# Twice, because editors and type checkers read imports, and nothing should be imported before it is used.
-_HOMES = {
-    'Aliases': 'param_tools.node.aliases',
-    'BackgroundExecutor': 'param_tools.ros.executor',
-    'ChangeFollower': 'param_tools.systems.change_log',
-    'ChangeLog': 'param_tools.systems.change_log',
-    'ParameterBrowser': 'param_tools.panel.panel',
-    'ParameterClient': 'param_tools.node.client',
-    'ParameterDrawer': 'param_tools.panel.drawer',
-    'ParameterPanel': 'param_tools.panel.panel',
-    'ParameterSet': 'param_tools.systems.sets',
-    'Rules': 'param_tools.node.rules',
-    'Snapshot': 'param_tools.systems.snapshot',
-    'all_parameters': 'param_tools.systems.snapshot',
-    'check_declarations': 'param_tools.node.declarations',
-    'check_files': 'param_tools.files.checking',
-    'compare': 'param_tools.systems.comparing',
-    'compare_systems': 'param_tools.systems.comparing',
-    'describe': 'param_tools.systems.describe',
-    'descriptions': 'param_tools.files.descriptions',
-    'locks': 'param_tools.node.locks',
-    'parameter_files': 'param_tools.files.parameter_files',
-    'preview': 'param_tools.systems.restoring',
-    'restore': 'param_tools.systems.restoring',
-    'start': 'param_tools.ros.stage',
-    'stop': 'param_tools.ros.stage',
-    'update_file': 'param_tools.files.editing',
-    'wait_until': 'param_tools.ros.waiting',
-}
-__all__ = list(_HOMES)
-
-
-def __getattr__(name: str) -> Any:
-    return lazy.load(__name__, _HOMES, name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOMES})
+__getattr__, __dir__, __all__ = _imports.load, _imports.names, _imports.public

@@ -14,11 +14,10 @@ downward only (README.md one folder up says what each room is for, and a test ho
     nodes
 """
 
-from typing import TYPE_CHECKING, Any
-
 from param_tools import lazy
 
-if TYPE_CHECKING:
+# Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
+with lazy.Imports(__name__) as _imports:
     from param_tools.node.client import ParameterClient as ParameterClient
     from param_tools.panel.panel import ParameterPanel as ParameterPanel
     from param_tools.ros.stage import start as start
@@ -31,28 +30,4 @@ if TYPE_CHECKING:
     from param_tutorial.notebook.shell import Shell as Shell
     from param_tutorial.notebook.terminal import Terminal as Terminal
     from param_tutorial.views.drawing import ros1 as ros1
-
-# Imported when first used: `ros2 run param_tutorial simple_param_node` must not load JupyterLab's widgets.
-_HOMES = {
-    'ros1': 'param_tutorial.views.drawing.ros1',
-    'views': 'param_tutorial.views',
-    'Glossary': 'param_tutorial.notebook.glossary',
-    'ParameterClient': 'param_tools.node.client',
-    'ParameterPanel': 'param_tools.panel.panel',
-    'Shell': 'param_tutorial.notebook.shell',
-    'Terminal': 'param_tutorial.notebook.terminal',
-    'load_ipython_extension': 'param_tutorial.notebook.magics',
-    'start': 'param_tools.ros.stage',
-    'stop': 'param_tools.ros.stage',
-    'unload_ipython_extension': 'param_tutorial.notebook.magics',
-    'wait_until': 'param_tools.ros.waiting',
-}
-__all__ = list(_HOMES)
-
-
-def __getattr__(name: str) -> Any:
-    return lazy.load(__name__, _HOMES, name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOMES})
+__getattr__, __dir__, __all__ = _imports.load, _imports.names, _imports.public

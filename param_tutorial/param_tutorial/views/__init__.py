@@ -3,11 +3,9 @@
 Each view is one file, named like its class, and its drawing is the file of the same name in ``drawing``.
 """
 
-from typing import TYPE_CHECKING, Any
-
 from param_tools import lazy
 
-if TYPE_CHECKING:
+with lazy.Imports(__name__) as _imports:
     from param_tutorial.views.calls import CallsView as CallsView
     from param_tutorial.views.cart import CartView as CartView
     from param_tutorial.views.checks import ChecksView as ChecksView
@@ -31,38 +29,4 @@ if TYPE_CHECKING:
     from param_tutorial.views.step_response import StepResponseView as StepResponseView
     from param_tutorial.views.trail import TrailView as TrailView
     from param_tutorial.views.worlds import WorldsView as WorldsView
-
-_HOMES = {
-    'CallsView': 'param_tutorial.views.calls',
-    'CartView': 'param_tutorial.views.cart',
-    'ChecksView': 'param_tutorial.views.checks',
-    'CopiesView': 'param_tutorial.views.copies',
-    'DeclarationsView': 'param_tutorial.views.declarations',
-    'EventView': 'param_tutorial.views.events',
-    'LadderView': 'param_tutorial.views.ladder',
-    'LayersView': 'param_tutorial.views.layers',
-    'LiftsView': 'param_tutorial.views.lifts',
-    'LinePlot': 'param_tutorial.views.drawing.plots',
-    'LogView': 'param_tutorial.views.log',
-    'MessageView': 'param_tutorial.views.messages',
-    'NumberLineView': 'param_tutorial.views.number_line',
-    'PlaneView': 'param_tutorial.views.plane',
-    'RequestsView': 'param_tutorial.views.requests',
-    'RobotView': 'param_tutorial.views.robot',
-    'SideBySide': 'param_tutorial.views.side_by_side',
-    'StepResponseView': 'param_tutorial.views.step_response',
-    'TrailView': 'param_tutorial.views.trail',
-    'WorldsView': 'param_tutorial.views.worlds',
-    'node_graph': 'param_tutorial.views.ros_graph',
-    'plot_responses': 'param_tutorial.views.drawing.step_response',
-    'record_change': 'param_tutorial.views.set_recorder',
-}
-__all__ = list(_HOMES)
-
-
-def __getattr__(name: str) -> Any:
-    return lazy.load(__name__, _HOMES, name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOMES})
+__getattr__, __dir__, __all__ = _imports.load, _imports.names, _imports.public
