@@ -96,9 +96,6 @@ lint: setup-all $(JS_TOOLS)  ## check code, notebooks and spelling without runni
 	@$(NODE) node_modules/.bin/biome check --error-on-warnings
 	@$(NODE) node_modules/.bin/tsc
 
-release: setup-all $(JS_TOOLS)  ## make the wheels, the course for any browser, the list of licenses and the SBOM, in build/release/
-	@$(VENV) environment/release.py
-
 # The second lock is a part of the first, at the same versions.
 LOCK := environment/requirements
 UV_COMPILE = build/uv/bin/uv pip compile --quiet --upgrade --generate-hashes --no-annotate --custom-compile-command "make lock"
@@ -121,5 +118,5 @@ clean:  ## remove everything that these targets made, but not your copies of the
 	rm -rf .venv build node_modules .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-rare \
-    html lesson bench lint lite release lock clean
+.PHONY: help setup setup-all lab reset reset-progress class hub test test-all test-fast test-rare html lesson bench lint \
+    lite lock clean

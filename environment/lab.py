@@ -27,11 +27,6 @@ STATE = Path(os.environ[LESSONS], '.jupyter') if os.environ.get(LESSONS) else Pa
 TERMINAL = ROOT / 'environment' / 'jupyter' / 'terminal.bash'
 OWN_ROS2 = str(ROOT / 'environment' / 'jupyter' / 'bin')
 START_PAGE = 'index.md'
-HELP = """\
-usage: make lab [ARGS="options"], or python -m param_tutorial lab [options]
-
-Start JupyterLab on your own copies of the chapters, in my_lessons/. The options are those of JupyterLab, such as
---no-browser or --port=9999; python -m jupyterlab --help lists them."""
 # Each of these would bring in settings, extensions or kernels from somewhere else; the last ones are what `make lab`
 # hands on, which is not meant for a `make` that the learner runs in a terminal.
 FOREIGN = ('JUPYTER_PATH', 'JUPYTERLAB_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTERLAB_WORKSPACES_DIR',
@@ -111,7 +106,8 @@ def main(arguments: Sequence[str]) -> None:
     :param arguments: The learner's own, which win over what is set here.
     """
     if {'-h', '--help'} & set(arguments):
-        print(HELP)
+        print("ARGS holds JupyterLab's options, such as --no-browser or --port=9999; python -m jupyterlab --help lists "
+              'them.')
         return
     options = prepare()
     if running := find_running():

@@ -26,7 +26,7 @@ def check_system() -> None:
     """Say in one sentence what is missing. The Makefile has looked at the version of Python."""
     if (platform.system(), platform.machine(), platform.libc_ver()[0]) != ('Linux', 'x86_64', 'glibc'):
         sys.exit(f'This set-up needs Linux on x86-64 with glibc, because ROS 2 wheels exist for nothing else, and this '
-                 f'is {platform.platform()}: see environment/README.md for RoboStack (conda or pixi) and Docker.')
+                 f'is {platform.platform()}. The course in a browser runs anywhere: see environment/README.md.')
     if not importlib.util.find_spec('ensurepip'):
         sys.exit(f'{sys.executable} comes without venv: `sudo apt install python3-venv` adds it on Debian and Ubuntu; '
                  f'environment/README.md has other ways.')

@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 import websocket
 
-from param_tutorial.learner.copies import LESSONS
 from tests.support.lab import TIMEOUT_SEC, CourseLab
 from tests.support.paths import NOTEBOOKS, ROOT
 
@@ -73,13 +72,11 @@ def terminal(lab: CourseLab) -> Iterator[Terminal]:
     terminal.close()
 
 
-@pytest.mark.parametrize('name', ['python', 'python3'])
-def test_python_in_a_terminal_is_the_courses(terminal, name):
-    assert terminal.run(f"{name} -c 'import sys; print(sys.prefix)'") == sys.prefix
-
-
-def test_the_courses_ros2_runs_in_a_terminal(terminal):
-    assert 'usage' in terminal.run('python -m param_tutorial param --help').lower()
+def test_a_terminal_has_the_courses_python_and_the_learners_own_settings(terminal, lab):
+    assert terminal.run("python3 -c 'import sys; print(sys.prefix)'") == sys.prefix
+    assert ':/usr/local/bin:/usr/bin:/bin:' in terminal.run('echo $PATH')
+    # And none of the `make` that has started JupyterLab.
+    assert terminal.run('pwd; echo "[$MAKEFLAGS$ARGS]"') == f'{lab.copies}\n[]'
 
 
 def test_where_nothing_that_is_built_could_be_started_colcon_says_so(tmp_path):
@@ -96,11 +93,6 @@ def test_where_nothing_that_is_built_could_be_started_colcon_says_so(tmp_path):
     status, words = said['/home/learner/my course/.venv/bin']
     assert status == 1
     assert "a space in it: /home/learner/my course/.venv/bin. Move the course's folder" in words
-
-
-def test_a_terminal_has_the_learners_own_settings_otherwise(terminal, lab):
-    assert ':/usr/local/bin:/usr/bin:/bin:' in terminal.run('echo $PATH')
-    assert terminal.run('pwd') == str(lab.copies)
 
 
 @pytest.fixture
@@ -121,10 +113,6 @@ def test_ros2_in_a_terminal_is_the_courses_in_the_domain_of_the_newest_kernel_an
     assert second == node
 
 
-def test_ros2_in_a_terminal_says_that_no_notebook_runs(terminal):
-    assert terminal.run('ros2 node list') == 'No notebook is running whose nodes this command could find.'
-
-
 def test_ros2_after_an_exclamation_mark_finds_the_kernels_own_nodes(lab, node):
     assert lab.ask_kernel("get_ipython().getoutput('ros2 node list').n") == repr(node)
     # Which is no genuine one.
@@ -136,16 +124,6 @@ def test_a_genuine_ros2_on_the_path_stays_the_one(terminal, tmp_path):
     genuine.write_text('#!/bin/sh\necho genuine')
     genuine.chmod(0o755)
     assert terminal.run(f'export PATH="{tmp_path}:$PATH"; ros2 node list') == 'genuine'
-
-
-def test_a_make_in_a_terminal_is_not_the_make_that_started_jupyterlab(terminal):
-    assert terminal.run('echo "[$MAKEFLAGS$ARGS]"') == '[]'
-
-
-def test_the_server_shows_the_copies(lab):
-    with urllib.request.urlopen(f'{lab.url}api/contents?token={lab.token}', timeout=TIMEOUT_SEC) as answer:
-        names = {each['name'] for each in json.load(answer)['content']}
-    assert names == {'01_what_are_parameters.ipynb', 'index.md'}
 
 
 def test_make_lab_prints_four_lines(lab):
@@ -161,13 +139,6 @@ def test_a_second_make_lab_says_where_the_first_one_is(lab):
     assert lab.start_again() == (
         f'JupyterLab is running already; open this address in your browser:\n'
         f'    {lab.url}lab/tree/index.md?token={lab.token}\n')
-
-
-def test_help_writes_nothing(tmp_path):
-    done = subprocess.run([sys.executable, '-m', 'param_tutorial', 'lab', '--help'], cwd=tmp_path, capture_output=True,
-                          text=True, env={**os.environ, LESSONS: str(tmp_path / 'copies')})
-    assert done.stdout.startswith('usage: make lab') and done.returncode == 0
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_folder_that_cannot_be_made_is_one_sentence_and_no_server(tmp_path):

@@ -12,6 +12,7 @@ from collections import defaultdict
 from pathlib import Path
 
 import pytest
+import yaml
 
 from param_tools import __version__
 from param_tools.cli.run import node_programs
@@ -86,6 +87,18 @@ def test_style_sheets_and_scripts_are_installed_by_pip_and_by_colcon(setup_py):
     for data in (PYPROJECT['tool']['setuptools']['package-data'], setup_py['package_data']):
         assert files <= {path for package in (PACKAGE, TOOLS) for pattern in data[package.name]
                           for path in package.glob(pattern)}
+
+
+def test_what_github_calls_is_here():
+    workflows = [yaml.safe_load(path.read_text()) for path in (ROOT / '.github' / 'workflows').glob('*.yml')]
+    steps = [step for workflow in workflows for job in workflow['jobs'].values() for step in job.get('steps', [])]
+    commands = [(ROOT / '.ci' / 'run').read_text(), *(step['run'] for step in steps if 'run' in step)]
+    called = {target for command in commands for target in re.findall(r'^ *make ([a-z-]+)', command, re.MULTILINE)}
+    makefile = (ROOT / 'Makefile').read_text()
+    assert called == {'test-all', 'test-rare', 'html', 'lock'}
+    assert called <= set(re.findall(r'^([a-z-]+):', makefile, re.MULTILINE))
+    published, = (step['with']['path'] for step in steps if 'upload-pages-artifact' in step.get('uses', ''))
+    assert re.search(rf'^html:.*## .* in {published}/,', makefile, re.MULTILINE)
 
 
 @pytest.mark.parametrize('lock', LOCKS.values(), ids=LOCKS)

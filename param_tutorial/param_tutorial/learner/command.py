@@ -1,12 +1,10 @@
 """The command line of the learner: ``make reset`` and ``make reset-progress``."""
 
 import argparse
-import os
 import sys
 from pathlib import Path
-from typing import NoReturn
 
-from param_tutorial.learner.copies import COPIES, LESSONS, Copies, CopiesError
+from param_tutorial.learner.copies import Copies, CopiesError
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -29,16 +27,6 @@ def main(arguments: list[str] | None = None) -> int:
         print(error, file=sys.stderr)
         return 1
     return 0
-
-
-def open_lab(arguments: list[str]) -> NoReturn:
-    """Become JupyterLab on the learner's copies of the chapters: in the checkout, or else in the current folder.
-
-    :param arguments: For JupyterLab.
-    """
-    if not (ROOT / 'Makefile').exists():
-        os.environ.setdefault(LESSONS, str(Path.cwd() / COPIES))
-    os.execv(sys.executable, [sys.executable, str(ROOT / 'environment' / 'lab.py'), *arguments])
 
 
 def _reset_progress(copies: Copies) -> str:
