@@ -72,7 +72,6 @@ test-rare: setup-all $(JS_TOOLS)  ## what seldom breaks alone: every known answe
 	@failed=0; \
 	    $(SUITE) -n 4 -m rare $(ARGS) tests notebooks || failed=1; \
 	    $(VENV) -m tests.tools.pythons || failed=1; \
-	    $(VENV) -m tests.tools.beside_ros || failed=1; \
 	    exit $$failed
 
 html: setup-all $(JS_TOOLS)  ## make the website in build/html/, with a node in each page and JupyterLab for the browser

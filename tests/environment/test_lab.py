@@ -115,8 +115,6 @@ def test_ros2_in_a_terminal_is_the_courses_in_the_domain_of_the_newest_kernel_an
 
 def test_ros2_after_an_exclamation_mark_finds_the_kernels_own_nodes(lab, node):
     assert lab.ask_kernel("get_ipython().getoutput('ros2 node list').n") == repr(node)
-    # Which is no genuine one.
-    assert lab.ask_kernel("__import__('param_tools.cli.genuine').cli.genuine.path()") == 'None'
 
 
 def test_a_genuine_ros2_on_the_path_stays_the_one(terminal, tmp_path):

@@ -1,22 +1,15 @@
 """%ros2 and %%ros2 in an IPython shell: what is typed, where it goes, and which ros2 answers."""
 
-import functools
 import os
-import re
-import signal
-import stat
 import subprocess
-import sys
 import textwrap
-import threading
 
 import pytest
 from IPython.utils.capture import capture_output
 
 import param_tutorial
-from param_tools.cli import genuine
-from param_tools.ros import domain, environment
-from param_tutorial import ParameterClient, Terminal, wait_until
+from param_tools.ros import domain
+from param_tutorial import ParameterClient
 from param_tutorial.nodes.simple_param_node import SimpleParamNode
 from param_tutorial.notebook import magics
 
@@ -27,10 +20,8 @@ def shell(ipython):
 
 
 @pytest.fixture
-def cell(shell, monkeypatch):
+def cell(shell):
     """Run a cell; return what it printed on standard output and standard error, and the exit status."""
-    monkeypatch.setenv('PARAM_TOOLS_ROS2', 'embedded')
-
     def run(text):
         with capture_output() as captured:
             result = shell.run_cell(text)
@@ -170,188 +161,29 @@ def test_one_stream_is_flushed_before_the_other_is_written():
     assert notes == [('out', 'a'), ('err', 'b'), ('out', 'cd')]
 
 
-# -- the genuine command ---------------------------------------------------------------------------------------
-
-FAKE = '''\
-#!{python} -IS
-import os, signal, sys, time
-sys.stdout.write('genuine ' + ' '.join(sys.argv[1:]) + '\\n')
-sys.stdout.flush()
-sys.stderr.write('domain %s libraries %s\\n' % (os.environ['ROS_DOMAIN_ID'], os.environ.get('LD_LIBRARY_PATH')))
-if sys.argv[1:] == ['wait']:
-    try:
-        open(os.environ['READY'], 'w').close()
-        signal.pause()
-    except KeyboardInterrupt:
-        sys.stdout.write('interrupted\\n')
-sys.exit(7)
-'''
-
-
-@pytest.fixture
-def fake_ros2(tmp_path, monkeypatch):
-    """Put a program called ros2 on the PATH, in an install space that has been sourced."""
-    path = tmp_path / 'opt' / 'bin' / 'ros2'
-    path.parent.mkdir(parents=True)
-    (tmp_path / 'opt' / 'lib').mkdir()
-    # It needs no packages, and a first line may have no space before its first option.
-    path.write_text(FAKE.format(python=os.path.realpath(sys.executable)))
-    path.chmod(path.stat().st_mode | stat.S_IXUSR)
-    monkeypatch.setenv('PATH', f'{path.parent}{os.pathsep}{os.environ["PATH"]}')
-    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path / 'opt'))
-    monkeypatch.setenv('READY', str(tmp_path / 'ready'))
-    return path
-
-
-@pytest.fixture
-def cell_with_genuine(cell, monkeypatch, fake_ros2):
-    monkeypatch.delenv('PARAM_TOOLS_ROS2')
-    return cell
-
-
-def test_the_genuine_command_is_preferred_and_gets_its_own_libraries(cell_with_genuine, fake_ros2):
-    stdout, stderr, status = cell_with_genuine("%ros2 param set /n a 'b c'")
-    assert stdout == 'genuine param set /n a b c\n'
-    assert stderr == f'domain {domain.choose()} libraries {fake_ros2.parents[1] / "lib"}\n'
-    assert status == 7
-
-
-def test_the_embedded_one_can_be_asked_for(cell, fake_ros2, node):
-    assert cell('%ros2 param get /simple_param_node robot_name') == ('String value is: Clawbot\n', '', 0)
-
-
-def test_output_of_the_genuine_command_goes_into_a_file(cell_with_genuine, tmp_path):
-    stdout, _, _ = cell_with_genuine(f'%ros2 param dump /n > {tmp_path}/out')
-    assert stdout == ''
-    assert (tmp_path / 'out').read_text() == 'genuine param dump /n\n'
-
-
-def test_the_genuine_command_may_not_block_the_cell_either(cell_with_genuine):
-    stdout, stderr, status = cell_with_genuine('%ros2 run demo talker')
-    assert (stdout, status) == ('', 1)
-    assert 'Terminal' in stderr
-
-
-@pytest.mark.parametrize('line', ['launch demo demo_launch.py --show-args', 'run --help', 'launch -h'])
-def test_the_genuine_command_runs_what_ends_by_itself(cell_with_genuine, line):
-    stdout, _, status = cell_with_genuine(f'%ros2 {line}')
-    assert (stdout, status) == (f'genuine {line}\n', 7)
-
-
-def test_the_courses_own_nodes_are_started_by_its_own_command(cell_with_genuine, tmp_path):
-    """The package has not been built, so the genuine command would not find it."""
-    stdout, _, status = cell_with_genuine('%ros2 launch param_tutorial argument_param_launch.py --show-args')
-    assert ("'robot_name':" in stdout, status) == (True, 0)
-    theirs, ours = tmp_path / 'theirs_launch.py', tmp_path / 'ours_launch.py'
-    theirs.write_text("Node(package='demo', executable='talker')")
-    ours.write_text("Node(package='param_tutorial', executable='simple_param_node')")
-    assert genuine.path_for(['launch', str(theirs)]) == genuine.path()
-    assert genuine.path_for(['launch', str(ours)]) is None
-    assert genuine.path_for(['run', '--prefix', 'nice', 'param_tutorial', 'simple_param_node']) is None
-    assert genuine.path_for(['param', 'list', '/param_tutorial']) == genuine.path()
-    assert genuine.path_for(['diff', '/a', '/b']) is None
-    assert genuine.path_for(['param', 'get', '--all-nodes', 'rate']) is None
-
-
-def test_an_old_build_of_the_course_is_not_found(tmp_path, monkeypatch, fake_ros2):
-    """In the user's own workspace, which a .bashrc has sourced."""
-    spaces = [tmp_path / 'isolated' / 'param_tutorial', tmp_path / 'merged']
-    for space in spaces:
-        marker = space / 'share' / 'ament_index' / 'resource_index' / 'packages' / 'param_tutorial'
-        marker.parent.mkdir(parents=True)
-        marker.touch()
-    monkeypatch.setenv('AMENT_PREFIX_PATH', os.pathsep.join([*map(str, spaces), str(fake_ros2.parents[1])]))
-    monkeypatch.setenv('COLCON_PREFIX_PATH', os.pathsep.join([str(tmp_path / 'isolated'), str(tmp_path / 'other')]))
-    environment.drop_old_builds()
-    assert os.environ['AMENT_PREFIX_PATH'] == str(fake_ros2.parents[1])
-    assert os.environ['COLCON_PREFIX_PATH'] == str(tmp_path / 'other')
-
-
-@pytest.mark.slow
-def test_a_terminal_starts_them_too(ros, cell_with_genuine):
-    terminal = Terminal('ros2 run param_tutorial simple_param_node')
-    assert 'max_speed_rpm: 100' in terminal.read(until='max_speed_rpm')
-    assert terminal.interrupt() == 0
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize('end', ['', '; import os; os.kill(os.getpid(), 9)'], ids=['ended', 'killed'])
-@pytest.mark.parametrize('used', ['genuine.command(["param", "list"])', 'Shell().run("ros2 param list")'],
-                         ids=['command', 'shell'])
-@pytest.mark.parametrize('chosen', ['', '7'], ids=['claimed', 'chosen'])
-def test_the_daemon_of_a_claimed_domain_ends_with_the_kernel(fake_ros2, tmp_path, chosen, used, end):
-    log = tmp_path / 'log'
-    fake_ros2.write_text(f'#!/bin/sh\necho $ROS_DOMAIN_ID "$@" >> {log}\n')
-    source = ('from param_tools.cli import genuine; from param_tools.ros import domain; '
-              f'from param_tutorial import Shell; domain.choose(); {used}; '
-              f'guard = genuine.stop_daemon_in_the_end(); assert not guard or guard.poll() is None{end}')
-    environment = {**domain.environment_without_domain(), **({'ROS_DOMAIN_ID': chosen} if chosen else {})}
-    environment.pop('PARAM_TOOLS_ROS2', None)
-    done = subprocess.run([sys.executable, '-c', source], env=environment, capture_output=True, text=True)
-    assert done.returncode == (-9 if end else 0)
-    stopped = re.compile(r'[0-9]+ daemon stop\n')
-    if not chosen:
-        wait_until(lambda: log.exists() and stopped.search(log.read_text()), 'the daemon to be stopped')
-    assert len(stopped.findall(log.read_text() if log.exists() else '')) == (0 if chosen else 1)
-
-
-@pytest.mark.parametrize('before', [signal.default_int_handler, signal.SIG_IGN], ids=['heeded', 'ignored'])
-def test_an_interrupt_is_passed_on_to_the_genuine_command(cell_with_genuine, tmp_path, request, before):
-    request.addfinalizer(functools.partial(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, before)))
-
-    def interrupt():
-        # The cell has shown what the command printed before: starting it is over, and an interrupt is for the command.
-        wait_until(lambda: 'domain' in getattr(sys.stderr, 'getvalue', str)() and (tmp_path / 'ready').exists(),
-                   'the command to wait', timeout_sec=30)
-        os.kill(os.getpid(), signal.SIGINT)
-
-    thread = threading.Thread(target=interrupt)
-    thread.start()
-    try:
-        stdout, _, status = cell_with_genuine('%ros2 wait')
-    finally:
-        thread.join()
-    assert stdout == 'genuine wait\ninterrupted\n'
-    assert status == 7
-
-
-def test_python_packages_of_the_sourced_ros_are_found_again(fake_ros2, tmp_path, monkeypatch):
-    packages = fake_ros2.parents[1] / 'lib' / 'python3.12' / 'site-packages'
-    packages.mkdir(parents=True)
-    monkeypatch.setenv('PYTHONPATH', '/ours')
-    monkeypatch.setenv('LD_LIBRARY_PATH', '/ours')
-    assert genuine.environment()['PYTHONPATH'] == str(packages)
-    # As `colcon build --symlink-install` leaves it.
-    listed = fake_ros2.parents[1] / 'share' / 'lift' / 'package.dsv'
-    hook = tmp_path / 'build' / 'lift' / 'share' / 'lift' / 'hook' / 'pythonpath_develop.dsv'
-    for path in (listed, hook):
-        path.parent.mkdir(parents=True)
-    listed.write_text('source;share/lift/hook/ament_prefix_path.dsv\n'
-                      'source;../build/lift/share/lift/hook/pythonpath_develop.dsv\n')
-    hook.write_text('prepend-non-duplicate;PYTHONPATH;/ws/build/lift')
-    assert genuine.environment()['PYTHONPATH'] == f'/ws/build/lift{os.pathsep}{packages}'
-    monkeypatch.delenv('AMENT_PREFIX_PATH')
-    assert not {'PYTHONPATH', 'LD_LIBRARY_PATH'} & genuine.environment().keys()
-
-
 # -- a terminal beside the notebook ----------------------------------------------------------------------------
 
 
 @pytest.mark.slow
-def test_the_line_for_a_terminal_makes_it_see_the_nodes(node, cell):
+def test_the_line_for_a_terminal_makes_it_see_the_nodes_and_a_genuine_command_stays_the_one(node, tmp_path):
     line = magics.terminal_line()
     plain = {name: value for name, value in os.environ.items() if not name.startswith(('ROS_', 'FAST'))}
     done = subprocess.run(['bash', '-O', 'expand_aliases', '-c', f'{line}\nros2 node list'], env=plain,
                           capture_output=True, text=True)
     assert (done.stdout, done.stderr) == ('/simple_param_node\n', '')
+    genuine = tmp_path / 'ros2'
+    genuine.write_text('#!/bin/sh\necho genuine')
+    genuine.chmod(0o755)
+    plain['PATH'] = f'{tmp_path}{os.pathsep}{plain["PATH"]}'
+    done = subprocess.run(['bash', '-O', 'expand_aliases', '-c', f'{line}\nros2 node list'], env=plain,
+                          capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ('genuine\n', '')
 
 
-def test_the_hint_shows_the_line_and_is_the_same_in_every_stored_output(shell, cell, fake_ros2, monkeypatch):
+def test_the_hint_shows_the_line_and_is_the_same_in_every_stored_output(shell):
     hint = shell.run_line_magic('ros2_terminal', '')
     assert f'ROS_DOMAIN_ID={domain.choose()}' in hint.value
     assert str(domain.choose()) not in repr(hint)
-    monkeypatch.delenv('PARAM_TOOLS_ROS2')
-    assert 'alias' not in magics.terminal_line()
 
 
 def test_the_first_cell_may_be_run_again(shell):

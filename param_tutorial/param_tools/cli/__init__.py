@@ -15,7 +15,7 @@ byte, as 61 recordings in tests/cli/transcripts have it, the others as its sourc
 - ``launch`` reads files in Python, XML and YAML, with what ``launch/reading.py`` and ``launch/markup.py`` list, and
   rejects the use of anything else by its name: components and event handlers, for two. It works out everything before
   it starts the first program, timers included, and keeps no log files.
-- The commands that the genuine one has not (``genuine.OWN_COMMANDS``) follow its conventions.
+- The commands that the genuine one has not follow its conventions.
 - Of other commands, verbs and options, a usage error says that the genuine ros2 has more.
 
 What a command cannot do raises ``CommandFailed`` in any module; ``command`` says it.
@@ -33,5 +33,4 @@ What a command cannot do raises ``CommandFailed`` in any module; ``command`` say
     system_arguments  what the commands of check, system and changes take for a system, and the files they write
     index             where packages are installed
     session           what the verbs share
-    genuine           the installed ros2, where there is one
 """

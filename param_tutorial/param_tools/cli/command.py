@@ -2,9 +2,10 @@
 
 import functools
 import importlib
+import sys
 from collections.abc import Sequence
+from pathlib import Path
 
-from param_tools.cli.genuine import OWN_COMMANDS
 from param_tools.cli.session import MORE_ELSEWHERE, CommandFailed, CommandParser, Printed, Session, run_verb
 from param_tools.errors import ParameterToolError
 from param_tools.ros.waiting import Steps, to_end
@@ -14,8 +15,21 @@ _MODULES = {'node': ['node'], 'param': ['param'], 'pkg': ['pkg'], 'run': ['run']
             'check': ['check', 'describe'], 'system': ['snapshot', 'diff', 'restore'],
             'changes': ['watch', 'history'], 'panel': ['panel']}
 
+# The genuine ros2 has these, too.
+_GENUINE = ('node', 'param', 'pkg', 'run', 'launch')
+
+# As `python -m param_tools`, also where a workspace that holds a build of this package has been sourced, which puts the
+# build in front: the folder of this package is named, and for this one process only.
+_PROGRAM = ('import sys; sys.path.insert(0, sys.argv.pop(1)); '
+            'from param_tools.__main__ import main; sys.exit(main())')
+
 # What is missing where a command needs ROS and there is none.
 _PACKAGES_OF_ROS = ('rclpy', 'rcl_interfaces', 'ament_index_python')
+
+
+def process_words() -> list[str]:
+    """Return what stands for ``ros2`` on the command line of a process of its own."""
+    return [sys.executable, '-c', _PROGRAM, str(Path(__file__).parents[2])]
 
 
 @functools.cache
@@ -43,7 +57,7 @@ def steps(argv: Sequence[str], session: Session) -> Steps:
         command = argv[0] if argv else ''
         # `ros2 check` cannot be typed: it is this program's own.
         called = '%ros2' if session.in_notebook else 'python -m param_tools'
-        parser = _parser(command, called if command in (*OWN_COMMANDS, 'panel') else 'ros2')
+        parser = _parser(command, 'ros2' if command in ('', *_GENUINE) else called)
         args = parser.parse_args(argv)
         if not hasattr(args, 'verb'):
             getattr(args, 'help_of', parser).print_help()

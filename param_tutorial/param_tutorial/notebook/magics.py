@@ -1,17 +1,12 @@
 """``%ros2`` and ``%%ros2``: the ``ros2`` command in a notebook; ``%%shell`` and ``%ros2_terminal``.
 
-The genuine command is used where it is on the PATH; otherwise the embedded one answers, from the executor in
-the background and without a process, with the same output.
+The course's own ``ros2`` answers, from the executor in the background and without a process, with the output of the
+genuine one.
 """
 
-import codecs
 import html
-import os
 import re
-import selectors
 import shlex
-import signal
-import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
@@ -24,14 +19,12 @@ from IPython.core.interactiveshell import ExecutionInfo, InteractiveShell
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
 from param_tools.cli import command as embedded
-from param_tools.cli import genuine
 from param_tools.cli.session import Session, TextStream
 from param_tools.errors import ExecutorError
 from param_tools.panel.pending_clicks import from_pages
 from param_tools.ros import domain, host, stage
-from param_tools.ros.processes import Guard
 from param_tutorial.notebook import stored
-from param_tutorial.notebook.interrupts import handed_to, interruptible
+from param_tutorial.notebook.interrupts import interruptible
 from param_tutorial.notebook.shell import Shell
 
 if TYPE_CHECKING:
@@ -224,11 +217,6 @@ def _parse(line: str) -> _Command:
     return _Command(rest[1:] if rest[:1] == ['ros2'] else rest, target[0] if target else None, operators == ['>>'])
 
 
-# Options of `ros2 run` and `ros2 launch` that start nothing.
-_ENDS_BY_ITSELF = frozenset({'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print',
-                             '--print-description'})
-
-
 def _instead_of(words: Sequence[str]) -> str:
     """Return a sentence on what to do instead of a command that would not let the cell end."""
     # Not param_tutorial.start(), which would first remove the nodes that are there.
@@ -244,14 +232,8 @@ def _run(command: _Command) -> int:
             output = stack.enter_context(_opened(Path(command.target).expanduser(), 'a' if command.append else 'w'))
         streams = _Streams(output, sys.stderr)
         try:
-            installed = genuine.path_for(command.words)
-            if installed is None:
-                return embedded.main(command.words, Session(streams.stdout, streams.stderr, stage.current,
-                                                            in_notebook=True, instead_of=_instead_of))
-            if command.words[0] in ('run', 'launch') and _ENDS_BY_ITSELF.isdisjoint(command.words):
-                streams.stderr.write(f'{_instead_of(command.words)}\n')
-                return 1
-            return _run_genuine(installed, command.words, streams)
+            return embedded.main(command.words, Session(streams.stdout, streams.stderr, stage.current, in_notebook=True,
+                                                        instead_of=_instead_of))
         finally:
             streams.flush()
 
@@ -296,31 +278,6 @@ class _Stream:
         self._stream.flush()
 
 
-def _run_genuine(installed: str, words: list[str], streams: _Streams) -> int:
-    """Run the installed command, show what it prints as it comes, and pass an interrupt on."""
-    domain.choose()
-    command, environment = genuine.command_of(installed, words)
-    with Guard() as guard, subprocess.Popen(
-            command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            start_new_session=True) as process, handed_to(process.pid), selectors.DefaultSelector() as selector:
-        guard.watch(process.pid)
-        assert process.stdout and process.stderr  # both are pipes
-        for pipe, stream in ((process.stdout, streams.stdout), (process.stderr, streams.stderr)):
-            selector.register(pipe, selectors.EVENT_READ, (stream, codecs.getincrementaldecoder('utf-8')('replace')))
-        try:
-            while selector.get_map():
-                for key, _ in selector.select():
-                    stream, decoder = key.data
-                    chunk = os.read(key.fd, 65536)
-                    stream.write(decoder.decode(chunk, final=not chunk))
-                    if not chunk:
-                        selector.unregister(key.fileobj)
-            return process.wait()
-        finally:
-            if process.poll() is None:
-                os.killpg(process.pid, signal.SIGKILL)
-
-
 def terminal_hint() -> 'PersonalLine':
     """Return a widget with the line that makes a terminal join the ROS domain of this notebook, if any could."""
     from param_tutorial.notebook.personal_line import PersonalLine
@@ -339,7 +296,5 @@ def terminal_line() -> str:
     """Return the line of shell that makes a terminal join the ROS domain of this process."""
     domain.choose()
     settings = ' '.join(f'{name}={shlex.quote(value)}' for name, value in domain.settings().items())
-    if genuine.path() is not None:
-        return f'export {settings}'
-    embedded = shlex.join([sys.executable, '-m', 'param_tutorial'])
-    return f'export {settings}; alias ros2={shlex.quote(embedded)}'
+    embedded_ros2 = shlex.join([sys.executable, '-m', 'param_tutorial'])
+    return f'export {settings}; command -v ros2 >/dev/null || alias ros2={shlex.quote(embedded_ros2)}'

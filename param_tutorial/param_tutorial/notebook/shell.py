@@ -19,16 +19,16 @@ from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from param_tools.cli import genuine
+from param_tools.cli.command import process_words
 from param_tools.errors import ParameterToolError
-from param_tools.ros import domain, environment, host
+from param_tools.ros import domain, host
 from param_tools.ros.processes import Guard
 from param_tutorial.notebook.interrupts import handed_to, interruptible
 
 # The learner's own settings would change what commands do and print: git's name and address, colcon's defaults, how
-# nodes log.
+# nodes log, and what has been built and sourced before.
 _NOT_PASSED_ON = re.compile(
-    r'^(PYTHON.*|GIT_.*|COLCON_.*|RCUTILS_.*|BASH_ENV|ENV|BASH_FUNC_.*|PROMPT_COMMAND|PS[0-4])$')
+    r'^(PYTHON.*|GIT_.*|COLCON_.*|(AMENT|CMAKE)_PREFIX_PATH|RCUTILS_.*|BASH_ENV|ENV|BASH_FUNC_.*|PROMPT_COMMAND|PS[0-4])$')
 _LOOK_PERIOD_SEC = 0.1
 NO_SHELL = 'there is no shell in a web page'
 # [0.52s] after a package, [0.523s] before a warning (on 3.13 a negative number), and [0.52s, exited with code 1].
@@ -47,7 +47,7 @@ class Shell:
     >>> print(shell.run('mkdir src; ls'))      # doctest: +SKIP
     src
 
-    Commands are the real ones; the one thing that is lent is ``ros2``, where ROS is not installed. Two things are
+    Commands are the real ones; the one thing that is lent is ``ros2``. Two things are
     left out of what is shown, because they differ each time: the home folder's name, for which ``~`` stands, and
     the seconds that colcon took. A command that goes on until Ctrl+C belongs in a ``Terminal``.
     """
@@ -59,7 +59,6 @@ class Shell:
         :raises FileNotFoundError: there is no bash.
         """
         domain.choose()
-        environment.drop_old_builds()
         self._beside = beside  # so that the home folder stays as long as anybody lives in it
         if beside:
             folder = None
@@ -75,15 +74,13 @@ class Shell:
         if not host.host.has_processes:
             self._close: Callable[[], object] = weakref.finalize(self, _remove, folder)
             return
-        has_genuine = genuine.path() is not None
-        genuine.stop_daemon_in_the_end()
         self._programs, colcon = _programs_without_space(self.home)
         with interruptible():
             # What is running when this process is killed would go on.
             guard = Guard()
             self._process = bash = subprocess.Popen(
                 ['bash', '--noprofile', '--norc'], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(has_genuine),
+                stderr=subprocess.STDOUT, cwd=self.home, env=self._first_environment(),
                 start_new_session=True)
             guard.watch(bash.pid)
         # Also when a cell that makes a shell runs again, and when the kernel ends.
@@ -93,20 +90,14 @@ class Shell:
         os.set_blocking(self._output.fileno(), False)
         # Ctrl+C ends the command and not the shell.
         self.run('trap : INT')
-        if not has_genuine:
-            self.run(f'ros2() {{ {shlex.join(genuine.embedded_words())} "$@"; }}')
-            if colcon:
-                self.run(f'colcon() {{ {colcon} "$@"; }}')
+        self.run(f'ros2() {{ {shlex.join(process_words())} "$@"; }}')
+        if colcon:
+            self.run(f'colcon() {{ {colcon} "$@"; }}')
 
-    def _first_environment(self, has_genuine: bool) -> dict[str, str]:
-        outer = genuine.environment() if has_genuine else dict(os.environ)
-        passed_on = {name: value for name, value in outer.items() if not _NOT_PASSED_ON.match(name)}
-        # Where colcon was installed with this Python. First, so that the nodes that it builds find this Python's rclpy;
-        # beside a genuine ROS, theirs is its own, and this colcon stands in for one that is missing.
-        path = [str(self._programs), passed_on.get('PATH', os.defpath)]
-        passed_on['PATH'] = os.pathsep.join(reversed(path) if has_genuine else path)
-        if has_genuine and 'PYTHONPATH' in outer:
-            passed_on['PYTHONPATH'] = outer['PYTHONPATH']
+    def _first_environment(self) -> dict[str, str]:
+        passed_on = {name: value for name, value in os.environ.items() if not _NOT_PASSED_ON.match(name)}
+        # Where colcon was installed with this Python: first, so that the nodes that it builds find this Python's rclpy.
+        passed_on['PATH'] = os.pathsep.join([str(self._programs), passed_on.get('PATH', os.defpath)])
         # As on a machine on which nothing has been built yet, `ros2 run` finds no package. A package that `ros2 pkg
         # create` has written has the option tests_require, of which only setuptools newer than Jazzy's complain.
         return {**passed_on, 'PARAM_TOOLS_PROVIDED': '0', 'PYTHONWARNINGS': 'ignore:Unknown distribution option',

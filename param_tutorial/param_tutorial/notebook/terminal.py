@@ -20,7 +20,6 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from param_tools.cli import command as embedded
-from param_tools.cli import genuine
 from param_tools.cli.session import Session
 from param_tools.errors import WaitTimeoutError
 from param_tools.ros import domain, environment, host, stage
@@ -58,9 +57,9 @@ class Terminal:
         The same command, if it still runs in an earlier terminal, is interrupted first: that is a cell that runs again,
         and nobody could interrupt it later.
 
-        :param command: As typed into a shell, without pipes and variables. A leading ``ros2`` is the genuine
-            one if that is on the PATH, otherwise the embedded one. Without a shell, a leading ``python3`` is the Python
-            of this process, since another one may know nothing of rclpy.
+        :param command: As typed into a shell, without pipes and variables. A leading ``ros2`` is the
+            course's own. Without a shell, a leading ``python3`` is the Python of this process, since another one may
+            know nothing of rclpy.
         :param shell: Start it in the folder and with the environment that this shell has now.
         :param variables: What its environment has besides.
         :raises FileNotFoundError: there is no such command.
@@ -81,14 +80,11 @@ class Terminal:
         outer, folder, instead = dict(os.environ), None, None
         if shell is not None:
             outer, folder = shell.environment(), shell.folder()
-            if arguments[0] == 'ros2':
-                installed = genuine.path()
-                arguments[:1] = [installed] if installed else genuine.embedded_words()
-        elif arguments[0] == 'ros2':
-            instead = functools.partial(_embedded, arguments[1:])
-            arguments, outer = genuine.command(arguments[1:])
         elif arguments[0] == 'python3':
             arguments[0] = sys.executable or 'python3'
+        if arguments[0] == 'ros2':
+            instead = functools.partial(_embedded, arguments[1:])
+            arguments[:1] = embedded.process_words()
         with interruptible():
             self._process = host.host.start(
                 arguments, Output(self._take, began=self._begin, ended=self._end), folder=folder, is_interactive=True,
