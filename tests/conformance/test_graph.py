@@ -1,11 +1,9 @@
 """What nodes know of each other: names, types, counts, endpoints."""
 
-import pytest
 from builtin_interfaces.msg import Time
 from rcl_interfaces.srv import GetParameters
 from rclpy.context import Context
 from rclpy.impl.implementation_singleton import rclpy_implementation as layer
-from rclpy.node import NodeNameNonExistentError
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.topic_endpoint_info import TopicEndpointTypeEnum
 
@@ -19,23 +17,6 @@ def test_nodes(ros):
     first.executor.remove_node(ros.nodes[1])
     ros.nodes.pop().destroy_node()
     ros.wait(lambda: first.get_node_names() == ['first'])
-
-
-def test_topics(ros):
-    node = ros.node(enable_rosout=False, start_parameter_services=False)
-    node.create_publisher(Time, 'topic', 1)
-    node.create_subscription(Time, 'topic', print, 1)
-    ros.wait(lambda: node.count_subscribers('/topic') and node.count_publishers('/topic'))
-    time = ['builtin_interfaces/msg/Time']
-    event = ('/parameter_events', ['rcl_interfaces/msg/ParameterEvent'])
-    assert node.get_topic_names_and_types() == [event, ('/topic', time)]
-    assert node.get_publisher_names_and_types_by_node('node', '/') == [event, ('/topic', time)]
-    assert node.get_subscriber_names_and_types_by_node('node', '/') == [('/topic', time)]
-    mangled = node.get_subscriber_names_and_types_by_node('node', '/', no_demangle=True)
-    assert mangled == [('rq/node/get_type_descriptionRequest',
-                        ['type_description_interfaces::srv::dds_::GetTypeDescription_Request_']),
-                       ('rt/topic', ['builtin_interfaces::msg::dds_::Time_'])]
-    assert ('rt/topic', ['builtin_interfaces::msg::dds_::Time_']) in node.get_topic_names_and_types(no_demangle=True)
 
 
 def test_services(ros):
@@ -78,27 +59,6 @@ def test_endpoints(ros):
     assert sends.qos_profile.lifespan == hears.qos_profile.deadline
     assert node.get_publishers_info_by_topic('nothing') == []
     assert len(node.get_publishers_info_by_topic('rt/ns/topic', no_mangle=True)) == 1
-
-
-def test_the_history_of_an_endpoint_is_nobodys_business(ros):
-    node = ros.node()
-    node.create_publisher(Time, 'topic', 7)
-    ros.wait(lambda: node.count_publishers('/topic'))
-    found = node.get_publishers_info_by_topic('topic')[0].qos_profile
-    assert (found.history.name, found.depth, found.liveliness.name) == ('UNKNOWN', 0, 'AUTOMATIC')
-    assert found.deadline.nanoseconds == layer.RMW_DURATION_INFINITE
-
-
-@pytest.mark.parametrize('method', ['get_publisher_names_and_types_by_node', 'get_subscriber_names_and_types_by_node',
-                                    'get_service_names_and_types_by_node', 'get_client_names_and_types_by_node'])
-def test_a_node_that_is_not_there(ros, method):
-    ask = getattr(ros.node(), method)
-    with pytest.raises(NodeNameNonExistentError, match='nonexistent node'):
-        ask('nobody', '/')
-    with pytest.raises(layer.RCLError, match='must not contain characters'):
-        ask('no body', '/')
-    with pytest.raises(layer.RCLError, match='must be absolute'):
-        ask('nobody', 'relative')
 
 
 def test_contexts_of_one_domain_see_each_other_and_those_of_another_do_not(ros):

@@ -1,13 +1,11 @@
 """Names of nodes, namespaces, topics and services: which are valid, what they stand for, what remaps make of them."""
 
 import pytest
-import rclpy
 from rcl_interfaces.msg import Log
 from rcl_interfaces.srv import GetParameters
 from rclpy.exceptions import (
     InvalidNamespaceException,
     InvalidNodeNameException,
-    InvalidServiceNameException,
     InvalidTopicNameException,
 )
 from rclpy.expand_topic_name import expand_topic_name
@@ -35,14 +33,6 @@ def test_invalid_namespace(ros, namespace, why):
         ros.node(namespace=namespace)
 
 
-@pytest.mark.parametrize('namespace, full, logger', [
-    ('', '/n', 'n'), ('/', '/n', 'n'), ('a', '/a/n', 'a.n'), ('/a/b', '/a/b/n', 'a.b.n')])
-def test_namespaces_are_absolute_in_the_end(ros, namespace, full, logger):
-    node = ros.node('n', namespace=namespace)
-    assert node.get_fully_qualified_name() == full
-    assert node.get_logger().name == logger
-
-
 @pytest.mark.parametrize('topic, expanded', [
     ('chatter', '/ns/chatter'), ('/chatter', '/chatter'), ('~', '/ns/node'), ('~/chatter', '/ns/node/chatter'),
     ('a/{node}/b', '/ns/a/node/b'), ('{ns}/b', '/ns/b'), ('{namespace}/b', '/ns/b')])
@@ -52,18 +42,6 @@ def test_expanding_a_topic(ros, topic, expanded):
     assert node.create_publisher(Log, topic, 1).topic_name == expanded
     assert node.create_subscription(Log, topic, print, 1).topic_name == expanded
     assert node.resolve_topic_name(topic) == node.resolve_service_name(topic) == expanded
-
-
-@pytest.mark.parametrize('topic', ['a b', 'a/', '1a', '{unknown}', '~a/b', 'a/~', 'a{', ''])
-def test_invalid_topics_and_services(ros, topic):
-    node = ros.node()
-    for make in (lambda: node.create_publisher(Log, topic, 1), lambda: node.create_subscription(Log, topic, print, 1)):
-        with pytest.raises((InvalidTopicNameException, ValueError)):
-            make()
-    for make in (lambda: node.create_client(GetParameters, topic),
-                 lambda: node.create_service(GetParameters, topic, print)):
-        with pytest.raises((InvalidServiceNameException, ValueError)):
-            make()
 
 
 @pytest.mark.parametrize('name, why, where', [
@@ -112,14 +90,3 @@ def test_topics_and_services_can_have_rules_of_their_own(ros):
     assert node.create_service(GetParameters, 'a', print).service_name in ('a', '/ns/service')
     assert node.resolve_service_name('a') == '/ns/service'
     assert node.resolve_topic_name('~/b') == node.resolve_service_name('n/b') == '/ns/n/c'
-
-
-def test_the_global_functions_stand_on_the_default_context():
-    rclpy.init(args=['program', '--ros-args', '-r', '__node:=other'])
-    try:
-        node = rclpy.create_node('node')
-        assert node.get_fully_qualified_name() == '/other'
-        node.destroy_node()
-    finally:
-        rclpy.shutdown()
-    assert not rclpy.ok()

@@ -1,4 +1,4 @@
-"""Where the layer may be installed, what it says it is, and that it needs neither threads nor numpy."""
+"""The layer: where it may be installed, that it needs neither threads nor numpy, and that it does as the real one."""
 
 import subprocess
 import sys
@@ -8,6 +8,7 @@ import rclpy
 
 from param_tools.errors import LayerError
 from param_tools.rcl_in_python.install import install, is_installed
+from tests.support.paths import ROOT
 
 BEGIN = '''
 import sys, threading
@@ -84,25 +85,6 @@ rclpy.shutdown()
 ''') == 'True 2 1\n'
 
 
-def test_a_host_without_threads_waits_in_its_own_way():
-    assert run('''
-import rclpy
-class Asked(Exception):
-    pass
-def wait(condition, seconds=None):
-    raise Asked(seconds)
-threading.Condition.wait = wait
-rclpy.init(args=[])
-node = rclpy.create_node('node')
-rclpy.spin_once(node, timeout_sec=0)
-node.create_timer(3600, print)
-try:
-    rclpy.spin_once(node, timeout_sec=60)
-except Asked as asked:
-    print(0 < asked.args[0] <= 60)
-''') == 'True\n'
-
-
 def test_the_layer_itself_needs_no_numpy():
     assert run('print("numpy" in sys.modules, "rclpy" in sys.modules)') == 'False False\n'
 
@@ -133,3 +115,15 @@ with mutex:
     print(mutex.acquire(block=False), mutex.acquire(timeout=0.01))
 print(mutex.acquire(), mutex.release())
 ''') == 'False False\nTrue None\n'
+
+
+@pytest.mark.slow
+@pytest.mark.thorough
+@pytest.mark.timeout(300)
+def test_what_the_real_one_passes_the_layer_passes():
+    """The tests of rclpy's behavior that are written here; tests/README.md says how to run rclpy's own."""
+    # Stops at the first that fails: of a broken layer, many would wait for a minute each.
+    done = subprocess.run([sys.executable, '-m', 'pytest', '-p', 'tests.support.rcl_in_python', '-x', '-n', '2',
+                           '--dist', 'loadscope', 'tests/conformance', 'tests/node', 'tests/ros/test_services.py',
+                           'tests/ros/test_rclpy_private.py'], cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr

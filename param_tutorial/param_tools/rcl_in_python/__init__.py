@@ -6,5 +6,6 @@ imported. Messages and requests go from queue to queue: no other process can see
 
 It is for places where the real one cannot be, such as a page in a browser. There,
 ``rclpy.get_rmw_implementation_identifier()`` says ``rclpy_in_python_without_network``, and so does the stage when it is
-shown. The judge is the real one: tests of rclpy and of parameters run on both (tests/rcl_in_python).
+shown. The judge is the real one: tests of rclpy's behavior run on both (tests/conformance), and rclpy's own
+tests run on this (tests/README.md).
 """

@@ -186,17 +186,11 @@ def _take_remap(arguments: Arguments, flag: str, text: str) -> None:
 
 
 def _why_no_rule(text: str, separator: int) -> str:
-    """Return rcl's words for the commonest reasons why a text is no rule.
+    """Return rcl's words for the commonest reason why a text is no rule.
 
     :param separator: rcl's number for what stands between the two sides of one.
     """
-    left, assigned, right = text.partition(':=')
-    if '*' in left:
-        return f"Wildcard '{'**' if '**' in left else '*'}' is not implemented"
-    if '\\' in right:
-        return 'Backreferences are not implemented'
-    if not re.match(rf'(?:\w+:|~/|/)*{_TOKEN}', left):
-        return 'Expecting token or wildcard'
+    left, assigned, _ = text.partition(':=')
     return 'error not set' if assigned else (
         f'Expected lexeme type ({separator}) not found, search ended at index {len(left)}')
 

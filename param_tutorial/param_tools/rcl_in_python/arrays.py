@@ -7,6 +7,10 @@ import types
 from collections.abc import Iterable
 
 
+class uint8(int):  # as numpy calls it
+    """What such an array holds."""
+
+
 class ndarray(list[int]):  # as numpy calls it
     """An array of bytes."""
 
@@ -30,7 +34,6 @@ class ndarray(list[int]):  # as numpy calls it
 def make() -> types.ModuleType:
     """Return a module to be imported as numpy."""
     module = types.ModuleType('numpy', __doc__)
-    uint8 = type('uint8', (int,), {})
     vars(module).update(
         ndarray=ndarray, uint8=uint8, array=ndarray, zeros=lambda count, dtype=uint8: ndarray([0] * count, dtype),
         all=all, float64=float)  # IPython looks for the last one wherever there is a numpy

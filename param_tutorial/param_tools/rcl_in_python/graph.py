@@ -66,8 +66,7 @@ class Endpoint:
     def __init__(self, domain: 'Domain', node: NodeEntry, topic: str, message_type: type, profile: qos.Profile):
         """:param topic: As DDS knows it."""
         self.domain, self.node, self.topic, self.message_type = domain, node, topic, message_type
-        others = [each.profile for each in domain.endpoints if each.topic == topic and self.is_writer != each.is_writer]
-        self.profile = qos.settled(profile, others, is_writer=self.is_writer)
+        self.profile = qos.settled(profile, is_writer=self.is_writer)
         self.gid = [*next(_gids).to_bytes(8, 'little'), *bytes(8)]
         self.matched: list[Any] = []
         self.matches, self.incompatible_type = Matched(), IncompatibleType()

@@ -150,21 +150,6 @@ class Node(Destroyable):
                 return each
         raise NodeNameNonExistentError(f'cannot get {what} for nonexistent node: error not set')
 
-    def get_action_client_names_and_types_by_node(self, name: str, namespace: str) -> NamesAndTypes:
-        return _actions(rclpy_get_subscriber_names_and_types_by_node(self, False, name, namespace))
-
-    def get_action_server_names_and_types_by_node(self, name: str, namespace: str) -> NamesAndTypes:
-        return _actions(rclpy_get_publisher_names_and_types_by_node(self, False, name, namespace))
-
-    def get_action_names_and_types(self) -> NamesAndTypes:
-        return _actions(rclpy_get_topic_names_and_types(self, False))
-
-
-def _actions(topics: NamesAndTypes) -> NamesAndTypes:
-    """Return the actions among topics: those that give feedback."""
-    return [(name.removesuffix('/_action/feedback'), [each.removesuffix('_FeedbackMessage') for each in types])
-            for name, types in topics if name.endswith('/_action/feedback')]
-
 
 # -- names and types ------------------------------------------------------------------------------------------
 

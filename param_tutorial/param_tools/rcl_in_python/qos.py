@@ -12,18 +12,15 @@ DURATION_INFINITE = 2**63 - 1
 BEST_AVAILABLE_DURATION = DURATION_INFINITE - 1
 
 SYSTEM_DEFAULT, UNKNOWN = 0, 3
+_OPEN = (SYSTEM_DEFAULT, UNKNOWN)
 KEEP_LAST, KEEP_ALL = 1, 2
 RELIABLE, BEST_EFFORT = 1, 2
 TRANSIENT_LOCAL, VOLATILE = 1, 2
 # Both of reliability and of durability.
 BEST_AVAILABLE = 4
 AUTOMATIC, MANUAL_BY_TOPIC, LIVELINESS_UNKNOWN, LIVELINESS_BEST_AVAILABLE = 1, 3, 4, 5
-
-_WORDS = {
-    'reliability': {0: 'system_default', 1: 'reliable', 2: 'best_effort', 3: 'unknown', 4: 'best_available'},
-    'durability': {0: 'system_default', 1: 'transient_local', 2: 'volatile', 3: 'unknown', 4: 'best_available'},
-    'liveliness': {0: 'system_default', 1: 'automatic', 3: 'manual_by_topic', 4: 'unknown', 5: 'best_available'},
-}
+_OPEN_LIVELINESS = (SYSTEM_DEFAULT, LIVELINESS_UNKNOWN)
+_DURATIONS = ('lifespan', 'deadline', 'liveliness_lease_duration')
 
 
 class rcl_duration_t:
@@ -60,8 +57,7 @@ class Profile:
         """Return the arguments for a QoSProfile of rclpy."""
         from rclpy.duration import Duration
 
-        durations = {name: Duration(nanoseconds=getattr(self, name))
-                     for name in ('lifespan', 'deadline', 'liveliness_lease_duration')}
+        durations = {name: Duration(nanoseconds=getattr(self, name)) for name in _DURATIONS}
         return {**vars(self), **durations}
 
 
@@ -117,36 +113,24 @@ def profile_of(given: rmw_qos_profile_t | Profile | None) -> Profile:
 # -- what a profile becomes when an endpoint is created -------------------------------------------------------
 
 
-def settled(profile: Profile, others: list[Profile], *, is_writer: bool) -> Profile:
-    """Return a profile with the middleware's choice wherever the application has left it to the middleware.
+def settled(profile: Profile, *, is_writer: bool) -> Profile:
+    """Return a profile with the middleware's choice wherever the application has left it to the middleware."""
+    def chosen(value: int, default: int) -> int:
+        return default if value in (SYSTEM_DEFAULT, BEST_AVAILABLE) else value
 
-    :param others: The (settled) profiles of those on the other end of the topic.
-    """
-    if profile.reliability == BEST_AVAILABLE:
-        is_reliable = is_writer or all(each.reliability == RELIABLE for each in others)
-        profile = replace(profile, reliability=RELIABLE if is_reliable else BEST_EFFORT)
-    if profile.durability == BEST_AVAILABLE:
-        is_lasting = is_writer or all(each.durability == TRANSIENT_LOCAL for each in others)
-        profile = replace(profile, durability=TRANSIENT_LOCAL if is_lasting else VOLATILE)
-    if profile.liveliness == LIVELINESS_BEST_AVAILABLE:
-        levels = [each.liveliness for each in others]
-        best = (max if is_writer else min)(levels, default=AUTOMATIC)
-        profile = replace(profile, liveliness=best)
-    for name in ('deadline', 'liveliness_lease_duration'):
-        if getattr(profile, name) == BEST_AVAILABLE_DURATION:
-            given = [getattr(each, name) or DURATION_INFINITE for each in others]
-            chosen: dict[str, Any] = {name: (min if is_writer else max)(given, default=DURATION_INFINITE)}
-            profile = replace(profile, **chosen)
     return replace(
-        profile,
+        _without_zeros(profile),
         history=profile.history or KEEP_LAST,
         depth=profile.depth or 1,
-        reliability=profile.reliability or (RELIABLE if is_writer else BEST_EFFORT),
-        durability=profile.durability or (TRANSIENT_LOCAL if is_writer else VOLATILE),
-        lifespan=profile.lifespan or DURATION_INFINITE,
-        deadline=profile.deadline or DURATION_INFINITE,
-        liveliness=profile.liveliness or AUTOMATIC,
-        liveliness_lease_duration=profile.liveliness_lease_duration or DURATION_INFINITE)
+        reliability=chosen(profile.reliability, RELIABLE if is_writer else BEST_EFFORT),
+        durability=chosen(profile.durability, TRANSIENT_LOCAL if is_writer else VOLATILE),
+        liveliness=MANUAL_BY_TOPIC if profile.liveliness == MANUAL_BY_TOPIC else AUTOMATIC)
+
+
+def _without_zeros(profile: Profile) -> Profile:
+    """Return a profile that says in ns, too, that there is no limit."""
+    return replace(profile, **{name: DURATION_INFINITE for name in _DURATIONS
+                               if getattr(profile, name) in (0, BEST_AVAILABLE_DURATION)})
 
 
 def incompatible_policy(writer: Profile, reader: Profile) -> rmw_qos_policy_kind_t | None:
@@ -154,7 +138,8 @@ def incompatible_policy(writer: Profile, reader: Profile) -> rmw_qos_policy_kind
     kinds = rmw_qos_policy_kind_t
     if writer.reliability == BEST_EFFORT and reader.reliability == RELIABLE:
         return kinds.RMW_QOS_POLICY_RELIABILITY
-    if writer.liveliness < reader.liveliness or writer.liveliness_lease_duration > reader.liveliness_lease_duration:
+    if ((writer.liveliness, reader.liveliness) == (AUTOMATIC, MANUAL_BY_TOPIC)
+            or writer.liveliness_lease_duration > reader.liveliness_lease_duration):
         return kinds.RMW_QOS_POLICY_LIVELINESS
     if writer.deadline > reader.deadline:
         return kinds.RMW_QOS_POLICY_DEADLINE
@@ -173,64 +158,19 @@ class QoSCheckCompatibleResult(NamedTuple):
 
 def rclpy_qos_check_compatible(publisher: rmw_qos_profile_t, subscription: rmw_qos_profile_t,
                                ) -> QoSCheckCompatibleResult:
-    """Return whether two profiles suit each other, and why not, in rmw_dds_common's words."""
-    writer, reader = profile_of(publisher), profile_of(subscription)
-    if errors := _errors(writer, reader):
-        return QoSCheckCompatibleResult(QoSCompatibility.ERROR, ''.join(errors))
-    if warnings := _warnings(writer, reader):
-        return QoSCheckCompatibleResult(QoSCompatibility.WARNING, ''.join(warnings))
+    """Return whether two profiles suit each other, or may not, where one of them leaves it to the middleware."""
+    writer, reader = _without_zeros(profile_of(publisher)), _without_zeros(profile_of(subscription))
+    if policy := incompatible_policy(writer, reader):
+        return QoSCheckCompatibleResult(QoSCompatibility.ERROR, f'ERROR: {policy.name} keeps them apart;')
+    if policy := incompatible_policy(_at_worst(writer, BEST_EFFORT, VOLATILE, AUTOMATIC),
+                                     _at_worst(reader, RELIABLE, TRANSIENT_LOCAL, MANUAL_BY_TOPIC)):
+        return QoSCheckCompatibleResult(QoSCompatibility.WARNING, f'WARNING: {policy.name} may keep them apart;')
     return QoSCheckCompatibleResult()
 
 
-def _errors(writer: Profile, reader: Profile) -> list[str]:
-    found = []
-    if writer.reliability == BEST_EFFORT and reader.reliability == RELIABLE:
-        found.append('ERROR: Best effort publisher and reliable subscription;')
-    if writer.durability == VOLATILE and reader.durability == TRANSIENT_LOCAL:
-        found.append('ERROR: Volatile publisher and transient local subscription;')
-    if reader.deadline and not writer.deadline:
-        found.append('ERROR: Subscription has a deadline, but publisher does not;')
-    elif reader.deadline and reader.deadline < writer.deadline:
-        found.append('ERROR: Subscription deadline is less than publisher deadline;')
-    if writer.liveliness == AUTOMATIC and reader.liveliness == MANUAL_BY_TOPIC:
-        found.append("ERROR: Publisher's liveliness is automatic and subscription's is manual by topic;")
-    if reader.liveliness_lease_duration and not writer.liveliness_lease_duration:
-        found.append('ERROR: Subscription has a liveliness lease duration, but publisher does not;')
-    elif reader.liveliness_lease_duration and reader.liveliness_lease_duration < writer.liveliness_lease_duration:
-        found.append('ERROR: Subscription liveliness lease duration is less than publisher;')
-    return found
-
-
-# Of each policy: the values that leave it open, the one that the weakest writer offers, the one that the most demanding
-# reader wants; and rmw_dds_common's words (its spelling, too) for both open, an open writer, and an open reader.
-_OPEN_POLICIES = (
-    ('reliability', (SYSTEM_DEFAULT, UNKNOWN), BEST_EFFORT, RELIABLE,
-     'Publisher reliability is {writer} and subscription reliability is {reader}',
-     'Reliable subscription, but publisher is {writer}',
-     'Best effort publisher, but subscription is {reader}'),
-    ('durability', (SYSTEM_DEFAULT, UNKNOWN), VOLATILE, TRANSIENT_LOCAL,
-     'Publisher durabilty is {writer} and subscription durability is {reader}',
-     'Transient local subscription, but publisher is {writer}',
-     'Volatile publisher, but subscription is {reader}'),
-    ('liveliness', (SYSTEM_DEFAULT, LIVELINESS_UNKNOWN), AUTOMATIC, MANUAL_BY_TOPIC,
-     'Publisher liveliness is {writer} and subscription liveliness is {reader}',
-     "Subscription's liveliness is manual by topic, but publisher's is {writer}",
-     "Publisher's liveliness is automatic, but subscription's is {reader}"),
-)
-
-
-def _warnings(writer: Profile, reader: Profile) -> list[str]:
-    found = []
-    for name, unclear, weakest, most_wanted, both_open, writer_open, reader_open in _OPEN_POLICIES:
-        offered, wanted = getattr(writer, name), getattr(reader, name)
-        if offered in unclear and wanted in unclear:
-            text = both_open
-        elif offered in unclear and wanted == most_wanted:
-            text = writer_open
-        elif offered == weakest and wanted in unclear:
-            text = reader_open
-        else:
-            continue
-        words = _WORDS[name]
-        found.append(f'WARNING: {text.format(writer=words.get(offered, ""), reader=words.get(wanted, ""))};')
-    return found
+def _at_worst(profile: Profile, reliability: int, durability: int, liveliness: int) -> Profile:
+    """Return a profile with these values where it leaves them open."""
+    return replace(profile,
+                   reliability=reliability if profile.reliability in _OPEN else profile.reliability,
+                   durability=durability if profile.durability in _OPEN else profile.durability,
+                   liveliness=liveliness if profile.liveliness in _OPEN_LIVELINESS else profile.liveliness)
