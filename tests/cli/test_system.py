@@ -1,7 +1,5 @@
 """The commands snapshot, diff and restore, and one parameter of all nodes."""
 
-import json
-
 import pytest
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -93,9 +91,8 @@ def test_what_a_snapshot_cannot_hold_is_no_difference_from_it(ros, tmp_path):
         assert (sorted(stderr.splitlines(keepends=True)), status) == (sorted(reasons.splitlines(keepends=True)), 0)
     # As soon as it has a value that the file could hold, it is new.
     ParameterClient('/sparse').set_parameter('unset', 0.5)
-    stdout, stderr, status = run('diff', path, '/sparse', '--format', 'json')
-    added, = json.loads(stdout)
-    assert (added['parameter'], added['kind'], added['after']) == ('unset', 'added', 0.5)
+    stdout, stderr, status = run('diff', path, '/sparse')
+    assert stdout.splitlines()[-1].split() == ['unset', 'added', '-', '0.5']
     assert (stderr, status) == ('not compared: /sparse: raw: a parameter file has no byte arrays\n', 1)
 
 
@@ -129,38 +126,12 @@ def test_an_array_that_was_empty_is_emptied_again(ros, tmp_path):
     assert path.read_text() == before
 
 
-def test_two_robots(ros):
-    ros.add(Camera, '/robot1')
-    ros.add(Camera, '/robot2')
-    assert run('diff', '/robot1/**', '/robot2/**')[2] == 0
-    ParameterClient('/robot2/camera').set_parameter('rate', 15)
-    stdout, _, status = run('diff', '/robot1/**', '/robot2/**', '--format', 'json')
-    assert json.loads(stdout) == [{'node': '/camera', 'parameter': 'rate', 'kind': 'changed value', 'before': 30,
-                                   'after': 15}]
-    assert status == 1
-    assert run('diff', '/robot1/camera', '/robot2/camera')[0].startswith(
-        '/robot1/camera → /robot2/camera: 1 difference, 2 the same')
-    assert '<table' in run('diff', '/robot1/**', '/robot2/**', '--format', 'html')[0]
-
-
 def test_a_node_and_a_file_of_overrides_are_compared_on_what_the_file_holds(ros, write):
     ros.add(SimpleParamNode)
     path = write('/**:\n  ros__parameters:\n    max_speed_rpm: 180\n    unheard_of: 1\n', 'overrides.yaml')
     stdout, _, status = run('diff', path, '/simple_param_node')
     assert 'max_speed_rpm' in stdout
     assert 'unheard_of' not in stdout
-    assert status == 1
-
-
-def test_a_node_and_its_saved_defaults(ros, tmp_path):
-    ros.add(SimpleParamNode)
-    path = tmp_path / 'defaults.yaml'
-    run('describe', '/simple_param_node', '--save', path)
-    assert run('diff', path, '/simple_param_node')[2] == 0
-    ParameterClient('/simple_param_node').set_parameter('robot_name', 'Berta')
-    stdout, _, status = run('diff', path, '/simple_param_node', '--format', 'json')
-    assert json.loads(stdout) == [{'node': '/simple_param_node', 'parameter': 'robot_name', 'kind': 'changed value',
-                                   'before': 'Clawbot', 'after': 'Berta'}]
     assert status == 1
 
 

@@ -1,26 +1,20 @@
-"""Descriptions of nodes: what a node says is saved and comes back; schemas are read; nonsense is named."""
-
-import dataclasses
-from pathlib import Path
+"""Descriptions of nodes: what a node says is saved and comes back; nonsense is named."""
 
 import hypothesis.strategies as st
 import pytest
 import yaml
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 
 from param_tools import values
 from param_tools.descriptor import Descriptor, Range
 from param_tools.errors import NoAnswerError, ParameterFileError
-from param_tools.files import descriptions
 from param_tools.files.descriptions import DescribedParameter, Descriptions, NodeDescription, read
 from param_tools.systems.describe import describe
 from param_tutorial import ParameterClient
 from tests.support.nodes import Arm
 from tests.support.strategies import TEXT, VALUES
-
-FILES = Path(__file__).parent / 'parameter_files'
 
 
 class Picky(Node):
@@ -43,8 +37,6 @@ class Picky(Node):
 def test_a_running_node_is_described_saved_and_read_back(ros, tmp_path):
     ros.add(Arm)
     found = describe('/arm')
-    parameters = found['/arm'].parameters
-    parameters['tool'] = dataclasses.replace(parameters['tool'], unit='mm', validation={'one_of': (['a', 'gripper'],)})
     path = tmp_path / 'arm.yaml'
     found.dump().save(path)
     again = read(path)
@@ -97,81 +89,19 @@ def test_any_default_and_text_comes_back(tmp_path, parameters, text):
         assert each.descriptor == described[name].descriptor
 
 
-# -- schemas --------------------------------------------------------------------------------------------------
-
-
-def test_a_schema_of_generate_parameter_library_is_read():
-    description = read(FILES / 'arm_controller_schema.yaml')['/arm_controller']
-    assert description.defaults_from == 'as declared'
-    assert description.parameters['interpolation'].choices == ('spline', 'none')
-    assert description.parameters['joints'].descriptor.read_only
-    assert description.parameters['action_monitor_rate'].default == 20.0
-    assert 'gains.elbow.p' not in description.names()
-    assert 'gains.elbow.p' in description.names({'joints': ['elbow']})
-    assert description.find('gains.wrist.p', {'joints': ['elbow']}) is None
-    assert description.find('gains.elbow.p', {'joints': ['elbow']}).descriptor.type is values.DOUBLE
-
-
-@pytest.mark.parametrize(('validation', 'good', 'bad', 'type_name'), [
-    ('bounds<>: [1, 3]', 3, 4, 'int'), ('lt<>: [3]', 2, 3, 'int'), ('gt<>: 3', 4, 3, 'int'),
-    ('lt_eq<>: [3]', 3, 4, 'int'), ('gt_eq: [3]', 3, 2, 'int'), ('one_of<>: [[1, 5]]', 5, 2, 'int'),
-    ('lower_bounds<>: [1.0]', 1.0, 0.5, 'double'), ('upper_bounds<>: [1.0]', 1.0, 1.5, 'double'),
-    ('fixed_size<>: 2', [1, 2], [1], 'int_array'), ('size_gt<>: 1', [1, 2], [1], 'int_array'),
-    ('size_lt<>: 2', [1], [1, 2], 'int_array'), ('not_empty<>: null', 'x', '', 'string'),
-    ('unique<>: null', [1, 2], [1, 1], 'int_array'), ('subset_of<>: [[1, 2]]', [2], [3], 'int_array'),
-    ('element_bounds<>: [0.0, 1.0]', [0.5], [0.5, 1.5], 'double_array'),
-    ('lower_element_bounds<>: [0.0]', [0.5], [-0.5], 'double_array'),
-    ('upper_element_bounds<>: 1.0', [0.5], [1.5], 'double_array'),
-])
-def test_the_validators_of_a_schema(write, validation, good, bad, type_name):
-    path = write(f'n:\n  a:\n    type: {type_name}\n    validation:\n      {validation}\n      own::check: [1]\n',
-                 'schema.yaml')
-    described = read(path)['/n'].parameters['a']
-    assert described.objection(good) is None
-    assert described.objection(bad).reason.startswith('it must') or 'may only' in described.objection(bad).reason
-
-
-def test_a_reference_is_made_from_a_schema(write):
-    path = write('''
-arm:
-  joints: {type: string_array, read_only: true, description: "Which | how many"}
-  gains:
-    __map_joints:
-      p: {type: double, default_value: 1, validation: {bounds<>: [0.0, 2.0], own::check: null}}
-  qos_overrides: {type: int, default_value: 1, unit: mm}
-''', 'schema.yaml')
-    assert repr(read(path).reference()) == r"""
-| parameter | type | default | enforced | meaning |
-| --- | --- | --- | --- | --- |
-| `joints` | string array |  | read only | Which \| how many |
-| `gains.<joints>.p` | double | `1.0` | bounds&lt;>: [0.0, 2.0], own::check&lt;> |  |
-| `qos_overrides` | integer | `1` |  | In mm. |
-""".lstrip()
-
-
-def test_a_saved_description_gives_the_reference_that_the_running_node_gives(ros, tmp_path):
-    ros.add(Arm)
-    path = tmp_path / 'arm.yaml'
-    describe('/arm').dump().save(path)
-    assert read(path).reference() == ParameterClient('/arm').reference()
-
-
 # -- nonsense -------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(('content', 'complaint'), [
-    ('', 'it is neither a saved description'),
-    ('/n:\n  ros__parameters:\n    a: 1\n', 'it is neither'),
+    ('/n:\n  ros__parameters:\n    a: 1\n', 'it is no saved description, whose first line is'),
     ('a: [', 'line 1: this is not YAML'),
     ('a: 2024-13-01', 'cannot read: month must be in'),
     ('parameter_descriptions: 2\nnodes: {}', 'in version 2 of the format'),
     ('parameter_descriptions: 1\nnodes: 5', 'nodes should be a map, and is 5'),
-    ('parameter_descriptions: 1\nnodes: {n: {}}', "'n' is not the name of a node"),
     ('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: {type: float}}}}', "a has the type 'float'"),
     ('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: {type: int, range: {from: x}}}}}', 'must have numbers'),
     ('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: {type: int, default_value: x}}}}', 'not a integer'),
     ('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: 5}}}', '/n: a should be a map, and is 5'),
-    ('n: &a {x: {type: int}, b: *a}', 'nested too deeply'),
 ])
 def test_what_is_no_description_gets_a_sentence(write, content, complaint):
     path = write(content, 'bad.yaml')
@@ -181,15 +111,13 @@ def test_what_is_no_description_gets_a_sentence(write, content, complaint):
 
 
 JSON = st.recursive(
-    st.one_of(st.none(), st.booleans(), st.integers(), st.floats(), st.text(max_size=5),
-              st.sampled_from(['int', 'double_array', 'string_fixed_5', '__map_a'])),
+    st.one_of(st.none(), st.booleans(), st.integers(), st.floats(), st.text(max_size=5), st.just('double_array')),
     lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(st.sampled_from([
-        'type', 'default_value', 'validation', 'range', 'from', 'nodes', '/n', 'parameters', 'parameter_descriptions',
-        'one_of<>', 'bounds<>', 'n', '__map_a', 'a']), inner, max_size=4)), max_leaves=12)
+        'type', 'default_value', 'range', 'from', 'nodes', '/n', 'parameters', 'parameter_descriptions', 'a']), inner,
+        max_size=4)), max_leaves=12)
 
 
 @pytest.mark.slow
-@settings(max_examples=300)
 @given(st.one_of(JSON.map(yaml.safe_dump), JSON.map(lambda tree: yaml.safe_dump(
     {'parameter_descriptions': 1, 'nodes': {'/n': {'parameters': tree}}})), st.text(), st.binary(max_size=50)))
 @example('parameter_descriptions: 1\nnodes: {/n: {parameters: {a: {type: []}}}}')
@@ -203,7 +131,4 @@ def test_any_file_is_read_or_rejected_with_a_sentence(write, content):
     for description in found.values():
         for described in description.parameters.values():
             for value in (1, 1.5, True, 'x', [1], ['x'], [0.5]):
-                described.objection(value)  # whatever the validators say, they say it without an exception
-        description.names()
-        description.find('a.b')
-    descriptions.is_description(descriptions.load_yaml(path))
+                described.objection(value)

@@ -14,9 +14,9 @@ from param_tools.cli import system_arguments
 from param_tools.cli.changes import past
 from param_tools.cli.session import CommandFailed, Commands, CommandTable, Session, add_commands, add_graph_options
 from param_tools.errors import ParameterToolError
-from param_tools.files import descriptions, parameter_files
+from param_tools.files import parameter_files
 from param_tools.files.editing import update_file
-from param_tools.systems.comparing import compare_systems, defaults_of, of_robot
+from param_tools.systems.comparing import compare_systems
 from param_tools.systems.restoring import Preview, preview_all, restore_all
 from param_tools.systems.snapshot import FIRST_WORDS, Snapshot, all_parameters, read_saved
 
@@ -82,9 +82,8 @@ def take(session: Session, words: list[str], args: argparse.Namespace) -> Snapsh
 def add_diff_arguments(parser: argparse.ArgumentParser) -> None:
     add_graph_options(parser)
     parser.add_argument('before', metavar='BEFORE', help=f'{system_arguments.HELP}: a snapshot, another parameter '
-                                                         f'file, or saved descriptions, for the defaults')
+                                                         f'file, or a log and a time: changes.jsonl@14:05')
     parser.add_argument('after', metavar='AFTER', help='likewise')
-    parser.add_argument('--format', choices=('text', 'json', 'html'), default='text', help='default: text')
     parser.set_defaults(verb=diff)
 
 
@@ -116,13 +115,7 @@ def diff(session: Session, args: argparse.Namespace) -> int:
     except (ParameterToolError, CommandFailed) as error:
         session.complain(error)
         return 2
-    if args.format == 'html':
-        session.print(f'<!DOCTYPE html><meta charset="utf-8"><title>{len(found)} differences</title>'
-                      f'{found._repr_html_()}')
-    elif args.format == 'json':
-        session.print(found.as_json())
-    else:
-        session.print(found)
+    session.print(found)
     return 2 if before.lacking or after.lacking else 1 if found else 0
 
 
@@ -148,8 +141,6 @@ def _sides(session: Session, args: argparse.Namespace) -> tuple[_Side, _Side]:
     # A block for many nodes in one file is read for the nodes that the other file names.
     names = names or [node for word in words for node in _named_in(word)]
     before, after = (side or _in_file(word, names) for side, word in zip(sides, words))
-    if all(word.endswith('/**') and word.strip('/*') for word in words):
-        before.nodes, after.nodes = (of_robot(side.nodes, side.word.strip('/*')) for side in (before, after))
     return before, after
 
 
@@ -161,17 +152,13 @@ def _running(session: Session, word: str, args: argparse.Namespace) -> _Side:
 
 
 def _named_in(path: str) -> list[str]:
-    if (then := past(path)) is not None:
-        return list(then)
-    content = descriptions.load_yaml(path)
-    return list(descriptions.read(path) if descriptions.is_description(content) else read_saved(path))
+    then = past(path)
+    return list(read_saved(path) if then is None else then)
 
 
 def _in_file(path: str, names: list[str]) -> _Side:
     if (then := past(path)) is not None:
         return _Side(path, then)
-    if descriptions.is_description(descriptions.load_yaml(path)):
-        return _Side(path, defaults_of(descriptions.read(path)), partial=True)
     is_snapshot = Path(path).read_text(encoding='utf-8', errors='replace').startswith(FIRST_WORDS)
     return _Side(path, read_saved(path, names), partial=not is_snapshot, is_snapshot=is_snapshot)
 
@@ -224,5 +211,5 @@ def _bring_back(session: Session, wanted: Mapping[str, Mapping[str, Any]], args:
 
 COMMANDS: CommandTable = {
     'snapshot': ('save the parameters of many nodes', add_snapshot_arguments),
-    'diff': ('compare nodes, files, defaults and robots', add_diff_arguments),
+    'diff': ('compare nodes, files and snapshots', add_diff_arguments),
     'restore': ('bring saved parameters back', add_restore_arguments)}

@@ -85,13 +85,10 @@ def _report_twins(session: Session, nodes: list[str], args: argparse.Namespace) 
 def describe(session: Session, word: str, args: argparse.Namespace) -> Descriptions:
     """Return the descriptions that a word names.
 
-    :param word: As in HELP; for a file, ``/node=`` may stand before it.
+    :param word: As in HELP.
     :param args: Has the options of ``add_graph_options``.
     :raises ParameterFileError: the file cannot be read.
     """
-    node, equals, rest = word.partition('=')
-    if equals:
-        return descriptions.read(rest, node)
     if is_file(word):
         return descriptions.read(word)
     from param_tools.systems.describe import describe as describe_nodes

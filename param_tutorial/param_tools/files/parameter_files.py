@@ -22,7 +22,7 @@ import yaml
 
 from param_tools import values
 from param_tools.errors import InvalidValueError, ParameterFileError
-from param_tools.files.headers import misplaced, misspelled
+from param_tools.files.headers import cause_of
 from param_tools.files.parsing import KEY, Entry, Parser, Rejected, effective, matches, typed
 
 _LINE_LENGTH = 100
@@ -69,24 +69,13 @@ def parse(path: str | Path) -> Parser:
 
     :raises ParameterFileError: the file cannot be read, or rcl would reject it.
     """
-    content = read_bytes(path)
     parser = Parser()
     try:
-        parser.parse(content)
+        parser.parse(read_bytes(path))
     except Rejected as rejected:
-        line, reason = _cause(rejected, content)
-        raise ParameterFileError(f'{path}, line {line}: {reason}') from None
+        place, reason = cause_of(rejected, parser.starts)
+        raise ParameterFileError(f'{path}, line {place.line}: {reason}') from None
     return parser
-
-
-def _cause(rejected: Rejected, content: bytes) -> tuple[int, str]:
-    """Return the line and the reason of a rejection, as its author would name them: a header in the wrong place."""
-    for cause in misplaced(content):
-        # rcl notices a header in the wrong place there or later.
-        if cause.explains(rejected.place) or (cause.is_certain and cause.place.line <= rejected.place.line):
-            return cause.place.line, cause.message
-    place, reason = misspelled(rejected.keys) or (rejected.place, str(rejected))
-    return place.line, reason
 
 
 def read_bytes(path: str | Path) -> bytes:

@@ -81,13 +81,9 @@ class Scalar:
     """One value as it is written."""
 
     text: str
-    is_plain: bool
-    """False for a text in quotes, in a block, or tagged as a string, which rcl takes as it is."""
     value: bool | int | float | str
     """What rcl makes of it."""
     place: Place
-    tag: str = ''
-    """The tag before it, such as ``!!float``, written out; rcl ignores all but ``!!str``."""
 
 
 @dataclass(eq=False)
@@ -128,19 +124,6 @@ class BlockStart:
     """Where ``ros__parameters`` stands."""
     first: Place | None = None
     """Where the first name below it stands; None if there is none."""
-
-
-@dataclass(frozen=True)
-class RepeatedMap:
-    """A name with a map below it, in a map that has the same name already: rcl reads both, other programs the last."""
-
-    file: str
-    name: str
-    place: Place
-    first: Place
-    """Where the name stood before."""
-    block: str
-    """The block that it is in; empty if it leads to blocks."""
 
 
 @dataclass(eq=False)
@@ -208,7 +191,6 @@ class Parser:
         self.starts: list[BlockStart] = []
         self.assignments: list[Assignment] = []
         self.rejected: list[Rejected] = []
-        self.repeated: list[RepeatedMap] = []
         self._tolerant = tolerant
         self._begin('')
 
@@ -228,10 +210,6 @@ class Parser:
         self.in_sequence = False
         self.assignment: Assignment | None = None
         self.item_type: type | None = None
-        self.maps: list[dict[str, Place]] = []
-        """The names with maps below them, of each map that has begun and not ended."""
-        self.last_key: tuple[str, Place] | None = None
-        """The name whose value comes next."""
 
     def parse(self, content: bytes, file: str = '') -> dict[str, list[Entry]]:
         """Read a file, in addition to those that were read before; return the blocks of all.
@@ -271,7 +249,6 @@ class Parser:
         self.rejected.append(rejected)
 
     def _handle(self, event: yaml.Event, place: Place) -> None:
-        key, self.last_key = self.last_key, None
         if isinstance(event, yaml.AliasEvent):
             reason = f'ROS reads no aliases: write the value itself instead of *{event.anchor}'
             if self.expects_key:
@@ -282,7 +259,6 @@ class Parser:
             if self.expects_key:
                 self._key(event, place)
                 self.expects_key = False
-                self.last_key = event.value, place
             else:
                 self._value(event, place)
                 self.expects_key = not self.in_sequence
@@ -300,21 +276,11 @@ class Parser:
                 self.assignment.place = Place(start.line, start.column, start.start, end)
                 self.assignment = None
         elif isinstance(event, yaml.MappingStartEvent):
-            self._note_map(key)
             self.depth += 1
             self.expects_key = True
             self.is_new_map = not (self.in_parameters and self.depth - len(self.node_keys) == 3)
         elif isinstance(event, yaml.MappingEndEvent):
-            self.maps.pop()
             self._leave_mapping()
-
-    def _note_map(self, key: tuple[str, Place] | None) -> None:
-        if key is not None and self.maps:
-            first = self.maps[-1].setdefault(*key)
-            if first is not key[1]:
-                block = self.block_name if self.in_parameters else ''
-                self.repeated.append(RepeatedMap(self.file, key[0], key[1], first, block))
-        self.maps.append({})
 
     def _begin_sequence(self, place: Place) -> None:
         if self.expects_key:
@@ -383,8 +349,9 @@ class Parser:
         if not self.node_keys:
             raise Rejected(place, f'there is no node name before {KEY}; start with "/name_of_the_node:" or "/**:"')
         if flaw := flaw_of_block_name(self.node_path):
-            self._object(place, f'{values.format_value(self.node_path, 60)} is not a node name: {flaw}. A name has '
-                                f'letters, digits and underscores between slashes, or * and ** for any')
+            self._object(self.node_keys[-1][1],
+                         f'{values.format_value(self.node_path, 60)} is not a node name: {flaw}. A name has letters, '
+                         f'digits and underscores between slashes, or * and ** for any')
         self.block_name = self.node_path
         self.block = self.blocks.setdefault(self.node_path, [])
         self.starts.append(BlockStart(self.file, self.node_path, self.node_keys[-1][1], place))
@@ -402,7 +369,7 @@ class Parser:
         if not self.in_parameters or not self.block:
             glued = re.match(r'[\w.]+:\S+', event.value)
             if self.in_parameters and not self.in_sequence and not event.value:
-                reason = f'{KEY} has no parameters below it: write {KEY}: {{}} for none'
+                reason = f'{KEY} has no parameters below it: indent them, or write {KEY}: {{}} for none'
             else:
                 reason = (f'a space must follow the colon in {glued[0]}' if glued else
                           f'there is a value before {KEY}: it has to be node name, {KEY}, then parameters')
@@ -419,8 +386,7 @@ class Parser:
             return
         is_text = quoted or event.tag == 'tag:yaml.org,2002:str'
         text = _c_string(event.value)
-        scalar = Scalar(text, not is_text and event.style not in ('|', '>'), typed(text, is_text), place,
-                        event.tag or '')
+        scalar = Scalar(text, typed(text, is_text), place)
         kind = type(scalar.value)
         if not self.in_sequence:
             self._assign(place, is_array=False).scalars.append(scalar)
@@ -507,21 +473,11 @@ def _likely_cause(what: str, before: str, after: str) -> str:
         return 'Indent with spaces: YAML allows no tab there'
     if what.startswith('found character that cannot start') and after:
         return f'A text that begins with {after[0]} needs quotes'
-    if what.startswith('did not find expected alphabetic') and before:
-        return f'A text that begins with {before[-1]} needs quotes'
-    if what.startswith("could not find expected ':'"):
-        return 'A name ends with a colon and a space'
-    if what.startswith('mapping values'):
-        return ("A text with ': ' in it needs quotes" if ': ' in before else
-                'It goes on with the line above: a name ends with a colon and a space, and the names of one block '
-                'begin in the same column')
+    if what.startswith(("could not find expected ':'", 'mapping values')):
+        return ('A name ends with a colon and a space, the names of one block begin in the same column, and a text '
+                "with ': ' in it needs quotes")
     if what.startswith('did not find expected key'):
-        return ('The text before it has ended: a quote inside quotes is written twice' if before.strip() else
-                'The names of one block begin in the same column')
-    if what.startswith('found unexpected end of stream'):
-        return 'The quote that begins here is not closed'
-    if what.startswith('found unknown escape character'):
-        return 'A text with a backslash needs single quotes'
+        return 'The names of one block begin in the same column, and a quote inside quotes is written twice'
     return ''
 
 

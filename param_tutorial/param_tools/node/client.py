@@ -27,7 +27,7 @@ from param_tools.descriptor import Descriptor, Descriptors, Range, is_housekeepi
 from param_tools.errors import InvalidValueError, ParameterNotDeclaredError, ParameterRejectedError, nearest
 from param_tools.files import parameter_files
 from param_tools.files.editing import update_file
-from param_tools.files.reference import Reference, ReferenceRow, reference_of
+from param_tools.node.reference import Reference, reference_of
 from param_tools.ros import stage
 from param_tools.ros.executor import BackgroundExecutor
 from param_tools.ros.services import TIMEOUT_SEC, full_name
@@ -305,10 +305,7 @@ class ParameterClient:
         if names is None:
             names = [name for name in self.list_parameters() if not is_housekeeping(name)]
         wanted = _listed(names)
-        present = self.get_parameters(wanted)
-        return reference_of(ReferenceRow(name, each.type.label, values.format_value(present[name]), each.rules,
-                                         (each.description, each.additional_constraints))
-                            for name, each in self.describe_parameters(wanted).items())
+        return reference_of(self.describe_parameters(wanted), self.get_parameters(wanted))
 
     def set_parameter(self, name: str, value: Any) -> SetResult:
         """Ask the node to set one parameter. A rejection is a result, not an exception.

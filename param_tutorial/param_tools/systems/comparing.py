@@ -1,18 +1,14 @@
 """Compare sets of parameters: a node with another node, with a file, with its defaults, or with itself earlier.
 
-Whole systems are compared, too. A system is a mapping from node names to sets of parameters: a ``Snapshot``, what a
-file holds, the defaults in descriptions, or a robot, whose nodes are in one namespace and go by the rest of their
-names.
+Whole systems are compared, too. A system is a mapping from node names to sets of parameters: a ``Snapshot``, or what a
+file holds.
 """
 
-import json
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from param_tools import values
-from param_tools.files.descriptions import Descriptions
 from param_tools.markup.wording import format_count
 from param_tools.systems.sets import NodeLike, ParameterSet, as_set
 from param_tools.systems.word_table import NodesTable
@@ -70,13 +66,6 @@ class Difference(NodesTable[ChangedParameter]):
         return [(node, '', f'only in {label}', '', '') for _, label, nodes in self._alone for node in nodes
                 ] + super().rows()
 
-    def as_json(self) -> str:
-        """Return a list of objects: node, parameter, kind, before, after. A node on one side only has no parameter."""
-        alone = [{'node': node, 'kind': kind} for kind, _, nodes in self._alone for node in nodes]
-        rows = [{'node': node, 'parameter': each.name, 'kind': each.kind, 'before': _plain(each.before),
-                 'after': _plain(each.after)} for node, changed in self.nodes.items() for each in changed]
-        return json.dumps([*alone, *rows], indent=2)
-
 
 def compare(before: Comparable, after: Comparable, *, names: Iterable[str] | None = None) -> Difference:
     """Return how the second set of parameters differs from the first.
@@ -96,7 +85,7 @@ def compare_systems(before: System, after: System, *, labels: tuple[str, str] = 
     """Return how the second system differs from the first.
 
     :param labels: What the two are called.
-    :param partial: One of them is a file or a schema that holds only some parameters: look at what is in both.
+    :param partial: One of them is a file that holds only some parameters: look at what is in both.
     """
     nodes, equal = {}, 0
     for node in before:
@@ -107,23 +96,6 @@ def compare_systems(before: System, after: System, *, labels: tuple[str, str] = 
     return Difference(labels, nodes, equal=equal, is_of_one=len(before) == len(nodes) == len(after) == 1,
                       only_before=() if partial else [node for node in before if node not in after],
                       only_after=() if partial else [node for node in after if node not in before])
-
-
-def of_robot(system: System, namespace: str) -> dict[str, Mapping[str, Any]]:
-    """Return the nodes of a robot by their names below its namespace, to compare it with another.
-
-    :param namespace: As in ``/robot1``.
-    """
-    prefix = '/' + namespace.strip('/')
-    return {node.removeprefix(prefix): parameters for node, parameters in system.items()
-            if node.startswith(prefix + '/')}
-
-
-def defaults_of(descriptions: Descriptions) -> dict[str, ParameterSet]:
-    """Return the default values in descriptions, by node; a parameter without one is left out."""
-    return {node: ParameterSet({name: each.default for name, each in description.parameters.items()
-                                if each.default is not None}, description.defaults_from)
-            for node, description in descriptions.items()}
 
 
 def _changed(first: ParameterSet, second: ParameterSet, names: Iterable[str] | None
@@ -154,13 +126,3 @@ def _differ_in_type(before: Any, after: Any) -> bool:
 
 def _format_with_type(value: Any) -> str:
     return '[] (array)' if value == [] else f'{values.format_value(value)} ({values.type_of(value).label})'
-
-
-def _plain(value: Any) -> Any:
-    """Return a value as JSON has it."""
-    if isinstance(value, list):
-        return [_plain(item) for item in value]
-    if isinstance(value, bytes):
-        return value[0]
-    # JSON has no words for these, and Python would write some that no other program reads.
-    return repr(value) if isinstance(value, float) and not math.isfinite(value) else value

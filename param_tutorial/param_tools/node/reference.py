@@ -1,8 +1,12 @@
-"""Tables of parameters in Markdown, for a README: made from running nodes, saved descriptions and schemas."""
+"""The table of a node's parameters in Markdown, for a README. No ROS, no Jupyter."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
+
+from param_tools import values
+from param_tools.descriptor import Descriptor
 
 
 @dataclass(frozen=True)
@@ -18,29 +22,14 @@ class Reference:
         return self.text
 
 
-@dataclass(frozen=True)
-class ReferenceRow:
-    """What a table says of one parameter, as plain text."""
-
-    name: str
-    label: str
-    """Its type, in the words of ``ros2``."""
-    value: str
-    """Its value, or its default, as text; empty if there is none."""
-    rules: list[str]
-    """What is enforced."""
-    texts: Iterable[str]
-    """What people have written about it; empty ones are left out."""
-
-
-def reference_of(parameters: Iterable[ReferenceRow], value_heading: str = 'value') -> Reference:
+def reference_of(descriptors: Mapping[str, Descriptor], present: Mapping[str, Any]) -> Reference:
     """Return a table with one row for each parameter.
 
-    :param value_heading: What the column of values is called.
+    :param present: The parameters' values.
     """
-    rows = [('parameter', 'type', value_heading, 'enforced', 'meaning'), ('---',) * 5]
-    rows += [(_code(each.name), each.label, _code(each.value) if each.value else '', _cell(', '.join(each.rules)),
-              _cell(' '.join(filter(None, each.texts)))) for each in parameters]
+    rows = [('parameter', 'type', 'value', 'enforced', 'meaning'), ('---',) * 5]
+    rows += [(_code(name), each.type.label, _code(values.format_value(present[name])), _cell(', '.join(each.rules)),
+              _cell(f'{each.description} {each.additional_constraints}')) for name, each in descriptors.items()]
     return Reference(''.join(f'| {" | ".join(row)} |\n' for row in rows))
 
 
