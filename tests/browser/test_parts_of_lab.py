@@ -1,6 +1,6 @@
 """The course's own parts in JupyterLab, as `make lab` starts it: open to everybody, in Chromium and in Firefox.
 
-The stage beside the text, a prediction and the veil, the words that are explained, and a widget whose kernel is new.
+The stage beside the text, a prediction and the veil, and a widget whose kernel is new.
 """
 
 import pytest
@@ -28,8 +28,8 @@ CELLS = (
     '| atomic | all or nothing |',
 )
 STALE = '.jp-OutputArea-output:has(> .jupyter-widgets-disconnected)'
-PARTS = ('.beside-text', '.jp-NotebookPanel .side-by-side', '.param-predict', '.param-check', '.lesson-term',
-         '.lesson-meaning', '.param-veiled :is(.jp-OutputArea, .jp-MarkdownOutput)', STALE)
+PARTS = ('.beside-text', '.jp-NotebookPanel .side-by-side', '.param-predict', '.param-check',
+         '.param-veiled :is(.jp-OutputArea, .jp-MarkdownOutput)', STALE)
 
 
 @pytest.fixture(scope='module')
@@ -58,11 +58,6 @@ def test_axe_finds_nothing(lab, browser):
     lab_page = LabPage(lab, browser, NAME)
     page = lab_page.page
     lab_page.run_all()
-    expect(page.locator('.lesson-term')).to_have_text(['declare', 'declare', 'atomic'])
-    word = page.get_by_role('button', name='declare', exact=True).first
-    expect(word).to_have_accessible_description('to declare · create a parameter (chapter 1)')
-    word.focus()
-    expect(page.locator('.lesson-meaning')).to_have_text('to declare · create a parameter (chapter 1)')
     expect(page.locator('.beside-text .robot-scene')).to_be_visible()
     expect(page.locator('.param-veiled')).to_have_count(2)
     assert faults(page) == []
@@ -101,11 +96,8 @@ def test_they_work_in_firefox(lab, tmp_path):
         page.evaluate("jupyterapp.commands.execute('notebook:run-all-cells').then(() => 0)")
         page.wait_for("document.querySelector('.beside-text .robot-scene')?.checkVisibility()")
         page.wait_for("document.querySelectorAll('.param-veiled').length === 2")
-        page.wait_for("document.querySelectorAll('.lesson-term').length === 3")
         hidden = "document.querySelector('.param-veiled .jp-OutputArea-child')"
         assert not page.evaluate(f'{hidden}.checkVisibility()')
-        page.click('.lesson-term')
-        page.wait_for("document.querySelector('.lesson-meaning').textContent.startsWith('to declare')")
         page.click('form.param-predict input')
         page.click('form.param-predict .param-predict-commit')
         page.wait_for(f'{hidden.replace(".param-veiled ", ".jp-CodeCell:nth-of-type(5) ")}?.checkVisibility()')

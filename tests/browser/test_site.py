@@ -81,11 +81,7 @@ heater = ros.add(Heater)''',
     "print('-20, -15, 0, 50 and 52')",
     'Five of the eight. What a hand does later does not show above:',
     "panel['low_c'].value = 19\npanel.settle()\npanel['low_c'].value",
-    '## Words\n\nA callback is called. Another callback, `callback`, and a [callback](2_robot.ipynb).\n\n'
-    'A post-set callback is no mere callback.\n\n'
-    '| word | meaning |\n|---|---|\n| callback | a function that `rclpy` calls |\n'
-    '| post-set callback | acts on what is stored |\n| step | an everyday word |',
-    '## Next\n\nA table, and a link to [the other one](2_robot.ipynb). No callback.\n\n'
+    '## Next\n\nA table, and a link to [the other one](2_robot.ipynb).\n\n'
     '| a | b |\n| --- | --- |\n| 1 | 2 |',
     "print('the end')\n1 / 0",
 )
@@ -517,34 +513,10 @@ def test_without_a_script_nothing_is_folded(made, browser):
     page = context.new_page()
     page.goto((made.target / '1_limits.html').as_uri())
     expect(page.get_by_text('-20, -15, 0, 50 and 52', exact=True)).to_be_visible()
-    expect(page.locator('.lesson-look, .lesson-term')).to_have_count(0)
+    expect(page.locator('.lesson-look')).to_have_count(0)
     # The theme has colors for a light page and for a dark one, and none for a page that is neither.
     expect(page.locator('html')).to_have_attribute('data-theme', 'light')
     context.close()
-
-
-@limits
-def test_a_word_of_the_glossary_is_explained_at_its_first_use_in_a_section(page):
-    terms, meaning = page.locator('.lesson-term'), page.locator('.lesson-meaning')
-    expect(terms).to_have_text(['callback', 'post-set callback', 'callback'])
-    term = page.get_by_role('button', name='callback', exact=True).first
-    expect(term).to_have_accessible_description('callback · a function that rclpy calls (chapter 1)')
-    term.focus()
-    expect(meaning).to_have_text('callback · a function that rclpy calls (chapter 1)')
-    expect(meaning).to_be_in_viewport(ratio=1)
-    page.keyboard.press('Escape')
-    expect(meaning).to_be_hidden()
-    expect(term).to_be_focused()
-    page.keyboard.press('Enter')
-    expect(meaning).to_be_visible()
-    page.keyboard.press('Tab')
-    expect(meaning).to_be_hidden()
-    terms.nth(1).hover()
-    expect(meaning).to_have_text('post-set callback · acts on what is stored (chapter 1)')
-    meaning.hover()
-    expect(meaning).to_be_visible()
-    page.get_by_role('heading', level=1).hover()
-    expect(meaning).to_be_hidden()
 
 
 @pytest.mark.parametrize('fault', [

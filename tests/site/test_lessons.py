@@ -1,4 +1,4 @@
-"""The HTML lessons without a browser: links, words that are explained, and the first page."""
+"""The HTML lessons without a browser: links and the first page."""
 
 import html
 import re

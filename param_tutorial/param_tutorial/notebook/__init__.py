@@ -1,3 +1,1 @@
-"""What a notebook adds to Python: magics, a shell, terminals beside it, the glossary of all chapters, its words
-where they stand in the text, the veil.
-"""
+"""What a notebook adds to Python: magics, a shell, terminals beside it, the glossary of all chapters, the veil."""

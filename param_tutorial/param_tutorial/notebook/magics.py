@@ -47,10 +47,9 @@ def load_ipython_extension(ipython: InteractiveShell) -> None:
         stored.install(ipython)
     if hasattr(ipython, 'kernel'):
         # Imported here: a shell without a page needs no widgets.
-        from param_tutorial.notebook import terms, veil
+        from param_tutorial.notebook import veil
 
         veil.begin()
-        terms.begin()
         if _await_shell not in ipython.input_transformers_post:
             ipython.input_transformers_post.append(_await_shell)
 

@@ -2,7 +2,7 @@
 
    JupyterLab keeps the element of a cell that it takes off the page while one scrolls, and so the mark on it. */
 
-import {ownNotebook} from './own_notebook.js';
+import {initialize} from '../../param_tools/panel/front.js';
 
 /** @import {InitializeProps} from '@anywidget/types' */
 
@@ -34,16 +34,20 @@ export function marksOf(cells, lifted) {
 
 /** @param {InitializeProps<{own_id: string, lifted: string[]}>} props */
 async function begin(props) {
+  await initialize(props);
   const {model} = props;
-  const notebook = await ownNotebook(props);
-  if (!notebook) return;
-  const {context, shell, views} = notebook;
+  const widget = /** @type {any} */ (await model.widget_manager.get_model(model.get('own_id')));
+  // Both are missing outside of JupyterLab.
+  const context = widget.widget_manager.context;
+  const shell = /** @type {any} */ (window).jupyterapp?.shell;
+  if (!context?.model?.cells || !shell) return;
   const sessions = context.sessionContext;
   const ownKernel = sessions.session?.kernel?.id;
 
-  /** @param {(cells: any[]) => string[]} marks */
+  /** @param {(cells: any[]) => string[]} marks Returns the mark of each cell. */
   function mark(marks) {
-    for (const panel of views()) {
+    for (const panel of shell.widgets('main')) {
+      if (panel.context !== context) continue;
       const cells = panel.content.widgets;
       const all = marks(cells);
       cells.forEach((/** @type {any} */ cell, /** @type {number} */ index) => {

@@ -12,7 +12,6 @@ from pathlib import Path
 
 import nbformat
 
-from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.archive import course_archive, provenance
 from param_tutorial.site.browser import lite
 from param_tutorial.site.live.site import Live
@@ -126,9 +125,8 @@ class Site:
         claims = self.notebooks / 'claims.md'
         if claims.exists():
             sources[Path(claims.name)] = f'---\norphan: true\n---\n{claims.read_text(encoding="utf-8")}'
-        glossary = Glossary.of(self.notebooks)
         for path in self.chapters:
-            page = chapter_source(path, self.live.chapters[path], pages, glossary=glossary, has_lab=self._has_lab)
+            page = chapter_source(path, self.live.chapters[path], pages, has_lab=self._has_lab)
             sources[Path(path.name)] = nbformat.writes(page) + '\n'
             sources[download / path.name] = path.read_text(encoding='utf-8')
         for path in sorted((self.notebooks / 'solutions').glob('*.ipynb')):

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import nbformat
 
-from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.site.archive import provenance
 from param_tutorial.site.build import Site, format_path
 from param_tutorial.site.pages.chapter import chapter_source
@@ -39,8 +38,8 @@ def build(site: Site) -> Path:
     source = folder / 'source'
     source.mkdir(parents=True)
     write_static(source, site.live.scripts())
-    chapter = chapter_source(path, site.live.chapters[path], {path.stem}, glossary=Glossary.of(site.notebooks),
-                             alone=provenance(), address=site.address)
+    chapter = chapter_source(path, site.live.chapters[path], {path.stem}, alone=provenance(),
+                             address=site.address)
     (source / path.name).write_text(nbformat.writes(chapter), encoding='utf-8')
     write_pages(source, folder / 'html', folder / 'doctrees',
                 settings={'root_doc': path.stem, **site.live.settings(), **_SETTINGS})

@@ -8,9 +8,7 @@ import nbformat
 
 from param_tutorial.exercises import EXERCISES, PREDICTIONS, RECALLS
 from param_tutorial.exercises.prediction import MIME_TYPE
-from param_tutorial.notebook.glossary import Glossary
 from param_tutorial.notebook.stored import WIDGET
-from param_tutorial.notebook.terms import words_of
 from param_tutorial.site.live.running import EXPLAINED, LiveCell, LiveChapter
 from param_tutorial.site.live.stills import still
 from param_tutorial.site.pages import drawing
@@ -21,14 +19,12 @@ from param_tutorial.site.pages.predictions import draw_prediction
 COURSE = 'param-course'
 
 
-def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: Glossary | None = None,
-                   alone: dict[str, str] | None = None, address: str = '', has_lab: bool = False,
-                   ) -> nbformat.NotebookNode:
+def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, alone: dict[str, str] | None = None,
+                   address: str = '', has_lab: bool = False) -> nbformat.NotebookNode:
     """Return what Sphinx reads in place of a chapter.
 
     :param live: The chapter as its page's kernel ran it.
     :param pages: The names, without ending, of all pages of the site; links to others become words.
-    :param glossary: The words that the page explains where they stand.
     :param alone: For a file that is given away, with nothing beside it: from which state of the course the lesson
         ran, and on what; see ``archive.provenance``.
     :param address: Where the whole site is on the web, for links to what is not beside that file.
@@ -50,19 +46,12 @@ def chapter_source(path: Path, live: LiveChapter, pages: set[str], *, glossary: 
         cells.append(cell)
         if len(cells) == 1:
             note = _download_note(path, has_lab) if alone is None else _provenance_note(alone)
-            words = _terms_script(glossary, cell.source.split(' ', 2)[1]) if glossary else ''
-            cells.append(_html_cell('to-run', note + words + live_cells(live.cells)))
+            cells.append(_html_cell('to-run', note + live_cells(live.cells)))
         if cell.id.startswith('check-') and (help_html := _help_html(cell.id.removeprefix('check-'), path)):
             cells.append(_html_cell(f'help-{cell.id}', links.in_check(help_html)))
     notebook.cells = cells
     notebook.metadata['language_info'] = {'name': 'python', 'pygments_lexer': 'ipython3'}
     return notebook
-
-
-def _terms_script(glossary: Glossary, chapter: str) -> str:
-    """Return a script that holds the words that the page explains."""
-    words = drawing.json_in_script(words_of(glossary))
-    return f'<script type="text/plain" class="lesson-glossary" data-chapter="{chapter}">{words}</script>'
 
 
 def _draw_views(notebook: nbformat.NotebookNode, live: LiveChapter, explained: Mapping[str, str]) -> None:

@@ -16,7 +16,7 @@ from param_tools.markup.styles import sheet
 THEME = Path(__file__).parents[1] / 'theme'
 # The styles of the notebook's own views.
 SHEETS = ('param_tutorial/views/drawing/track.css', 'param_tools/panel/panel.css', 'param_tutorial/views/driving.css',
-          'param_tutorial/views/side_by_side.css', 'param_tutorial/notebook/terms.css')
+          'param_tutorial/views/side_by_side.css')
 _COLOR = re.compile(r'\x1b\[[0-9;]*m')
 
 

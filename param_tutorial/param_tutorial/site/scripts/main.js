@@ -2,11 +2,10 @@
 
 import {beginLive} from '../live/page.js';
 import {beginClaims} from './claims.js';
-import {beginGlossary} from './glossary.js';
 import {beginLesson} from './lesson.js';
 import {beginSearch} from './search.js';
 
-for (const begin of [beginLesson, beginLive, beginClaims, beginGlossary, beginSearch]) {
+for (const begin of [beginLesson, beginLive, beginClaims, beginSearch]) {
   if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin);
   else begin();
 }
