@@ -3,28 +3,26 @@
 import itertools
 import os
 import re
-import signal
 import subprocess
 import sys
 from pathlib import Path
 from typing import List  # noqa: UP035  # as launch files write it
 
-import psutil
 import pytest
 import yaml
 from rclpy.node import Node as RclNode
 
-from param_tools.cli.launch.actions import DeclareLaunchArgument, LaunchDescription
+from param_tools.cli.launch.actions import LaunchDescription
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.importing import MODULES
 from param_tools.cli.launch.parameters import ParameterFile, ParameterValue, parameter_value
 from param_tools.cli.launch.processes import Launcher, Program
 from param_tools.cli.launch.reading import load_description
 from param_tools.cli.launch.ros_actions import Node, SetParameter
-from param_tools.cli.launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from param_tools.cli.launch.substitutions import LaunchConfiguration
 from param_tools.cli.run import node_programs
 from param_tools.ros.waiting import to_end
-from param_tutorial import ParameterClient, Terminal, wait_until
+from param_tutorial import ParameterClient, Terminal
 from tests.support.commands import run, source_package
 from tests.support.paths import ROS_PACKAGE
 
@@ -55,9 +53,9 @@ def launch_file(write):
 
 @pytest.fixture
 def context(tmp_path):
-    warnings = []
-    context = Context({'speed': '60', 'name': '42', 'gains': '[1.0, 2.0]'}, tmp_path, warnings.append)
-    context.warnings = warnings
+    context = Context({'speed': '60', 'name': '42', 'gains': '[1.0, 2.0]'}, tmp_path)
+    context.warnings = []
+    context.log = lambda _level, _name, text: context.warnings.append(text)
     return context
 
 
@@ -85,11 +83,6 @@ def values_of(parameters, context):
 
 
 # -- reading --------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
-def test_the_courses_launch_files_import_only_what_the_genuine_launch_has(path):
-    assert any(isinstance(entity, Node) for entity in load_description(path).entities)
 
 
 def test_after_reading_the_imports_find_what_they_found_before(launch_file, monkeypatch):
@@ -124,64 +117,34 @@ def generate_launch_description():
     assert node.package == str(tmp_path)
 
 
-def test_where_nothing_is_sourced_and_the_course_must_not_be_found_a_sentence_says_so(monkeypatch):
-    monkeypatch.delenv('AMENT_PREFIX_PATH', raising=False)
-    monkeypatch.setenv('PARAM_TOOLS_PROVIDED', '0')
-    _, err, status = launch('param_tutorial', 'simple_param_launch.py')
-    assert status == 1
-    assert err.startswith("Package 'param_tutorial' not found: ")
-    assert 'AMENT_PREFIX_PATH' not in os.environ
-
-
-@pytest.mark.parametrize(('text', 'why'), [
-    ('from launch.actions import DeclareArgument', r'has no launch\.actions\.DeclareArgument; .* it has AppendEnv'),
-    ('import launch.tools', r'has no module launch\.tools\.'),
-    ('import launch\nlaunch.LaunchService(argv=[])', r'has no launch\.LaunchService'),
-    ('from launch_ros.actions import SetUseSimTime\nSetUseSimTime(True)', r'has no launch_ros\.actions\.SetUseSimTime'),
-    ('from launch_ros.actions import Node\nNode(package="p", executable="e", shells=True)', "'shells'"),
-])
-def test_what_only_a_full_installation_has_is_rejected_by_name(launch_file, text, why):
-    with pytest.raises(LaunchFailed, match=f'(?s){why}.*environment/README.md'):
-        load_description(launch_file('', head=f'{text}\ndef generate_launch_description():\n    return (['))
-
-
-def test_what_only_a_full_installation_has_may_be_imported(launch_file):
-    path = launch_file('', head=f'from launch import LaunchService\nfrom launch.logging import get_logger\n{HEAD}')
-    assert load_description(path).entities == []
-
-
-@pytest.mark.parametrize(('entity', 'why'), [
-    ('RegisterEventHandler(OnProcessExit(on_exit=[]))', r'wait for events \(OnProcessExit\)'),
-    ('EmitEvent(event=Shutdown())', r'emit events \(Shutdown\)'),
-    ("Node(package='p', executable='e', on_exit=[LogInfo(msg='gone')])", r'do anything but Shutdown\(\) on_exit='),
-    ('TimerAction(period=1.0, actions=[], cancel_on_shutdown=False)', 'keep a timer after a shutdown'),
-    ("ComposableNodeContainer(name='c', namespace='', package='p', executable='e', composable_node_descriptions=["
-     "ComposableNode(package='p', plugin='p::C')])", r'load components \(ComposableNode\)'),
-])
-def test_what_cannot_be_started_here_is_an_error_before_anything_starts(launch_file, context, monkeypatch, entity, why):
+@pytest.mark.parametrize('entity', [
+    'Fancy()', 'UnregisterEventHandler(1)', 'RegisterEventHandler(OnProcessExit(on_exit=[]))',
+    'EmitEvent(event=Shutdown())', "Node(package='p', executable='e', on_exit=[LogInfo(msg='gone')])",
+    "ComposableNodeContainer(name='c', namespace='', package='p', executable='e', composable_node_descriptions=["
+    "ComposableNode(package='p', plugin='p::C')])"])
+def test_what_is_left_out_may_be_imported_and_is_rejected_by_name_where_it_is_used(
+        launch_file, context, monkeypatch, entity):
     monkeypatch.setattr(Context, 'find_program', lambda *_: ['program'])
     head = HEAD.replace('def generate', """
-from launch.actions import EmitEvent, LogInfo, RegisterEventHandler, Shutdown, TimerAction
+from launch.actions import EmitEvent, Fancy, LogInfo, RegisterEventHandler, Shutdown, UnregisterEventHandler
 from launch.event_handlers import OnProcessExit
 from launch_ros.actions import ComposableNodeContainer
 from launch_ros.descriptions import ComposableNode
 
 
 def generate""")
-    with pytest.raises(LaunchFailed, match=f'the embedded ros2 launch cannot {why}.*environment/README.md'):
+    assert load_description(launch_file('', head)).entities == []
+    with pytest.raises(LaunchFailed, match=r'launch has no .*: the genuine `ros2 launch` has.*README'):
         load_description(launch_file(entity, head)).execute(context)
 
 
 @pytest.mark.parametrize(('name', 'text', 'why'), [
     ('x_launch.txt', '', 'x_launch.txt is no launch file in Python, XML or YAML'),
     ('x_launch.xml', '', r'file of format \[xml\]: no element found'),
-    ('x_launch.xml', '<group/>', "Expected 'launch' as root tag, and x_launch.xml has 'group'"),
     ('x_launch.yaml', '- launch', "has one key at the top, which is 'launch'"),
-    ('x_launch.yaml', 'launch: {', r'file of format \[yaml\]: while parsing'),
     ('x_launch.py', 'x = 1', "required function 'generate_launch_description"),
     ('x_launch.py', 'x =', r'SyntaxError: invalid syntax \(x_launch\.py, line 1\)\n'),
-    ('x_launch.py', 'import no_such_module', "No module named 'no_such_module'"),
-    ('x_launch.py', 'import launch_testing.actions', "'launch_testing'.*part of ROS .*environment/README.md"),
+    ('x_launch.py', 'import launch_testing.actions', "'launch_testing'.*the genuine `ros2 launch` has it"),
     ('x_launch.py', 'def generate_launch_description():\n    return 5', 'must return a LaunchDescription'),
     ('x_launch.py', 'def generate_launch_description():\n    return 1 / 0',
      r'ZeroDivisionError: division by zero \(x_launch\.py, line 2\)'),
@@ -209,22 +172,13 @@ def test_a_parameter_file_that_is_missing_is_a_warning_only(context):
 
 
 @pytest.mark.parametrize(('options', 'why'), [
-    ({'name': 'bad name'}, "Invalid node name: .*: 'bad name'"), ({'name': ''}, 'must not be empty'),
-    ({'namespace': '//lab'}, 'Invalid namespace'),
-    ({'executable': 5}, 'has 5 where a string or a substitution belongs'),
+    ({'name': 'bad name'}, "Invalid node name: .*: 'bad name'"), ({'namespace': '//lab'}, 'Invalid namespace'),
     ({'executable': 'nope'}, "executable 'nope' not found in package 'param_tutorial', which has .*cart_node, "),
     ({'package': 'nope'}, r"package 'nope' not found.* Correct its name, or build it and source"),
-    ({'parameters': [5]}, 'where a string or a substitution belongs'),
-    ({'parameters': [{'x': None}]}, 'x: None cannot be the value of a parameter'),
-    ({'remappings': [('a', 'b', 'c')]}, r"list of pairs such as \('old', 'new'\), but got \[\('a', 'b', 'c'\)\]"),
-    ({'remappings': {'a': 'b'}}, "'Node' expected 'remappings' to be a list of pairs .*, but got {'a': 'b'}"),
-    ({'remappings': [['a', 'b']]}, 'list of pairs'), ({'remappings': 5}, 'but got 5'),
-    ({'arguments': 5}, "'Node' expected 'arguments' to be a list of strings and substitutions, but got 5"),
-    ({'ros_arguments': 5}, "'Node' expected 'ros_arguments' to be a list"), ({'arguments': [5]}, 'has 5 where'),
-    ({'output': {'both': 5}}, r"output={'both': 5} is not valid"), ({'output': 5}, 'has 5 where'),
+    ({'parameters': [5]}, 'has 5 where a string or a substitution belongs'),
+    ({'parameters': {'x': 1}}, "expected 'parameters' to be a list, but got a value of type 'dict'"),
+    ({'remappings': [('a', 'b', 'c')]}, 'ValueError: too many values to unpack'),
     ({'output': 'everywhere'}, "output='everywhere' is not valid: use 'screen', 'log', "),
-    ({'output': {'stdin': 'log'}}, r"output={'stdin': 'log'} is not valid: .* a dictionary such as"),
-    ({'parameters': ({'x': 1},)}, "expected 'parameters' to be a list, but got a value of type 'tuple'"),
 ])
 def test_a_node_that_cannot_be_started_is_an_error_before_anything_starts(context, options, why):
     with pytest.raises(LaunchFailed, match=why):
@@ -233,20 +187,10 @@ def test_a_node_that_cannot_be_started_is_an_error_before_anything_starts(contex
 
 
 @pytest.mark.parametrize(('output', 'streams'), [
-    ('screen', (True, True)), ('log', (False, True)), ('own_log', (False, False)),
-    ({'stdout': {'log'}, 'stderr': {'screen', 'log'}}, (False, True)), ({'both': 'screen'}, (True, True))])
+    ('screen', (True, True)), ('log', (False, True)),
+    ({'stdout': {'log'}, 'stderr': {'screen', 'log'}}, (False, True))])
 def test_which_streams_are_shown(context, output, streams):
     assert robot(output=output).streams_on_screen(context) == streams
-
-
-@pytest.mark.slow
-def test_a_stream_that_only_goes_to_a_log_is_not_on_the_screen(write, capfd):
-    program = write('echo to stdout\necho to stderr >&2\n', 'both_streams')
-    launcher = Launcher(sys.stdout)
-    to_end(launcher.run([Program(['sh', str(program)], 'x', True, False)]))
-    shown = capfd.readouterr().out
-    assert '[x-1] to stdout' in shown
-    assert 'to stderr' not in shown
 
 
 def test_set_parameter_reaches_the_nodes_after_it_before_their_own_parameters(launch_file, context):
@@ -302,7 +246,7 @@ def test_the_string_of_an_argument_is_read_as_yaml(context, text, value):
     assert values_of({'n': given('n')}, context) == {'n': value}
 
 
-@pytest.mark.parametrize('text', ['null', '2026-01-31', '2026-02-31', '{a: b}', '[1, a]', '[]', '[true, 1]', 'a: b: c'])
+@pytest.mark.parametrize('text', ['null', '2026-02-31', '[1, a]', '[]', 'a: b: c'])
 def test_a_string_that_yaml_makes_no_parameter_of_is_an_error_that_says_how_to_keep_it(context, text):
     context.launch_configurations['n'] = text
     with pytest.raises(LaunchFailed, match=r'^n: .* read as YAML\. .*value_type=str\) keeps it one'):
@@ -318,35 +262,22 @@ def test_a_list_that_holds_a_list_with_a_substitution_is_a_list_and_one_of_strin
         'two': ['a', 'a_b'], 'one': 'a_b', 'texts': ['1', '2a'], 'numbers': [60, 5], 'bools': [True, False]}
 
 
-@pytest.mark.parametrize('value', [[], [1, 'a'], [True, 1], [[1, 2]], [None], Path('x'), b'x', [[given('gains')]]])
+@pytest.mark.parametrize('value', [[], [1, 'a'], [None], b'x'])
 def test_what_cannot_be_a_parameter(context, value):
     with pytest.raises(LaunchFailed, match=r'cannot be the value of a parameter|a string or a substitution belongs'):
         values_of({'x': value}, context)
 
 
 @pytest.mark.parametrize(('text', 'value_type', 'value'), [
-    ('1', bool, True), ('yes', bool, True), ('60', int, 60), ('60', float, 60.0), ('1e5', float, 1e5),
-    ('42', str, '42'), ('[1, 2]', INTS, [1, 2]), ('1.0', None, 1.0)])
+    ('yes', bool, True), ('60', float, 60.0), ('42', str, '42'), ('[1, 2]', INTS, [1, 2])])
 def test_a_parameter_value_turns_the_string_of_a_substitution_into_its_type(context, text, value_type, value):
     context.launch_configurations['n'] = text
     found = parameter_value('x', ParameterValue(given('n'), value_type=value_type), context)
     assert (type(found), found) == (type(value), value)
-
-
-@pytest.mark.parametrize(('text', 'value_type', 'name'), [
-    ('2', bool, 'bool'), ('fast', int, 'int'), ('1', INTS, r'List\[int\]'), ('[1, a]', INTS, r'List\[int\]')])
-def test_a_string_of_another_type_is_an_error(context, text, value_type, name):
-    context.launch_configurations['n'] = text
-    why = f'^{re.escape(repr(text))} was given where the launch file takes a value of type {name}$'
-    with pytest.raises(LaunchFailed, match=why):
-        parameter_value('x', ParameterValue(given('n'), value_type=value_type), context)
-
-
-def test_a_parameter_value_of_python_values_must_have_its_type(context):
-    assert parameter_value('x', ParameterValue([given('speed'), 5], value_type=INTS), context) == [60, 5]
-    for value, value_type in ((42, str), (1, float), ([1], int), (None, None), (1, dict)):
-        with pytest.raises(LaunchFailed):
-            parameter_value('x', ParameterValue(value, value_type=value_type), context)
+    context.launch_configurations['n'] = '[1, a]'
+    if value_type is not str:
+        with pytest.raises(LaunchFailed, match=r"^'\[1, a\]' was given where the launch file takes a value of type"):
+            parameter_value('x', ParameterValue(given('n'), value_type=value_type), context)
 
 
 def test_a_parameter_file_with_substitutions(context, write):
@@ -360,9 +291,8 @@ def test_a_parameter_file_with_substitutions(context, write):
 
 
 @pytest.mark.parametrize(('text', 'why'), [
-    ('x: $(arg speed)', r'no substitution \$\(arg speed\); it has \$\(var …\), .*environment/README.md'),
+    ('x: $(arg speed)', r'no substitution \$\(arg speed\): the genuine `ros2 launch` has'),
     ('x: $(var)', r'\$\(var\) has too many arguments or too few'),
-    ('x: $(eval 1 + nothing)', r'too many arguments or too few'),
     ("x: $(eval '1 + nothing')", r"the expression '1 \+ nothing' fails: NameError"),
     ('x: $(var speed', r'a substitution cannot be read: \$\(var speed; it has to be \$\(name argument …\)'),
     ('x: $(var nobody)', "'nobody' does not exist")])
@@ -390,8 +320,6 @@ def test_arguments_are_shown_and_checked(launch_file):
         no description given
 """, '', 0)
     for words, why in ((['mode:=wild', 'robot:=x'], 'provided value "wild" is not valid'),
-                       ([], "Included launch description missing required argument 'robot' (description: 'no "
-                            "description given'), given: []"),
                        (['fast'], "malformed launch argument 'fast'"),
                        (['robot:='], "malformed launch argument 'robot:='")):
         out, err, status = launch(path, *words, in_notebook=False)
@@ -402,25 +330,6 @@ def test_arguments_are_shown_and_checked(launch_file):
         "options are: ['slow', 'fast']",
         '[ERROR] [launch]: Caught exception in launch (see debug for traceback): Argument "mode" provided value "wild" '
         "is not valid. Valid options are: ['slow', 'fast']"]
-
-
-def test_of_two_declarations_the_first_is_shown_and_defaults_are_described(launch_file):
-    path = launch_file("""
-        DeclareLaunchArgument('a', default_value=LaunchConfiguration('b')),
-        DeclareLaunchArgument('b', default_value=''), DeclareLaunchArgument('a', default_value='2'),
-        DeclareLaunchArgument('path', default_value=[PathJoinSubstitution([FindPackageShare('p'), 'x']), '.yaml'])""")
-    assert re.findall(r"    '.*':|default: .*\)", launch('--show-args', path)[0]) == [
-        "    'a':", "default: LaunchConfig('b'))", "    'b':", "default: '')",
-        "    'path':", "default: PathJoin('FindPackageShare(pkg='p') + 'x'') + '.yaml')"]
-
-
-def test_a_default_is_a_string_and_may_be_empty(context):
-    for default in (90, True, [90], Path('x')):
-        with pytest.raises(LaunchFailed, match='where a string or a substitution belongs'):
-            DeclareLaunchArgument('n', default_value=default)
-    DeclareLaunchArgument('n', default_value='').execute(context)
-    assert values_of({'n': given('n')}, context) == {'n': ''}
-    assert PathJoinSubstitution(['/a', given('name')]).perform(context) == '/a/42'
 
 
 def test_mistakes_have_a_sentence(launch_file):
@@ -459,23 +368,6 @@ def test_a_launch_file_of_the_course_starts_the_robot(ros):
                          '[INFO] [simple_param_node-1]: process started']
     assert lines[-2:] == ['[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)',
                           '[INFO] [simple_param_node-1]: process has finished cleanly']
-
-
-@pytest.mark.slow
-def test_several_nodes_are_ended_together_also_by_sigterm(ros, launch_file):
-    path = launch_file("""
-        Node(package='param_tutorial', executable='simple_param_node', name='a', output='screen'),
-        Node(package='param_tutorial', executable='simple_param_node', name='b', namespace='x', output='screen')""")
-    terminal = Terminal(f'ros2 launch {path}')
-    for name in ('/a', '/x/b'):
-        wait_until(lambda name=name: name in ros.services.node_names(), name, 30)
-        ParameterClient(name, timeout_sec=30).list_parameters()
-    children = psutil.Process(terminal._process.process.pid).children()
-    terminal._process.process.send_signal(signal.SIGTERM)
-    terminal.read(until='user interrupted with SIGTERM')
-    assert terminal.interrupt() == 0
-    assert terminal.text.count('process has finished cleanly') == 2
-    assert not any(child.is_running() for child in children)
 
 
 @pytest.mark.slow

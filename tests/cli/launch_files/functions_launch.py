@@ -10,7 +10,6 @@ from launch.actions import (
     SetEnvironmentVariable,
     SetLaunchConfiguration,
     TimerAction,
-    UnsetEnvironmentVariable,
 )
 from launch.substitutions import EnvironmentVariable, LaunchConfiguration
 from launch_ros.actions import Node, PushRosNamespace, SetParameter
@@ -44,7 +43,6 @@ def generate_launch_description():
         variable('set'),
         GroupAction([SetEnvironmentVariable('TRY', '2'), variable('in_group')]),
         variable('after_group'),
-        UnsetEnvironmentVariable('TRY'), variable('unset'),
         GroupAction([
             PushRosNamespace('early'), SetLaunchConfiguration('speed', '1'),
             TimerAction(period=0.4, actions=[

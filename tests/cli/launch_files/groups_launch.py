@@ -1,7 +1,7 @@
 """Groups: what they set ends with them, but for a list that was there before."""
 
 from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument, GroupAction, SetLaunchConfiguration, UnsetLaunchConfiguration
+from launch.actions import DeclareLaunchArgument, GroupAction, SetLaunchConfiguration
 from launch.conditions import IfCondition, LaunchConfigurationEquals, LaunchConfigurationNotEquals, UnlessCondition
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node, PushRosNamespace, SetParameter, SetRemap
@@ -23,16 +23,11 @@ def generate_launch_description():
             SetLaunchConfiguration('speed', '99'), node('nested', namespace='desk'),
             node('absolute', namespace='/else'),
             GroupAction([PushRosNamespace('/'), node('at_root')]), Node(package='p', executable='unnamed'),
-            node('number', exec_name=speed),
+            node('number'),
         ]),
         node('with_leak', namespace='n'),
-        GroupAction([SetLaunchConfiguration('speed', '7'), PushRosNamespace('kept')], scoped=False),
+        GroupAction([SetLaunchConfiguration('speed', '7')], scoped=False),
         Node(package='p', executable='unscoped', parameters=[{'speed': speed}]),
-        GroupAction([
-            Node(package='p', executable='alone', parameters=[{
-                'speed': LaunchConfiguration('speed', default='none'), 'kept': LaunchConfiguration('kept')}])],
-            forwarding=False, launch_configurations={'kept': speed}),
-        UnsetLaunchConfiguration('ros_namespace'),
         node('one', condition=IfCondition('1')), node('two', condition=IfCondition(' FALSE ')),
         node('three', condition=UnlessCondition('0')), node('four', condition=UnlessCondition('True')),
         node('five', condition=LaunchConfigurationEquals('speed', '7')),

@@ -6,7 +6,7 @@ from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription
 from launch.conditions import IfCondition
 from launch.launch_description_sources import AnyLaunchDescriptionSource, PythonLaunchDescriptionSource
-from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, ThisLaunchFile, ThisLaunchFileDir
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, ThisLaunchFileDir
 from launch_ros.actions import Node, PushRosNamespace, SetParametersFromFile
 
 FOLDER = str(Path(__file__).parent)
@@ -14,8 +14,7 @@ FOLDER = str(Path(__file__).parent)
 
 def where(name):
     return Node(package='p', executable=name, parameters=[{
-        'file': ThisLaunchFile(), 'folder': ThisLaunchFileDir(),
-        'robot': LaunchConfiguration('robot', default='none')}])
+        'folder': ThisLaunchFileDir(), 'robot': LaunchConfiguration('robot', default='none')}])
 
 
 def generate_launch_description():

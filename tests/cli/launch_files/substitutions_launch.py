@@ -5,9 +5,7 @@ from pathlib import Path
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.substitutions import (
-    AllSubstitution,
     AndSubstitution,
-    AnySubstitution,
     Command,
     EqualsSubstitution,
     FileContent,
@@ -15,7 +13,6 @@ from launch.substitutions import (
     LaunchConfiguration,
     NotEqualsSubstitution,
     NotSubstitution,
-    OrSubstitution,
     PythonExpression,
 )
 from launch_ros.actions import Node, SetParameter
@@ -34,11 +31,10 @@ def generate_launch_description():
             'equals': EqualsSubstitution(mode, 'slow'), 'as_booleans': EqualsSubstitution(speed, 'TRUE'),
             'as_numbers': EqualsSubstitution(speed, 1.0), 'with_bool': EqualsSubstitution(speed, True),
             'with_none': EqualsSubstitution('', None), 'not_equals': NotEqualsSubstitution(mode, 'slow'),
-            'not': NotSubstitution(speed), 'and': AndSubstitution(speed, 'off'), 'or': OrSubstitution('false', 'yes'),
-            'any': AnySubstitution('0', speed), 'all': AllSubstitution('on', speed), 'none': AnySubstitution(),
+            'not': NotSubstitution(speed), 'and': AndSubstitution(speed, 'off'),
             'if': IfElseSubstitution(speed, 'fast', mode), 'else': IfElseSubstitution('no', 'fast'),
             'python': PythonExpression(['"', mode, '" == "slow" and ', speed, ' + pi > 4']),
-            'module': PythonExpression(['os.sep'], ['os']), 'list': PythonExpression(['[', speed, '.0, 2.5]']),
+            'list': PythonExpression(['[', speed, '.0, 2.5]']),
             'command': Command(['echo -n ', mode]), 'content': FileContent(FILE.replace('all.yaml', 'number')),
             'default': LaunchConfiguration('nobody', default=5),
             'parts': LaunchConfiguration('nobody', default=['a', 1]),

@@ -4,6 +4,7 @@ An action is carried out by ``visit``, which returns the programs to start. Noth
 mistake anywhere in a launch file leaves nothing running.
 """
 
+import contextlib
 import shlex
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from param_tools.cli.launch.conditions import Condition
-from param_tools.cli.launch.context import Context, LaunchFailed, reject
+from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.importing import read, running
 from param_tools.cli.launch.processes import Program
 from param_tools.cli.launch.substitutions import expect_string, is_list, perform, typed_bool
@@ -21,6 +22,8 @@ from param_tools.cli.session import CommandFailed
 _OUTPUTS: dict[str, dict[str, Any]] = {
     'screen': {'both': 'screen'}, 'log': {'both': 'log', 'stderr': 'screen'}, 'both': {'both': 'screen'},
     'own_log': {'both': 'own_log'}, 'full': {'both': 'screen'}}
+# What logs the errors of the declaration of an argument.
+_LOGGER = 'launch.actions.declare_launch_argument'
 
 
 class DeclaredArgument(NamedTuple):
@@ -92,14 +95,14 @@ class DeclareLaunchArgument(Action):
     def execute(self, context: Context) -> None:
         if self.name not in context.launch_configurations:
             if self.default_value is None:
-                context.log_error(f'Required launch argument "{self.name}" (description: "{self.description}") was not '
-                                  f'provided')
+                context.log('ERROR', _LOGGER, f'Required launch argument "{self.name}" (description: '
+                                              f'"{self.description}") was not provided')
                 raise LaunchFailed(f'Required launch argument "{self.name}" was not provided.')
             context.launch_configurations[self.name] = perform(self.default_value, context)
         given = context.launch_configurations[self.name]
         if self.choices is not None and given not in self.choices:
             error = f'Argument "{self.name}" provided value "{given}" is not valid. Valid options are: {self.choices}'
-            context.log_error(error)
+            context.log('ERROR', _LOGGER, error)
             raise LaunchFailed(error)
 
     def declared_arguments(self) -> Iterator[DeclaredArgument]:
@@ -119,16 +122,6 @@ class SetLaunchConfiguration(Action):
 
 
 @dataclass
-class UnsetLaunchConfiguration(Action):
-    """An argument that has no value any more."""
-
-    name: Any
-
-    def execute(self, context: Context) -> None:
-        context.launch_configurations.pop(perform(self.name, context), None)
-
-
-@dataclass
 class SetEnvironmentVariable(Action):
     """An environment variable of every program that comes later in the launch file."""
 
@@ -137,16 +130,6 @@ class SetEnvironmentVariable(Action):
 
     def execute(self, context: Context) -> None:
         context.environment[perform(self.name, context)] = perform(self.value, context)
-
-
-@dataclass
-class UnsetEnvironmentVariable(Action):
-    """An environment variable that programs that come later in the launch file do not have."""
-
-    name: Any
-
-    def execute(self, context: Context) -> None:
-        context.environment.pop(perform(self.name, context), None)
 
 
 @dataclass
@@ -172,7 +155,7 @@ class LogInfo(Action):
     msg: Any
 
     def execute(self, context: Context) -> None:
-        context.log(perform(self.msg, context))
+        context.log('INFO', 'launch.user', perform(self.msg, context))
 
 
 class LaunchDescription(Action):
@@ -191,7 +174,8 @@ class LaunchDescription(Action):
 
     def execute(self, context: Context) -> list[Program]:
         if self.deprecated_reason is not None:
-            context.warn(f'launch file [{context.launch_file}] is deprecated: {self.deprecated_reason}')
+            context.log('WARNING', 'launch',
+                        f'launch file [{context.launch_file}] is deprecated: {self.deprecated_reason}')
         try:
             return visit_all(self.entities, context)
         except LaunchFailed:
@@ -208,53 +192,29 @@ class LaunchDescription(Action):
 class GroupAction(Action):
     """Actions whose settings end with the group, unless it has no scope of its own."""
 
-    def __init__(self, actions: Iterable[Action], *, scoped: bool = True, forwarding: bool = True,
-                 launch_configurations: Mapping[Any, Any] | None = None, condition: Condition | None = None):
+    def __init__(self, actions: Iterable[Action], *, scoped: bool = True, condition: Condition | None = None):
         super().__init__(condition=condition)
         self.actions = expect_actions(actions)
         self.scoped = scoped
-        self.forwarding = forwarding
-        self.launch_configurations = launch_configurations or {}
 
     def execute(self, context: Context) -> list[Program]:
-        if not self.scoped:
-            return self._visit_actions(context)
-        with context.scope():
-            return self._visit_actions(context)
-
-    def _visit_actions(self, context: Context) -> list[Program]:
-        given: dict[str, Any] = {}
-        for name, value in self.launch_configurations.items():
-            given[perform(name, context)] = perform(value, context)
-        if self.scoped and not self.forwarding:
-            context.launch_configurations = {}
-        context.launch_configurations |= given
-        return visit_all(self.actions, context)
+        with context.scope() if self.scoped else contextlib.nullcontext():
+            return visit_all(self.actions, context)
 
     def declared_arguments(self) -> Iterator[DeclaredArgument]:
         yield from _declared_in(self.actions, self.condition is not None)
 
 
-class LaunchDescriptionSource:
-    """Another launch file: its path, or what it describes."""
-
-    def __init__(self, launch_description: LaunchDescription | None = None, location: Any = '<string>'):
-        self._description = launch_description
-        self._location = location
-
-    def load(self, context: Context) -> tuple[LaunchDescription, Path | None]:
-        """Return what the launch file describes, and its path if it has one."""
-        if self._description is not None:
-            return self._description, None
-        path = Path(perform(self._location, context)).absolute()
-        return read(path), path
-
-
-class LaunchFileSource(LaunchDescriptionSource):
+class LaunchFileSource:
     """Another launch file, by its path: in Python, XML or YAML, as the end of its name says."""
 
     def __init__(self, launch_file_path: Any):
-        super().__init__(location=str(launch_file_path) if isinstance(launch_file_path, Path) else launch_file_path)
+        self._path = str(launch_file_path) if isinstance(launch_file_path, Path) else launch_file_path
+
+    def load(self, context: Context) -> tuple[LaunchDescription, Path]:
+        """Return what the launch file describes, and its path."""
+        path = Path(perform(self._path, context)).absolute()
+        return read(path), path
 
 
 class IncludeLaunchDescription(Action):
@@ -263,15 +223,14 @@ class IncludeLaunchDescription(Action):
     def __init__(self, launch_description_source: Any, *, launch_arguments: Iterable[tuple[Any, Any]] | None = None,
                  condition: Condition | None = None):
         super().__init__(condition=condition)
-        self.source = (launch_description_source if isinstance(launch_description_source, LaunchDescriptionSource)
+        self.source = (launch_description_source if isinstance(launch_description_source, LaunchFileSource)
                        else LaunchFileSource(launch_description_source))
         self.launch_arguments = tuple(launch_arguments or ())
 
     def execute(self, context: Context) -> list[Program]:
         description, path = self.source.load(context)
-        if path is not None:
-            # As in launch, it stays the current one when the file around it goes on.
-            context.launch_file = path
+        # As in launch, it stays the current one when the file around it goes on.
+        context.launch_file = path
         names = [perform(name, context) for name, _ in self.launch_arguments]
         seen: set[str] = set()
         for declared, is_conditional, given in description.declared_arguments():
@@ -316,13 +275,10 @@ class OpaqueFunction(Action):
 class TimerAction(Action):
     """Actions that are carried out some seconds later, when all others have been."""
 
-    def __init__(self, *, period: Any, actions: Iterable[Action], cancel_on_shutdown: Any = True,
-                 condition: Condition | None = None):
+    def __init__(self, *, period: Any, actions: Iterable[Action], condition: Condition | None = None):
         super().__init__(condition=condition)
         self.period = period
         self.actions = expect_actions(actions)
-        if cancel_on_shutdown is not True:
-            reject('keep a timer after a shutdown (cancel_on_shutdown)')
 
     def execute(self, context: Context) -> None:
         context.postponed.append((typed_float(self.period, context), self.actions))
@@ -338,7 +294,7 @@ class Shutdown(Action):
     reason: Any = ''
 
     def execute(self, context: Context) -> None:
-        context.expect_launchable('shut down but as on_exit= of a program')
+        context.expect_launchable('Shutdown() but as on_exit= of a program')
 
 
 @dataclass(kw_only=True)
@@ -351,7 +307,6 @@ class Process(Action):
     respawn_delay: float | None = None
     prefix: Any = None
     cwd: Any = None
-    env: Mapping[Any, Any] | None = None
     additional_env: Mapping[Any, Any] | None = None
     on_exit: Any = None
 
@@ -361,8 +316,9 @@ class Process(Action):
         :param name: The program's on the screen.
         """
         prefix = context.launch_configurations.get('launch-prefix', '') if self.prefix is None else self.prefix
-        environment = dict(context.environment) if self.env is None else _performed(self.env, context)
-        environment |= _performed(self.additional_env or {}, context)
+        environment = dict(context.environment)
+        for variable, value in (self.additional_env or {}).items():
+            environment[perform(variable, context)] = perform(value, context)
         return Program(
             [*shlex.split(perform(prefix, context)), *command], name, *self.streams_on_screen(context),
             environment=None if environment == context.environment_before else environment,
@@ -384,7 +340,7 @@ class Process(Action):
     def _ends_all(self, context: Context) -> bool:
         actions = [] if self.on_exit is None else list(self.on_exit) if is_list(self.on_exit) else [self.on_exit]
         if not all(isinstance(each, Shutdown) for each in actions):
-            context.expect_launchable('do anything but Shutdown() on_exit= of a program')
+            context.expect_launchable('on_exit= of a program but Shutdown()')
         return bool(actions)
 
 
@@ -413,18 +369,18 @@ class RegisterEventHandler(Action):
     event_handler: 'Event'
 
     def execute(self, context: Context) -> None:
-        context.expect_launchable(f'wait for events ({type(self.event_handler).__name__})')
+        context.expect_launchable(f'event handler {type(self.event_handler).__name__}')
         context.postponed.append((float('inf'), self.event_handler.actions))
 
 
 @dataclass(kw_only=True)
 class EmitEvent(Action):
-    """An event, which only a full installation has."""
+    """An event, which only the genuine launch has."""
 
     event: 'Event'
 
     def execute(self, context: Context) -> None:
-        context.expect_launchable(f'emit events ({type(self.event).__name__})')
+        context.expect_launchable(f'event {type(self.event).__name__}')
 
 
 class Event:
@@ -456,7 +412,3 @@ def typed_float(value: Any, context: Context) -> float:
         return float(value if isinstance(value, (int, float)) else perform(value, context))
     except ValueError as error:
         raise LaunchFailed(error) from None
-
-
-def _performed(variables: Mapping[Any, Any], context: Context) -> dict[str, str]:
-    return {perform(name, context): perform(value, context) for name, value in variables.items()}

@@ -14,19 +14,19 @@ from param_tools.cli.index import PackageNotFound
 from param_tools.cli.run import ProgramNotFound, find_program
 from param_tools.cli.session import CommandFailed
 
-FULL_INSTALLATION = 'A full installation knows more: environment/README.md says how to get one'
-
 
 class LaunchFailed(CommandFailed):
     """A launch file asks for something that cannot be done."""
 
 
 def reject(what: str) -> NoReturn:
-    """Reject what only a full installation can do.
+    """Reject what is left out here.
 
+    :param what: Its name.
     :raises LaunchFailed: always.
     """
-    raise LaunchFailed(f'the embedded ros2 launch cannot {what}. {FULL_INSTALLATION}')
+    raise LaunchFailed(f"the course's own ros2 launch has no {what}: the genuine `ros2 launch` has, which comes with "
+                       f'ROS (environment/README.md)')
 
 
 @dataclass
@@ -42,12 +42,8 @@ class Context:
     ``ros_remaps`` and ``global_params`` are among them: what PushROSNamespace, SetRemap and SetParameter have set."""
     folder: Path = Path(tempfile.gettempdir())
     """Where parameter files are written."""
-    warn: Callable[[str], object] = lambda _: None
-    """Prints a warning."""
-    log_error: Callable[[str], object] = lambda _: None
-    """Prints an error of the declaration of an argument, which ends the launch."""
-    log: Callable[[str], object] = lambda _: None
-    """Prints what the launch file logs."""
+    log: Callable[[str, str, str], object] = lambda _level, _name, _text: None
+    """Prints a line, of a level and a logger."""
     launch_file: Path | None = None
     """The launch file that was included last."""
     environment: MutableMapping[str, str] = field(default_factory=lambda: os.environ)
@@ -103,26 +99,17 @@ class Context:
             return path
         raise LaunchFailed(f"executable '{name}' not found on the PATH")
 
-    def output_of(self, command: Sequence[str], on_stderr: str) -> str:
-        """Run a command, and return what it prints.
-
-        :param on_stderr: What happens if it prints to standard error: ``fail``, ``ignore``, ``warn`` or ``capture``.
-        """
+    def output_of(self, command: Sequence[str]) -> str:
+        """Run a command, and return what it prints."""
         try:
-            done = subprocess.run(
-                command, stdout=subprocess.PIPE, text=True, env=dict(self.environment), check=False,
-                stderr=subprocess.STDOUT if on_stderr == 'capture' else subprocess.PIPE)
+            done = subprocess.run(command, capture_output=True, text=True, env=dict(self.environment), check=False)
         except OSError as error:
             raise LaunchFailed(f'cannot run {command[0]}: {error.strerror}') from None
-        said = f'Command: {" ".join(command)}\nCaptured stderr output: {done.stderr}'
-        if done.returncode:
-            raise LaunchFailed(f'executed command failed. {said}')
-        if done.stderr and on_stderr == 'fail':
-            raise LaunchFailed(f'executed command showed stderr output. {said}')
-        if done.stderr and on_stderr == 'warn':
-            self.warn(f'executed command showed stderr output. {said}')
+        if done.returncode or done.stderr:
+            failed = 'executed command failed' if done.returncode else 'executed command showed stderr output'
+            raise LaunchFailed(f'{failed}. Command: {" ".join(command)}\nCaptured stderr output: {done.stderr}')
         return done.stdout
 
     def expect_launchable(self, what: str) -> None:
-        """Expect to carry out what only a full installation can start; a rehearsal can."""
+        """Expect to carry out what only the genuine launch can start; a rehearsal can."""
         reject(what)

@@ -9,10 +9,10 @@ import traceback
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import ModuleType
-from typing import Any, NoReturn
+from typing import Any
 
 from param_tools.cli.index import provided_packages_installed
-from param_tools.cli.launch.context import FULL_INSTALLATION, LaunchFailed
+from param_tools.cli.launch.context import LaunchFailed, reject
 from param_tools.cli.session import CommandFailed
 
 # The modules, and the names in each, that a launch file may import and use.
@@ -21,12 +21,6 @@ MODULES: dict[str, Mapping[str, Any]] = {}
 READERS: dict[str, Callable[[Path], Any]] = {}
 # Whose lines no author of a launch file knows.
 _PACKAGE = Path(__file__).parents[2]
-# What a full installation has besides: a launch file may import it, and is rejected where it uses it.
-_ELSEWHERE = {
-    'ExecuteLocal', 'FindPackage', 'LaunchIntrospector', 'LaunchLogDir', 'LaunchService', 'LifecycleTransition',
-    'LocalSubstitution', 'OpaqueCoroutine', 'PopEnvironment', 'PopLaunchConfigurations', 'PushEnvironment',
-    'PushLaunchConfigurations', 'ResetEnvironment', 'ResetLaunchConfigurations', 'SetROSLogDir', 'SetUseSimTime',
-    'SubstitutionFailure', 'UnregisterEventHandler', 'evaluate_condition_expression'}
 
 
 def read(path: Path) -> Any:
@@ -58,13 +52,10 @@ def _packages() -> dict[str, None]:
 
 
 def _explanation(error: Exception, what: str) -> str:
-    if isinstance(error, ModuleNotFoundError) and str(error.name).partition('.')[0] in _packages():
-        return f'the embedded ros2 launch has no module {error.name}. {FULL_INSTALLATION}'
     hint = ''
-    if isinstance(error, ModuleNotFoundError):
-        hint = f'. Where it is part of ROS or of another package: {FULL_INSTALLATION[0].lower()}{FULL_INSTALLATION[1:]}'
-    elif 'unexpected keyword argument' in str(error):  # Node(sigterm_timeout='1'), for example
-        hint = f'. {FULL_INSTALLATION}'
+    # A package of ROS, or an option such as Node(sigterm_timeout='1').
+    if isinstance(error, ModuleNotFoundError) or 'unexpected keyword argument' in str(error):
+        hint = '. Where that is right, the genuine `ros2 launch` has it (environment/README.md)'
     return f'Caught exception when trying to load {what}: {type(error).__name__}: {error}{_place(error)}{hint}'
 
 
@@ -100,20 +91,13 @@ def _module(name: str, names: Mapping[str, Any]) -> ModuleType:
     module.__path__ = []
     module.__dict__.update(names)
 
-    def missing(wanted: str) -> type:
+    def left_out(wanted: str) -> type:
+        """Return a class that a launch file may import, for the types of its functions, and not use."""
         # The import system asks for these of any module.
         if wanted.startswith('__'):
             raise AttributeError(wanted)
-        known = ', '.join(names) or 'no names of its own'
-        why = f'the embedded ros2 launch has no {name}.{wanted}; of {name} it has {known}. {FULL_INSTALLATION}'
-        if wanted not in _ELSEWHERE:
-            raise LaunchFailed(why)
-
-        def reject(*_: Any, **_options: Any) -> NoReturn:
-            raise LaunchFailed(why)
-
-        return type(wanted, (), {'__init__': reject})
+        return type(wanted, (), {'__init__': lambda *_, **_options: reject(f'{name}.{wanted}')})
 
     # PEP 562: what a module has under this name is asked for names that it lacks.
-    module.__dict__['__getattr__'] = missing
+    module.__dict__['__getattr__'] = left_out
     return module

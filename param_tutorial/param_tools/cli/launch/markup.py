@@ -11,7 +11,7 @@ import yaml
 from param_tools.cli.launch import actions, ros_actions
 from param_tools.cli.launch.actions import Action, LaunchDescription
 from param_tools.cli.launch.conditions import IfCondition, UnlessCondition
-from param_tools.cli.launch.context import FULL_INSTALLATION, LaunchFailed
+from param_tools.cli.launch.context import LaunchFailed, reject
 from param_tools.cli.launch.parameters import ParameterFile, ParameterValue
 from param_tools.cli.launch.substitutions import TextSubstitution, as_bool
 from param_tools.cli.launch.text import parse_text, unescape
@@ -52,8 +52,7 @@ class Entity:
     def end(self) -> None:
         """Expect that all of it was read."""
         if left := [*self._attributes, *(each.tag for each in self._children)]:
-            raise LaunchFailed(f'Unexpected attribute(s) or nested tag(s) found in `{self.tag}`: '
-                               f'{", ".join(map(repr, left))}; where they are right: {FULL_INSTALLATION}')
+            reject(f'attribute or nested tag {", ".join(map(repr, left))} in `{self.tag}`')
 
 
 def _from_xml(text: str) -> Entity:
@@ -110,8 +109,7 @@ def _actions(entities: Iterable[Entity]) -> list[Action]:
     found = []
     for entity in entities:
         if entity.tag not in _ACTIONS:
-            raise LaunchFailed(f'the embedded ros2 launch has no action {entity.tag}; it has {", ".join(_ACTIONS)}. '
-                               f'{FULL_INSTALLATION}')
+            reject(f'action `{entity.tag}`')
         action = _ACTIONS[entity.tag](entity)
         _add_condition(entity, action)
         entity.end()
@@ -206,8 +204,8 @@ def _executable(entity: Entity) -> Action:
 def _node_options(entity: Entity) -> dict[str, Any]:
     return _process(entity) | _given(
         package=_text(entity, entity.take('pkg')), executable=_text(entity, entity.need('exec')),
-        name=_text(entity, entity.take('name')), exec_name=_text(entity, entity.take('exec_name')),
-        namespace=_text(entity, entity.take('namespace')), arguments=_words(entity, entity.take('args')),
+        name=_text(entity, entity.take('name')), namespace=_text(entity, entity.take('namespace')),
+        arguments=_words(entity, entity.take('args')),
         ros_arguments=_words(entity, entity.take('ros_args')), parameters=_parameters(entity),
         remappings=_pairs(entity.children('remap'), 'from', 'to'))
 
@@ -229,7 +227,7 @@ def _parameters(entity: Entity) -> list[Any]:
 def _named_value(entity: Entity) -> dict[Any, Any]:
     """Return a parameter with its value, or with the parameters below it."""
     name = tuple(_text(entity, entity.need('name')))
-    word, separator, value = entity.take('type'), entity.take('value-sep'), entity.take('value')
+    word, value = entity.take('type'), entity.take('value')
     if word is not None and word not in _TYPES:
         raise LaunchFailed(f'a parameter has the type {word!r}; the types are {", ".join(_TYPES)}')
     below = entity.children('param')
@@ -241,8 +239,6 @@ def _named_value(entity: Entity) -> dict[Any, Any]:
     if below:
         return {name: {key: each for inner in below for key, each in _named_value(inner).items()}}
     wanted = None if word is None else _TYPES[word]
-    if separator is not None:
-        value = value.split(separator)
     return {name: ParameterValue(_value(value, entity, wanted), value_type=wanted)}
 
 
@@ -306,10 +302,8 @@ def _argument(entity: Entity) -> Action:
 
 
 def _group(entity: Entity) -> Action:
-    scoped, forwarding = _flag(entity, 'scoped'), _flag(entity, 'forwarding')
-    kept = dict(_pairs(entity.children('keep'), 'name', 'value'))
-    return actions.GroupAction(_actions(entity.children()), launch_configurations=kept,
-                               **_given(scoped=scoped, forwarding=forwarding))
+    scoped = _flag(entity, 'scoped')
+    return actions.GroupAction(_actions(entity.children()), **_given(scoped=scoped))
 
 
 def _include(entity: Entity) -> Action:
@@ -350,7 +344,6 @@ _ACTIONS: dict[str, Callable[[Entity], Action]] = {
     'set_parameters_from_file': _with_texts(ros_actions.SetParametersFromFile, 'filename'),
     'set_remap': _with_texts(ros_actions.SetRemap, 'from', 'to'),
     'set_env': _with_texts(actions.SetEnvironmentVariable, 'name', 'value'),
-    'unset_env': _with_texts(actions.UnsetEnvironmentVariable, 'name'),
     'append_env': _with_texts(actions.AppendEnvironmentVariable, 'name', 'value', separator='separator',
                               prepend='prepend'),
     'log': _with_texts(actions.LogInfo, 'message'),

@@ -1,18 +1,15 @@
 """Reading a launch file: what it may import, and what it describes."""
 
-import logging
 import re
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from param_tools.cli.launch import actions, conditions, markup, parameters, ros_actions, substitutions
-from param_tools.cli.launch.actions import Event, LaunchDescription, LaunchDescriptionSource, LaunchFileSource
+from param_tools.cli.launch.actions import Event, LaunchDescription, LaunchFileSource
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.importing import MODULES, READERS, read, running
 
-# A launch file may import these to say the types of its functions' arguments and results.
-_TYPES: dict[str, Any] = {'SomeSubstitutionsType': Any, 'SomeEntitiesType': Any}
 _PARAMETERS: dict[str, Any] = {
     'ParameterFile': parameters.ParameterFile, 'ParameterValue': parameters.ParameterValue}
 
@@ -26,48 +23,33 @@ def _events(names: str) -> dict[str, Any]:
 
 
 _MODULES: dict[str, dict[str, Any]] = {
-    'launch': {'Action': actions.Action, 'Condition': conditions.Condition, 'LaunchContext': Context,
-               'LaunchDescription': LaunchDescription, 'LaunchDescriptionEntity': actions.Action,
-               'LaunchDescriptionSource': LaunchDescriptionSource, 'Substitution': substitutions.Substitution,
-               **_events('Event EventHandler'), **_TYPES},
+    'launch': {'LaunchContext': Context, 'LaunchDescription': LaunchDescription,
+               'LaunchDescriptionEntity': actions.Action, 'Substitution': substitutions.Substitution},
     'launch.actions': _named(actions, (
         'AppendEnvironmentVariable DeclareLaunchArgument EmitEvent ExecuteProcess GroupAction '
         'IncludeLaunchDescription LogInfo OpaqueFunction RegisterEventHandler SetEnvironmentVariable '
-        'SetLaunchConfiguration Shutdown TimerAction UnsetEnvironmentVariable UnsetLaunchConfiguration')),
+        'SetLaunchConfiguration Shutdown TimerAction')),
     'launch.conditions': _named(conditions, (
         'IfCondition LaunchConfigurationEquals LaunchConfigurationNotEquals UnlessCondition')),
-    'launch.event_handlers': _events(
-        'OnExecutionComplete OnIncludeLaunchDescription OnProcessExit OnProcessIO OnProcessStart OnShutdown'),
-    'launch.events': _events('matches_action ExecutionComplete Shutdown'),
-    'launch.events.process': _events('ProcessExited ProcessIO ProcessStarted ShutdownProcess SignalProcess'),
+    'launch.event_handlers': _events('OnProcessExit OnShutdown'),
+    'launch.events': _events('Shutdown matches_action'),
     'launch.launch_description_sources': dict.fromkeys(
-        ('AnyLaunchDescriptionSource', 'FrontendLaunchDescriptionSource', 'PythonLaunchDescriptionSource'),
-        LaunchFileSource),
-    'launch.logging': {'get_logger': logging.getLogger},
+        ('AnyLaunchDescriptionSource', 'PythonLaunchDescriptionSource'), LaunchFileSource),
     'launch.substitutions': _named(substitutions, (
-        'AllSubstitution AndSubstitution AnonName AnySubstitution Command EnvironmentVariable EqualsSubstitution '
-        'FileContent FindExecutable IfElseSubstitution LaunchConfiguration NotEqualsSubstitution NotSubstitution '
-        'OrSubstitution PathJoinSubstitution PathSubstitution PythonExpression TextSubstitution ThisLaunchFile '
-        'ThisLaunchFileDir')),
-    'launch.utilities': {
-        'normalize_to_list_of_substitutions': substitutions.normalized,
-        'perform_substitutions': lambda context, value: substitutions.perform(value, context)},
+        'AndSubstitution Command EnvironmentVariable EqualsSubstitution FileContent FindExecutable '
+        'IfElseSubstitution LaunchConfiguration NotEqualsSubstitution NotSubstitution PathJoinSubstitution '
+        'PathSubstitution PythonExpression TextSubstitution ThisLaunchFileDir')),
     'launch_ros': {},
     'launch_ros.actions': {**_named(ros_actions, (
         'ComposableNodeContainer LifecycleNode LoadComposableNodes Node PushROSNamespace SetParameter '
-        'SetParametersFromFile SetRemap')), 'PushRosNamespace': ros_actions.PushROSNamespace,
-        'ROSTimer': ros_actions.RosTimer, 'RosTimer': ros_actions.RosTimer},
+        'SetParametersFromFile SetRemap')), 'PushRosNamespace': ros_actions.PushROSNamespace},
     'launch_ros.descriptions': {**_PARAMETERS, 'ComposableNode': ros_actions.ComposableNode},
     'launch_ros.event_handlers': _events('OnStateTransition'),
     'launch_ros.events': {},
-    'launch_ros.events.lifecycle': _events('ChangeState StateTransition matches_node_name'),
+    'launch_ros.events.lifecycle': _events('ChangeState'),
     'launch_ros.substitutions': _named(substitutions, (
         'ExecutableInPackage FindPackagePrefix FindPackageShare Parameter')),
     'launch_ros.parameter_descriptions': _PARAMETERS,
-    'launch_xml': {},
-    'launch_xml.launch_description_sources': {'XMLLaunchDescriptionSource': LaunchFileSource},
-    'launch_yaml': {},
-    'launch_yaml.launch_description_sources': {'YAMLLaunchDescriptionSource': LaunchFileSource},
 }
 # In launch, each of these classes has a module of its own, too, such as launch.substitutions.launch_configuration.
 MODULES.update(_MODULES)

@@ -1,7 +1,7 @@
 """A launch file without its programs: what each node would get, from where, and whether the node would take it.
 
 The launch file is carried out as ``ros2 launch`` does, but programs and packages need not be there, commands such as
-``xacro`` are not run, and what only a full installation can start is read, too: components, and what events set off.
+``xacro`` are not run, and what only the genuine launch can start is read, too: components, and what events set off.
 """
 
 import dataclasses
@@ -31,12 +31,12 @@ class Rehearsal(Context):
     def find_executable(self, name: str) -> str:
         return name
 
-    def output_of(self, command: Sequence[str], on_stderr: str) -> str:
+    def output_of(self, command: Sequence[str]) -> str:
         """Return a stand-in that a check takes for something that launch fills in."""
         return f'$(command {Path(command[0]).name})'
 
     def expect_launchable(self, what: str) -> None:
-        """Accept what only a full installation can start."""
+        """Accept what only the genuine launch can start."""
 
     def write(self, text: str) -> Path:
         path = super().write(text)
@@ -86,9 +86,13 @@ class RehearsedLaunch:
         """
         self.path = path
         self._warnings: list[str] = []
-        self._context = Rehearsal({}, folder, self._warnings.append)
+        self._context = Rehearsal(folder=folder, log=self._note)
         programs = carry_out([include(path, arguments)], self._context)
         self.nodes = [node for program in programs if (node := self._node(program)) is not None]
+
+    def _note(self, level: str, _name: str, text: str) -> None:
+        if level == 'WARNING':
+            self._warnings.append(text)
 
     def _node(self, program: Program) -> RehearsedNode | None:
         words = program.command

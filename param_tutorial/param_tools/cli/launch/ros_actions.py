@@ -7,7 +7,7 @@ from typing import Any
 
 import yaml
 
-from param_tools.cli.launch.actions import Action, Process, TimerAction
+from param_tools.cli.launch.actions import Action, Process
 from param_tools.cli.launch.conditions import Condition
 from param_tools.cli.launch.context import Context, LaunchFailed
 from param_tools.cli.launch.parameters import ParameterFile, flat
@@ -78,7 +78,6 @@ class Node(Process):
     package: Any = None
     name: Any = None
     namespace: Any = None
-    exec_name: Any = None
     parameters: list[Any] | None = None
     remappings: Sequence[tuple[Any, Any]] | None = None
     arguments: Sequence[Any] | None = None
@@ -86,21 +85,12 @@ class Node(Process):
 
     def __post_init__(self) -> None:
         _expect_parameters('Node', self.parameters)
-        for option, value in (('arguments', self.arguments), ('ros_arguments', self.ros_arguments)):
-            if not isinstance(value, Iterable | None):
-                raise LaunchFailed(f"'Node' expected '{option}' to be a list of strings and substitutions, but got "
-                                   f'{value!r}')
-        rules = [] if self.remappings is None else self.remappings
-        if not isinstance(rules, Iterable) or not all(isinstance(rule, tuple) and len(rule) == 2 for rule in rules):
-            raise LaunchFailed(f"'Node' expected 'remappings' to be a list of pairs such as ('old', 'new'), but got "
-                               f'{self.remappings!r}')
 
     def execute(self, context: Context) -> list[Program]:
         executable = perform(self.executable, context)
         program = [executable] if self.package is None else context.find_program(perform(self.package, context),
                                                                                  executable)
-        name = Path(executable).name if self.exec_name is None else perform(self.exec_name, context)
-        return [self.program(self.command(program, context), name, context)]
+        return [self.program(self.command(program, context), Path(executable).name, context)]
 
     def command(self, program: list[str], context: Context) -> list[str]:
         """Return the command line, as launch_ros makes it.
@@ -154,7 +144,7 @@ class ComposableNode:
 
 
 class ComposableNodeContainer(Node):
-    """A program that loads components; only a full installation has one, and a rehearsal says what they get."""
+    """A program that loads components; only the genuine launch has one, and a rehearsal says what they get."""
 
     def __init__(self, *, name: Any, namespace: Any, composable_node_descriptions: list[ComposableNode] | None = None,
                  **options: Any):
@@ -168,23 +158,15 @@ class ComposableNodeContainer(Node):
 
 @dataclass(kw_only=True)
 class LoadComposableNodes(Action):
-    """Components for a container that runs; only a full installation loads them."""
+    """Components for a container that runs; only the genuine launch loads them."""
 
     composable_node_descriptions: list[ComposableNode]
     target_container: Any = None
 
     def execute(self, context: Context) -> list[Program]:
         if self.composable_node_descriptions:
-            context.expect_launchable('load components (ComposableNode)')
+            context.expect_launchable('component (ComposableNode)')
         return [program for node in self.composable_node_descriptions for program in node.load(context)]
-
-
-class RosTimer(TimerAction):
-    """A timer in ROS time, which only a full installation has."""
-
-    def execute(self, context: Context) -> None:
-        context.expect_launchable('wait in ROS time (RosTimer)')
-        context.postponed.append((float('inf'), self.actions))
 
 
 def full_name(name: Any, namespace: Any, context: Context) -> tuple[str | None, str | None]:
@@ -246,7 +228,7 @@ def parameter_words(parameters: Iterable[Any] | None, name: str | None, namespac
         else:
             path = (source if isinstance(source, ParameterFile) else ParameterFile(source)).evaluate(context)
             if not path.is_file():
-                context.warn(f'Parameter file path is not a file: {path}')
+                context.log('WARNING', 'launch_ros.actions.node', f'Parameter file path is not a file: {path}')
                 continue
         words += ['--params-file', str(path)]
     return words

@@ -3,13 +3,8 @@
 Where a launch file takes a substitution, it also takes a string, and several of both, which are joined.
 """
 
-import importlib
 import math
-import os
-import random
 import shlex
-import socket
-import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -31,8 +26,8 @@ class Substitution:
         raise NotImplementedError
 
     def describe(self) -> str:
-        """Return the substitution as ``--show-args`` prints it."""
-        raise NotImplementedError
+        """Return the substitution as ``--show-args`` prints it; of those that no default in a chapter is, the name."""
+        return f'{type(self).__name__}(…)'
 
 
 class TextSubstitution(Substitution):
@@ -134,9 +129,6 @@ class Parameter(Substitution):
             raise LaunchFailed(f"parameter '{name}' not found")
         return perform(self.default, context)
 
-    def describe(self) -> str:
-        return f'Parameter(name={describe(self.name)})'
-
 
 class ExecutableInPackage(Substitution):
     """The path of a package's program."""
@@ -147,9 +139,6 @@ class ExecutableInPackage(Substitution):
 
     def perform(self, context: Context) -> str:
         return context.find_program(perform(self.package, context), perform(self.executable, context))[-1]
-
-    def describe(self) -> str:
-        return f'ExecInPkg(pkg={describe(self.package)}, exec={describe(self.executable)})'
 
 
 class EnvironmentVariable(Substitution):
@@ -174,41 +163,25 @@ class EnvironmentVariable(Substitution):
 class PythonExpression(Substitution):
     """What Python makes of an expression."""
 
-    def __init__(self, expression: Any, python_modules: Any = ('math',)):
+    def __init__(self, expression: Any):
         self.expression = expression
-        self.python_modules = [python_modules] if isinstance(python_modules, (str, Substitution)) else python_modules
 
     def perform(self, context: Context) -> str:
         expression = perform(self.expression, context)
         try:
-            modules = [importlib.import_module(perform(name, context)) for name in self.python_modules]
-            names = {module.__name__: module for module in modules}
             # As in launch, the names of math need no module before them.
-            return str(eval(expression, {}, {**(vars(math) if 'math' in names else {}), **names}))
+            return str(eval(expression, {}, {**vars(math), 'math': math}))
         except Exception as error:
             raise LaunchFailed(f'the expression {expression!r} fails: {type(error).__name__}: {error}') from error
 
-    def describe(self) -> str:
-        return f'PythonExpr({describe(self.expression)}, [{", ".join(map(describe, self.python_modules))}])'
 
-
-class ThisLaunchFile(Substitution):
-    """The path of the launch file that was included last."""
-
-    def perform(self, context: Context) -> str:
-        if context.launch_file is None:
-            raise LaunchFailed(f'{type(self).__name__} used outside of a launch file (in a script)')
-        return str(context.launch_file)
-
-    def describe(self) -> str:
-        return f'{type(self).__name__}()'
-
-
-class ThisLaunchFileDir(ThisLaunchFile):
+class ThisLaunchFileDir(Substitution):
     """The folder of the launch file that was included last."""
 
     def perform(self, context: Context) -> str:
-        return str(Path(super().perform(context)).parent)
+        if context.launch_file is None:
+            raise LaunchFailed('ThisLaunchFileDir used outside of a launch file (in a script)')
+        return str(context.launch_file.parent)
 
 
 class FindExecutable(Substitution):
@@ -220,28 +193,18 @@ class FindExecutable(Substitution):
     def perform(self, context: Context) -> str:
         return context.find_executable(perform(self.name, context))
 
-    def describe(self) -> str:
-        return f'FindExec({describe(self.name)})'
-
 
 class Command(Substitution):
     """What a command prints."""
 
-    def __init__(self, command: Any, *, on_stderr: Any = 'fail'):
+    def __init__(self, command: Any):
         self.command = command
-        self.on_stderr = on_stderr
 
     def perform(self, context: Context) -> str:
-        on_stderr = perform(self.on_stderr, context)
-        if on_stderr not in ('fail', 'ignore', 'warn', 'capture'):
-            raise LaunchFailed("expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture'")
         words = shlex.split(perform(self.command, context))
         if not words:
             raise LaunchFailed('a Command without a command')
-        return context.output_of(words, on_stderr)
-
-    def describe(self) -> str:
-        return f'Command({describe(self.command)})'
+        return context.output_of(words)
 
 
 class FileContent(Substitution):
@@ -257,26 +220,6 @@ class FileContent(Substitution):
         except OSError as error:
             raise LaunchFailed(f'{error.strerror}: {path}') from None
 
-    def describe(self) -> str:
-        return f'FileContent({describe(self.path)})'
-
-
-class AnonName(Substitution):
-    """A name that no other node has: the same one for the same word."""
-
-    def __init__(self, name: Any):
-        self.name = name
-
-    def perform(self, context: Context) -> str:
-        word = perform(self.name, context)
-        name = f'{word}_{socket.gethostname()}_{os.getpid()}_{random.randint(0, sys.maxsize)}'
-        for char in '.-:':
-            name = name.replace(char, '_')
-        return str(context.launch_configurations.setdefault(f'anon{word}', name))
-
-    def describe(self) -> str:
-        return f'AnonName({describe(self.name)})'
-
 
 class _Logical(Substitution):
     """A substitution that is ``true`` or ``false``."""
@@ -291,36 +234,15 @@ class _Logical(Substitution):
         """Return whether it is true of these texts."""
         raise NotImplementedError
 
-    def describe(self) -> str:
-        return f'{type(self).__name__}({" ".join(map(describe, self.values))})'
 
-
-class AnySubstitution(_Logical):
-    """True if one of the values is."""
-
-    def holds(self, texts: list[str]) -> bool:
-        return any([as_bool(text) for text in texts])  # all are read
-
-
-class AllSubstitution(_Logical):
-    """True if all values are."""
-
-    def holds(self, texts: list[str]) -> bool:
-        return all([as_bool(text) for text in texts])
-
-
-class OrSubstitution(AnySubstitution):
-    """True if one of two values is."""
-
-    def __init__(self, left: Any, right: Any):
-        super().__init__(left, right)
-
-
-class AndSubstitution(AllSubstitution):
+class AndSubstitution(_Logical):
     """True if both values are."""
 
     def __init__(self, left: Any, right: Any):
         super().__init__(left, right)
+
+    def holds(self, texts: list[str]) -> bool:
+        return all([as_bool(text) for text in texts])  # both are read
 
 
 class NotSubstitution(_Logical):
@@ -367,9 +289,6 @@ class IfElseSubstitution(Substitution):
     def perform(self, context: Context) -> str:
         return perform(self.if_value if as_bool(perform(self.condition, context)) else self.else_value, context)
 
-    def describe(self) -> str:
-        return f'IfElseSubstitution({describe(self.condition)}, {describe(self.if_value)}, {describe(self.else_value)})'
-
 
 def as_bool(text: str) -> bool:
     """Return what a text says as a boolean, as YAML has it; 1 and 0 are booleans, too."""
@@ -403,13 +322,6 @@ def expect_string(value: Any) -> None:
     """Expect what ``perform`` takes: a string, a substitution, or a list of these."""
     if not all(isinstance(part, (str, Substitution)) for part in (value if is_list(value) else [value])):
         raise LaunchFailed(f'the launch file has {value!r} where a string or a substitution belongs')
-
-
-def normalized(value: Any) -> list[Substitution]:
-    """Return what ``perform`` takes as a list of substitutions."""
-    expect_string(value)
-    return [TextSubstitution(text=part) if isinstance(part, str) else part
-            for part in (value if is_list(value) else [value])]
 
 
 def perform(value: Any, context: Context) -> str:

@@ -5,22 +5,15 @@ The grammar is launch's (grammar.lark): a backslash keeps the character after it
 
 import re
 from collections.abc import Callable
-from typing import Any
 
 from param_tools.cli.launch import substitutions as known
-from param_tools.cli.launch.context import FULL_INSTALLATION, LaunchFailed
+from param_tools.cli.launch.context import LaunchFailed, reject
 from param_tools.cli.launch.substitutions import Substitution, TextSubstitution
 
 _BEGINNING = re.compile(r'\$\(([A-Za-z][\w-]*)')
 # Plain text outside substitutions, and as a part of an argument: without quotes, and inside each kind of quotes.
 _PLAIN = {quote: re.compile(rf'(?:\\.|[^$\\{quote}]|\\|\$(?!\())+', re.DOTALL) for quote in ('', "'", '"')}
 _PART = {quote: re.compile(rf'(?:\\[^ ]|[^ $\\(){quote or chr(34) + chr(39)}]|\$(?!\())+') for quote in ('', "'", '"')}
-
-
-def _eval(expression: Any, modules: Any = None) -> Substitution:
-    if modules is None:
-        return known.PythonExpression(expression)
-    return known.PythonExpression(expression, [name.strip() for part in modules for name in part.text.split(',')])
 
 
 # What each name stands for, called with the arguments.
@@ -32,18 +25,13 @@ KINDS: dict[str, Callable[..., Substitution]] = {
     'exec-in-pkg': known.ExecutableInPackage,
     'find-exec': lambda name: known.FindExecutable(name=name),
     'dirname': known.ThisLaunchFileDir,
-    'filename': known.ThisLaunchFile,
-    'eval': _eval,
-    'command': lambda command, on_stderr='fail': known.Command(command, on_stderr=on_stderr),
+    'eval': known.PythonExpression,
+    'command': known.Command,
     'file-content': known.FileContent,
-    'anon': known.AnonName,
     'param': lambda name, default=None: known.Parameter(name, default=default),
     'if': known.IfElseSubstitution,
     'not': known.NotSubstitution,
     'and': known.AndSubstitution,
-    'or': known.OrSubstitution,
-    'any': known.AnySubstitution,
-    'all': known.AllSubstitution,
     'equals': known.EqualsSubstitution,
     'not-equals': known.NotEqualsSubstitution,
 }
@@ -89,8 +77,7 @@ class _Reader:
         self._place += 1
         name = beginning[1]
         if name not in KINDS:
-            raise LaunchFailed(f'the embedded ros2 launch has no substitution {self._text[start:self._place]}; it has '
-                               f'{", ".join(f"$({kind} …)" for kind in KINDS)}. {FULL_INSTALLATION}')
+            reject(f'substitution {self._text[start:self._place]}')
         try:
             return KINDS[name](*arguments)
         except TypeError:

@@ -47,12 +47,9 @@ def launch_file(session: Session, args: argparse.Namespace) -> Steps:
     launcher = Launcher(session.stdout)
     launcher.log('INFO', 'launch', 'Default logging verbosity is set to INFO')
     with tempfile.TemporaryDirectory(prefix='param_tools_') as folder:
-        context = Context(
-            {}, Path(folder), lambda text: launcher.log('WARNING', 'launch_ros.actions.node', text),
-            log_error=lambda text: launcher.log('ERROR', 'launch.actions.declare_launch_argument', text),
-            log=lambda text: launcher.log('INFO', 'launch.user', text))
         try:
-            yield from launcher.run(carry_out([include(path, arguments)], context))
+            programs = carry_out([include(path, arguments)], Context(folder=Path(folder), log=launcher.log))
+            yield from launcher.run(programs)
         except LaunchFailed as error:
             # To standard output, as all that launch logs.
             launcher.log('ERROR', 'launch', f'Caught exception in launch (see debug for traceback): {error}')
