@@ -21,7 +21,8 @@ setup(
     name=PACKAGE,
     version=VERSION,
     packages=find_packages(include=[f'{each}{rest}' for each in IMPORT_PACKAGES for rest in ('', '.*')]),
-    package_data={each: ['**/*.css', '**/*.js', 'ros/*.xml', 'views/drawing/ros1_recording.txt']
+    package_data={each: ['**/*.css', '**/*.js', 'ros/*.xml', 'cli/new_package.txt',
+                         'views/drawing/ros1_recording.txt']
                   for each in IMPORT_PACKAGES},
     data_files=[
         ('share/ament_index/resource_index/packages', [f'resource/{PACKAGE}']),

@@ -362,27 +362,6 @@ def test_run_finds_a_program_in_a_sub_folder_and_there_must_be_one(workspace):
         assert run('run', 'mine', name) == ('', 'No executable found\n', 1)
 
 
-def test_pkg_tells_what_has_been_built_and_sourced(workspace, tmp_path, monkeypatch):
-    first, second = workspace('tools/z'), workspace('y')
-    for words in ([], ['mine']):
-        assert run('pkg', 'executables', *words) == ('mine z\nmine y\n', '', 0)
-        assert run('pkg', 'executables', '--full-path', *words) == (f'{first}\n{second}\n', '', 0)
-    assert run('pkg', 'list') == ('mine\n', '', 0)
-    assert run('pkg', 'prefix', 'mine') == (f'{tmp_path}\n', '', 0)
-    assert run('pkg', 'prefix', '--share', 'mine') == (f'{tmp_path}/share/mine\n', '', 0)
-    assert run('pkg', 'prefix', 'other') == ('', 'Package not found\n', 1)
-    assert run('pkg', 'executables', 'other') == ('', "Package 'other' not found\n", 1)
-    # Ours runs without having been built, and says so.
-    for words in (['prefix', 'param_tutorial'], ['executables', 'param_tutorial']):
-        stdout, stderr, status = run('pkg', *words)
-        assert (stdout, status) == ('', 1)
-        assert 'not found: param_tutorial has not been built' in stderr
-    monkeypatch.setenv('PARAM_TOOLS_PROVIDED', '0')
-    assert run('pkg', 'prefix', 'param_tutorial') == ('', 'Package not found\n', 1)
-    monkeypatch.delenv('AMENT_PREFIX_PATH')
-    assert run('pkg', 'list') == run('pkg', 'executables') == ('', '', 0)
-
-
 # -- as a process ---------------------------------------------------------------------------------------------
 
 

@@ -13,11 +13,7 @@ import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from ament_index_python.packages import (
-    get_package_prefix,
-    get_package_share_directory,
-    get_packages_with_prefixes,
-)
+from ament_index_python.packages import get_package_prefix, get_package_share_directory
 
 from param_tools.cli.session import CommandFailed
 from param_tools.ros.environment import provided_packages
@@ -37,11 +33,6 @@ def prefix_of(package: str, search_path: str) -> Path:
     """
     with _not_found(), _searching(search_path):
         return Path(get_package_prefix(package))
-
-
-def sourced_packages() -> list[str]:
-    """Return the names of all packages in the install spaces that have been sourced, sorted; none if none has."""
-    return sorted(get_packages_with_prefixes()) if os.environ.get(_SEARCH_PATH) else []
 
 
 def share_folder_of(package: str) -> Path:
